@@ -1,0 +1,234 @@
+//! Floor 3: what distance and the cone of a spot leave of a light.
+
+use crate::real::Real;
+use crate::vector::UnitVec3;
+
+/// The attenuation of a light with distance.
+///
+/// ```text
+/// 1 / (a + bq + cq²)
+/// ```
+///
+/// q ≥ 0 is the **distance**, not its square; a, b, c ≥ 0 are the constant, linear and quadratic
+/// coefficients. Not limited to 1. Evaluated as a + q(b + cq), so that it never rises with q, a,
+/// b or c, to the bit. Infinite where the denominator is 0; [`Attenuation`] is never.
+///
+/// Source: Foley, van Dam et al. §16.1.2; OpenGL 2.1 §2.14.1.
+///
+/// ```
+/// use shading::attenuation;
+/// assert_eq!(attenuation(1.0_f32, 0.0, 0.0, 5.0), 1.0);
+/// assert_eq!(attenuation(0.0_f32, 0.0, 1.0, 4.0), 1.0 / 16.0);
+/// ```
+#[doc(alias = "falloff")]
+#[inline]
+#[must_use]
+pub fn attenuation<T: Real>(a: T, b: T, c: T, q: T) -> T {
+    T::ONE / (a + q * (b + c * q))
+}
+
+/// Checked coefficients of the [`attenuation`].
+///
+/// ```
+/// use shading::Attenuation;
+///
+/// const LAMP: Attenuation<f32> = Attenuation::<f32>::new(1.0, 0.0, 0.25).unwrap();
+/// assert_eq!(LAMP.at(2.0), 0.5);
+///
+/// assert_eq!(Attenuation::<f32>::new(0.0_f32, 0.0, 0.0), None);
+/// assert_eq!(Attenuation::<f32>::new(1.0_f32, -0.5, 0.0), None);
+/// ```
+///
+/// An impossible constant fails the build:
+///
+/// ```compile_fail
+/// # use shading::Attenuation;
+/// const NONSENSE: Attenuation<f32> = Attenuation::<f32>::new(1.0, -0.5, 0.0).unwrap();
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Attenuation<T> {
+    a: T,
+    b: T,
+    c: T,
+    /// What the factor is limited to.
+    limit: T,
+}
+
+impl<T: Real> Attenuation<T> {
+    /// No attenuation: the factor is exactly 1 at every distance.
+    pub const NONE: Self = Self {
+        a: T::ONE,
+        b: T::ZERO,
+        c: T::ZERO,
+        limit: T::MAX,
+    };
+
+    /// The same attenuation limited to 1: min(1, 1/(a + bq + cq²)), as Foley, van Dam et al. have
+    /// it in §16.1.2. OpenGL does not limit it.
+    ///
+    /// ```
+    /// use shading::Attenuation;
+    ///
+    /// let inverse_square = Attenuation::<f32>::new(0.0_f32, 0.0, 1.0).unwrap();
+    /// assert_eq!(inverse_square.at(0.5), 4.0);
+    /// assert_eq!(inverse_square.clamped().at(0.5), 1.0);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub const fn clamped(self) -> Self
+    where
+        T: Copy,
+    {
+        Self {
+            limit: T::ONE,
+            ..self
+        }
+    }
+
+    /// The factor at the distance q ≥ 0. Where the [`attenuation`] is infinite, the largest finite
+    /// number.
+    #[inline]
+    #[must_use]
+    pub fn at(self, q: T) -> T {
+        attenuation(self.a, self.b, self.c, q).at_most(self.limit)
+    }
+
+    /// The same attenuation over another number type; `f` gives the same number in that type.
+    #[inline]
+    #[must_use]
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Attenuation<U> {
+        Attenuation {
+            a: f(self.a),
+            b: f(self.b),
+            c: f(self.c),
+            limit: f(self.limit),
+        }
+    }
+}
+
+/// The hard cone of a spot light, by its **half**-angle: the angle between axis and edge. What is
+/// commonly given as the spot's opening is twice as much.
+///
+/// ```
+/// use shading::{Cone, UnitVec3};
+///
+/// // a spot that shines straight down, 60° wide from edge to edge
+/// const CONE: Cone<f32> = Cone::<f32>::from_half_angle(core::f32::consts::FRAC_PI_6).unwrap();
+/// let axis = -UnitVec3::Z;
+///
+/// assert_eq!(CONE.factor(axis, UnitVec3::Z), 1.0); // right below: L points up
+/// assert_eq!(CONE.factor(axis, UnitVec3::X), 0.0);
+/// assert_eq!(Cone::<f32>::from_half_angle(4.0_f32), None); // over π
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cone<T> {
+    cosine: T,
+}
+
+impl<T: Real> Cone<T> {
+    /// 1 inside the cone and on its edge, 0 outside.
+    ///
+    /// ```text
+    /// 1 where −L·axis ≥ cos(half-angle), else 0
+    /// ```
+    ///
+    /// `axis` is the direction in which the spot shines, L points from the surface to the light.
+    /// On the axis the factor is 1 for every cone.
+    ///
+    /// Source: OpenGL 2.1 §2.14.1, with a spot exponent of 0.
+    #[inline]
+    #[must_use]
+    pub fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
+        (self.cosine - (-axis).dot(l)).if_positive(T::ZERO, T::ONE)
+    }
+
+    /// The cosine of the half-angle.
+    #[inline]
+    #[must_use]
+    pub fn cosine(self) -> T {
+        self.cosine
+    }
+
+    /// The same cone over another number type; `f` gives the same number in that type.
+    #[inline]
+    #[must_use]
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Cone<U> {
+        Cone {
+            cosine: f(self.cosine),
+        }
+    }
+}
+
+macro_rules! checked {
+    ($float:ident) => {
+        impl Attenuation<$float> {
+            /// Takes the coefficients of 1/(a + bq + cq²). `None` where one is negative or not
+            /// finite, or where all are zero.
+            #[inline]
+            #[must_use]
+            pub const fn new(a: $float, b: $float, c: $float) -> Option<Self> {
+                const MAX: $float = $float::MAX;
+                if a >= 0.0
+                    && b >= 0.0
+                    && c >= 0.0
+                    && a <= MAX
+                    && b <= MAX
+                    && c <= MAX
+                    && (a > 0.0 || b > 0.0 || c > 0.0)
+                {
+                    Some(Self {
+                        a,
+                        b,
+                        c,
+                        limit: MAX,
+                    })
+                } else {
+                    None
+                }
+            }
+        }
+
+        impl Cone<$float> {
+            /// The cone of a half-angle in radians, within [0, π]. `None` outside, and for NaN.
+            ///
+            /// The cosine is computed with + − × ÷ alone: in a constant, and with the same bits on
+            /// every machine.
+            #[must_use]
+            pub const fn from_half_angle(radians: $float) -> Option<Self> {
+                if radians >= 0.0 && radians <= core::$float::consts::PI {
+                    // cos x = 1 − 2 sin²(x/2), and Taylor's series for the sine of up to π/2
+                    let x = radians / 2.0;
+                    let (mut sine, mut term, mut k) = (x, x, 1.0);
+                    while k < 27.0 {
+                        term = -term * x * x / ((k + 1.0) * (k + 2.0));
+                        sine += term;
+                        k += 2.0;
+                    }
+                    Self::from_cosine(1.0 - 2.0 * sine * sine)
+                } else {
+                    None
+                }
+            }
+
+            /// The cone of a half-angle given by its cosine, within [−1, 1]. `None` outside, and
+            /// for NaN.
+            ///
+            /// A cosine next to 1 is taken as 1 − 4ε (an angle of 0.06° in `f32`), so that
+            /// the rounding of directions cannot put the axis outside its own cone.
+            #[must_use]
+            pub const fn from_cosine(cosine: $float) -> Option<Self> {
+                const NARROWEST: $float = 1.0 - 4.0 * $float::EPSILON;
+                if cosine >= -1.0 && cosine <= NARROWEST {
+                    Some(Self { cosine })
+                } else if cosine > NARROWEST && cosine <= 1.0 {
+                    Some(Self { cosine: NARROWEST })
+                } else {
+                    None
+                }
+            }
+        }
+    };
+}
+
+checked!(f32);
+checked!(f64);

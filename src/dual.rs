@@ -1,0 +1,278 @@
+//! Floor 2: numbers that differentiate themselves.
+
+use core::cmp::Ordering;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::real::{Elementary, Real};
+use crate::vector::Vec3;
+
+/// A dual number: a value and its gradient, ∇ = (∂/∂x, ∂/∂y, ∂/∂z). Arithmetic on it is
+/// forward-mode differentiation: exact derivatives of the function as it is written, without
+/// hand-derived partials and without a step size.
+///
+/// [`normal::implicit`](crate::normal::implicit) and
+/// [`normal::parametric`](crate::normal::parametric) hand such numbers to your function. Plain
+/// numbers mix with them on the right: `p.dot(p) - 1.0`. Comparisons look at the value alone.
+/// Where the derivative does not exist (√ at 0), the gradient is not finite.
+///
+/// ```
+/// use shading::{Dual, Elementary, Vec3};
+///
+/// let p = Dual::point(Vec3::new(3.0_f64, 0.0, 2.0));
+/// let f = p.x * p.x * p.z + p.y.cos();
+/// assert_eq!(f.value, 19.0);
+/// assert_eq!(f.gradient, Vec3::new(12.0, 0.0, 9.0)); // (2xz, −sin y, x²)
+/// ```
+///
+/// Source: Clifford 1873; Griewank and Walther, *Evaluating Derivatives*.
+#[doc(alias = "autodiff")]
+#[derive(Clone, Copy, Debug)]
+pub struct Dual<T> {
+    /// The value.
+    pub value: T,
+    /// Its derivatives by the three variables.
+    pub gradient: Vec3<T>,
+}
+
+impl<T: Real> Dual<T> {
+    /// A number that depends on no variable.
+    #[inline]
+    #[must_use]
+    pub const fn constant(value: T) -> Self {
+        Self {
+            value,
+            gradient: Vec3::ZERO,
+        }
+    }
+
+    /// The three coordinates of a point as the variables by which is differentiated.
+    #[inline]
+    #[must_use]
+    pub const fn point(p: Vec3<T>) -> Vec3<Self>
+    where
+        T: Copy,
+    {
+        let [zero, one] = [T::ZERO, T::ONE];
+        Vec3::new(
+            Self {
+                value: p.x,
+                gradient: Vec3::new(one, zero, zero),
+            },
+            Self {
+                value: p.y,
+                gradient: Vec3::new(zero, one, zero),
+            },
+            Self {
+                value: p.z,
+                gradient: Vec3::new(zero, zero, one),
+            },
+        )
+    }
+
+    /// The chain rule: lifts any function g, given its value g(x) and its slope g′(x) at this
+    /// number's value x.
+    ///
+    /// ```text
+    /// ∇ g(f) = g′(f) ∇f
+    /// ```
+    ///
+    /// ```
+    /// use shading::{Dual, Vec3};
+    ///
+    /// fn tan(x: Dual<f64>) -> Dual<f64> {
+    ///     let tan = x.value.tan();
+    ///     x.chain(tan, 1.0 + tan * tan)
+    /// }
+    /// let x = Dual::point(Vec3::new(0.0, 0.5, 0.0)).x;
+    /// assert_eq!(tan(x).gradient, Vec3::new(1.0, 0.0, 0.0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn chain(self, value: T, slope: T) -> Self {
+        Self {
+            value,
+            gradient: self.gradient * slope,
+        }
+    }
+}
+
+impl<T: Real> From<T> for Dual<T> {
+    #[inline]
+    fn from(value: T) -> Self {
+        Self::constant(value)
+    }
+}
+
+impl<T: PartialEq> PartialEq for Dual<T> {
+    #[inline]
+    fn eq(&self, other: &Self) -> bool {
+        self.value == other.value
+    }
+}
+
+impl<T: PartialOrd> PartialOrd for Dual<T> {
+    #[inline]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        self.value.partial_cmp(&other.value)
+    }
+}
+
+impl<T: Real> Neg for Dual<T> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self {
+            value: -self.value,
+            gradient: -self.gradient,
+        }
+    }
+}
+
+/// The sum rule.
+impl<T: Real> Add for Dual<T> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self {
+            value: self.value + other.value,
+            gradient: self.gradient + other.gradient,
+        }
+    }
+}
+
+/// The sum rule.
+impl<T: Real> Sub for Dual<T> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Self {
+            value: self.value - other.value,
+            gradient: self.gradient - other.gradient,
+        }
+    }
+}
+
+/// The product rule.
+impl<T: Real> Mul for Dual<T> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Self {
+            value: self.value * other.value,
+            gradient: self.gradient * other.value + other.gradient * self.value,
+        }
+    }
+}
+
+/// The quotient rule, as (f′ − (f/g) g′)/g.
+impl<T: Real> Div for Dual<T> {
+    type Output = Self;
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        Self {
+            value,
+            gradient: (self.gradient - other.gradient * value).map(|slope| slope / other.value),
+        }
+    }
+}
+
+impl<T: Real> Add<T> for Dual<T> {
+    type Output = Self;
+    #[inline]
+    fn add(self, number: T) -> Self {
+        Self {
+            value: self.value + number,
+            ..self
+        }
+    }
+}
+
+impl<T: Real> Sub<T> for Dual<T> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, number: T) -> Self {
+        Self {
+            value: self.value - number,
+            ..self
+        }
+    }
+}
+
+impl<T: Real> Mul<T> for Dual<T> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, number: T) -> Self {
+        self.chain(self.value * number, number)
+    }
+}
+
+impl<T: Real> Div<T> for Dual<T> {
+    type Output = Self;
+    #[inline]
+    fn div(self, number: T) -> Self {
+        Self {
+            value: self.value / number,
+            gradient: self.gradient.map(|slope| slope / number),
+        }
+    }
+}
+
+impl<T: Real> Real for Dual<T> {
+    const ZERO: Self = Self::constant(T::ZERO);
+    const ONE: Self = Self::constant(T::ONE);
+    const MAX: Self = Self::constant(T::MAX);
+    const RESCALE: Self = Self::constant(T::RESCALE);
+
+    #[inline]
+    fn of(literal: f64) -> Self {
+        Self::constant(T::of(literal))
+    }
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        self.chain(root, T::ONE / (root + root))
+    }
+
+    #[inline]
+    fn if_positive(self, then: Self, otherwise: Self) -> Self {
+        let select = |a, b| self.value.if_positive(a, b);
+        Self {
+            value: select(then.value, otherwise.value),
+            gradient: Vec3::new(
+                select(then.gradient.x, otherwise.gradient.x),
+                select(then.gradient.y, otherwise.gradient.y),
+                select(then.gradient.z, otherwise.gradient.z),
+            ),
+        }
+    }
+
+    #[inline]
+    fn any_positive(self) -> bool {
+        self.value.any_positive()
+    }
+}
+
+impl<T: Elementary> Elementary for Dual<T> {
+    #[inline]
+    fn sin(self) -> Self {
+        self.chain(self.value.sin(), self.value.cos())
+    }
+
+    #[inline]
+    fn cos(self) -> Self {
+        self.chain(self.value.cos(), -self.value.sin())
+    }
+
+    #[inline]
+    fn exp(self) -> Self {
+        let power = self.value.exp();
+        self.chain(power, power)
+    }
+
+    #[inline]
+    fn ln(self) -> Self {
+        self.chain(self.value.ln(), T::ONE / self.value)
+    }
+}

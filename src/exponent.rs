@@ -1,0 +1,92 @@
+//! Floor 0: the shininess m, and the power of a cosine.
+
+use crate::real::Real;
+
+/// The shininess m of a highlight: a whole number (`u32`) or a real one (`f32`, `f64`).
+///
+/// A whole m takes the much faster path, by squaring. The type of the argument chooses:
+///
+/// ```
+/// use shading::{Exponent, UnitVec3, blinn};
+///
+/// let n = UnitVec3::<f32>::Z;
+/// let h = UnitVec3::<f32>::known(0.0, 0.6, 0.8).unwrap();
+/// let whole = blinn(n, h, 32); // five multiplications
+/// let real = blinn(n, h, 32.5);
+/// assert!(real < whole);
+/// ```
+pub trait Exponent<T>: Copy {
+    /// cosineᵐ for a cosine within [0, 1]; 1 for m = 0.
+    ///
+    /// A whole m is exact to a relative error of m·u, u the unit roundoff (2⁻²⁴ for `f32`), which
+    /// is the power's own conditioning.
+    #[must_use]
+    fn raise(self, cosine: T) -> T;
+
+    /// (√square)ᵐ for the square of a cosine, within [0, 1]: what a highlight needs where the
+    /// square is at hand and its root would cost more than the power.
+    #[must_use]
+    fn raise_root(self, square: T) -> T;
+}
+
+impl<T: Real> Exponent<T> for u32 {
+    #[inline]
+    fn raise(self, cosine: T) -> T {
+        by_squaring(cosine, self)
+    }
+
+    #[inline]
+    fn raise_root(self, square: T) -> T {
+        if self % 2 == 0 {
+            by_squaring(square, self / 2)
+        } else {
+            by_squaring(square.sqrt(), self)
+        }
+    }
+}
+
+impl Exponent<f32> for f32 {
+    #[inline]
+    fn raise(self, cosine: f32) -> f32 {
+        libm::powf(cosine, self)
+    }
+
+    #[inline]
+    fn raise_root(self, square: f32) -> f32 {
+        libm::powf(square, 0.5 * self)
+    }
+}
+
+impl Exponent<f64> for f64 {
+    #[inline]
+    fn raise(self, cosine: f64) -> f64 {
+        libm::pow(cosine, self)
+    }
+
+    #[inline]
+    fn raise_root(self, square: f64) -> f64 {
+        libm::pow(square, 0.5 * self)
+    }
+}
+
+/// baseᵐ by squaring from the lowest bit of m up, without a multiplication by one or a square too
+/// many.
+#[inline]
+pub(crate) fn by_squaring<T: Real>(mut base: T, mut m: u32) -> T {
+    if m == 0 {
+        return T::ONE;
+    }
+    while m % 2 == 0 {
+        base = base * base;
+        m /= 2;
+    }
+    let mut power = base;
+    while m > 1 {
+        base = base * base;
+        m /= 2;
+        if m % 2 == 1 {
+            power = power * base;
+        }
+    }
+    power
+}

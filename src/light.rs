@@ -1,0 +1,254 @@
+//! Floor 4: lights, and what arrives of them at a point.
+
+use crate::attenuation::{Attenuation, Cone};
+use crate::real::Real;
+use crate::rgb::Rgb;
+use crate::vector::{UnitVec3, Vec3};
+
+/// The light that arrives at a point from one direction: what every light source comes down to,
+/// and what the [sums over lights](crate::shade) take.
+///
+/// Make it yourself for a light of your own kind, and change it on its way to the sum: a shadow is
+/// an intensity of zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IncidentLight<T> {
+    /// L, the direction from the surface **to** the light.
+    pub l: UnitVec3<T>,
+    /// I, as it arrives: attenuated, and zero outside a spot's cone.
+    pub intensity: Rgb<T>,
+}
+
+/// A light so far away that its direction is the same everywhere, and not attenuated: the sun.
+///
+/// ```
+/// use shading::{DirectionalLight, Rgb, UnitVec3, Vec3};
+///
+/// static SUN: DirectionalLight<f32> =
+///     DirectionalLight { l: UnitVec3::Z, intensity: Rgb::new(1.0, 0.95, 0.9) };
+/// assert_eq!(SUN.at(Vec3::new(5.0, 0.0, -2.0)).intensity, SUN.intensity);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DirectionalLight<T> {
+    /// L, the direction **to** the light, against the way it shines.
+    pub l: UnitVec3<T>,
+    /// I, the same everywhere.
+    pub intensity: Rgb<T>,
+}
+
+/// A light that shines from one point in all directions, attenuated with distance.
+///
+/// ```
+/// use shading::{Attenuation, PointLight, Rgb, UnitVec3, Vec3};
+///
+/// static LAMP: PointLight<f32> = PointLight {
+///     position: Vec3::new(0.0, 0.0, 3.0),
+///     intensity: Rgb::WHITE,
+///     attenuation: Attenuation::<f32>::new(1.0, 0.0, 0.25).unwrap(),
+/// };
+/// let incident = LAMP.at(Vec3::new(0.0, 0.0, 1.0));
+/// assert_eq!(incident.l, UnitVec3::Z);
+/// assert_eq!(incident.intensity, Rgb::gray(0.5));
+///
+/// // at the light itself there is no direction, and it lights nothing
+/// assert_eq!(LAMP.at(LAMP.position).intensity, Rgb::BLACK);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PointLight<T> {
+    /// Where the light is.
+    pub position: Vec3<T>,
+    /// I, before attenuation.
+    pub intensity: Rgb<T>,
+    /// What distance leaves of it.
+    pub attenuation: Attenuation<T>,
+}
+
+/// A point light that shines within a cone.
+///
+/// ```
+/// use shading::{Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3};
+///
+/// static SPOT: SpotLight<f32> = SpotLight {
+///     point: PointLight {
+///         position: Vec3::new(0.0, 3.0, 0.0),
+///         intensity: Rgb::WHITE,
+///         attenuation: Attenuation::NONE,
+///     },
+///     axis: UnitVec3::<f32>::known(0.0, -1.0, 0.0).unwrap(),
+///     cone: Cone::<f32>::from_half_angle(0.5).unwrap(),
+/// };
+/// assert_eq!(SPOT.at(Vec3::ZERO).intensity, Rgb::WHITE);
+/// assert_eq!(SPOT.at(Vec3::new(3.0, 0.0, 0.0)).intensity, Rgb::BLACK);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpotLight<T> {
+    /// The light at the tip of the cone.
+    pub point: PointLight<T>,
+    /// The direction in which the spot shines.
+    pub axis: UnitVec3<T>,
+    /// How wide.
+    pub cone: Cone<T>,
+}
+
+/// Any of the three, for scenes that mix them.
+///
+/// ```
+/// use shading::{DirectionalLight, Light, Rgb, UnitVec3, Vec3};
+///
+/// static LIGHTS: [Light<f32>; 1] =
+///     [Light::Directional(DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE })];
+/// let incident = LIGHTS.iter().map(|light| light.at(Vec3::ZERO));
+/// assert_eq!(incident.count(), 1);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Light<T> {
+    /// From one direction.
+    Directional(DirectionalLight<T>),
+    /// From one point.
+    Point(PointLight<T>),
+    /// From one point, within a cone.
+    Spot(SpotLight<T>),
+}
+
+impl<T: Real> DirectionalLight<T> {
+    /// The light that arrives at the point p: the same at every point.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, _p: Vec3<T>) -> IncidentLight<T> {
+        IncidentLight {
+            l: self.l,
+            intensity: self.intensity,
+        }
+    }
+
+    /// The same light over another number type; `f` gives the same number in that type.
+    #[inline]
+    #[must_use]
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> DirectionalLight<U> {
+        DirectionalLight {
+            l: self.l.map(&mut f),
+            intensity: self.intensity.map(f),
+        }
+    }
+}
+
+impl<T: Real> PointLight<T> {
+    /// The light that arrives at the point p.
+    ///
+    /// ```text
+    /// L = (P_light − p)/q,  q = |P_light − p|,  I / (a + bq + cq²)
+    /// ```
+    ///
+    /// At the light itself (q = 0), and where q overflows, it lights nothing. An intensity that
+    /// overflows is the largest finite number.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
+        let to_light = self.position - p;
+        let square = to_light.dot(to_light);
+        if Vec3::is_extreme(square) {
+            return self.at_extreme(to_light);
+        }
+        let q = square.sqrt();
+        let l = UnitVec3::assume_unit(to_light * (T::ONE / q));
+        self.arriving(l, q)
+    }
+
+    /// The light from the direction L and the distance q.
+    #[inline]
+    fn arriving(&self, l: UnitVec3<T>, q: T) -> IncidentLight<T> {
+        let factor = self.attenuation.at(q);
+        let mut intensity = self.intensity * factor;
+        // only a factor above 1 can overflow
+        if (factor - T::ONE).any_positive() {
+            intensity = intensity.map(|channel| channel.at_most(T::MAX));
+        }
+        IncidentLight { l, intensity }
+    }
+
+    /// [`at`](PointLight::at) where the square of the distance is out of range.
+    #[cold]
+    #[inline(never)]
+    fn at_extreme(&self, to_light: Vec3<T>) -> IncidentLight<T> {
+        let scale = to_light.rescale_factor();
+        let to_light = to_light * scale;
+        let scaled_q = to_light.dot(to_light).sqrt();
+        // 1 where there is a direction, else 0
+        let exists =
+            scaled_q.if_positive((T::MAX / scaled_q).if_positive(T::ONE, T::ZERO), T::ZERO);
+        let reciprocal = exists.if_positive(T::ONE / scaled_q, T::ZERO);
+        let component = |c, otherwise| exists.if_positive(c * reciprocal, otherwise);
+        let l = UnitVec3::assume_unit(Vec3::new(
+            component(to_light.x, T::ZERO),
+            component(to_light.y, T::ZERO),
+            component(to_light.z, T::ONE),
+        ));
+        let q = exists
+            .if_positive(scaled_q / scale, T::ZERO)
+            .at_most(T::MAX);
+        let incident = self.arriving(l, q);
+        IncidentLight {
+            intensity: incident.intensity * exists,
+            ..incident
+        }
+    }
+
+    /// The same light over another number type; `f` gives the same number in that type.
+    #[inline]
+    #[must_use]
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> PointLight<U> {
+        PointLight {
+            position: self.position.map(&mut f),
+            intensity: self.intensity.map(&mut f),
+            attenuation: self.attenuation.map(f),
+        }
+    }
+}
+
+impl<T: Real> SpotLight<T> {
+    /// The light that arrives at the point p: that of the [`PointLight`] inside the cone and on
+    /// its edge, none outside.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
+        let incident = self.point.at(p);
+        IncidentLight {
+            intensity: incident.intensity * self.cone.factor(self.axis, incident.l),
+            ..incident
+        }
+    }
+
+    /// The same light over another number type; `f` gives the same number in that type.
+    #[inline]
+    #[must_use]
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> SpotLight<U> {
+        SpotLight {
+            point: self.point.map(&mut f),
+            axis: self.axis.map(&mut f),
+            cone: self.cone.map(f),
+        }
+    }
+}
+
+impl<T: Real> Light<T> {
+    /// The light that arrives at the point p.
+    #[inline]
+    #[must_use]
+    pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
+        match self {
+            Self::Directional(light) => light.at(p),
+            Self::Point(light) => light.at(p),
+            Self::Spot(light) => light.at(p),
+        }
+    }
+
+    /// The same light over another number type; `f` gives the same number in that type.
+    #[inline]
+    #[must_use]
+    pub fn map<U>(self, f: impl FnMut(T) -> U) -> Light<U> {
+        match self {
+            Self::Directional(light) => Light::Directional(light.map(f)),
+            Self::Point(light) => Light::Point(light.map(f)),
+            Self::Spot(light) => Light::Spot(light.map(f)),
+        }
+    }
+}

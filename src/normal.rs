@@ -1,0 +1,183 @@
+//! Floor 3: normals of planes, triangles, spheres, implicit and parametric surfaces.
+//!
+//! All of them have length 1, and are `None` where the surface has no normal. Whether a normal
+//! points outside follows from what you pass in; turn it with `-n`.
+
+use crate::dual::Dual;
+use crate::real::Real;
+use crate::vector::{UnitVec3, Vec3};
+
+/// The normal of the plane ax + by + cz + d = 0.
+///
+/// ```text
+/// N = (a, b, c) / |(a, b, c)|
+/// ```
+///
+/// It points to where ax + by + cz + d > 0. `None` where a = b = c = 0.
+///
+/// Source: Foley, van Dam et al. §11.1.3.
+///
+/// ```
+/// use shading::{UnitVec3, normal};
+/// assert_eq!(normal::plane(0.0_f32, 0.0, 2.0), Some(UnitVec3::Z)); // 2z + d = 0
+/// assert_eq!(normal::plane(0.0_f32, 0.0, 0.0), None);
+/// ```
+#[inline]
+#[must_use]
+pub fn plane<T: Real + PartialOrd>(a: T, b: T, c: T) -> Option<UnitVec3<T>> {
+    Vec3::new(a, b, c).unit()
+}
+
+/// The normal of a triangle.
+///
+/// ```text
+/// N = (v₂ − v₁) × (v₃ − v₁) / |(v₂ − v₁) × (v₃ − v₁)|
+/// ```
+///
+/// It points to where the vertices are seen counter-clockwise. `None` where the triangle is a line
+/// or a point. The error is a few u times the conditioning |e₁||e₂|/|e₁×e₂| of the two edges (u the
+/// unit roundoff), whatever the size of the triangle: 10⁻³⁷ and 10³⁷ are as good as 1.
+///
+/// ```
+/// use shading::{UnitVec3, Vec3, normal};
+///
+/// let [a, b, c] = [[0.0_f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Vec3::from);
+/// assert_eq!(normal::triangle(a, b, c), Some(UnitVec3::Z));
+/// assert_eq!(normal::triangle(a, c, b), Some(-UnitVec3::Z));
+/// assert_eq!(normal::triangle(a, b, b), None);
+/// ```
+#[doc(alias = "face")]
+#[inline]
+#[must_use]
+pub fn triangle<T: Real + PartialOrd>(
+    v1: Vec3<T>,
+    v2: Vec3<T>,
+    v3: Vec3<T>,
+) -> Option<UnitVec3<T>> {
+    from_tangents(v2 - v1, v3 - v1)
+}
+
+/// The outward normal of a sphere at a point of it.
+///
+/// ```text
+/// N = (p − center) / |p − center|
+/// ```
+///
+/// `None` where the point is the center.
+///
+/// ```
+/// use shading::{UnitVec3, Vec3, normal};
+///
+/// let center = Vec3::new(1.0_f32, 1.0, 1.0);
+/// assert_eq!(normal::sphere(center, Vec3::new(1.0, 1.0, 4.0)), Some(UnitVec3::Z));
+/// assert_eq!(normal::sphere(center, center), None);
+/// ```
+#[inline]
+#[must_use]
+pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitVec3<T>> {
+    (p - center).unit()
+}
+
+/// The normal of the implicit surface f(x, y, z) = 0 at a point of it, from f itself.
+///
+/// ```text
+/// N = ∇f / |∇f|
+/// ```
+///
+/// It points to where f > 0. The gradient is exact: f computes with [`Dual`] numbers. `None` where
+/// ∇f = 0 or does not exist, as at the apex of a cone.
+///
+/// ```
+/// use shading::{UnitVec3, Vec3, normal};
+///
+/// let top = Vec3::new(0.0_f32, 0.0, 1.0);
+/// assert_eq!(normal::implicit(|p| p.dot(p) - 1.0, top), Some(UnitVec3::Z));
+///
+/// let cone = normal::implicit(|p| p.x * p.x + p.y * p.y - p.z * p.z, Vec3::<f32>::ZERO);
+/// assert_eq!(cone, None);
+/// ```
+///
+/// The same function for finding the surface and for its normal is one generic over
+/// [`Real`] or [`Elementary`](crate::Elementary):
+///
+/// ```
+/// use shading::{Real, UnitVec3, Vec3, normal};
+///
+/// fn torus<T: Real>(p: Vec3<T>) -> T {
+///     let ring = (p.x * p.x + p.y * p.y).sqrt() - T::of(2.0);
+///     ring * ring + p.z * p.z - T::of(0.25)
+/// }
+/// let p = Vec3::new(2.5_f32, 0.0, 0.0);
+/// assert_eq!(torus(p), 0.0);
+/// assert_eq!(normal::implicit(torus, p), Some(UnitVec3::X));
+/// ```
+#[doc(alias = "gradient")]
+#[inline]
+#[must_use]
+pub fn implicit<T: Real + PartialOrd>(
+    f: impl FnOnce(Vec3<Dual<T>>) -> Dual<T>,
+    p: Vec3<T>,
+) -> Option<UnitVec3<T>> {
+    from_gradient(f(Dual::point(p)).gradient)
+}
+
+/// The normal of an implicit surface whose gradient ∇f you have already: ∇f/|∇f|, `None` where it
+/// is 0 or not finite.
+///
+/// ```
+/// use shading::{UnitVec3, Vec3, normal};
+/// assert_eq!(normal::from_gradient(Vec3::new(0.0_f32, 0.0, 1e-30)), Some(UnitVec3::Z));
+/// ```
+#[inline]
+#[must_use]
+pub fn from_gradient<T: Real + PartialOrd>(gradient: Vec3<T>) -> Option<UnitVec3<T>> {
+    gradient.unit()
+}
+
+/// The normal of the parametric surface s(u, v), from s itself.
+///
+/// ```text
+/// N = (∂s/∂u × ∂s/∂v) / |∂s/∂u × ∂s/∂v|
+/// ```
+///
+/// The tangents are exact: s computes with [`Dual`] numbers. Which side N points to is up to the
+/// order of u and v. `None` where the tangents are parallel, one is 0 or one does not exist, as
+/// at the pole of a sphere.
+///
+/// ```
+/// use shading::{Elementary, UnitVec3, Vec3, normal};
+///
+/// let cylinder = |u: shading::Dual<f64>, v| Vec3::new(u.cos(), u.sin(), v);
+/// assert_eq!(normal::parametric(cylinder, 0.0, 5.0), Some(UnitVec3::X));
+/// ```
+#[doc(alias = "tangent")]
+#[inline]
+#[must_use]
+pub fn parametric<T: Real + PartialOrd>(
+    s: impl FnOnce(Dual<T>, Dual<T>) -> Vec3<Dual<T>>,
+    u: T,
+    v: T,
+) -> Option<UnitVec3<T>> {
+    let parameters = Dual::point(Vec3::new(u, v, T::ZERO));
+    let s = s(parameters.x, parameters.y);
+    from_tangents(s.map(|s| s.gradient.x), s.map(|s| s.gradient.y))
+}
+
+/// The normal of a parametric surface whose two tangents you have already: s_u × s_v/|s_u × s_v|,
+/// `None` where they are parallel, 0 or not finite.
+///
+/// Each tangent is brought to a size near 1 before the product and the product before its length
+/// is taken, so that neither overflows nor vanishes.
+///
+/// ```
+/// use shading::{UnitVec3, Vec3, normal};
+///
+/// let (s_u, s_v) = (Vec3::new(1e-30_f32, 0.0, 0.0), Vec3::new(0.0, 1e30, 0.0));
+/// assert_eq!(normal::from_tangents(s_u, s_v), Some(UnitVec3::Z));
+/// assert_eq!(normal::from_tangents(s_u, s_u), None);
+/// ```
+#[inline]
+#[must_use]
+pub fn from_tangents<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<UnitVec3<T>> {
+    s_u.rescaled().cross(s_v.rescaled()).unit()
+}

@@ -1,0 +1,205 @@
+//! Floor 0: the number that every formula is written over.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A real number: `f32`, `f64`, a dual number, a set of SIMD lanes, or a type of your own.
+///
+/// It holds the operations that the formulas of this crate need and no more. All of them round
+/// correctly, which is why a result has the same bits on every machine. There is no comparison:
+/// a decision is taken lane by lane, by [`if_positive`](Real::if_positive).
+///
+/// ```
+/// use shading::Real;
+///
+/// /// The length of the hypotenuse, for every number type.
+/// fn hypotenuse<T: Real>(a: T, b: T) -> T {
+///     (a * a + b * b).sqrt()
+/// }
+/// assert_eq!(hypotenuse(3.0_f32, 4.0), 5.0);
+/// assert_eq!(hypotenuse(3.0_f64, 4.0), 5.0);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a number that this crate computes with",
+    label = "expected `f32`, `f64`, `Dual<_>` or SIMD lanes",
+    note = "write numbers with a decimal point: `Vec3::new(0.0, 0.0, 1.0)`, not `Vec3::new(0, 0, 1)`"
+)]
+pub trait Real:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+    /// The largest finite number.
+    const MAX: Self;
+    /// A power of two *p* that tames vectors of any size before they are squared: where |v|² is
+    /// not within [1/p, p], either p·v or v/p is (2¹⁰⁰ for `f32`, 2⁷²⁰ for `f64`).
+    const RESCALE: Self;
+
+    /// The number nearest to a literal. It is an `f64` so that users of `f64` lose nothing.
+    #[must_use]
+    fn of(literal: f64) -> Self;
+
+    /// The square root, correctly rounded; not a number below zero.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// `then` where `self` > 0, and `otherwise` where it is not (0, −0 and NaN included), lane by
+    /// lane. Maximum, clamp and every guard against a degenerate case are made of it.
+    #[must_use]
+    fn if_positive(self, then: Self, otherwise: Self) -> Self;
+
+    /// Whether `self` > 0, for lanes: in at least one of them. It tells whether a computation may
+    /// be skipped as a whole.
+    #[must_use]
+    fn any_positive(self) -> bool;
+
+    /// max(0, self), and 0 for NaN.
+    #[inline]
+    #[must_use]
+    fn positive_part(self) -> Self {
+        self.if_positive(self, Self::ZERO)
+    }
+
+    /// min(self, limit).
+    #[inline]
+    #[must_use]
+    fn at_most(self, limit: Self) -> Self {
+        (self - limit).if_positive(limit, self)
+    }
+}
+
+/// The functions that surfaces are written with, beyond those of [`Real`]. The formulas of
+/// illumination use none of them; [`normal::implicit`](crate::normal::implicit) and
+/// [`normal::parametric`](crate::normal::parametric) differentiate through all of them.
+///
+/// For `f32` and `f64` they come from `libm`, so they have the same bits on every machine; its
+/// `sinf` and `cosf` compute in double precision inside.
+///
+/// ```
+/// use shading::{Elementary, Vec3};
+///
+/// /// The gyroid: write it once, march rays with `f32`, take normals with `Dual<f32>`.
+/// fn gyroid<T: Elementary>(p: Vec3<T>) -> T {
+///     p.x.sin() * p.y.cos() + p.y.sin() * p.z.cos() + p.z.sin() * p.x.cos()
+/// }
+/// assert_eq!(gyroid(Vec3::new(0.0_f32, 0.0, 0.0)), 0.0);
+/// ```
+pub trait Elementary: Real {
+    /// The sine of an angle in radians.
+    #[must_use]
+    fn sin(self) -> Self;
+    /// The cosine of an angle in radians.
+    #[must_use]
+    fn cos(self) -> Self;
+    /// e to the power of self.
+    #[must_use]
+    fn exp(self) -> Self;
+    /// The natural logarithm; −∞ at 0 and not a number below.
+    #[must_use]
+    fn ln(self) -> Self;
+
+    /// The absolute value. At 0 its derivative is taken to be 0, the mean of the two sides.
+    #[inline]
+    #[must_use]
+    fn abs(self) -> Self {
+        self.if_positive(self, (-self).if_positive(-self, Self::ZERO))
+    }
+
+    /// A whole power, by squaring; a negative one is 1 over the positive.
+    #[inline]
+    #[must_use]
+    fn powi(self, exponent: i32) -> Self {
+        let power = crate::exponent::by_squaring(self, exponent.unsigned_abs());
+        if exponent < 0 {
+            Self::ONE / power
+        } else {
+            power
+        }
+    }
+}
+
+macro_rules! float {
+    ($float:ident, $rescale:expr, $sqrt:path, $sin:path, $cos:path, $exp:path, $ln:path) => {
+        impl Real for $float {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+            const MAX: Self = $float::MAX;
+            const RESCALE: Self = $rescale;
+
+            #[inline]
+            #[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
+            fn of(literal: f64) -> Self {
+                literal as Self
+            }
+
+            #[inline]
+            fn sqrt(self) -> Self {
+                $sqrt(self)
+            }
+
+            #[inline]
+            fn if_positive(self, then: Self, otherwise: Self) -> Self {
+                if self > 0.0 { then } else { otherwise }
+            }
+
+            #[inline]
+            fn any_positive(self) -> bool {
+                self > 0.0
+            }
+
+            // `f32::min` is a library call on Arm
+            #[inline]
+            fn at_most(self, limit: Self) -> Self {
+                if self > limit { limit } else { self }
+            }
+        }
+
+        impl Elementary for $float {
+            #[inline]
+            fn sin(self) -> Self {
+                $sin(self)
+            }
+
+            #[inline]
+            fn cos(self) -> Self {
+                $cos(self)
+            }
+
+            #[inline]
+            fn exp(self) -> Self {
+                $exp(self)
+            }
+
+            #[inline]
+            fn ln(self) -> Self {
+                $ln(self)
+            }
+        }
+    };
+}
+
+// 2^100 and 2^720, as their bits
+float!(
+    f32,
+    f32::from_bits((127 + 100) << 23),
+    crate::root::sqrtf,
+    libm::sinf,
+    libm::cosf,
+    libm::expf,
+    libm::logf
+);
+float!(
+    f64,
+    f64::from_bits((1023 + 720) << 52),
+    libm::sqrt,
+    libm::sin,
+    libm::cos,
+    libm::exp,
+    libm::log
+);

@@ -1,0 +1,97 @@
+//! Floor 1: colour.
+
+use core::iter::Sum;
+use core::ops::{Add, AddAssign, Mul, Sub};
+
+use crate::componentwise::componentwise;
+use crate::real::Real;
+
+/// Linear light, or the share of it that a material returns, channel by channel.
+///
+/// The numbers are proportional to power: never encoded (sRGB bytes must be decoded before and
+/// encoded after) and not limited to 1. Clamp once, after the sum, with
+/// [`clamped`](Rgb::clamped).
+///
+/// ```
+/// use shading::Rgb;
+///
+/// let lamp = Rgb::new(1.0_f32, 0.9, 0.7);
+/// let brick = Rgb::new(0.6, 0.2, 0.1);
+/// let returned = lamp * brick; // channel by channel
+/// assert_eq!(returned, Rgb::from([0.6, 0.9 * 0.2, 0.7 * 0.1]));
+/// ```
+#[doc(alias = "color")]
+#[doc(alias = "colour")]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
+pub struct Rgb<T> {
+    /// Red.
+    pub r: T,
+    /// Green.
+    pub g: T,
+    /// Blue.
+    pub b: T,
+}
+
+componentwise!(Rgb { r, g, b });
+
+impl<T: Real> Rgb<T> {
+    /// No light.
+    pub const BLACK: Self = Self::gray(T::ZERO);
+    /// One in each channel.
+    pub const WHITE: Self = Self::gray(T::ONE);
+
+    /// The same value in each channel.
+    #[inline]
+    #[must_use]
+    pub const fn gray(value: T) -> Self {
+        Self::new(value, value, value)
+    }
+
+    /// Each channel within [0, 1], as a display takes it; NaN becomes 0.
+    ///
+    /// ```
+    /// use shading::Rgb;
+    /// assert_eq!(Rgb::new(1.5_f32, -0.5, 0.5).clamped(), Rgb::new(1.0, 0.0, 0.5));
+    /// ```
+    #[doc(alias = "saturate")]
+    #[inline]
+    #[must_use]
+    pub fn clamped(self) -> Self {
+        self.map(|channel| channel.positive_part().at_most(T::ONE))
+    }
+
+    /// The product with a reflectance in which a channel that reflects nothing is 0 also where
+    /// the light overflowed to infinity.
+    #[inline]
+    pub(crate) fn reflected(self, k: Self) -> Self {
+        let channel = |light, k: T| k.if_positive(light * k, T::ZERO);
+        Self::new(
+            channel(self.r, k.r),
+            channel(self.g, k.g),
+            channel(self.b, k.b),
+        )
+    }
+}
+
+impl<T: Real> Mul for Rgb<T> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Self::new(self.r * other.r, self.g * other.g, self.b * other.b)
+    }
+}
+
+impl<T: Real> AddAssign for Rgb<T> {
+    #[inline]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<T: Real> Sum for Rgb<T> {
+    #[inline]
+    fn sum<I: Iterator<Item = Self>>(iter: I) -> Self {
+        iter.fold(Self::BLACK, Add::add)
+    }
+}

@@ -1,0 +1,190 @@
+//! Floor 5: the illumination model, the sum over all lights.
+//!
+//! ```text
+//! I_r = k_a I_a + Σ (k_d I max(0, N·L) + k_s I highlight)
+//! ```
+//!
+//! [`lambert`](lambert) has no highlight, [`phong`](phong) has max(0, R·V)ᵐ and
+//! [`blinn_phong`](blinn_phong) max(0, N·H)ᵐ. A light with N·L ≤ 0 is behind the surface:
+//! it adds nothing, not even a highlight, as in OpenGL.
+//!
+//! The lights are anything that iterates over [`IncidentLight`]. Shadows, culling and area lights
+//! are adaptors of your own:
+//!
+//! ```
+//! use shading::{shade, *};
+//! # let (n, v) = (UnitVec3::<f32>::Z, UnitVec3::<f32>::Z);
+//! # let p = Vec3::ZERO;
+//! # let material = Material { k_a: Rgb::WHITE, k_d: Rgb::WHITE, k_s: Rgb::WHITE, m: 8 };
+//! # let dim = Rgb::gray(0.1);
+//! # let lamp = PointLight {
+//! #     position: Vec3::new(0.0, 0.0, 2.0), intensity: Rgb::WHITE, attenuation: Attenuation::NONE };
+//! # let lights = [Light::Point(lamp)];
+//! # fn is_shadowed(from: Vec3<f32>, towards: UnitVec3<f32>) -> bool { towards.z > from.z }
+//! // shadows: leave out the lights that something stands before
+//! let lit = lights.iter().map(|light| light.at(p)).filter(|light| !is_shadowed(p, light.l));
+//! let shaded = shade::blinn_phong(n, v, &material, dim, lit);
+//! # assert_eq!(shaded.diffuse, Rgb::BLACK);
+//!
+//! // an area light: sixteen point lights with a sixteenth of the light each
+//! let square = (0..16).map(|i| {
+//!     let (x, y) = ((i % 4) as f32 * 0.1, (i / 4) as f32 * 0.1);
+//!     let position = lamp.position + Vec3::new(x, y, 0.0);
+//!     PointLight { position, intensity: lamp.intensity * (1.0 / 16.0), ..lamp }.at(p)
+//! });
+//! let soft = shade::blinn_phong(n, v, &material, dim, square);
+//! # assert!(soft.diffuse.r > 0.98 && soft.diffuse.r < 1.0);
+//! ```
+//!
+//! The directions N and V and all L point away from the surface. With lights and reflectances
+//! that are not negative the result is not. An infinity can come only of a sum of lights that
+//! overflows; a NaN of nothing finite.
+//!
+//! Source: Foley, van Dam et al., *Computer Graphics*, §16.1; OpenGL 2.1 §2.14.1.
+
+use crate::direction::{between, reflection};
+use crate::exponent::Exponent;
+use crate::light::IncidentLight;
+use crate::material::Material;
+use crate::real::Real;
+use crate::rgb::Rgb;
+use crate::term;
+use crate::vector::UnitVec3;
+
+/// The light that a point sends to the eye, part by part.
+///
+/// A texture multiplies `ambient` and `diffuse`; a plain surface wants the
+/// [`total`](Shaded::total).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shaded<T> {
+    /// k_a I_a.
+    pub ambient: Rgb<T>,
+    /// Σ k_d I max(0, N·L).
+    pub diffuse: Rgb<T>,
+    /// Σ k_s I highlight.
+    pub specular: Rgb<T>,
+}
+
+impl<T: Real> Shaded<T> {
+    /// The sum of the three, linear and not clamped.
+    #[inline]
+    #[must_use]
+    pub fn total(self) -> Rgb<T> {
+        self.ambient + self.diffuse + self.specular
+    }
+}
+
+/// Diffuse surfaces.
+///
+/// ```text
+/// I_r = k_a I_a + Σ k_d I max(0, N·L)
+/// ```
+///
+/// The highlight is black, and the place of the eye does not matter.
+///
+/// ```
+/// use shading::{shade, *};
+///
+/// let chalk = Material { k_a: Rgb::gray(0.1), k_d: Rgb::gray(0.5_f32), k_s: Rgb::BLACK, m: 1 };
+/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
+/// let shaded = shade::lambert(UnitVec3::Z, &chalk, Rgb::WHITE, [sun.at(Vec3::ZERO)]);
+/// assert_eq!(shaded.total(), Rgb::gray(0.6));
+/// ```
+#[inline]
+#[must_use]
+pub fn lambert<T: Real, M>(
+    n: UnitVec3<T>,
+    material: &Material<T, M>,
+    i_a: Rgb<T>,
+    lights: impl IntoIterator<Item = IncidentLight<T>>,
+) -> Shaded<T> {
+    sum(n, material, i_a, lights, |_| T::ZERO)
+}
+
+/// Shiny surfaces after Phong.
+///
+/// ```text
+/// I_r = k_a I_a + Σ I (k_d max(0, N·L) + k_s max(0, R·V)ᵐ)
+/// ```
+///
+/// ```
+/// use shading::{shade, *};
+///
+/// let wax = Material { k_a: Rgb::BLACK, k_d: Rgb::gray(0.5_f32), k_s: Rgb::gray(0.25), m: 10 };
+/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
+/// let mirrored = UnitVec3::Z;
+/// let shaded = shade::phong(UnitVec3::Z, mirrored, &wax, Rgb::BLACK, [sun.at(Vec3::ZERO)]);
+/// assert_eq!(shaded.total(), Rgb::gray(0.75));
+/// ```
+///
+/// Source: Phong 1975.
+#[inline]
+#[must_use]
+pub fn phong<T: Real, M: Exponent<T>>(
+    n: UnitVec3<T>,
+    v: UnitVec3<T>,
+    material: &Material<T, M>,
+    i_a: Rgb<T>,
+    lights: impl IntoIterator<Item = IncidentLight<T>>,
+) -> Shaded<T> {
+    sum(n, material, i_a, lights, |l| {
+        term::phong(reflection(n, l), v, material.m)
+    })
+}
+
+/// Shiny surfaces after Blinn: Phong's model with the half vector.
+///
+/// ```text
+/// I_r = k_a I_a + Σ I (k_d max(0, N·L) + k_s max(0, N·H)ᵐ)
+/// ```
+///
+/// Where L = −V there is no half vector and no highlight.
+///
+/// ```
+/// use shading::{shade, *};
+///
+/// let wax = Material { k_a: Rgb::BLACK, k_d: Rgb::gray(0.5_f32), k_s: Rgb::gray(0.25), m: 40 };
+/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
+/// let mirrored = UnitVec3::Z;
+/// let shaded = shade::blinn_phong(UnitVec3::Z, mirrored, &wax, Rgb::BLACK, [sun.at(Vec3::ZERO)]);
+/// assert_eq!(shaded.total(), Rgb::gray(0.75));
+/// ```
+///
+/// Source: Blinn 1977.
+#[inline]
+#[must_use]
+pub fn blinn_phong<T: Real, M: Exponent<T>>(
+    n: UnitVec3<T>,
+    v: UnitVec3<T>,
+    material: &Material<T, M>,
+    i_a: Rgb<T>,
+    lights: impl IntoIterator<Item = IncidentLight<T>>,
+) -> Shaded<T> {
+    sum(n, material, i_a, lights, |l| {
+        term::blinn_between(n, between(l, v), material.m)
+    })
+}
+
+/// The sum over lights; `highlight` is the factor of k_s I for the light from L.
+#[inline]
+fn sum<T: Real, M>(
+    n: UnitVec3<T>,
+    material: &Material<T, M>,
+    i_a: Rgb<T>,
+    lights: impl IntoIterator<Item = IncidentLight<T>>,
+    highlight: impl Fn(UnitVec3<T>) -> T,
+) -> Shaded<T> {
+    let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
+    for IncidentLight { l, intensity } in lights {
+        let n_dot_l = term::lambert(n, l);
+        if n_dot_l.any_positive() {
+            diffuse += intensity * n_dot_l;
+            specular += intensity * n_dot_l.if_positive(highlight(l), T::ZERO);
+        }
+    }
+    Shaded {
+        ambient: term::ambient(material.k_a, i_a),
+        diffuse: diffuse.reflected(material.k_d),
+        specular: specular.reflected(material.k_s),
+    }
+}
