@@ -4,15 +4,15 @@
 //! I_r = k_a I_a + Σ (k_d I max(0, N·L) + k_s I highlight)
 //! ```
 //!
-//! [`lambert`](lambert) has no highlight, [`phong`](phong) has max(0, R·V)ᵐ and
-//! [`blinn_phong`](blinn_phong) max(0, N·H)ᵐ. A light with N·L ≤ 0 is behind the surface:
+//! [`lambert`] has no highlight, [`phong`] has max(0, R·V)ᵐ and
+//! [`blinn_phong`] max(0, N·H)ᵐ. A light with N·L ≤ 0 is behind the surface:
 //! it adds nothing, not even a highlight, as in OpenGL.
 //!
 //! The lights are anything that iterates over [`IncidentLight`]. Shadows, culling and area lights
 //! are adaptors of your own:
 //!
 //! ```
-//! use shading::{shade, *};
+//! use shading::*;
 //! # let (n, v) = (UnitVec3::<f32>::Z, UnitVec3::<f32>::Z);
 //! # let p = Vec3::ZERO;
 //! # let material = Material { k_a: Rgb::WHITE, k_d: Rgb::WHITE, k_s: Rgb::WHITE, m: 8 };
@@ -83,7 +83,7 @@ impl<T: Real> Shaded<T> {
 /// The highlight is black, and the place of the eye does not matter.
 ///
 /// ```
-/// use shading::{shade, *};
+/// use shading::*;
 ///
 /// let chalk = Material { k_a: Rgb::gray(0.1), k_d: Rgb::gray(0.5_f32), k_s: Rgb::BLACK, m: 1 };
 /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
@@ -108,7 +108,7 @@ pub fn lambert<T: Real, M>(
 /// ```
 ///
 /// ```
-/// use shading::{shade, *};
+/// use shading::*;
 ///
 /// let wax = Material { k_a: Rgb::BLACK, k_d: Rgb::gray(0.5_f32), k_s: Rgb::gray(0.25), m: 10 };
 /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
@@ -141,7 +141,7 @@ pub fn phong<T: Real, M: Exponent<T>>(
 /// Where L = −V there is no half vector and no highlight.
 ///
 /// ```
-/// use shading::{shade, *};
+/// use shading::*;
 ///
 /// let wax = Material { k_a: Rgb::BLACK, k_d: Rgb::gray(0.5_f32), k_s: Rgb::gray(0.25), m: 40 };
 /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
