@@ -10,13 +10,26 @@ pub(crate) use libm::sqrtf;
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 #[inline]
 pub(crate) fn sqrtf(x: f32) -> f32 {
-    let root: f32;
+    let mut bits = x.to_bits();
+    // The compiler gives floating-point registers to assembly code only where the FPU has
+    // doubles, and the Cortex-M4's has none. So the number comes and goes by a core register, and
+    // s0 is borrowed.
+    //
     // SAFETY: the hard-float ABI is only for cores with an FPU, and every Arm FPU has
-    // `vsqrt.f32`. It reads one register, writes one, and touches neither memory nor the stack.
+    // `vsqrt.f32`. Two core registers are written, as declared; s0 is put back as it was; neither
+    // memory nor the stack nor the flags are touched.
     #[allow(unsafe_code)]
     unsafe {
-        core::arch::asm!("vsqrt.f32 {}, {}", out(sreg) root, in(sreg) x,
-            options(pure, nomem, nostack, preserves_flags));
+        core::arch::asm!(
+            "vmov {s0}, s0",
+            "vmov s0, {bits}",
+            "vsqrt.f32 s0, s0",
+            "vmov {bits}, s0",
+            "vmov s0, {s0}",
+            bits = inout(reg) bits,
+            s0 = out(reg) _,
+            options(pure, nomem, nostack, preserves_flags)
+        );
     }
-    root
+    f32::from_bits(bits)
 }
