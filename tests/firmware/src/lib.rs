@@ -1,0 +1,7 @@
+//! What the firmware programs share: a scene in flash, the work that is digested, and the board.
+#![no_std]
+
+#[cfg(target_os = "none")]
+pub mod board;
+pub mod digest;
+pub mod scene;

@@ -1,0 +1,48 @@
+# Sourced: cargo for targets without an operating system, on a machine that may have nothing for them.
+#
+# rustup fetches the compiled `core` of each target. Where it is missing or can fetch nothing, Debian's compiler and
+# its sources build `core` instead. Either way `cross TARGET CARGO-ARGUMENTS...` is cargo for that target.
+
+chip_targets="thumbv6m-none-eabi thumbv7em-none-eabihf riscv32imac-unknown-none-elf"
+no_std_targets="$chip_targets wasm32-unknown-unknown"
+
+# Installs those of the Debian packages that are missing.
+install_packages() {
+    local package missing="" as_root=""
+    for package in "$@"; do
+        dpkg --status "$package" >/dev/null 2>&1 || missing+=" $package"
+    done
+    [ -n "$missing" ] || return 0
+    [ "$(id -u)" = 0 ] || as_root=sudo
+    echo "installing$missing" >&2
+    {
+        $as_root apt-get update
+        # shellcheck disable=SC2086 # one word a package
+        $as_root env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends $missing
+    } >/dev/null
+}
+
+# Decides between the two; the first call installs what is missing.
+prepare_cross() {
+    # shellcheck disable=SC2086 # one word a target
+    if [ -z "${WITHOUT_RUSTUP-}" ] && timeout 120 rustup --quiet target add $no_std_targets; then
+        cross_by=rustup
+    else
+        cross_by=debian
+        install_packages rustc-web cargo-web rust-web-src lld
+    fi
+    echo "targets by $cross_by" >&2
+}
+
+cross() {
+    local target=$1 command=$2
+    shift 2
+    if [ "$cross_by" = rustup ]; then
+        cargo "$command" --target "$target" "$@"
+        return
+    fi
+    local linker=ld.lld variable=CARGO_TARGET_${target^^}_LINKER
+    [ "$target" = wasm32-unknown-unknown ] && linker=wasm-ld
+    env PATH="/usr/bin:$PATH" RUSTC_BOOTSTRAP=1 "${variable//-/_}=$linker" \
+        cargo "$command" -Zbuild-std=core --target "$target" "$@"
+}
