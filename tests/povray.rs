@@ -1,0 +1,123 @@
+//! The sum over lights against POV-Ray (`tests/data/README.md`).
+
+mod support;
+
+use serde_json::Value;
+use support::number::{Float, for_f32_and_f64};
+use support::reference::{Tally, read};
+use support::scene::{Lamp, Scene, Source, Spot, minus};
+
+for_f32_and_f64!(povray);
+
+/// POV-Ray writes 16 bits a channel: half a step is its tolerance. What rounding adds is bounded by
+/// running error analysis of this very case.
+fn povray<T: Float>() {
+    const FILE: &str = "povray_cases.jsonl";
+    let mut tally = Tally::new::<T>(FILE);
+    for line in read(FILE).lines() {
+        let case: Value = serde_json::from_str(line).expect("a JSON object");
+        let scene = scene(&case);
+        let colour: [T; 3] = scene.shade::<T>().clamped().into();
+        let expected = three(&case["pov_rgb16"]).map(|c| c / 65535.0);
+        let tolerance = scene
+            .rounding::<T::Running>()
+            .map(|rounding| 0.5 / 65535.0 + rounding);
+        tally.compare(&case["id"], colour.map(T::to_f64), expected, tolerance);
+    }
+    tally.close(250, &[]);
+}
+
+fn number(value: &Value) -> f64 {
+    value
+        .as_f64()
+        .unwrap_or_else(|| panic!("{value} is not a number"))
+}
+
+fn three(value: &Value) -> [f64; 3] {
+    [0, 1, 2].map(|i| number(&value[i]))
+}
+
+fn scene(case: &Value) -> Scene {
+    let factor = |key: &str| number(&case[key]);
+    let pigment = three(&case["pigment"]);
+    Scene {
+        p: three(&case["P"]),
+        n: three(&case["N"]),
+        n_as_given: false,
+        eye: three(&case["eye"]),
+        emission: [0.0; 3],
+        ambient: [
+            pigment.map(|c| c * factor("ambient")),
+            three(&case["ambient_light"]),
+        ],
+        k_a: [0.0; 3],
+        k_d: pigment.map(|c| c * factor("diffuse")),
+        phong: ([factor("phong"); 3], factor("phong_size")),
+        blinn: ([factor("specular"); 3], factor("specular_exponent")),
+        lamps: case["lights"]
+            .as_array()
+            .expect("lights")
+            .iter()
+            .map(lamp)
+            .collect(),
+    }
+}
+
+fn lamp(light: &Value) -> Lamp {
+    let (position, colour) = (three(&light["pos"]), three(&light["color"]));
+    let towards = || minus(three(&light["at"]), position);
+    let (source, spot) = match light["kind"].as_str().expect("a kind") {
+        "parallel" => (Source::Directional(towards().map(|c| -c)), None),
+        "point" => (Source::Point(position), None),
+        "spot" => (Source::Point(position), Some(spot(light, towards()))),
+        other => panic!("a light of kind {other}"),
+    };
+    Lamp {
+        source,
+        attenuation: fade(
+            number(&light["fade_distance"]),
+            number(&light["fade_power"]),
+        ),
+        spot,
+        ambient: [0.0; 3],
+        diffuse: colour,
+        specular: colour,
+        bare_highlight_above: None,
+    }
+}
+
+/// 2/(1 + (q/d)^power) as 1/(a + bq + cq²).
+#[allow(clippy::float_cmp)] // whole numbers
+fn fade(distance: f64, power: f64) -> [f64; 3] {
+    match power {
+        0.0 => [1.0, 0.0, 0.0],
+        1.0 => [0.5, 0.5 / distance, 0.0],
+        2.0 => [0.5, 0.0, 0.5 / (distance * distance)],
+        _ => panic!("a fade power of {power}"),
+    }
+}
+
+/// A cone that is smooth between `radius` and `falloff`, and hard where they are equal. The crate's
+/// hard cone stands at the outer edge.
+#[allow(clippy::float_cmp)] // the hard cone is given by equal numbers
+fn spot(light: &Value, axis: [f64; 3]) -> Spot {
+    let cosine = |key: &str| number(&light[key]).to_radians().cos();
+    let (inner, outer, tightness) = (
+        cosine("radius"),
+        cosine("falloff"),
+        number(&light["tightness"]),
+    );
+    let profile = move |c: f64| {
+        let x = if inner == outer {
+            1.0
+        } else {
+            ((c - outer) / (inner - outer)).clamp(0.0, 1.0)
+        };
+        (3.0 - 2.0 * x) * x * x * c.max(0.0).powf(tightness)
+    };
+    Spot {
+        axis,
+        half_angle_degrees: number(&light["falloff"]),
+        profile: Box::new(profile),
+    }
+}

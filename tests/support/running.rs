@@ -1,0 +1,268 @@
+//! Running error analysis: a number that carries a bound of its own rounding error.
+//!
+//! The formulas of the crate are written over any `Real`, so this number goes through the same
+//! code as the floats, in the same order, and says afterwards how far the float may be from the
+//! true value: the tolerance of a comparison is derived from the operations themselves, and from
+//! how well conditioned this very input is. Nobody counts operations by hand, and no tolerance is
+//! tuned.
+//!
+//! Source: Higham, *Accuracy and Stability of Numerical Algorithms*, §3.3.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use shading::{Attenuation, Cone, Elementary, Exponent, Real};
+
+use super::number::{Bounded, Number};
+
+/// A value, and how far a float with this many BITS of precision may be from it: 24 for `f32`, 53
+/// for `f64`. The value is computed in `f64`; for 53 bits that doubles the error, which is counted
+/// in [`Running::rounded`].
+#[derive(Clone, Copy, Debug)]
+pub struct Running<const BITS: u32> {
+    value: f64,
+    error: f64,
+}
+
+impl<const BITS: u32> Running<BITS> {
+    const IS_F32: bool = BITS == 24;
+    /// u, and for `f64` 2u: the float rounds, and so does the value that it is compared with.
+    const U: f64 = if Self::IS_F32 {
+        f32::EPSILON as f64 / 2.0
+    } else {
+        f64::EPSILON
+    };
+    /// What underflow may take in one operation.
+    const UNDERFLOW: f64 = if Self::IS_F32 {
+        f32::from_bits(1) as f64 / 2.0
+    } else {
+        f64::from_bits(1)
+    };
+    /// A function of `libm` is right to within one unit in the last place, 2u. The power of `f32`
+    /// is right to 2⁻²² = 4u absolutely.
+    const FUNCTION: f64 = 2.0 * Self::U;
+    const POWER: f64 = if Self::IS_F32 { 4.0 * Self::U } else { 0.0 };
+
+    /// The result of a correctly rounded operation on numbers with errors, which alone would make
+    /// it wrong by `error`.
+    fn rounded(value: f64, error: f64) -> Self {
+        let rounding = if value == 0.0 {
+            0.0
+        } else {
+            Self::U * value.abs() + Self::UNDERFLOW
+        };
+        Self {
+            value,
+            error: error + rounding,
+        }
+    }
+
+    /// The result of an elementary function.
+    fn function(value: f64, error: f64) -> Self {
+        Self {
+            value,
+            error: error + Self::FUNCTION * value.abs() + Self::UNDERFLOW,
+        }
+    }
+
+    /// base^m over the box that the errors span: monotone in both for a base in [0, 1].
+    fn power(base: Self, m: Self) -> Self {
+        let value = base.value.powf(m.value);
+        let corner = |sign: f64| {
+            let base = (base.value + sign * base.error).clamp(0.0, 1.0);
+            let m = (m.value - sign * m.error).max(0.0);
+            (base.powf(m) - value).abs()
+        };
+        Self::function(value, corner(1.0).max(corner(-1.0)) + Self::POWER)
+    }
+}
+
+impl<const BITS: u32> Bounded for Running<BITS> {
+    fn value(self) -> f64 {
+        self.value
+    }
+
+    fn error(self) -> f64 {
+        self.error
+    }
+}
+
+impl<const BITS: u32> PartialEq for Running<BITS> {
+    fn eq(&self, other: &Self) -> bool {
+        self.value == other.value
+    }
+}
+
+impl<const BITS: u32> PartialOrd for Running<BITS> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        self.value.partial_cmp(&other.value)
+    }
+}
+
+impl<const BITS: u32> Neg for Running<BITS> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self {
+            value: -self.value,
+            ..self
+        }
+    }
+}
+
+impl<const BITS: u32> Add for Running<BITS> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::rounded(self.value + other.value, self.error + other.error)
+    }
+}
+
+impl<const BITS: u32> Sub for Running<BITS> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl<const BITS: u32> Mul for Running<BITS> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let first = self.value.abs() * other.error + other.value.abs() * self.error;
+        Self::rounded(self.value * other.value, first + self.error * other.error)
+    }
+}
+
+impl<const BITS: u32> Div for Running<BITS> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        let least = (other.value.abs() - other.error).max(0.0);
+        let error = self.error + value.abs() * other.error;
+        Self::rounded(value, if error == 0.0 { 0.0 } else { error / least })
+    }
+}
+
+impl<const BITS: u32> Real for Running<BITS> {
+    const ZERO: Self = Self {
+        value: 0.0,
+        error: 0.0,
+    };
+    const ONE: Self = Self {
+        value: 1.0,
+        error: 0.0,
+    };
+    const MAX: Self = Self {
+        value: if Self::IS_F32 {
+            f32::MAX as f64
+        } else {
+            f64::MAX
+        },
+        error: 0.0,
+    };
+    const RESCALE: Self = Self {
+        value: if Self::IS_F32 {
+            <f32 as Real>::RESCALE as f64
+        } else {
+            <f64 as Real>::RESCALE
+        },
+        error: 0.0,
+    };
+
+    /// The literal, and the error of writing it in fewer bits.
+    #[allow(clippy::cast_possible_truncation)]
+    fn of(literal: f64) -> Self {
+        let float = if Self::IS_F32 {
+            f64::from(literal as f32)
+        } else {
+            literal
+        };
+        Self {
+            value: literal,
+            error: (float - literal).abs(),
+        }
+    }
+
+    fn sqrt(self) -> Self {
+        let value = self.value.sqrt();
+        // √x − √(x − e) = e/(√x + √(x − e))
+        let least = (self.value - self.error).max(0.0).sqrt();
+        Self::rounded(
+            value,
+            if self.error == 0.0 {
+                0.0
+            } else {
+                self.error / (value + least)
+            },
+        )
+    }
+
+    /// Where the error leaves the sign open, the float may have taken the other side.
+    fn if_positive(self, then: Self, otherwise: Self) -> Self {
+        let (taken, other) = if self.value > 0.0 {
+            (then, otherwise)
+        } else {
+            (otherwise, then)
+        };
+        let is_open = self.error > 0.0 && self.value.abs() <= self.error;
+        let gap = if is_open {
+            (taken.value - other.value).abs() + other.error
+        } else {
+            0.0
+        };
+        Self {
+            error: taken.error.max(gap),
+            ..taken
+        }
+    }
+
+    fn any_positive(self) -> bool {
+        self.value > 0.0
+    }
+}
+
+impl<const BITS: u32> Elementary for Running<BITS> {
+    fn sin(self) -> Self {
+        Self::function(self.value.sin(), self.error)
+    }
+
+    fn cos(self) -> Self {
+        Self::function(self.value.cos(), self.error)
+    }
+
+    fn exp(self) -> Self {
+        let value = self.value.exp();
+        Self::function(value, value * self.error.exp_m1())
+    }
+
+    fn ln(self) -> Self {
+        Self::function(self.value.ln(), -(-self.error / self.value).ln_1p())
+    }
+}
+
+impl<const BITS: u32> Exponent<Self> for Running<BITS> {
+    fn raise(self, cosine: Self) -> Self {
+        Self::power(cosine, self)
+    }
+
+    fn raise_root(self, square: Self) -> Self {
+        Self::power(square, self * Self::of(0.5))
+    }
+}
+
+impl<const BITS: u32> Number for Running<BITS> {
+    fn attenuation(coefficients: [f64; 3]) -> Option<Attenuation<Self>> {
+        let [a, b, c] = coefficients;
+        Attenuation::<f64>::new(a, b, c).map(|checked| {
+            checked.map(|x| {
+                if x == f64::MAX {
+                    Self::MAX
+                } else {
+                    Self::of(x)
+                }
+            })
+        })
+    }
+
+    fn cone(degrees: f64) -> Option<Cone<Self>> {
+        Cone::<f64>::from_half_angle(degrees.to_radians()).map(|cone| cone.map(Self::of))
+    }
+}

@@ -1,0 +1,195 @@
+//! What the reference renderers have in common: a point, a surface and lights with a colour for
+//! each part of the reflection, shaded by this crate in any number type.
+
+use shading::{
+    DirectionalLight, IncidentLight, Light, Material, PointLight, Rgb, SpotLight, UnitVec3, Vec3,
+    ambient, lambert, shade,
+};
+
+use super::number::{Bounded, Number, direction, vector};
+
+/// One reference case, in the numbers of its file.
+pub struct Scene {
+    pub p: [f64; 3],
+    pub n: [f64; 3],
+    /// Whether N is taken as it is given, or normalised in the number type first.
+    pub n_as_given: bool,
+    pub eye: [f64; 3],
+    pub emission: [f64; 3],
+    /// k_a and I_a of the scene.
+    pub ambient: [[f64; 3]; 2],
+    /// k_a for the lights that bring ambient light of their own.
+    pub k_a: [f64; 3],
+    pub k_d: [f64; 3],
+    /// k_s and m of Phong's highlight.
+    pub phong: ([f64; 3], f64),
+    /// k_s and m of Blinn's highlight.
+    pub blinn: ([f64; 3], f64),
+    pub lamps: Vec<Lamp>,
+}
+
+/// A light with a colour for each part of the reflection.
+pub struct Lamp {
+    pub source: Source,
+    /// a, b, c.
+    pub attenuation: [f64; 3],
+    pub spot: Option<Spot>,
+    pub ambient: [f64; 3],
+    pub diffuse: [f64; 3],
+    pub specular: [f64; 3],
+    /// For a renderer that does not attenuate the highlight: what N·L times the attenuation has to
+    /// exceed for there to be one.
+    pub bare_highlight_above: Option<f64>,
+}
+
+pub enum Source {
+    /// The direction to the light.
+    Directional([f64; 3]),
+    /// The position of the light.
+    Point([f64; 3]),
+}
+
+pub struct Spot {
+    pub axis: [f64; 3],
+    pub half_angle_degrees: f64,
+    /// What the renderer multiplies by inside the cone, as a function of −L·axis. The crate's cone
+    /// is hard; this is for the caller to multiply the incident light by.
+    pub profile: Box<dyn Fn(f64) -> f64>,
+}
+
+fn unit(v: [f64; 3]) -> [f64; 3] {
+    let length = dot(v, v).sqrt();
+    v.map(|c| c / length)
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+pub fn rgb<T: Number>(colour: [f64; 3]) -> Rgb<T> {
+    Rgb::from(colour).map(T::of)
+}
+
+impl Lamp {
+    /// The crate's light of this colour.
+    fn light<T: Number>(&self, colour: [f64; 3]) -> Light<T> {
+        let position = match self.source {
+            Source::Directional(l) => {
+                let (l, intensity) = (direction(l), rgb(colour));
+                return Light::Directional(DirectionalLight { l, intensity });
+            }
+            Source::Point(position) => vector(position),
+        };
+        let attenuation = T::attenuation(self.attenuation).expect("coefficients");
+        let point = PointLight {
+            position,
+            intensity: rgb(colour),
+            attenuation,
+        };
+        match &self.spot {
+            None => Light::Point(point),
+            Some(spot) => Light::Spot(SpotLight {
+                point,
+                axis: direction(spot.axis),
+                cone: T::cone(spot.half_angle_degrees).expect("a half-angle"),
+            }),
+        }
+    }
+
+    /// What the renderer multiplies by inside its cone: the caller's part, from the exact inputs.
+    fn profile(&self, p: [f64; 3]) -> f64 {
+        match (&self.spot, &self.source) {
+            (Some(spot), Source::Point(position)) => {
+                (spot.profile)(-dot(unit(minus(*position, p)), unit(spot.axis)))
+            }
+            _ => 1.0,
+        }
+    }
+
+    /// The light of this colour that arrives at p.
+    fn arriving<T: Number>(&self, p: [f64; 3], colour: [f64; 3]) -> IncidentLight<T> {
+        let incident = self.light::<T>(colour).at(vector(p));
+        let profile = T::of(self.profile(p));
+        IncidentLight {
+            intensity: incident.intensity * profile,
+            ..incident
+        }
+    }
+}
+
+impl Scene {
+    fn normal<T: Number>(&self) -> UnitVec3<T> {
+        if self.n_as_given {
+            UnitVec3::assume_unit(vector(self.n))
+        } else {
+            direction(self.n)
+        }
+    }
+
+    fn material<T: Number>(k_d: [f64; 3], (k_s, m): ([f64; 3], f64)) -> Material<T, T> {
+        Material {
+            k_a: Rgb::BLACK,
+            k_d: rgb(k_d),
+            k_s: rgb(k_s),
+            m: T::of(m),
+        }
+    }
+
+    /// The light that makes the highlight of a lamp.
+    fn highlight_light<T: Number>(&self, lamp: &Lamp) -> IncidentLight<T> {
+        let incident = lamp.arriving::<T>(self.p, lamp.specular);
+        let Some(threshold) = lamp.bare_highlight_above else {
+            return incident;
+        };
+        let white = lamp.arriving::<f64>(self.p, [1.0; 3]);
+        let received = lambert(self.normal(), white.l) * white.intensity.r;
+        let intensity = if received > threshold {
+            rgb(lamp.specular)
+        } else {
+            Rgb::BLACK
+        };
+        IncidentLight {
+            intensity,
+            ..incident
+        }
+    }
+
+    /// The colour of the point, by the formulas of this crate.
+    pub fn shade<T: Number>(&self) -> Rgb<T> {
+        const NONE: [f64; 3] = [0.0; 3];
+        let n = self.normal::<T>();
+        let v = (vector::<T>(self.eye) - vector(self.p))
+            .unit()
+            .expect("a view");
+
+        let of_lamps = self
+            .lamps
+            .iter()
+            .map(|lamp| ambient(rgb(self.k_a), lamp.arriving(self.p, lamp.ambient).intensity));
+        let diffuse_lights = self
+            .lamps
+            .iter()
+            .map(|lamp| lamp.arriving(self.p, lamp.diffuse));
+        let highlight_lights = || self.lamps.iter().map(|lamp| self.highlight_light(lamp));
+
+        let matte = Self::material(self.k_d, (NONE, 0.0));
+        let [k_a, i_a] = self.ambient.map(rgb);
+        let matte = Material { k_a, ..matte };
+        let phong = Self::material(NONE, self.phong);
+        let blinn = Self::material(NONE, self.blinn);
+        rgb(self.emission)
+            + of_lamps.sum()
+            + shade::lambert(n, &matte, i_a, diffuse_lights).total()
+            + shade::phong(n, v, &phong, Rgb::BLACK, highlight_lights()).specular
+            + shade::blinn_phong(n, v, &blinn, Rgb::BLACK, highlight_lights()).specular
+    }
+
+    /// How far each channel may be off by rounding, computed in a number type with error bounds.
+    pub fn rounding<T: Number + Bounded>(&self) -> [f64; 3] {
+        <[T; 3]>::from(self.shade::<T>()).map(Bounded::error)
+    }
+}
