@@ -146,7 +146,7 @@ impl<T: Real> Cone<T> {
     #[inline]
     #[must_use]
     pub fn cosine(self) -> T {
-        self.cosine
+        (self.cosine + T::ONE).if_positive(self.cosine, -T::ONE)
     }
 
     /// The same cone over another number type; `f` gives the same number in that type.
@@ -160,7 +160,7 @@ impl<T: Real> Cone<T> {
 }
 
 macro_rules! checked {
-    ($float:ident) => {
+    ($float:ident, $half_pi_rounding:literal) => {
         impl Attenuation<$float> {
             /// Takes the coefficients of 1/(a + bq + cq²). `None` where one is negative or not
             /// finite, or where all are zero.
@@ -195,40 +195,64 @@ macro_rules! checked {
             /// every machine.
             #[must_use]
             pub const fn from_half_angle(radians: $float) -> Option<Self> {
-                if radians >= 0.0 && radians <= core::$float::consts::PI {
-                    // cos x = 1 − 2 sin²(x/2), and Taylor's series for the sine of up to π/2
-                    let x = radians / 2.0;
-                    let (mut sine, mut term, mut k) = (x, x, 1.0);
-                    while k < 27.0 {
-                        term = -term * x * x / ((k + 1.0) * (k + 2.0));
-                        sine += term;
-                        k += 2.0;
-                    }
-                    Self::from_cosine(1.0 - 2.0 * sine * sine)
+                use core::$float::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+                if radians >= 0.0 && radians <= PI {
+                    // the sine of at most π/4, wherever the angle is
+                    Self::from_cosine(if radians < FRAC_PI_4 {
+                        Self::cosine_of_small(radians)
+                    } else if radians < 3.0 * FRAC_PI_4 {
+                        Self::sine_of_small((FRAC_PI_2 - radians) + $half_pi_rounding)
+                    } else {
+                        -Self::cosine_of_small((PI - radians) + 2.0 * $half_pi_rounding)
+                    })
                 } else {
                     None
                 }
+            }
+
+            /// cos x = 1 − 2 sin²(x/2)
+            const fn cosine_of_small(x: $float) -> $float {
+                let sine = Self::sine_of_small(x / 2.0);
+                1.0 - 2.0 * sine * sine
+            }
+
+            /// Taylor's series, for |x| ≤ π/4
+            const fn sine_of_small(x: $float) -> $float {
+                let (mut sum, mut term, mut k) = (0.0, x, 1.0);
+                while k < 20.0 {
+                    sum += term;
+                    term = -term * x * x / ((k + 1.0) * (k + 2.0));
+                    k += 2.0;
+                }
+                sum
             }
 
             /// The cone of a half-angle given by its cosine, within [−1, 1]. `None` outside, and
             /// for NaN.
             ///
-            /// A cosine next to 1 is taken as 1 − 4ε (an angle of 0.06° in `f32`), so that
-            /// the rounding of directions cannot put the axis outside its own cone.
+            /// A cosine next to 1 is taken as 1 − 4ε (an angle of 0.06° in `f32`), and one next to
+            /// −1 as every direction, so that the rounding of directions can neither put the axis
+            /// outside its own cone nor anything outside the cone of π.
             #[must_use]
             pub const fn from_cosine(cosine: $float) -> Option<Self> {
-                const NARROWEST: $float = 1.0 - 4.0 * $float::EPSILON;
-                if cosine >= -1.0 && cosine <= NARROWEST {
-                    Some(Self { cosine })
-                } else if cosine > NARROWEST && cosine <= 1.0 {
-                    Some(Self { cosine: NARROWEST })
-                } else {
-                    None
+                const SLACK: $float = 4.0 * $float::EPSILON;
+                if !(cosine >= -1.0 && cosine <= 1.0) {
+                    return None;
                 }
+                Some(Self {
+                    cosine: if cosine > 1.0 - SLACK {
+                        1.0 - SLACK
+                    } else if cosine < SLACK - 1.0 {
+                        -1.0 - SLACK
+                    } else {
+                        cosine
+                    },
+                })
             }
         }
     };
 }
 
-checked!(f32);
-checked!(f64);
+// with what π/2 is more than the float nearest to it
+checked!(f32, -4.371_139e-8);
+checked!(f64, 6.123_233_995_736_766e-17);

@@ -138,15 +138,15 @@ impl<T: Real> PointLight<T> {
     /// L = (P_light − p)/q,  q = |P_light − p|,  I / (a + bq + cq²)
     /// ```
     ///
-    /// At the light itself (q = 0), and where q overflows, it lights nothing. An intensity that
-    /// overflows is the largest finite number.
+    /// At the light itself (q = 0), and where a coordinate is infinite, it lights nothing. A distance
+    /// or an intensity that overflows is the largest finite number.
     #[inline]
     #[must_use]
     pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
         let to_light = self.position - p;
         let square = to_light.dot(to_light);
         if Vec3::is_extreme(square) {
-            return self.at_extreme(to_light);
+            return self.at_extreme(p);
         }
         let q = square.sqrt();
         let l = UnitVec3::assume_unit(to_light * (T::ONE / q));
@@ -168,9 +168,8 @@ impl<T: Real> PointLight<T> {
     /// [`at`](PointLight::at) where the square of the distance is out of range.
     #[cold]
     #[inline(never)]
-    fn at_extreme(&self, to_light: Vec3<T>) -> IncidentLight<T> {
-        let scale = to_light.rescale_factor();
-        let to_light = to_light * scale;
+    fn at_extreme(&self, p: Vec3<T>) -> IncidentLight<T> {
+        let (to_light, scale) = Vec3::extreme_way(p, self.position);
         let scaled_q = to_light.dot(to_light).sqrt();
         // 1 where there is a direction, else 0
         let exists =

@@ -54,7 +54,9 @@ pub fn triangle<T: Real + PartialOrd>(
     v2: Vec3<T>,
     v3: Vec3<T>,
 ) -> Option<UnitVec3<T>> {
-    from_tangents(v2 - v1, v3 - v1)
+    Vec3::rescaled_way(v1, v2)
+        .cross(Vec3::rescaled_way(v1, v3))
+        .unit()
 }
 
 /// The outward normal of a sphere at a point of it.
@@ -75,7 +77,7 @@ pub fn triangle<T: Real + PartialOrd>(
 #[inline]
 #[must_use]
 pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitVec3<T>> {
-    (p - center).unit()
+    Vec3::rescaled_way(center, p).unit()
 }
 
 /// The normal of the implicit surface f(x, y, z) = 0 at a point of it, from f itself.

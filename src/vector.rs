@@ -129,9 +129,39 @@ impl<T: Real> Vec3<T> {
     #[cold]
     #[inline(never)]
     pub(crate) fn rescale_factor(self) -> T {
+        let [shrink, grow] = self.rescale_factors();
+        shrink * grow
+    }
+
+    /// The same power of two as a factor of at most 1 and one of at least 1.
+    #[inline]
+    fn rescale_factors(self) -> [T; 2] {
         let square = self.dot(self);
-        let shrink = (square - T::RESCALE).if_positive(T::ONE / T::RESCALE, T::ONE);
-        (T::ONE / T::RESCALE - square).if_positive(T::RESCALE, shrink)
+        [
+            (square - T::RESCALE).if_positive(T::ONE / T::RESCALE, T::ONE),
+            (T::ONE / T::RESCALE - square).if_positive(T::RESCALE, T::ONE),
+        ]
+    }
+
+    /// The way from one point to another, [`rescaled`](Self::rescaled).
+    #[inline]
+    pub(crate) fn rescaled_way(from: Self, to: Self) -> Self {
+        let way = to - from;
+        if Self::is_extreme(way.dot(way)) {
+            Self::extreme_way(from, to).0
+        } else {
+            way
+        }
+    }
+
+    /// [`rescaled_way`](Self::rescaled_way) where it is extreme, and the power of two. The points
+    /// shrink before their difference is taken, which may overflow, and it grows afterwards, for
+    /// they may be far out.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn extreme_way(from: Self, to: Self) -> (Self, T) {
+        let [shrink, grow] = (to - from).rescale_factors();
+        ((to * shrink - from * shrink) * grow, shrink * grow)
     }
 }
 

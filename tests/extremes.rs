@@ -1,0 +1,130 @@
+//! Points and angles at the ends of the range of the numbers.
+
+mod support;
+
+use shading::{Attenuation, PointLight, Rgb, UnitVec3, Vec3, normal};
+use support::number::{Float, for_f32_and_f64};
+
+for_f32_and_f64!(
+    a_triangle_whose_edges_overflow_has_its_normal,
+    a_tiny_triangle_far_out_has_its_normal,
+    a_sphere_whose_diameter_overflows_has_its_normal,
+    a_light_at_an_overflowing_distance_shines,
+    the_cone_of_pi_is_everything,
+    the_cone_of_half_pi_ends_at_the_horizon,
+    every_half_angle_up_to_pi_is_a_cone,
+    cosines_of_half_angles_are_right,
+);
+
+fn a_triangle_whose_edges_overflow_has_its_normal<T: Float>() {
+    // both edges leave the range: (2, 0, 0) and (1, 1, 0) times the largest number
+    let [a, b, c] = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
+        .map(|v| Vec3::from(v).map(T::of) * T::MAX);
+    assert_eq!(normal::triangle(a, b, c), Some(UnitVec3::Z));
+    assert_eq!(normal::triangle(a, c, b), Some(-UnitVec3::Z));
+    // and only one coordinate of one edge
+    let near = Vec3::new(-T::MAX, T::ONE, T::ZERO);
+    assert_eq!(normal::triangle(a, b, near), Some(UnitVec3::Z));
+}
+
+fn a_tiny_triangle_far_out_has_its_normal<T: Float>() {
+    // x is the same largest number in all vertices, and the edges are subnormal
+    let tiny = T::of(T::TINIEST);
+    let a = Vec3::new(T::MAX, T::ZERO, T::ZERO);
+    let b = Vec3::new(T::MAX, tiny, T::ZERO);
+    let c = Vec3::new(T::MAX, T::ZERO, tiny);
+    assert_eq!(normal::triangle(a, b, c), Some(UnitVec3::X));
+    assert_eq!(normal::triangle(a, a, a), None);
+}
+
+fn a_sphere_whose_diameter_overflows_has_its_normal<T: Float>() {
+    let [west, east] = [-T::MAX, T::MAX].map(|x| Vec3::new(x, T::ZERO, T::ZERO));
+    assert_eq!(normal::sphere(west, east), Some(UnitVec3::X));
+    assert_eq!(normal::sphere(east, west), Some(-UnitVec3::X));
+}
+
+fn a_light_at_an_overflowing_distance_shines<T: Float>() {
+    let [west, east] = [-T::MAX, T::MAX].map(|x| Vec3::new(x, T::ZERO, T::ZERO));
+    let light = |attenuation| PointLight {
+        position: east,
+        intensity: Rgb::WHITE,
+        attenuation,
+    };
+    let constant = light(Attenuation::NONE).at(west);
+    assert_eq!((constant.l, constant.intensity), (UnitVec3::X, Rgb::WHITE));
+    // the distance counts as the largest number: 1/(q²) is 0, 1/(q/MAX) is 1
+    let inverse_square = T::new_attenuation(T::ZERO, T::ZERO, T::ONE).expect("coefficients");
+    assert_eq!(light(inverse_square).at(west).intensity, Rgb::BLACK);
+}
+
+fn the_cone_of_pi_is_everything<T: Float>() {
+    let whole = [
+        T::cone(180.0).expect("π"),
+        T::cone_from_cosine(-T::ONE).expect("−1"),
+    ];
+    for cone in whole {
+        assert_eq!(cone.cosine(), -T::ONE);
+        // opposite to the axis, also where |d|² = 1.0000002 by rounding
+        for x in 1..100 {
+            for y in 1..100 {
+                let d = Vec3::new(T::of(f64::from(x)), T::of(f64::from(y)), T::of(7.0));
+                let d = d.unit().expect("a direction");
+                assert_eq!(cone.factor(d, d), T::ONE, "{d:?}");
+            }
+        }
+    }
+}
+
+fn the_cone_of_half_pi_ends_at_the_horizon<T: Float>() {
+    // fl(π/2) is below π/2 in f64 and above in f32; its cosine is what the rounding took
+    let cone = T::cone(90.0).expect("π/2");
+    let expected = if T::NAME == "f32" {
+        -4.371_139e-8
+    } else {
+        6.123_233_995_736_766e-17
+    };
+    assert_eq!(cone.cosine(), T::of(expected));
+    assert_eq!(
+        T::cone_from_cosine(T::ZERO)
+            .expect("0")
+            .factor(UnitVec3::X, UnitVec3::Y),
+        T::ONE
+    );
+}
+
+/// 2¹⁶ angles down from π, number by number, and as many over the range.
+fn angles<T: Float>() -> impl Iterator<Item = T> {
+    let pi = T::of(std::f64::consts::PI).to_f64();
+    // π rounds up in f32, and stays the last angle
+    let from_the_end = (0..1 << 16).map(move |k| pi * (1.0 - f64::from(k) * T::U));
+    let throughout = (0..=1 << 16).map(move |k| pi * (f64::from(k) / f64::from(1 << 16)));
+    from_the_end.chain(throughout).map(T::of)
+}
+
+fn every_half_angle_up_to_pi_is_a_cone<T: Float>() {
+    for angle in angles::<T>() {
+        assert!(T::cone_from_half_angle(angle).is_some(), "{angle:e}");
+    }
+}
+
+/// Compared with the cosine of the standard library in `f64`, right to 2⁻⁵³. Our own: Taylor's sum
+/// is right to 2u of at most sin π/4, twice its square to 5u·½·2, and the difference rounds: 6u,
+/// and 4ε = 8u more at the ends.
+fn cosines_of_half_angles_are_right<T: Float>() {
+    for angle in angles::<T>() {
+        let cosine = T::cone_from_half_angle(angle)
+            .expect("a cone")
+            .cosine()
+            .to_f64();
+        let expected = angle.to_f64().cos();
+        let tolerance = if expected.abs() > 1.0 - 9.0 * T::U {
+            8.0 * T::U
+        } else {
+            6.0 * T::U
+        };
+        assert!(
+            (cosine - expected).abs() <= tolerance,
+            "{angle:e}: {cosine} for {expected}"
+        );
+    }
+}
