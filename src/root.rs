@@ -12,22 +12,19 @@ pub(crate) use libm::sqrtf;
 pub(crate) fn sqrtf(x: f32) -> f32 {
     let mut bits = x.to_bits();
     // The compiler gives floating-point registers to assembly code only where the FPU has
-    // doubles, and the Cortex-M4's has none. So the number comes and goes by a core register, and
-    // s0 is borrowed.
+    // doubles, and the Cortex-M4's has none. So the number comes and goes by a core register.
     //
     // SAFETY: the hard-float ABI is only for cores with an FPU, and every Arm FPU has
-    // `vsqrt.f32`. Two core registers are written, as declared; s0 is put back as it was; neither
-    // memory nor the stack nor the flags are touched.
+    // `vsqrt.f32`. It writes the two registers that are declared, and touches neither memory nor
+    // the stack nor the flags.
     #[allow(unsafe_code)]
     unsafe {
         core::arch::asm!(
-            "vmov {s0}, s0",
             "vmov s0, {bits}",
             "vsqrt.f32 s0, s0",
             "vmov {bits}, s0",
-            "vmov s0, {s0}",
             bits = inout(reg) bits,
-            s0 = out(reg) _,
+            out("s0") _,
             options(pure, nomem, nostack, preserves_flags)
         );
     }
