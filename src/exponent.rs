@@ -76,10 +76,11 @@ pub(crate) fn by_squaring<T: Real>(mut base: T, mut m: u32) -> T {
     if m == 0 {
         return T::ONE;
     }
-    while m % 2 == 0 {
+    let zeros = m.trailing_zeros();
+    for _ in 0..zeros {
         base = base * base;
-        m /= 2;
     }
+    m >>= zeros;
     let mut power = base;
     while m > 1 {
         base = base * base;
