@@ -61,16 +61,11 @@ impl<T: Real> Rgb<T> {
         self.map(|channel| channel.positive_part().at_most(T::ONE))
     }
 
-    /// The product with a reflectance in which a channel that reflects nothing is 0 also where
-    /// the light overflowed to infinity.
+    /// The product with a reflectance. A channel of light that overflowed to infinity counts as
+    /// the largest number, so that one that reflects nothing stays 0.
     #[inline]
     pub(crate) fn reflected(self, k: Self) -> Self {
-        let channel = |light, k: T| k.if_positive(light * k, T::ZERO);
-        Self::new(
-            channel(self.r, k.r),
-            channel(self.g, k.g),
-            channel(self.b, k.b),
-        )
+        self.map(|channel| channel.at_most(T::MAX)) * k
     }
 }
 
