@@ -90,7 +90,19 @@ impl<T: Real> Attenuation<T> {
     #[inline]
     #[must_use]
     pub fn at(self, q: T) -> T {
-        attenuation(self.a, self.b, self.c, q).at_most(self.limit)
+        self.limited(self.unlimited(q))
+    }
+
+    /// The factor before it is limited.
+    #[inline]
+    pub(crate) fn unlimited(self, q: T) -> T {
+        attenuation(self.a, self.b, self.c, q)
+    }
+
+    /// The factor at its limit, which is not below 1.
+    #[inline]
+    pub(crate) fn limited(self, factor: T) -> T {
+        factor.at_most(self.limit)
     }
 
     /// The same attenuation over another number type; `f` gives the same number in that type.

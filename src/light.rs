@@ -146,7 +146,7 @@ impl<T: Real> PointLight<T> {
         let to_light = self.position - p;
         let square = to_light.dot(to_light);
         if Vec3::is_extreme(square) {
-            return self.at_extreme(p);
+            return self.at_extreme(p.x, p.y, p.z);
         }
         let q = square.sqrt();
         let l = UnitVec3::assume_unit(to_light * (T::ONE / q));
@@ -156,19 +156,23 @@ impl<T: Real> PointLight<T> {
     /// The light from the direction L and the distance q.
     #[inline]
     fn arriving(&self, l: UnitVec3<T>, q: T) -> IncidentLight<T> {
-        let factor = self.attenuation.at(q);
+        let factor = self.attenuation.unlimited(q);
         let mut intensity = self.intensity * factor;
-        // only a factor above 1 can overflow
-        if (factor - T::ONE).any_positive() {
+        // neither the limit nor an overflow is in reach of a factor up to 1
+        if factor.any_outside(T::ZERO, T::ONE) {
+            intensity = self.intensity * self.attenuation.limited(factor);
             intensity = intensity.map(|channel| channel.at_most(T::MAX));
         }
         IncidentLight { l, intensity }
     }
 
-    /// [`at`](PointLight::at) where the square of the distance is out of range.
+    /// [`at`](PointLight::at) where the square of the distance is out of range. It takes the
+    /// point apart, because numbers go in registers: a vector would be written to memory for every
+    /// light, also where this is not called.
     #[cold]
     #[inline(never)]
-    fn at_extreme(&self, p: Vec3<T>) -> IncidentLight<T> {
+    fn at_extreme(&self, x: T, y: T, z: T) -> IncidentLight<T> {
+        let p = Vec3::new(x, y, z);
         let (to_light, scale) = Vec3::extreme_way(p, self.position);
         let scaled_q = to_light.dot(to_light).sqrt();
         // 1 where there is a direction, else 0

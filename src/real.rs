@@ -59,6 +59,14 @@ pub trait Real:
     #[must_use]
     fn any_positive(self) -> bool;
 
+    /// Whether `self` is outside [low, high], for lanes: in at least one of them. The limits are
+    /// not negative, and the answer is open for −0 and for NaN.
+    #[inline]
+    #[must_use]
+    fn any_outside(self, low: Self, high: Self) -> bool {
+        (low - self).any_positive() | (self - high).any_positive()
+    }
+
     /// max(0, self), and 0 for NaN.
     #[inline]
     #[must_use]
@@ -151,6 +159,14 @@ macro_rules! float {
             #[inline]
             fn any_positive(self) -> bool {
                 self > 0.0
+            }
+
+            // the bits of positive numbers are ordered as the numbers are, and one comparison
+            // of whole numbers takes the place of two subtractions
+            #[inline]
+            fn any_outside(self, low: Self, high: Self) -> bool {
+                let above_low = self.to_bits().wrapping_sub(low.to_bits());
+                above_low > high.to_bits().wrapping_sub(low.to_bits())
             }
 
             // `f32::min` is a library call on Arm

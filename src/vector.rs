@@ -111,7 +111,7 @@ impl<T: Real> Vec3<T> {
     /// Whether |v|², given as `square`, over- or underflowed or may be inexact, in any lane.
     #[inline]
     pub(crate) fn is_extreme(square: T) -> bool {
-        (square - T::RESCALE).any_positive() | (T::ONE / T::RESCALE - square).any_positive()
+        square.any_outside(T::ONE / T::RESCALE, T::RESCALE)
     }
 
     /// The same direction at a length whose square neither overflows nor vanishes. The factor is a
