@@ -1,0 +1,39 @@
+//! Instructions by SysTick: under `-icount` QEMU's clock advances by the same step for each
+//! instruction, and the timer of the core counts that clock.
+
+use core::arch::asm;
+use core::ptr::{read_volatile, write_volatile};
+
+const CONTROL: *mut u32 = 0xe000_e010 as *mut u32;
+const RELOAD: *mut u32 = 0xe000_e014 as *mut u32;
+const CURRENT: *mut u32 = 0xe000_e018 as *mut u32;
+const WIDTH: u32 = 0x00ff_ffff; // the timer has 24 bits
+
+/// Starts the timer: enabled, by the clock of the core, without an interrupt.
+pub fn start() {
+    // SAFETY: these registers are in every Cortex-M, and nothing else here uses them.
+    unsafe {
+        write_volatile(RELOAD, WIDTH);
+        write_volatile(CURRENT, 0);
+        write_volatile(CONTROL, 0b101);
+    }
+    while now() == WIDTH {} // it counts from the next reload on
+}
+
+/// The ticks so far; they wrap at 24 bits.
+#[inline(always)]
+pub fn now() -> u32 {
+    // SAFETY: as in `start`. The timer counts down.
+    WIDTH - unsafe { read_volatile(CURRENT) }
+}
+
+pub fn since(start: u32) -> u32 {
+    now().wrapping_sub(start) & WIDTH
+}
+
+/// As many instructions as its name says.
+#[inline(never)]
+pub fn thousand_instructions() {
+    // SAFETY: they do nothing.
+    unsafe { asm!(".rept 1000", "nop", ".endr", options(nomem, nostack)) }
+}
