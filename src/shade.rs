@@ -37,8 +37,9 @@
 //! ```
 //!
 //! The directions N and V and all L point away from the surface. With lights and reflectances
-//! that are not negative the result is not. An infinity can come only of a sum of lights that
-//! overflows; a NaN of nothing finite.
+//! that are not negative the result is not. A sum of lights that overflows counts as the largest
+//! number; an infinity can come only of a reflectance above 1 or of the total, a NaN of nothing
+//! finite.
 //!
 //! Source: Foley, van Dam et al., *Computer Graphics*, §16.1; OpenGL 2.1 §2.14.1.
 
