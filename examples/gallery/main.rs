@@ -1,0 +1,95 @@
+//! A gallery of the crate: each formula at work, on spheres, implicit surfaces, the Utah teapot and
+//! the Stanford bunny.
+//!
+//! ```text
+//! cargo run --release --example gallery
+//! ```
+//!
+//! `scenes` says what is drawn and is the place to start; `render` is a small ray tracer.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss,
+    reason = "pixels are counted with whole numbers and placed with floating-point ones"
+)]
+
+mod arguments;
+mod model;
+mod render;
+mod scenes;
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::{env, fs};
+
+use arguments::{Command, Order};
+use model::Model;
+use render::film::Film;
+use render::png;
+use scenes::Picture;
+
+const WIDTH: usize = 960;
+const HEIGHT: usize = 720;
+/// How many times smaller the pictures of the README are.
+const THUMBNAIL: usize = 3;
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("gallery: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), String> {
+    match arguments::parse(env::args_os().skip(1)) {
+        Ok(Command::Help) => say(arguments::HELP.trim_end()),
+        Ok(Command::Draw(order)) => draw(&order),
+        Err(error) => Err(format!("{error}; --help shows what can be asked for")),
+    }
+}
+
+fn draw(order: &Order) -> Result<(), String> {
+    let pictures = match &order.model {
+        Some(path) => scenes::model(&Model::read(path)?),
+        None => scenes::all(),
+    };
+    let folder = order.folder.clone().unwrap_or_else(default_folder);
+    fs::create_dir_all(&folder)
+        .map_err(|error| format!("cannot make the folder {}: {error}", folder.display()))?;
+    for picture in pictures {
+        if picture.in_readme || !order.thumbnails {
+            draw_one(&picture, order.thumbnails, &folder)?;
+        }
+    }
+    Ok(())
+}
+
+fn draw_one(picture: &Picture, small: bool, folder: &Path) -> Result<(), String> {
+    let mut film = Film::of(&*picture.view, WIDTH, HEIGHT);
+    if small {
+        film = film.reduced(THUMBNAIL);
+    }
+    let path = folder.join(format!("{}.png", picture.name));
+    png::write(&film, &path)
+        .map_err(|error| format!("cannot write {}: {error}", path.display()))?;
+    say(&path.display().to_string())
+}
+
+/// `target/gallery` of the crate, as seen from here.
+fn default_folder() -> PathBuf {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/gallery");
+    env::current_dir()
+        .ok()
+        .and_then(|here| Some(folder.strip_prefix(here).ok()?.to_path_buf()))
+        .unwrap_or(folder)
+}
+
+/// Like `println`, but a reader that has gone away is an error and not a panic.
+fn say(line: &str) -> Result<(), String> {
+    writeln!(io::stdout(), "{line}")
+        .map_err(|error| format!("cannot write to standard output: {error}"))
+}

@@ -1,0 +1,164 @@
+//! Models from OBJ files, brought to a common size.
+
+use std::collections::HashMap;
+use std::fs;
+use std::path::Path;
+use std::sync::Arc;
+
+use shading::{Vec3, normal};
+use tobj::{LoadError, LoadOptions};
+
+use crate::render::mesh::{Flat, Mesh, Smooth};
+
+/// A model that stands on the floor y = 0 at the origin.
+pub struct Model {
+    mesh: Arc<Mesh>,
+    /// The file's normals at the corners of the triangles; zero where it has none.
+    normals: Option<Vec<[Vec3<f32>; 3]>>,
+}
+
+/// A triangle of an OBJ file: the positions of its corners and the normals there.
+type Triangle = ([[f32; 3]; 3], Option<[Vec3<f32>; 3]>);
+
+impl Model {
+    /// Reads a file; says what is wrong with it, and where.
+    pub fn read(path: &Path) -> Result<Self, String> {
+        fs::read(path)
+            .map_err(|error| error.to_string())
+            .and_then(|bytes| String::from_utf8(bytes).map_err(|_| "not a text file".into()))
+            .and_then(|obj| Self::parse(&obj))
+            .map_err(|error| format!("cannot read the model {}: {error}", path.display()))
+    }
+
+    /// Takes the text of an OBJ file.
+    pub fn parse(obj: &str) -> Result<Self, String> {
+        let triangles = triangles(obj)?;
+        let placed = placed(&triangles)?;
+
+        let mut positions = Vec::new();
+        let mut known = HashMap::new();
+        let mut corners = Vec::new();
+        let mut normals = Vec::new();
+        for (triangle, (_, own)) in placed.into_iter().zip(triangles) {
+            let [v1, v2, v3] = triangle;
+            // a triangle that is a line or a point is not seen
+            if normal::triangle(v1, v2, v3).is_none() {
+                continue;
+            }
+            // files repeat a vertex for each object and each texture; here it is one again
+            corners.push(triangle.map(|vertex| {
+                let bits = <[f32; 3]>::from(vertex).map(f32::to_bits);
+                *known.entry(bits).or_insert_with(|| {
+                    positions.push(vertex);
+                    positions.len() - 1
+                })
+            }));
+            normals.extend(own);
+        }
+        if corners.is_empty() {
+            return Err("it has no face with an area".into());
+        }
+        Ok(Self {
+            normals: (normals.len() == corners.len()).then_some(normals),
+            mesh: Arc::new(Mesh::new(positions, corners)),
+        })
+    }
+
+    /// One normal for each triangle.
+    pub fn flat(&self) -> Flat {
+        Flat(self.mesh.clone())
+    }
+
+    /// The file's normals, and where it has none the mean around each vertex, interpolated.
+    pub fn smooth(&self) -> Smooth {
+        match &self.normals {
+            Some(normals) => Smooth::new(self.mesh.clone(), normals),
+            None => Smooth::averaged(self.mesh.clone()),
+        }
+    }
+}
+
+fn triangles(obj: &str) -> Result<Vec<Triangle>, String> {
+    let options = LoadOptions {
+        single_index: true,
+        triangulate: true,
+        ignore_points: true,
+        ignore_lines: true,
+    };
+    let mut rest = obj.as_bytes();
+    // materials are the gallery's own
+    let (models, _) = tobj::load_obj_buf(&mut rest, &options, |_| Ok(Default::default()))
+        .map_err(|error| explained(error, &obj[..obj.len() - rest.len()]))?;
+
+    let mut triangles = Vec::new();
+    for mesh in models.iter().map(|model| &model.mesh) {
+        let positions = triples(&mesh.positions);
+        let normals = triples(&mesh.normals);
+        // in a mesh where some corners have normals and some have not, one cannot tell which
+        let has_normals = normals.len() == positions.len();
+        for corners in triples(&mesh.indices) {
+            let corners = corners.map(|i| i as usize);
+            triangles.push((
+                corners.map(|i| positions[i]),
+                has_normals.then(|| corners.map(|i| normals[i].into())),
+            ));
+        }
+    }
+    if triangles.is_empty() {
+        return Err("it has no faces".into());
+    }
+    Ok(triangles)
+}
+
+fn triples<T: Copy>(numbers: &[T]) -> Vec<[T; 3]> {
+    numbers
+        .chunks_exact(3)
+        .map(|three| [three[0], three[1], three[2]])
+        .collect()
+}
+
+/// An error of the reader, and the line of the file where it stopped.
+fn explained(error: LoadError, read: &str) -> String {
+    match error {
+        // found out only when all faces of an object have been read
+        LoadError::FaceVertexOutOfBounds => "a face has a vertex that is not there".into(),
+        LoadError::FaceTexCoordOutOfBounds => "a face has a texture point that is not there".into(),
+        LoadError::FaceNormalOutOfBounds => "a face has a normal that is not there".into(),
+        LoadError::InvalidPolygon => "a face has no vertices".into(),
+        _ => format!("line {}: {error}", read.lines().count()),
+    }
+}
+
+/// The triangles moved to the middle of the floor and scaled to at most 2 high and 2.8 wide.
+fn placed(triangles: &[Triangle]) -> Result<Vec<[Vec3<f32>; 3]>, String> {
+    let vertices = || triangles.iter().flat_map(|(corners, _)| corners);
+    if !vertices()
+        .flatten()
+        .all(|coordinate| coordinate.is_finite())
+    {
+        return Err("a vertex has a coordinate that is not a finite number".into());
+    }
+    // in f64, where the extent of finite numbers is finite
+    let ends = [0, 1, 2].map(|axis| {
+        let along = || vertices().map(|vertex| f64::from(vertex[axis]));
+        (
+            along().fold(f64::MAX, f64::min),
+            along().fold(f64::MIN, f64::max),
+        )
+    });
+    let extent = ends.map(|(low, high)| high - low);
+    let scale = (2.0 / extent[1]).min(2.8 / extent[0].max(extent[2]));
+    if !scale.is_finite() {
+        return Err("all its vertices are one point".into());
+    }
+    let middle = ends.map(|(low, high)| 0.5 * (low + high));
+    let foot = [middle[0], ends[1].0, middle[2]];
+    let place = |vertex: [f32; 3]| {
+        let along = |axis: usize| ((f64::from(vertex[axis]) - foot[axis]) * scale) as f32;
+        Vec3::new(along(0), along(1), along(2))
+    };
+    Ok(triangles
+        .iter()
+        .map(|(corners, _)| corners.map(place))
+        .collect())
+}

@@ -1,0 +1,120 @@
+//! Rays, what they hit, and how they are sent through a picture.
+
+use shading::{UnitVec3, Vec3};
+
+/// How far a shadow ray starts above its surface, so that rounding does not shade the surface by
+/// itself. The scenes are a few units large.
+const LIFT: f32 = 1e-3;
+
+/// A half-line.
+#[derive(Clone, Copy)]
+pub struct Ray {
+    pub origin: Vec3<f32>,
+    pub direction: UnitVec3<f32>,
+}
+
+impl Ray {
+    pub fn at(&self, t: f32) -> Vec3<f32> {
+        self.origin + *self.direction * t
+    }
+}
+
+/// Where a ray meets a surface.
+#[derive(Clone, Copy)]
+pub struct Hit {
+    /// The distance from the ray's origin.
+    pub t: f32,
+    pub p: Vec3<f32>,
+    pub n: UnitVec3<f32>,
+    /// Where shadow rays start: a little above `p`.
+    pub lifted: Vec3<f32>,
+    /// Which part of the surface it is, for surfaces made of several.
+    pub part: usize,
+}
+
+impl Hit {
+    pub fn new(ray: &Ray, t: f32, n: UnitVec3<f32>) -> Self {
+        Self::on(ray.at(t), t, n)
+    }
+
+    /// A hit whose point is known better than by the distance along the ray.
+    pub fn on(p: Vec3<f32>, t: f32, n: UnitVec3<f32>) -> Self {
+        Self {
+            t,
+            p,
+            n,
+            lifted: p + *n * LIFT,
+            part: 0,
+        }
+    }
+}
+
+/// Anything that rays can meet.
+pub trait Surface: Sync {
+    /// The nearest hit before the distance `limit`.
+    fn hit(&self, ray: &Ray, limit: f32) -> Option<Hit>;
+
+    /// Whether there is any hit before the distance `limit`: all that a shadow asks.
+    fn blocks(&self, ray: &Ray, limit: f32) -> bool {
+        self.hit(ray, limit).is_some()
+    }
+}
+
+/// The eye: where it is, where it looks and how wide.
+pub struct Camera {
+    eye: Vec3<f32>,
+    forward: UnitVec3<f32>,
+    right: UnitVec3<f32>,
+    up: UnitVec3<f32>,
+    lens: Lens,
+}
+
+enum Lens {
+    /// The tangent of half the angle from the lower to the upper edge.
+    Perspective(f32),
+    /// Half the height of what is seen.
+    Parallel(f32),
+}
+
+impl Camera {
+    /// Sees `degrees` from the lower to the upper edge of the picture.
+    pub fn perspective(eye: [f32; 3], at: [f32; 3], degrees: f32) -> Self {
+        let tangent = (degrees.to_radians() / 2.0).tan();
+        Self::new(eye.into(), at.into(), Lens::Perspective(tangent))
+    }
+
+    /// Sees `height` units from the lower to the upper edge, along parallel rays: V is the same
+    /// everywhere, so that things beside each other compare.
+    pub fn parallel(eye: [f32; 3], at: [f32; 3], height: f32) -> Self {
+        Self::new(eye.into(), at.into(), Lens::Parallel(height / 2.0))
+    }
+
+    fn new(eye: Vec3<f32>, at: Vec3<f32>, lens: Lens) -> Self {
+        let forward = (at - eye).unit_or(-UnitVec3::Z);
+        let right = forward.cross(UnitVec3::Y).unit_or(UnitVec3::X);
+        let up = right.cross(forward).unit_or(UnitVec3::Y);
+        Self {
+            eye,
+            forward,
+            right,
+            up,
+            lens,
+        }
+    }
+
+    /// The ray through the point (x, y) of the picture; y is −1 at its lower and 1 at its upper
+    /// edge, and x grows at the same pace to the right.
+    pub fn ray(&self, x: f32, y: f32) -> Ray {
+        let aside = *self.right * x + *self.up * y;
+        match self.lens {
+            Lens::Perspective(tangent) => Ray {
+                origin: self.eye,
+                direction: (*self.forward + aside * tangent).unit_or(self.forward),
+            },
+            Lens::Parallel(half_height) => Ray {
+                origin: self.eye + aside * half_height,
+                direction: self.forward,
+            },
+        }
+    }
+}

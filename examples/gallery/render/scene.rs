@@ -1,0 +1,193 @@
+//! What a picture shows, and the light that reaches the eye: here the crate is called.
+
+use shading::{IncidentLight, Light, Material, Rgb, Shaded, Vec3, lambert, shade};
+
+use super::film::View;
+use super::ray::{Camera, Hit, Ray, Surface};
+
+/// Materials whose shininess is a whole number.
+pub type Finish = Material<f32, u32>;
+
+pub struct Scene {
+    pub camera: Camera,
+    pub objects: Vec<Object>,
+    pub lights: Vec<Light<f32>>,
+    /// I_a
+    pub ambient: Rgb<f32>,
+    pub model: Model,
+    /// What of the result is shown.
+    pub part: Part,
+    pub backdrop: Backdrop,
+}
+
+/// The whole of the light that a point returns, or a part of it.
+pub type Part = fn(Shaded<f32>) -> Rgb<f32>;
+
+/// Which of the crate's sums over lights.
+#[derive(Clone, Copy)]
+pub enum Model {
+    Phong,
+    BlinnPhong,
+}
+
+pub struct Object {
+    surface: Box<dyn Surface>,
+    look: Look,
+}
+
+enum Look {
+    /// The material at each point.
+    Painted(Box<dyn Fn(&Hit) -> Finish + Sync>),
+    /// Shows where a light is, not shaded and without a shadow.
+    Glowing(Rgb<f32>),
+}
+
+impl Object {
+    pub fn new(surface: impl Surface + 'static, material: Finish) -> Self {
+        Self::painted(surface, move |_| material)
+    }
+
+    pub fn painted(
+        surface: impl Surface + 'static,
+        paint: impl Fn(&Hit) -> Finish + Sync + 'static,
+    ) -> Self {
+        Self {
+            surface: Box::new(surface),
+            look: Look::Painted(Box::new(paint)),
+        }
+    }
+
+    pub fn glowing(surface: impl Surface + 'static, color: Rgb<f32>) -> Self {
+        Self {
+            surface: Box::new(surface),
+            look: Look::Glowing(color),
+        }
+    }
+}
+
+/// What is seen behind the objects: brightest in the middle of the picture.
+#[derive(Clone, Copy)]
+pub struct Backdrop {
+    pub center: Rgb<f32>,
+    pub edge: Rgb<f32>,
+    /// The distances from the scene's origin between which things fade into the backdrop, so that
+    /// a floor has no horizon.
+    pub fade: [f32; 2],
+}
+
+impl Backdrop {
+    pub const BLACK: Self = Self {
+        center: Rgb::BLACK,
+        edge: Rgb::BLACK,
+        fade: [f32::MAX; 2],
+    };
+
+    /// At the point (x, y) of the picture.
+    fn color(&self, x: f32, y: f32) -> Rgb<f32> {
+        mix(self.center, self.edge, (x * x + y * y).sqrt() / 1.2)
+    }
+
+    /// What is left of it over a point of the scene.
+    fn over(&self, p: Vec3<f32>) -> f32 {
+        let [near, far] = self.fade;
+        (p.dot(p).sqrt() - near) / (far - near)
+    }
+}
+
+/// a at 0, b at 1, smoothly in between.
+fn mix(a: Rgb<f32>, b: Rgb<f32>, share: f32) -> Rgb<f32> {
+    let x = share.clamp(0.0, 1.0);
+    let smooth = x * x * (3.0 - 2.0 * x);
+    a * (1.0 - smooth) + b * smooth
+}
+
+impl Scene {
+    /// The light that comes back along a ray, where there is something.
+    fn seen(&self, ray: &Ray) -> Option<(Hit, Rgb<f32>)> {
+        let mut nearest: Option<(Hit, &Object)> = None;
+        for object in &self.objects {
+            let limit = nearest.map_or(f32::INFINITY, |(hit, _)| hit.t);
+            nearest = object
+                .surface
+                .hit(ray, limit)
+                .map(|hit| (hit, object))
+                .or(nearest);
+        }
+        let (hit, object) = nearest?;
+        let color = match &object.look {
+            Look::Painted(paint) => (self.part)(self.shaded(ray, &hit, &paint(&hit))),
+            Look::Glowing(color) => *color,
+        };
+        Some((hit, color))
+    }
+
+    fn shaded(&self, ray: &Ray, hit: &Hit, material: &Finish) -> Shaded<f32> {
+        let v = -ray.direction;
+        // shadows are left out of the sum, and so are lights behind the surface, to save the ray
+        let incident = self
+            .lights
+            .iter()
+            .map(|light| (light, light.at(hit.p)))
+            .filter(|(_, incident)| lambert(hit.n, incident.l) > 0.0)
+            .filter(|(light, incident)| !self.in_shadow(hit, light, incident))
+            .map(|(_, incident)| incident);
+        match self.model {
+            Model::Phong => shade::phong(hit.n, v, material, self.ambient, incident),
+            Model::BlinnPhong => shade::blinn_phong(hit.n, v, material, self.ambient, incident),
+        }
+    }
+
+    /// Whether an object stands between a point and a light.
+    fn in_shadow(&self, hit: &Hit, light: &Light<f32>, incident: &IncidentLight<f32>) -> bool {
+        let ray = Ray {
+            origin: hit.lifted,
+            direction: incident.l,
+        };
+        let distance = match light {
+            Light::Directional(_) => f32::INFINITY,
+            Light::Point(point) => length(point.position - hit.lifted),
+            Light::Spot(spot) => length(spot.point.position - hit.lifted),
+        };
+        self.objects
+            .iter()
+            .filter(|object| matches!(object.look, Look::Painted(_)))
+            .any(|object| object.surface.blocks(&ray, distance))
+    }
+}
+
+fn length(v: Vec3<f32>) -> f32 {
+    v.dot(v).sqrt()
+}
+
+impl View for Scene {
+    fn color(&self, x: f32, y: f32, aspect: f32) -> Rgb<f32> {
+        let backdrop = self.backdrop.color(x, y);
+        match self.seen(&self.camera.ray(x * aspect, y)) {
+            Some((hit, color)) => mix(color, backdrop, self.backdrop.over(hit.p)),
+            None => backdrop,
+        }
+    }
+}
+
+/// Views beside and below each other, row by row.
+pub struct Grid<V> {
+    pub columns: usize,
+    pub cells: Vec<V>,
+}
+
+impl<V: View> View for Grid<V> {
+    fn color(&self, x: f32, y: f32, aspect: f32) -> Rgb<f32> {
+        let columns = self.columns as f32;
+        let rows = (self.cells.len() / self.columns) as f32;
+        // from the left and from above, in cells
+        let across = (1.0 + x) * (0.5 * columns);
+        let down = (1.0 - y) * (0.5 * rows);
+        let column = across.floor().clamp(0.0, columns - 1.0);
+        let row = down.floor().clamp(0.0, rows - 1.0);
+        self.cells[row as usize * self.columns + column as usize].color(
+            (across - column) * 2.0 - 1.0,
+            1.0 - (down - row) * 2.0,
+            aspect * rows / columns,
+        )
+    }
+}

@@ -1,0 +1,114 @@
+//! What the pictures show.
+
+mod attenuation;
+mod bunny;
+mod highlights;
+mod implicit;
+mod lights;
+mod parts;
+mod teapot;
+
+use shading::{Rgb, Shaded, UnitVec3};
+
+use crate::render::film::View;
+use crate::render::ray::Camera;
+use crate::render::scene::{Backdrop, Finish, Model as Sum, Object, Scene};
+use crate::render::shape::Plane;
+
+pub use bunny::model;
+
+/// A picture of the gallery.
+pub struct Picture {
+    /// The name of its file, without the ending.
+    pub name: &'static str,
+    pub view: Box<dyn View>,
+    pub in_readme: bool,
+}
+
+impl Picture {
+    fn new(name: &'static str, view: impl View + 'static) -> Self {
+        Self {
+            name,
+            view: Box::new(view),
+            in_readme: false,
+        }
+    }
+
+    /// One of those that the README shows.
+    fn for_readme(self) -> Self {
+        Self {
+            in_readme: true,
+            ..self
+        }
+    }
+}
+
+/// The whole gallery, in order.
+pub fn all() -> Vec<Picture> {
+    let mut pictures = parts::pictures();
+    pictures.extend(highlights::pictures());
+    pictures.extend(lights::pictures());
+    pictures.extend(attenuation::pictures());
+    pictures.extend(teapot::pictures());
+    pictures.extend(implicit::pictures());
+    pictures.extend(bunny::pictures());
+    pictures
+}
+
+/// A scene to which objects and lights are to be added.
+fn empty(camera: Camera, backdrop: Backdrop) -> Scene {
+    Scene {
+        camera,
+        objects: Vec::new(),
+        lights: Vec::new(),
+        ambient: Rgb::gray(0.12),
+        model: Sum::BlinnPhong,
+        part: Shaded::total,
+        backdrop,
+    }
+}
+
+/// A quiet grey, darker towards the edges.
+const STUDIO: Backdrop = Backdrop {
+    center: Rgb::new(0.055, 0.06, 0.07),
+    edge: Rgb::new(0.008, 0.009, 0.011),
+    fade: [1.0, 4.6],
+};
+
+/// A material of one colour that reflects the ambient light as it does the others.
+const fn glossy(color: Rgb<f32>, k_s: f32, m: u32) -> Finish {
+    Finish {
+        k_a: color,
+        k_d: color,
+        k_s: Rgb::gray(k_s),
+        m,
+    }
+}
+
+const fn matt(color: Rgb<f32>) -> Finish {
+    glossy(color, 0.0, 1)
+}
+
+/// The floor y = 0.
+fn floor(finish: Finish) -> Object {
+    Object::new(floor_plane(), finish)
+}
+
+/// The floor y = 0 in squares of one unit.
+fn tiles(light: Finish, dark: Finish) -> Object {
+    Object::painted(floor_plane(), move |hit| {
+        let odd = (hit.p.x.floor() + hit.p.z.floor()).rem_euclid(2.0) > 0.5;
+        if odd { dark } else { light }
+    })
+}
+
+fn floor_plane() -> Plane {
+    const UP: [f32; 4] = [0.0, 1.0, 0.0, 0.0];
+    let [a, b, c, d] = UP;
+    Plane::new(a, b, c, d).expect("it has a normal")
+}
+
+/// The direction (x, y, z), which is not zero.
+fn towards(x: f32, y: f32, z: f32) -> UnitVec3<f32> {
+    shading::Vec3::new(x, y, z).unit_or(UnitVec3::Y)
+}

@@ -1,0 +1,82 @@
+//! One scene four times: what each term adds, and the sum.
+
+use shading::{Attenuation, Elementary, Light, PointLight, Rgb, Shaded, Vec3};
+
+use super::{Picture, empty, floor, glossy};
+use crate::render::implicit::{Field, Implicit};
+use crate::render::ray::Camera;
+use crate::render::scene::{Backdrop, Object, Part, Scene};
+use crate::render::shape::Sphere;
+
+pub fn pictures() -> Vec<Picture> {
+    let part = |name, part| Picture::new(name, still_life(part));
+    vec![
+        part("01_ambient", |shaded| shaded.ambient).for_readme(),
+        part("02_diffuse", |shaded| shaded.diffuse).for_readme(),
+        part("03_specular", |shaded| shaded.specular).for_readme(),
+        part("04_total", Shaded::total).for_readme(),
+    ]
+}
+
+/// Before black, so that the first three pictures add up to the fourth, point by point.
+fn still_life(part: Part) -> Scene {
+    const RED: Rgb<f32> = Rgb::new(0.66, 0.07, 0.05);
+    const GOLD: Rgb<f32> = Rgb::new(0.72, 0.42, 0.06);
+    const BLUE: Rgb<f32> = Rgb::new(0.06, 0.2, 0.55);
+
+    let camera = Camera::perspective([0.0, 2.7, 7.2], [0.16, 0.7, 0.0], 32.0);
+    let backdrop = Backdrop {
+        fade: [1.6, 5.2],
+        ..Backdrop::BLACK
+    };
+    Scene {
+        objects: vec![
+            floor(glossy(Rgb::gray(0.24), 0.08, 20)),
+            Object::new(Sphere::new([-1.35, 0.8, 0.25], 0.8), glossy(RED, 0.45, 60)),
+            Object::new(ring(), glossy(GOLD, 0.5, 25)),
+            Object::new(cube(), glossy(BLUE, 0.4, 40)),
+        ],
+        lights: vec![Light::Point(PointLight {
+            position: Vec3::new(-3.2, 5.2, 4.2),
+            intensity: Rgb::gray(0.95),
+            attenuation: Attenuation::NONE,
+        })],
+        ambient: Rgb::gray(0.2),
+        part,
+        ..empty(camera, backdrop)
+    }
+}
+
+/// A ring that stands upright.
+fn ring() -> Implicit<Ring> {
+    Implicit::new(Ring, [0.35, 0.95, -1.0], 1.0)
+}
+
+struct Ring;
+
+impl Field for Ring {
+    fn value<T: Elementary>(&self, p: Vec3<T>) -> T {
+        let [x, y, z] = [p.x - T::of(0.35), p.y - T::of(0.95), p.z + T::of(1.0)];
+        let from_circle = (x * x + y * y).sqrt() - T::of(0.7);
+        (from_circle * from_circle + z * z).sqrt() - T::of(0.25)
+    }
+}
+
+/// A cube with round edges, turned a little.
+fn cube() -> Implicit<Cube> {
+    Implicit::new(Cube, [1.5, 0.6, 0.3], 1.1)
+}
+
+struct Cube;
+
+impl Field for Cube {
+    fn value<T: Elementary>(&self, p: Vec3<T>) -> T {
+        const ROUND: f64 = 0.14;
+        let [x, y, z] = [p.x - T::of(1.5), p.y - T::of(0.6), p.z - T::of(0.3)];
+        // by 30° around the vertical
+        let (cos, sin) = (T::of(0.866_025_4), T::of(0.5));
+        let turned = Vec3::new(x * cos - z * sin, y, x * sin + z * cos);
+        let outside = turned.map(|c| (c.abs() - T::of(0.6 - ROUND)).positive_part());
+        outside.dot(outside).sqrt() - T::of(ROUND)
+    }
+}
