@@ -31,6 +31,9 @@ fn feed<T: Float, const N: usize>(m: u32, bytes: &[u8], of: impl Fn([u8; N]) -> 
     }
     for check in [any_bits, finite_and_valid] {
         let mut numbers = numbers.iter().copied().cycle();
-        check(Numbers { next: &mut || numbers.next().expect("endless"), m });
+        check(Numbers {
+            next: &mut || numbers.next().expect("endless"),
+            m,
+        });
     }
 }

@@ -256,7 +256,9 @@ pub fn finite_and_valid<T: Float>(numbers: Numbers<T>) {
     }
     let i_a = numbers.rgb();
     directions(n, v, l, [m, numbers.number()]);
-    lights.iter().for_each(|light| incident(*light, p));
+    for light in lights {
+        incident(light, p);
+    }
     let whole = Material {
         m: whole,
         ..numbers.material(0)
