@@ -50,8 +50,8 @@ pub struct Attenuation<T> {
     a: T,
     b: T,
     c: T,
-    /// What the factor is limited to.
-    limit: T,
+    /// Whether the factor is limited to 1.
+    clamped: bool,
 }
 
 impl<T: Real> Attenuation<T> {
@@ -60,7 +60,7 @@ impl<T: Real> Attenuation<T> {
         a: T::ONE,
         b: T::ZERO,
         c: T::ZERO,
-        limit: T::MAX,
+        clamped: false,
     };
 
     /// The same attenuation limited to 1: min(1, 1/(a + bq + cq²)), as Foley, van Dam et al. have
@@ -80,7 +80,7 @@ impl<T: Real> Attenuation<T> {
         T: Copy,
     {
         Self {
-            limit: T::ONE,
+            clamped: true,
             ..self
         }
     }
@@ -102,7 +102,8 @@ impl<T: Real> Attenuation<T> {
     /// The factor at its limit, which is not below 1.
     #[inline]
     pub(crate) fn limited(self, factor: T) -> T {
-        factor.at_most(self.limit)
+        // no field holds the limit: MAX of one type is not MAX in another
+        factor.at_most(if self.clamped { T::ONE } else { T::MAX })
     }
 
     /// The same attenuation over another number type; `f` gives the same number in that type.
@@ -113,7 +114,7 @@ impl<T: Real> Attenuation<T> {
             a: f(self.a),
             b: f(self.b),
             c: f(self.c),
-            limit: f(self.limit),
+            clamped: self.clamped,
         }
     }
 }
@@ -189,10 +190,10 @@ macro_rules! checked {
                     && (a > 0.0 || b > 0.0 || c > 0.0)
                 {
                     Some(Self {
-                        a,
+                        a: a + 0.0, // the reciprocal of −0 would be −∞
                         b,
                         c,
-                        limit: MAX,
+                        clamped: false,
                     })
                 } else {
                     None
