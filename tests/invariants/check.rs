@@ -1,0 +1,80 @@
+//! Runs a property, and compares.
+
+use std::fmt::Debug;
+
+use proptest::prelude::*;
+use proptest::test_runner::{TestCaseResult, TestRunner};
+
+use crate::number::Number;
+
+/// Runs a property on many cases, and reports the smallest that fails. `PROPTEST_CASES` says on how
+/// many.
+pub fn check<S: Strategy<Value: Debug>>(inputs: S, property: impl Fn(S::Value) -> TestCaseResult) {
+    let mut config = ProptestConfig {
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    };
+    if std::env::var_os("PROPTEST_CASES").is_none() {
+        config.cases = 1000;
+    }
+    config.max_global_rejects = 4 * config.cases; // assumptions may leave out four of five
+    if let Err(failure) = TestRunner::new(config).run(&inputs, property) {
+        panic!("{failure}");
+    }
+}
+
+pub fn to_f64<T: Number>(components: impl Into<[T; 3]>) -> [f64; 3] {
+    components.into().map(T::to_f64)
+}
+
+/// Bit for bit.
+pub fn same<T: Number, V: Into<[T; 3]>>(a: V, b: V) -> TestCaseResult {
+    let (a, b) = (to_f64(a), to_f64(b));
+    prop_assert_eq!(
+        a.map(f64::to_bits),
+        b.map(f64::to_bits),
+        "{:?} is not {:?}",
+        a,
+        b
+    );
+    Ok(())
+}
+
+/// Within an absolute `tolerance`, component by component.
+pub fn near<T: Number, V: Into<[T; 3]>>(a: V, b: V, tolerance: f64) -> TestCaseResult {
+    let (a, b) = (to_f64(a), to_f64(b));
+    for i in 0..3 {
+        within(a[i] - b[i], tolerance)?;
+    }
+    Ok(())
+}
+
+/// Within `k` units of roundoff of the larger, component by component; an operation that
+/// underflows loses half of the smallest number instead.
+pub fn nearly<T: Number, V: Into<[T; 3]>>(a: V, b: V, k: f64) -> TestCaseResult {
+    let (a, b) = (to_f64(a), to_f64(b));
+    for i in 0..3 {
+        let magnitude = a[i].abs().max(b[i].abs());
+        within(a[i] - b[i], k * (T::U * magnitude + T::TINY.to_f64()))?;
+    }
+    Ok(())
+}
+
+/// |error| ≤ tolerance; says by how much not.
+pub fn within(error: f64, tolerance: f64) -> TestCaseResult {
+    prop_assert!(
+        error.abs() <= tolerance,
+        "off by {error:e}, {} times the tolerance {tolerance:e}",
+        error.abs() / tolerance
+    );
+    Ok(())
+}
+
+/// a ≥ b but for `tolerance`.
+pub fn at_least(a: f64, b: f64, tolerance: f64) -> TestCaseResult {
+    prop_assert!(
+        a >= b - tolerance,
+        "{a:e} is not at least {b:e} − {tolerance:e}"
+    );
+    Ok(())
+}

@@ -1,0 +1,147 @@
+//! R and H.
+
+use proptest::prelude::*;
+use shading::{Vec3, blinn, half_vector, reflection};
+
+use crate::check::{check, near, same, to_f64, within};
+use crate::exact::{determinant, dot, dot_difference, length, square_excess, sum_of_products};
+use crate::generators::{pair, shine};
+use crate::number::Number;
+
+// R = 2(N·L)N − L in units of u: N·L is off by 2 (three products and two partial sums below 1), so
+// 2(N·L)N by 4 along N and by 2 in the product, and the difference by 1: a vector off by 7. N itself
+// is longer than 1 by up to 1, which stretches 2(N·L)N by 2 more along N.
+
+/// (19) |R| = |L|, to 11u.
+fn reflection_keeps_the_length<T: Number>() {
+    check(pair::<T>(), |[n, l]| {
+        let (r, l) = (to_f64(reflection(n, l)), to_f64(l));
+        // |R| − |L| is half of the difference of the squares
+        within(0.5 * dot_difference([r, r], [l, l]), 11.0 * T::U)
+    });
+}
+
+/// (20) N·R = N·L, to 9u.
+fn reflection_keeps_the_angle_to_the_normal<T: Number>() {
+    check(pair::<T>(), |[n, l]| {
+        let [n, l, r] = [n, l, reflection(n, l)].map(to_f64);
+        within(dot_difference([n, r], [n, l]), 9.0 * T::U)
+    });
+}
+
+/// (21) The reflection of the reflection is L, to 14u.
+fn reflection_is_its_own_inverse<T: Number>() {
+    check(pair::<T>(), |[n, l]| {
+        near(reflection(n, reflection(n, l)), l, 14.0 * T::U)
+    });
+}
+
+/// (22) N and −N reflect alike; but for the sign of a zero, which 0 takes away.
+fn reflection_does_not_depend_on_the_side<T: Number>() {
+    check(pair::<T>(), |[n, l]| {
+        same(
+            *reflection(-n, l) + Vec3::ZERO,
+            *reflection(n, l) + Vec3::ZERO,
+        )
+    });
+}
+
+/// (23) R, N and L lie in a plane, to 7u: R = 2(N·L)N − L without its rounding has no part that
+/// leaves it.
+fn reflection_stays_in_the_plane<T: Number>() {
+    check(pair::<T>(), |[n, l]| {
+        within(
+            determinant(to_f64(reflection(n, l)), to_f64(n), to_f64(l)),
+            7.0 * T::U,
+        )
+    });
+}
+
+/// (24) L and V may be exchanged.
+fn half_vector_is_symmetric<T: Number>() {
+    check(pair::<T>(), |[l, v]| {
+        let (lv, vl) = (half_vector(l, v), half_vector(v, l));
+        prop_assert_eq!(lv.is_some(), vl.is_some());
+        if let (Some(lv), Some(vl)) = (lv, vl) {
+            same(lv, vl)?;
+        }
+        Ok(())
+    });
+}
+
+/// (25) H is as far from L as from V. H·L − H·V = (|L|² − |V|²)/|L + V|, and the lengths differ by
+/// 2u; then H is off by 1 for the sum and by 2 for the division by the length: 4u/|L + V| + 6u.
+fn half_vector_halves_the_angle<T: Number>() {
+    check(pair::<T>(), |[l, v]| {
+        let Some(h) = half_vector(l, v) else {
+            return Ok(());
+        };
+        let [h, l, v] = [h, l, v].map(to_f64);
+        let sum = length([0, 1, 2].map(|i| l[i] + v[i]));
+        within(dot_difference([h, l], [h, v]), (4.0 / sum + 6.0) * T::U)
+    });
+}
+
+/// (25) |L + V|² = 2 + 2 L·V, as H·(L + V) = |L + V|. The lengths of L and V make 4u, H is off by 3u
+/// of the sum's square.
+fn half_vector_belongs_to_the_sum<T: Number>() {
+    check(pair::<T>(), |[l, v]| {
+        let Some(h) = half_vector(l, v) else {
+            return Ok(());
+        };
+        let [h, l, v] = [h, l, v].map(to_f64);
+        let along = dot(h, l) + dot(h, v);
+        let square = sum_of_products([
+            (2.0, 1.0),
+            (2.0 * l[0], v[0]),
+            (2.0 * l[1], v[1]),
+            (2.0 * l[2], v[2]),
+        ]);
+        within(along * along - square, (4.0 + 6.0 * square) * T::U)
+    });
+}
+
+/// (26) |H| = 1, also where L and V are nearly opposite. The sum of squares is off by 3u at most and
+/// its root by 1.5u, the root and the division round: 3.5u. More than 2u is rare.
+fn half_vector_has_length_one<T: Number>() {
+    check(pair::<T>(), |[l, v]| {
+        let Some(h) = half_vector(l, v) else {
+            prop_assert!(*l + *v == Vec3::ZERO);
+            return Ok(());
+        };
+        within(0.5 * square_excess(to_f64(h)), 3.5 * T::U)
+    });
+}
+
+/// (27) Seen along the mirrored direction, V = R, H is N: N·H = 1, to 4u, and the highlight is full,
+/// but not brighter. For N·L near 0, H turns by up to 8u/(N·L), of which the cosine keeps half the
+/// square.
+fn mirrored_eye_sees_the_full_highlight<T: Number>() {
+    check((pair::<T>(), shine(10_000)), |([n, l], m)| {
+        let cosine = dot(to_f64(n), to_f64(l));
+        prop_assume!(cosine > 100.0 * T::U);
+        let h = half_vector(l, reflection(n, l)).expect("L is not opposite to R");
+        let turned = 8.0 * T::U / cosine;
+        let tolerance = 4.0 * T::U + 0.5 * turned * turned;
+        within(1.0 - dot(to_f64(n), to_f64(h)), tolerance)?;
+        let highlight = blinn(n, h, m).to_f64();
+        prop_assert!(highlight <= 1.0);
+        within(
+            1.0 - highlight,
+            m.m * (tolerance + 2.0 * T::U) + m.error::<T>() * T::U,
+        )
+    });
+}
+
+invariants! {
+    reflection_keeps_the_length,
+    reflection_keeps_the_angle_to_the_normal,
+    reflection_is_its_own_inverse,
+    reflection_does_not_depend_on_the_side,
+    reflection_stays_in_the_plane,
+    half_vector_is_symmetric,
+    half_vector_halves_the_angle,
+    half_vector_belongs_to_the_sum,
+    half_vector_has_length_one,
+    mirrored_eye_sees_the_full_highlight,
+}

@@ -1,0 +1,197 @@
+//! (54) Dual numbers against symbolic derivatives.
+
+use proptest::prelude::*;
+use shading::{Dual, Elementary, Real, Vec3};
+
+use crate::check::{check, near, nearly, same, to_f64};
+use crate::generators::point;
+use crate::number::Number;
+
+/// A dual number with any gradient; its value within [½, 2), of either sign.
+fn dual<T: Number>() -> impl Strategy<Value = Dual<T>> {
+    (0.5..2.0, any::<bool>(), point()).prop_map(|(value, negative, gradient): (f64, _, _)| Dual {
+        value: T::of(if negative { -value } else { value }),
+        gradient,
+    })
+}
+
+/// A dual number greater than 0.
+fn positive<T: Number>() -> impl Strategy<Value = Dual<T>> {
+    dual().prop_map(|x: Dual<T>| if x.value < T::ZERO { -x } else { x })
+}
+
+fn value<T: Number>(x: Dual<T>, expected: T) -> Result<(), TestCaseError> {
+    same([x.value; 3], [expected; 3])
+}
+
+/// (f + g)′ = f′ + g′, (f − g)′ = f′ − g′, (−f)′ = −f′
+fn sum_rule<T: Number>() {
+    check((dual::<T>(), dual::<T>()), |(f, g)| {
+        value(f + g, f.value + g.value)?;
+        value(f - g, f.value - g.value)?;
+        value(-f, -f.value)?;
+        same((f + g).gradient, f.gradient + g.gradient)?;
+        same((f - g).gradient, f.gradient - g.gradient)?;
+        same((-f).gradient, -f.gradient)
+    });
+}
+
+/// (fg)′ = f′g + g′f
+fn product_rule<T: Number>() {
+    check((dual::<T>(), dual::<T>()), |(f, g)| {
+        value(f * g, f.value * g.value)?;
+        let expected = |i: usize| {
+            let [f_i, g_i] = [f, g].map(|x| <[T; 3]>::from(x.gradient)[i]);
+            f_i * g.value + g_i * f.value
+        };
+        same(
+            (f * g).gradient,
+            Vec3::from([expected(0), expected(1), expected(2)]),
+        )
+    });
+}
+
+/// (f/g)′ = (f′g − g′f)/g²: to 8u of the two products' magnitudes, three roundings here and four
+/// there. |f|, |g| and 1/|g| are at most 2, and the slopes 1.
+fn quotient_rule<T: Number>() {
+    check((dual::<T>(), dual::<T>()), |(f, g)| {
+        value(f / g, f.value / g.value)?;
+        let expected = f.gradient * g.value - g.gradient * f.value;
+        let expected = expected.map(|slope| slope / (g.value * g.value));
+        near((f / g).gradient, expected, 8.0 * T::U * 16.0)
+    });
+}
+
+/// A plain number is a constant: the same as a dual number without a gradient.
+fn plain_numbers_are_constants<T: Number>() {
+    check((dual::<T>(), dual::<T>()), |(f, c)| {
+        let c = c.value;
+        let constant = Dual::from(c);
+        let pairs = [
+            (f + c, f + constant),
+            (f - c, f - constant),
+            (f * c, f * constant),
+            (f / c, f / constant),
+        ];
+        for (mixed, dual) in pairs {
+            value(mixed, dual.value)?;
+            // adding 0 makes −0 into 0
+            same(mixed.gradient + Vec3::ZERO, dual.gradient + Vec3::ZERO)?;
+        }
+        same(Dual::<T>::of(0.5).gradient, Vec3::ZERO)?;
+        value(Dual::<T>::of(0.5), T::of(0.5))
+    });
+}
+
+/// g(f)′ = g′(f) f′, for √: f′/(2√f), to 4u.
+fn chain_rule<T: Number>() {
+    check((positive::<T>(), dual::<T>()), |(f, slope)| {
+        let chained = f.chain(slope.value, slope.value);
+        value(chained, slope.value)?;
+        same(chained.gradient, f.gradient * slope.value)?;
+
+        let root = f.sqrt();
+        value(root, f.value.sqrt())?;
+        let slope = T::of(0.5) / f.value.sqrt();
+        nearly(root.gradient, f.gradient * slope, 4.0)
+    });
+}
+
+/// The derivatives of sine, cosine, exponential, logarithm and absolute value. Each function is off
+/// by at most one unit in the last place, 2u, and the product by 1u, on either side: 6u.
+fn elementary_derivatives<T: Number>() {
+    check(dual::<T>(), |f| {
+        let x = f.value.to_f64();
+        let positive = if x < 0.0 { -f } else { f };
+        let table = [
+            (f.sin(), f, x.sin(), x.cos()),
+            (f.cos(), f, x.cos(), -x.sin()),
+            (f.exp(), f, x.exp(), x.exp()),
+            (positive.ln(), positive, x.abs().ln(), 1.0 / x.abs()),
+            (f.abs(), f, x.abs(), x.signum()),
+        ];
+        for (result, f, y, slope) in table {
+            near(
+                [result.value; 3],
+                [T::of(y); 3],
+                3.0 * T::U * y.abs() + T::TINY.to_f64(),
+            )?;
+            nearly(result.gradient, f.gradient * T::of(slope), 6.0)?;
+        }
+        Ok(())
+    });
+}
+
+/// (fⁿ)′ = n fⁿ⁻¹ f′, negative n included: |n| roundings of the power and its product rules, twice.
+fn power_rule<T: Number>() {
+    check((dual::<T>(), -9..=9), |(f, n)| {
+        let power = f.powi(n);
+        let slope = f64::from(n) * f.value.to_f64().powi(n - 1);
+        let k = 4.0 * f64::from(n.abs()) + 4.0;
+        nearly([power.value; 3], [T::of(f.value.to_f64().powi(n)); 3], k)?;
+        nearly(power.gradient, f.gradient * T::of(slope), k)
+    });
+}
+
+/// Linear in the tangent: twice the gradient of the inputs gives twice that of the result, exactly.
+fn linear_in_the_tangent<T: Number>() {
+    check((positive::<T>(), dual::<T>(), -8..=8), |(f, g, k)| {
+        let scale = T::of(f64::from(k).exp2());
+        let scaled = |x: Dual<T>| Dual {
+            gradient: x.gradient * scale,
+            ..x
+        };
+        let function = |f: Dual<T>, g: Dual<T>| (f * g + f.sqrt() / g - g.sin() * f.ln()).exp();
+        let (result, of_scaled) = (function(f, g), function(scaled(f), scaled(g)));
+        value(of_scaled, result.value)?;
+        same(of_scaled.gradient, result.gradient * scale)
+    });
+}
+
+/// Comparisons and selections look at the value alone, and a selection carries its gradient along.
+fn decisions_look_at_the_value<T: Number>() {
+    check((dual::<T>(), dual::<T>()), |(f, g)| {
+        prop_assert_eq!(f < g, f.value < g.value);
+        let elsewhere = Dual {
+            gradient: g.gradient,
+            ..f
+        };
+        prop_assert!(f == elsewhere);
+        prop_assert_eq!(f.any_positive(), f.value > T::ZERO);
+        let (selected, expected) = (f.if_positive(f, g), if f.value > T::ZERO { f } else { g });
+        value(selected, expected.value)?;
+        same(selected.gradient, expected.gradient)?;
+        value(f.at_most(g), if f > g { g.value } else { f.value })?;
+        value(
+            f.positive_part(),
+            if f.value > T::ZERO { f.value } else { T::ZERO },
+        )
+    });
+}
+
+/// The three coordinates of a point are the variables: ∇x, ∇y, ∇z are the axes.
+fn variables_have_the_axes_as_gradients<T: Number>() {
+    check(point::<T>(), |p| {
+        let variables = Dual::point(p);
+        same(variables.map(|c| c.value), p)?;
+        let gradients = <[Dual<T>; 3]>::from(variables).map(|c| to_f64(c.gradient));
+        prop_assert_eq!(
+            gradients,
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+        );
+        Ok(())
+    });
+}
+
+invariants! {
+    sum_rule,
+    product_rule,
+    quotient_rule,
+    plain_numbers_are_constants,
+    chain_rule,
+    elementary_derivatives,
+    power_rule,
+    linear_in_the_tangent,
+    decisions_look_at_the_value,
+    variables_have_the_axes_as_gradients,
+}

@@ -1,0 +1,254 @@
+//! Attenuation, the cone, and what arrives of a light.
+
+use std::f64::consts::TAU;
+
+use proptest::prelude::*;
+use shading::{Attenuation, DirectionalLight, Light, PointLight, Rgb, SpotLight, attenuation};
+
+use crate::check::{check, same, to_f64, within};
+use crate::exact;
+use crate::generators::{
+    Relation, adversarial, adversarial_colour, adversarial_vector, coefficients, coefficients_of,
+    cone, direction, light, light_colour, pair, point, rounded, unit,
+};
+use crate::number::Number;
+
+/// (36) Attenuation does not rise with q, a, b or c: each operation of Horner's scheme is monotone.
+fn attenuation_does_not_rise<T: Number>() {
+    // −0 becomes 0: the reciprocal of −0 is −∞
+    let number = || adversarial().prop_map(|x: T| x + T::ZERO);
+    let inputs = (
+        [number(), number(), number(), number()],
+        number(),
+        0..4_usize,
+    );
+    check(inputs, |(near, other, which)| {
+        let mut far = near;
+        far[which] = other;
+        let (near, far) = if near[which] <= other {
+            (near, far)
+        } else {
+            (far, near)
+        };
+        let at = |[a, b, c, q]: [T; 4]| attenuation(a, b, c, q);
+        prop_assert!(at(near) >= at(far), "{:?} < {:?}", at(near), at(far));
+        Ok(())
+    });
+}
+
+/// (36) (1, 0, 0) gives exactly 1, and so does no attenuation.
+fn constant_one_does_not_attenuate<T: Number>() {
+    check(adversarial::<T>(), |q| {
+        same([attenuation(T::ONE, T::ZERO, T::ZERO, q); 3], [T::ONE; 3])?;
+        same([Attenuation::NONE.at(q); 3], [T::ONE; 3])
+    });
+}
+
+/// (37) At most 1/a; clamped it is the smaller of 1 and itself. With checked coefficients it is always
+/// finite.
+fn attenuation_is_bounded<T: Number>() {
+    check(
+        (coefficients::<T>(), adversarial::<T>(), adversarial::<T>()),
+        |(checked, a, q)| {
+            let a = a + T::ZERO; // −0 becomes 0
+            prop_assert!(attenuation(a, T::ONE, T::ONE, q) <= T::ONE / a);
+            let factor = checked.at(q);
+            prop_assert!(factor <= T::MAX && factor >= T::ZERO);
+            let smaller = if factor > T::ONE { T::ONE } else { factor };
+            same([checked.clamped().at(q); 3], [smaller; 3])
+        },
+    );
+}
+
+/// (39) The cone's factor is 0 or 1: 1 on the axis, also in the narrowest cone, and on the edge; 0
+/// next to the edge.
+fn cone_contains_its_axis_and_its_edge<T: Number>() {
+    check((pair::<T>(), -1.0..=1.0_f64), |([axis, l], cosine)| {
+        same([cone::<T>(cosine).factor(axis, -axis); 3], [T::ONE; 3])?;
+        same([cone::<T>(1.0).factor(axis, -axis); 3], [T::ONE; 3])?;
+
+        let edge = (-axis).dot(l).to_f64();
+        prop_assume!(edge.abs() < 1.0 - 8.0 * T::U);
+        same([cone::<T>(edge).factor(axis, l); 3], [T::ONE; 3])?;
+        let narrower = cone::<T>(edge + 2.0 * T::U);
+        same([narrower.factor(axis, l); 3], [T::ZERO; 3])?;
+        within(narrower.cosine().to_f64() - edge, 4.0 * T::U)
+    });
+}
+
+/// (39) A wider cone never darkens.
+fn wider_cone_never_darkens<T: Number>() {
+    check(
+        (pair::<T>(), [-1.0..=1.0, -1.0..=1.0]),
+        |([axis, l], [a, b])| {
+            let (wide, narrow) = (cone::<T>(f64::min(a, b)), cone::<T>(f64::max(a, b)));
+            let (wide, narrow) = (wide.factor(axis, l), narrow.factor(axis, l));
+            prop_assert!(wide >= narrow);
+            prop_assert!(
+                [wide, narrow]
+                    .into_iter()
+                    .all(|f| f == T::ZERO || f == T::ONE)
+            );
+            Ok(())
+        },
+    );
+}
+
+/// (39) Turning L about the axis changes nothing, next to the edge aside: each cosine is off by 2u for
+/// its directions and by 2u for the dot product.
+fn cone_is_round<T: Number>() {
+    let azimuths = [0.0..TAU, 0.0..TAU];
+    let inputs = (direction(), 0.0..3.0, azimuths, -1.0..=1.0_f64);
+    check(inputs, |(axis, angle, azimuths, cosine)| {
+        prop_assume!((f64::cos(angle) - cosine).abs() > 4.0 * T::U);
+        let ls = azimuths.map(|azimuth| rounded::<T>(Relation::Angle(angle, azimuth).to(axis)));
+        let [a, b] = ls.map(|l| cone::<T>(cosine).factor(-rounded(axis), l));
+        same([a; 3], [b; 3])
+    });
+}
+
+/// (40) An axis of twice the length is the same axis.
+fn length_of_the_axis_does_not_matter<T: Number>() {
+    check((point::<T>(), -20..=20), |(axis, k)| {
+        let scaled = axis * T::of(f64::from(k).exp2());
+        match (axis.unit(), scaled.unit()) {
+            (Some(axis), Some(scaled)) => same(axis, scaled),
+            (axis, scaled) => {
+                prop_assert!(axis.is_none() && scaled.is_none());
+                Ok(())
+            }
+        }
+    });
+}
+
+/// L = (P − p)/|P − p| and I/(a + bq + cq²), within the cone. Of the direction the difference is off
+/// by 1u, the length by 3u and its reciprocal and the product by 1u each: 6u. In the worst case the
+/// distance counts twice in the attenuation, which has six more operations: 14u.
+fn lamp_follows_its_formula<T: Number>() {
+    let inputs = (
+        point::<T>(),
+        point::<T>(),
+        light_colour::<T>(),
+        [0.0..2.0, 0.0..2.0, 0.0..2.0],
+    );
+    check(inputs, |(position, p, intensity, abc)| {
+        let [a, b, c] = abc.map(|k: f64| T::of(k).to_f64());
+        let attenuation = coefficients_of(abc);
+        let Some(attenuation) = attenuation else {
+            return Ok(());
+        };
+        let to_light = exact::subtract(to_f64(position), to_f64(p));
+        let q = exact::length(to_light);
+        prop_assume!(q > 0.0);
+        let incident = PointLight {
+            position,
+            intensity,
+            attenuation,
+        }
+        .at(p);
+        let own_error = 6.0 * f64::U; // of the expected values
+        for (l, expected) in to_f64(incident.l).into_iter().zip(to_light) {
+            within(l - expected / q, 6.0 * T::U + own_error)?;
+        }
+        let factor = 1.0 / (a + b * q + c * q * q);
+        for (arriving, i) in to_f64(incident.intensity)
+            .into_iter()
+            .zip(to_f64(intensity))
+        {
+            let tolerance = (14.0 * T::U + 2.0 * own_error) * i * factor;
+            within(arriving - i * factor, tolerance)?;
+        }
+        Ok(())
+    });
+}
+
+/// Whatever the place and the light: the direction has length 1, and the light is finite and not
+/// negative.
+fn lamp_is_finite_everywhere<T: Number>() {
+    let inputs = (
+        adversarial_vector::<T>(),
+        adversarial_vector::<T>(),
+        any::<bool>(),
+    );
+    let light = (
+        adversarial_colour::<T>(),
+        coefficients::<T>(),
+        unit::<T>(),
+        -1.0..=1.0,
+    );
+    check(
+        (inputs, light),
+        |((position, p, touching), (intensity, attenuation, axis, cosine))| {
+            let position = if touching { p } else { position };
+            let point = PointLight {
+                position,
+                intensity,
+                attenuation,
+            };
+            for incident in [
+                point.at(p),
+                SpotLight {
+                    point,
+                    axis,
+                    cone: cone(cosine),
+                }
+                .at(p),
+            ] {
+                within(exact::square_excess(to_f64(incident.l)), 16.0 * T::U)?;
+                for channel in to_f64(incident.intensity) {
+                    prop_assert!(channel >= 0.0 && channel <= T::MAX.to_f64(), "{channel}");
+                }
+                if touching {
+                    prop_assert!(incident.intensity == Rgb::BLACK);
+                }
+            }
+            Ok(())
+        },
+    );
+}
+
+/// A spot is its point light inside the cone, and nothing outside; and a light of any kind is the
+/// light of that kind.
+fn spot_is_a_point_light_or_dark<T: Number>() {
+    check((light::<T, _>(point()), point()), |(light, p)| {
+        let (expected, incident) = match light {
+            Light::Directional(DirectionalLight { l, intensity }) => ((l, intensity), light.at(p)),
+            Light::Point(point) => ((point.at(p).l, point.at(p).intensity), light.at(p)),
+            Light::Spot(SpotLight { point, axis, cone }) => {
+                let incident = point.at(p);
+                let is_lit = cone.cosine() <= (-axis).dot(incident.l);
+                let intensity = if is_lit {
+                    incident.intensity
+                } else {
+                    Rgb::BLACK
+                };
+                ((incident.l, intensity), light.at(p))
+            }
+        };
+        same(incident.l, expected.0)?;
+        same(incident.intensity, expected.1)
+    });
+}
+
+/// A light in `f32` numbers is the same light in `f64`.
+fn lights_keep_their_numbers_in_another_type<T: Number>() {
+    check((light::<T, _>(point()), point()), |(light, p)| {
+        let (wide, narrow) = (light.map(T::to_f64).map(T::of).at(p), light.at(p));
+        same(wide.l, narrow.l)?;
+        same(wide.intensity, narrow.intensity)
+    });
+}
+
+invariants! {
+    attenuation_does_not_rise,
+    constant_one_does_not_attenuate,
+    attenuation_is_bounded,
+    cone_contains_its_axis_and_its_edge,
+    wider_cone_never_darkens,
+    cone_is_round,
+    length_of_the_axis_does_not_matter,
+    lamp_follows_its_formula,
+    lamp_is_finite_everywhere,
+    spot_is_a_point_light_or_dark,
+    lights_keep_their_numbers_in_another_type,
+}

@@ -1,0 +1,260 @@
+//! The two highlights.
+
+use std::f64::consts::{FRAC_PI_4, TAU};
+
+use proptest::prelude::*;
+use shading::{UnitVec3, Vec3, blinn, half_vector, phong, reflection};
+
+use crate::check::{at_least, check, nearly, same, to_f64, within};
+use crate::exact::{determinant, dot};
+use crate::generators::{Relation, Shine, direction, rounded, shine, triple};
+use crate::number::Number;
+
+/// R·V, N·H, det[N, L, V] and 1 + L·V, exact for the R and H that were computed.
+struct Cosines {
+    r_dot_v: f64,
+    n_dot_h: f64,
+    determinant: f64,
+    one_plus_l_dot_v: f64,
+}
+
+impl Cosines {
+    /// None where 1 + L·V ≤ 0.1: H is ill-conditioned.
+    fn of<T: Number>([n, l, v]: [UnitVec3<T>; 3]) -> Option<Self> {
+        let (r, h) = (to_f64(reflection(n, l)), half_vector(l, v).map(to_f64)?);
+        let [n, l, v] = [n, l, v].map(to_f64);
+        let one_plus_l_dot_v = 1.0 + dot(l, v);
+        (one_plus_l_dot_v > 0.1).then(|| Self {
+            r_dot_v: dot(r, v),
+            n_dot_h: dot(n, h),
+            determinant: determinant(n, l, v),
+            one_plus_l_dot_v,
+        })
+    }
+
+    /// R is off by 7u, and by 2u for the length of N; N·H by 3u, so its square times two by 12u; the
+    /// lengths of L and V bring 2u/(1 + L·V) into H and as much into the last term.
+    fn tolerance<T: Number>(&self) -> f64 {
+        (21.0 + 4.0 / self.one_plus_l_dot_v) * T::U
+    }
+}
+
+/// (28) R·V = 2(N·H)² − 1 + det[N, L, V]²/(1 + L·V)
+fn phong_and_blinn_cosines_are_related<T: Number>() {
+    check(triple::<T>(), |directions| {
+        let Some(c) = Cosines::of(directions) else {
+            return Ok(());
+        };
+        let right = 2.0 * c.n_dot_h.powi(2) - 1.0 + c.determinant.powi(2) / c.one_plus_l_dot_v;
+        within(c.r_dot_v - right, c.tolerance::<T>())
+    });
+}
+
+/// (29) R·V ≥ 2(N·H)² − 1, and greater where N, L and V do not lie in a plane: by half the square of
+/// their determinant, since 1 + L·V ≤ 2.
+fn phong_cosine_is_at_least_that_of_twice_the_angle<T: Number>() {
+    check(triple::<T>(), |directions| {
+        let Some(c) = Cosines::of(directions) else {
+            return Ok(());
+        };
+        let doubled = 2.0 * c.n_dot_h.powi(2) - 1.0;
+        at_least(
+            c.r_dot_v,
+            doubled + 0.5 * c.determinant.powi(2),
+            c.tolerance::<T>(),
+        )?;
+        if c.determinant.abs() < T::U {
+            within(c.r_dot_v - doubled, c.tolerance::<T>())?;
+        }
+        Ok(())
+    });
+}
+
+/// N, L and V in a plane: at angles to N, towards an azimuth.
+fn coplanar<T: Number>() -> impl Strategy<Value = [UnitVec3<T>; 3]> {
+    let angles = [-FRAC_PI_4..FRAC_PI_4, -FRAC_PI_4..FRAC_PI_4];
+    (direction(), 0.0..TAU, angles).prop_map(|(n, azimuth, angles)| {
+        let [l, v] = angles.map(|angle| Relation::Angle(angle, azimuth).to(n));
+        [n, l, v].map(rounded)
+    })
+}
+
+/// (30) In a plane, Blinn's highlight with 4m is at least Phong's with m: cos⁴(α/2) ≥ cos α.
+fn blinn_with_fourfold_shininess_covers_phong_in_a_plane<T: Number>() {
+    check((coplanar::<T>(), 1..=500_u32), |([n, l, v], m)| {
+        let h = half_vector(l, v).expect("within a right angle");
+        let (blinn, phong) = (blinn(n, h, 4 * m), phong(reflection(n, l), v, m));
+        // cosines that are off by 5u and by 11u, to the powers 4m and m, with as many roundings
+        let tolerance = f64::from(4 * m) * 6.0 + f64::from(m) * 12.0;
+        at_least(blinn.to_f64(), phong.to_f64(), tolerance * T::U)
+    });
+}
+
+/// (31) A trap: out of the plane Blinn's highlight may be smaller than Phong's with the same m. With L
+/// and V next to the horizon and 120° apart, R is 60° from V, and H nearly on the horizon.
+fn blinn_may_be_smaller_than_phong<T: Number>() {
+    check((0.001..0.1, 1..=100_u32), |(height, m)| {
+        let radius = f64::sqrt(1.0 - height * height);
+        let (sin, cos) = f64::to_radians(120.0).sin_cos();
+        let n = UnitVec3::<T>::Z;
+        let l = rounded([radius, 0.0, height]);
+        let v = rounded([radius * cos, radius * sin, height]);
+        let h = half_vector(l, v).expect("120° apart");
+        prop_assert!(blinn(n, h, m) < phong(reflection(n, l), v, m));
+        Ok(())
+    });
+}
+
+/// (32) L and V may be exchanged: exactly for Blinn, whose H is the same.
+fn blinn_is_symmetric<T: Number>() {
+    check((triple::<T>(), shine(1000)), |([n, l, v], m)| {
+        if let (Some(lv), Some(vl)) = (half_vector(l, v), half_vector(v, l)) {
+            same([blinn(n, lv, m); 3], [blinn(n, vl, m); 3])?;
+        }
+        Ok(())
+    });
+}
+
+/// (32) To 8u of the cosine for Phong, times m: R·V = 2(N·L)(N·V) − L·V. Below m = 1 the power is
+/// steep at 0. And each of the two powers has its own error.
+fn phong_is_symmetric<T: Number>() {
+    check((triple::<T>(), shine(1000)), |([n, l, v], m)| {
+        prop_assume!(m.m >= 1.0);
+        let (lv, vl) = (phong(reflection(n, l), v, m), phong(reflection(n, v), l, m));
+        within(
+            lv.to_f64() - vl.to_f64(),
+            (8.0 * m.m + 2.0 * m.error::<T>()) * T::U,
+        )
+    });
+}
+
+/// The highlight for a cosine of N·H or R·V.
+fn highlight<T: Number>(cosine: T, m: Shine) -> T {
+    // next to the z axis only z counts
+    let direction = UnitVec3::<T>::assume_unit(Vec3::new(T::ZERO, T::ZERO, cosine));
+    let highlight = blinn(UnitVec3::Z, direction, m);
+    assert!(
+        highlight == phong(UnitVec3::Z, direction, m),
+        "one cosine, two highlights"
+    );
+    highlight
+}
+
+/// A cosine within [0, 1], also next to the ends.
+fn cosine<T: Number>() -> impl Strategy<Value = T> {
+    prop_oneof![
+        4 => (0.0..=1.0).prop_map(T::of),
+        1 => (0..64).prop_map(|k: i32| T::of(1.0 - f64::from(k) * T::U)),
+        1 => (0.0..30.0).prop_map(|k: f64| T::of((-k).exp2())),
+        1 => Just(T::ZERO),
+        1 => Just(T::TINY),
+    ]
+}
+
+/// (33) A highlight does not rise with m: by no more than the roundings of two powers, m each, where
+/// m is whole, and by one unit in the last place where it is real.
+fn highlight_does_not_rise_with_the_shininess<T: Number>() {
+    check(
+        (cosine::<T>(), shine(10_000), shine(10_000)),
+        |(cosine, a, b)| {
+            let whole = a.whole && b.whole;
+            let [a, b] = [a, b].map(|shine| Shine { whole, ..shine });
+            let (small, large) = if a.m <= b.m { (a, b) } else { (b, a) };
+            prop_assume!(cosine > T::ZERO);
+            let (brighter, darker) = (
+                highlight(cosine, small).to_f64(),
+                highlight(cosine, large).to_f64(),
+            );
+            let k = if whole { small.m + large.m } else { 2.0 };
+            at_least(brighter, darker, k * T::U * brighter + T::TINY.to_f64())
+        },
+    );
+}
+
+/// (33) It does not fall with the cosine: not at all for a whole m, since each multiplication is
+/// monotone, and by at most one unit in the last place for a real one.
+fn highlight_does_not_fall_with_the_cosine<T: Number>() {
+    check(
+        (cosine::<T>(), cosine::<T>(), shine(10_000)),
+        |(a, b, m)| {
+            let (small, large) = if a <= b { (a, b) } else { (b, a) };
+            let (darker, brighter) = (highlight(small, m).to_f64(), highlight(large, m).to_f64());
+            let k = if m.whole { 0.0 } else { 1.0 };
+            at_least(
+                brighter,
+                darker,
+                k * (2.0 * T::U * darker + T::TINY.to_f64()),
+            )
+        },
+    );
+}
+
+/// (33) Where the cosine is not positive there is no highlight, whatever m; at a cosine of 1, or
+/// above by rounding, it is exactly 1.
+fn highlight_ends_at_the_horizon<T: Number>() {
+    check((cosine::<T>(), shine(10_000)), |(cosine, m)| {
+        same([highlight(-cosine, m); 3], [T::ZERO; 3])?;
+        same([highlight(T::ONE, m); 3], [T::ONE; 3])?;
+        same([highlight(T::of(1.0 + 2.0 * T::U), m); 3], [T::ONE; 3])
+    });
+}
+
+/// (34) f^(m₁ + m₂) = f^m₁ · f^m₂ for whole m, to 2(m + 1)u: m roundings on either side.
+fn whole_powers_add_up<T: Number>() {
+    check(
+        (cosine::<T>(), 0..5000_u32, 0..5000_u32),
+        |(cosine, a, b)| {
+            let highlight = |m: u32| {
+                highlight(
+                    cosine,
+                    Shine {
+                        m: m.into(),
+                        whole: true,
+                    },
+                )
+            };
+            let (product, power) = (highlight(a) * highlight(b), highlight(a + b));
+            nearly([product; 3], [power; 3], 2.0 * f64::from(a + b + 1))
+        },
+    );
+}
+
+/// (34) The same for real m: to the error of each of the three powers, and u for the product.
+fn real_powers_add_up<T: Number<Shininess = T>>() {
+    check(
+        (cosine::<T>(), shine(5000), shine(5000)),
+        |(cosine, a, b)| {
+            let highlight = |m: f64| highlight(cosine, Shine { m, whole: false }).to_f64();
+            let (product, power) = (highlight(a.m) * highlight(b.m), highlight(a.m + b.m));
+            within(power - product, (3.0 * T::POWER_ERROR + 1.0) * T::U)
+        },
+    );
+}
+
+/// (34) Whole m and the same real m agree.
+fn whole_and_real_powers_agree<T: Number>() {
+    check((cosine::<T>(), shine(10_000)), |(cosine, shine)| {
+        let m = shine.m.floor();
+        let [whole, real] =
+            [true, false].map(|whole| highlight(cosine, Shine { m, whole }).to_f64());
+        within(whole - real, (m * whole + T::POWER_ERROR) * T::U)
+    });
+}
+
+invariants! {
+    phong_and_blinn_cosines_are_related,
+    phong_cosine_is_at_least_that_of_twice_the_angle,
+    blinn_with_fourfold_shininess_covers_phong_in_a_plane,
+    blinn_may_be_smaller_than_phong,
+    blinn_is_symmetric,
+    phong_is_symmetric,
+    highlight_does_not_rise_with_the_shininess,
+    highlight_does_not_fall_with_the_cosine,
+    highlight_ends_at_the_horizon,
+    whole_powers_add_up,
+    whole_and_real_powers_agree,
+}
+
+invariants! { of numbers with real powers:
+    real_powers_add_up,
+}

@@ -1,0 +1,55 @@
+//! The invariants of local illumination, as properties of every number type.
+//!
+//! Each property is a generic function over [`Number`](number::Number), and each file ends with a
+//! list of its properties, which [`invariants!`] turns into tests for each number type. How to run
+//! them for a type of your own: see `tests/README.md`.
+//!
+//! Tolerances are in units of u, the unit roundoff, and each has its reason beside it. Where
+//! nothing is said, two results are compared bit for bit.
+
+#![allow(clippy::float_cmp)] // where floats are compared, the very number is meant
+#![allow(clippy::cast_precision_loss)] // numbers of lights
+
+mod check;
+mod exact;
+mod number;
+mod short;
+
+#[path = "../support/generators.rs"]
+mod generators;
+
+/// Makes a test of each property for each number type.
+macro_rules! invariants {
+    ($($property:ident,)*) => {
+        invariants!(f32 as single: $($property,)*);
+        invariants!(f64 as double: $($property,)*);
+        invariants!(shading::Dual<f64> as dual: $($property,)*);
+        invariants!(crate::short::Short as short: $($property,)*);
+    };
+    (of numbers with real powers: $($property:ident,)*) => {
+        invariants!(f32 as single_with_powers: $($property,)*);
+        invariants!(f64 as double_with_powers: $($property,)*);
+        invariants!(crate::short::Short as short_with_powers: $($property,)*);
+    };
+    ($number:ty as $module:ident: $($property:ident,)*) => {
+        mod $module {
+            $(
+                #[test]
+                fn $property() {
+                    super::$property::<$number>();
+                }
+            )*
+        }
+    };
+}
+
+// in the order of the list
+mod direction;
+mod dual;
+mod light;
+mod lobe;
+mod motion;
+mod shade;
+mod surface;
+mod triangle;
+mod width;

@@ -1,0 +1,196 @@
+//! What happens when things are turned, moved or scaled.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use proptest::prelude::*;
+use shading::{
+    Attenuation, DirectionalLight, IncidentLight, Light, PointLight, Rgb, SpotLight, UnitVec3,
+    Vec3, lambert,
+};
+
+use crate::check::{at_least, check, near, same, to_f64};
+use crate::exact;
+use crate::generators::{
+    Relation, coefficients_of, direction, dyadic_point, light, light_colour, model, point, rounded,
+    scene, unit,
+};
+use crate::number::Number;
+
+/// (14) Tilting L towards N never lowers the diffuse term. Two dot products are off by 2u each: three
+/// products and two partial sums, none above 1. So pairs closer than 4u are left out.
+fn tilting_the_light_to_the_normal_brightens<T: Number>() {
+    let angles = [0.0..=FRAC_PI_2, 0.0..=FRAC_PI_2];
+    check((direction(), 0.0..TAU, angles), |(n, azimuth, angles)| {
+        let [a, b] = angles.map(|angle| rounded::<T>(Relation::Angle(angle, azimuth).to(n)));
+        let n = rounded::<T>(n);
+        let apart = exact::dot_difference([to_f64(n), to_f64(a)], [to_f64(n), to_f64(b)]);
+        prop_assume!(apart.abs() >= 4.0 * T::U);
+        let (brighter, darker) = if apart > 0.0 { (a, b) } else { (b, a) };
+        prop_assert!(lambert(n, brighter) >= lambert(n, darker));
+        Ok(())
+    });
+}
+
+/// (15) Turning everything together changes nothing, to 20u of a cosine and m times as much of a
+/// highlight. Each turned direction is rounded anew, by u; N·L moves by 2u and is computed with 2u,
+/// twice: 8u. N·H and R·V have three to five such steps. H is ill-conditioned where L + V is short.
+fn rotation_changes_nothing<T: Number>() {
+    check(
+        (model(), scene::<T>(), direction(), 0.0..TAU),
+        |(model, scene, axis, angle)| {
+            let m = scene.material.m.m;
+            // the horizon is an edge, and the power has one at a cosine of 0 for m < 1
+            prop_assume!(m >= 1.0);
+            let is_clear = |light: &IncidentLight<T>| {
+                scene.n.dot(light.l).to_f64().abs() > 20.0 * T::U
+                    && exact::square_excess(to_f64(*light.l + *scene.v)) > -0.9
+            };
+            let mut scene = scene.clone();
+            scene.lights.retain(is_clear);
+
+            let turned = scene.map_directions(|d| turn(d, axis, angle)).shade(model);
+            let shaded = scene.shade(model);
+            let lights = scene
+                .lights
+                .iter()
+                .map(|light| light.intensity)
+                .sum::<Rgb<T>>();
+            let brightest = to_f64(lights).into_iter().fold(0.0, f64::max);
+            same(turned.ambient, shaded.ambient)?;
+            near(turned.diffuse, shaded.diffuse, 20.0 * T::U * brightest)?;
+            let k = 20.0 * m + 2.0 * scene.material.m.error::<T>() + 20.0;
+            near(turned.specular, shaded.specular, k * T::U * brightest)
+        },
+    );
+}
+
+/// (15) Turning everything by 180° about an axis changes the signs of two coordinates: exact.
+fn half_a_turn_changes_nothing<T: Number>() {
+    check((model(), scene::<T>(), 0..3), |(model, scene, axis)| {
+        let turn = |d: UnitVec3<T>| {
+            UnitVec3::assume_unit(match axis {
+                0 => Vec3::new(d.x, -d.y, -d.z),
+                1 => Vec3::new(-d.x, d.y, -d.z),
+                _ => Vec3::new(-d.x, -d.y, d.z),
+            })
+        };
+        let (turned, shaded) = (scene.map_directions(turn).shade(model), scene.shade(model));
+        same(turned.diffuse, shaded.diffuse)?;
+        same(turned.specular, shaded.specular)
+    });
+}
+
+/// (16) Moving light and surface together on a dyadic grid changes nothing.
+fn translation_on_a_grid_is_exact<T: Number>() {
+    let inputs = (
+        light::<T, _>(dyadic_point()),
+        dyadic_point(),
+        dyadic_point(),
+    );
+    check(inputs, |(light, p, offset)| {
+        let moved = map_position(light, |position| position + offset).at(p + offset);
+        let incident = light.at(p);
+        same(moved.l, incident.l)?;
+        same(moved.intensity, incident.intensity)
+    });
+}
+
+/// (16) Elsewhere the direction changes by the rounding of the moved points, a √3·u of the largest
+/// coordinate each, as seen from the distance; and by the 4u of each of the two directions.
+fn translation_changes_little<T: Number>() {
+    let inputs = (point::<T>(), point::<T>(), point::<T>(), 1.0..100.0);
+    check(inputs, |(position, p, offset, size)| {
+        let lamp = |position| PointLight {
+            position,
+            intensity: Rgb::WHITE,
+            attenuation: Attenuation::NONE,
+        };
+        let offset = offset * T::of(size);
+        let q = exact::length(to_f64(position - p));
+        prop_assume!(q > 0.01);
+        let (moved, incident) = (lamp(position + offset).at(p + offset), lamp(position).at(p));
+        let rounding = 2.0 * 3_f64.sqrt() * T::U * (1.0 + size);
+        near(moved.l, incident.l, rounding / q + 8.0 * T::U)
+    });
+}
+
+/// (17) The unit of length does not matter: a scene 2^k times as large with b/2^k and c/4^k.
+fn scaling_the_scene_by_a_power_of_two_is_exact<T: Number>() {
+    let coefficients = [0.01..2.0, 0.0..2.0, 0.0..2.0];
+    let inputs = (
+        point::<T>(),
+        point::<T>(),
+        light_colour(),
+        coefficients,
+        -10..=10,
+    );
+    check(inputs, |(position, p, intensity, [a, b, c], k)| {
+        let scaled = |k: i32| {
+            let s = f64::from(k).exp2();
+            let attenuation = coefficients_of([a, b / s, c / (s * s)]).expect("a is not 0");
+            PointLight {
+                position: position * T::of(s),
+                intensity,
+                attenuation,
+            }
+            .at(p * T::of(s))
+        };
+        same(scaled(k).l, scaled(0).l)?;
+        same(scaled(k).intensity, scaled(0).intensity)
+    });
+}
+
+/// (18) A lamp at a large distance D, not attenuated, is a sun: within a unit of length the angle
+/// is at most 1/D, and then 6u: 2u of its position, and 4u of the direction.
+fn distant_lamp_is_a_sun<T: Number>() {
+    let inputs = (unit::<T>(), point::<T>(), light_colour::<T>(), 0.0..40.0);
+    check(inputs, |(l, p, intensity, exponent)| {
+        let p = p * T::of(0.5); // within the unit ball
+        let distance = f64::exp2(exponent + 2.0);
+        let position = *l * T::of(distance);
+        let lamp = PointLight {
+            position,
+            intensity,
+            attenuation: Attenuation::NONE,
+        }
+        .at(p);
+        let sun = DirectionalLight { l, intensity }.at(p);
+        same(lamp.intensity, sun.intensity)?;
+        let angle = exact::length(exact::cross(to_f64(lamp.l), to_f64(sun.l)));
+        at_least(1.0 / distance, angle, 6.0 * T::U)
+    });
+}
+
+/// A direction turned about an axis (Rodrigues' formula), and rounded.
+fn turn<T: Number>(d: UnitVec3<T>, axis: [f64; 3], angle: f64) -> UnitVec3<T> {
+    let d = to_f64(d);
+    let (sin, cos) = angle.sin_cos();
+    let aside = exact::cross(axis, d);
+    let along = exact::dot(axis, d) * (1.0 - cos);
+    rounded([0, 1, 2].map(|i| d[i] * cos + aside[i] * sin + axis[i] * along))
+}
+
+fn map_position<T: Number>(light: Light<T>, f: impl Fn(Vec3<T>) -> Vec3<T>) -> Light<T> {
+    let moved = |point: PointLight<T>| PointLight {
+        position: f(point.position),
+        ..point
+    };
+    match light {
+        Light::Directional(_) => light,
+        Light::Point(point) => Light::Point(moved(point)),
+        Light::Spot(spot) => Light::Spot(SpotLight {
+            point: moved(spot.point),
+            ..spot
+        }),
+    }
+}
+
+invariants! {
+    tilting_the_light_to_the_normal_brightens,
+    rotation_changes_nothing,
+    half_a_turn_changes_nothing,
+    translation_on_a_grid_is_exact,
+    translation_changes_little,
+    scaling_the_scene_by_a_power_of_two_is_exact,
+    distant_lamp_is_a_sun,
+}

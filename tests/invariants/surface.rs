@@ -1,0 +1,265 @@
+//! Normals of implicit and parametric surfaces, by differentiation.
+
+use std::f64::consts::{PI, TAU};
+
+use proptest::prelude::*;
+use proptest::sample::select;
+use shading::{Dual, Elementary, Real, UnitVec3, Vec3, normal};
+
+use crate::check::{check, near, same, to_f64, within};
+use crate::exact::dot;
+use crate::number::Number;
+
+/// A surface that has an implicit and a parametric form.
+#[derive(Clone, Copy, Debug)]
+enum Surface {
+    /// Half axes.
+    Ellipsoid([f64; 3]),
+    /// The radii of the ring and of its tube.
+    Torus([f64; 2]),
+}
+
+use Surface::{Ellipsoid, Torus};
+
+impl Surface {
+    /// f(p), 0 on the surface.
+    fn implicit<T: Elementary>(self, p: Vec3<T>) -> T {
+        match self {
+            Ellipsoid(axes) => {
+                let [x, y, z] = scaled(p, axes);
+                x * x + y * y + z * z - T::ONE
+            }
+            Torus([ring, tube]) => {
+                let aside = (p.x * p.x + p.y * p.y).sqrt() - T::of(ring);
+                aside * aside + p.z * p.z - T::of(tube) * T::of(tube)
+            }
+        }
+    }
+
+    /// ∇f, by hand.
+    fn gradient<T: Elementary>(self, p: Vec3<T>) -> Vec3<T> {
+        match self {
+            Ellipsoid(axes) => Vec3::from(scaled(scaled(p, axes).into(), axes)),
+            Torus([ring, _]) => {
+                let distance = (p.x * p.x + p.y * p.y).sqrt();
+                let aside = (distance - T::of(ring)) / distance;
+                Vec3::new(p.x * aside, p.y * aside, p.z)
+            }
+        }
+    }
+
+    /// s(u, v): u the azimuth; v the polar angle, or the angle in the tube.
+    fn parametric<T: Elementary>(self, u: T, v: T) -> Vec3<T> {
+        match self {
+            Ellipsoid([a, b, c]) => Vec3::new(
+                u.cos() * v.sin() * T::of(a),
+                u.sin() * v.sin() * T::of(b),
+                v.cos() * T::of(c),
+            ),
+            Torus([ring, tube]) => {
+                let radius = v.cos() * T::of(tube) + T::of(ring);
+                Vec3::new(radius * u.cos(), radius * u.sin(), v.sin() * T::of(tube))
+            }
+        }
+    }
+
+    /// ∂s/∂u and ∂s/∂v, by hand.
+    fn tangents<T: Elementary>(self, u: T, v: T) -> [Vec3<T>; 2] {
+        let ((sin_u, cos_u), (sin_v, cos_v)) = ((u.sin(), u.cos()), (v.sin(), v.cos()));
+        match self {
+            Ellipsoid(axes) => {
+                let [a, b, c] = axes.map(T::of);
+                [
+                    Vec3::new(-(sin_u * sin_v * a), cos_u * sin_v * b, T::ZERO),
+                    Vec3::new(cos_u * cos_v * a, sin_u * cos_v * b, -(sin_v * c)),
+                ]
+            }
+            Torus([ring, tube]) => {
+                let tube = T::of(tube);
+                let radius = cos_v * tube + T::of(ring);
+                [
+                    Vec3::new(-(radius * sin_u), radius * cos_u, T::ZERO),
+                    Vec3::new(
+                        -(sin_v * tube * cos_u),
+                        -(sin_v * tube * sin_u),
+                        cos_v * tube,
+                    ),
+                ]
+            }
+        }
+    }
+
+    /// By how much a parametric normal magnifies rounding: the poles of an ellipsoid have none.
+    fn conditioning(self, v: f64) -> f64 {
+        match self {
+            Ellipsoid(_) => 1.0 / v.sin(),
+            Torus(_) => 1.0,
+        }
+    }
+}
+
+fn scaled<T: Elementary>(p: Vec3<T>, axes: [f64; 3]) -> [T; 3] {
+    let [a, b, c] = axes.map(T::of);
+    [p.x / a, p.y / b, p.z / c]
+}
+
+/// A surface and the parameters of a point on it, away from a pole.
+fn places<T: Number>() -> impl Strategy<Value = (Surface, T, T)> {
+    let axis = || select(&[0.5, 0.75, 1.0, 1.5, 2.0][..]);
+    let surface = prop_oneof![
+        Just(Ellipsoid([1.0; 3])),
+        [axis(), axis(), axis()].prop_map(Ellipsoid),
+        (select(&[1.5, 2.0, 3.0][..]), select(&[0.5, 1.0][..])).prop_map(|(r, t)| Torus([r, t])),
+    ];
+    (surface, 0.0..TAU, 0.01..PI - 0.01).prop_map(|(surface, u, v)| (surface, T::of(u), T::of(v)))
+}
+
+/// The error of a normal of these surfaces: sine and cosine are off by 2u each, the products by 2u
+/// more, the cross product by 4u: 10u of the tangents. The axes of the ellipsoids differ by up to 4,
+/// which turns an error of a tangent into up to four times that of the normal; 3u for the unit
+/// vector.
+fn tolerance<T: Number>(conditioning: f64) -> f64 {
+    (40.0 * conditioning + 3.0) * T::U
+}
+
+fn implicit<T: Number>(surface: Surface, p: Vec3<T>) -> UnitVec3<T> {
+    normal::implicit(|p| surface.implicit(p), p).expect("a smooth surface")
+}
+
+fn parametric<T: Number>(surface: Surface, u: T, v: T) -> UnitVec3<T> {
+    normal::parametric(|u, v| surface.parametric(u, v), u, v).expect("away from the pole")
+}
+
+/// (47) Implicit and parametric normals agree up to sign: to the errors of both. The point itself is
+/// off by as much, and the surfaces bend by up to 8 within a unit of length.
+fn implicit_and_parametric_normals_agree<T: Number>() {
+    check(places::<T>(), |(surface, u, v)| {
+        let of_parametric = parametric(surface, u, v);
+        let of_implicit = implicit(surface, surface.parametric(u, v));
+        let sign = T::of(
+            to_f64(of_implicit)
+                .into_iter()
+                .zip(to_f64(of_parametric))
+                .map(|(a, b)| a * b)
+                .sum::<f64>()
+                .signum(),
+        );
+        let conditioning = surface.conditioning(v.to_f64());
+        near(
+            *of_parametric * sign,
+            *of_implicit,
+            2.0 * tolerance::<T>(conditioning),
+        )
+    });
+}
+
+/// (48) f and c·f have the same normal for c > 0, exactly for a power of two, and the opposite for
+/// c < 0. Otherwise each component of the gradient is off by 1u, and the two unit vectors by 3u.
+fn factor_of_an_implicit_surface_does_not_matter<T: Number>() {
+    check(
+        (places::<T>(), 0.01..100.0, -10..=10),
+        |((surface, u, v), c, k)| {
+            let p = surface.parametric(u, v);
+            let times = |c: f64| {
+                normal::implicit(|p| surface.implicit(p) * T::of(c), p).expect("a smooth surface")
+            };
+            let n = implicit(surface, p);
+            same(times(f64::from(k).exp2()), n)?;
+            same(times(-f64::from(k).exp2()), -n)?;
+            near(times(c), n, 8.0 * T::U)?;
+            near(times(-c), -n, 8.0 * T::U)
+        },
+    );
+}
+
+/// (49) The gradient is perpendicular to both tangents.
+fn gradient_is_perpendicular_to_both_tangents<T: Number>() {
+    check(places::<T>(), |(surface, u, v)| {
+        let [u, v] = [
+            Dual::point(Vec3::new(u, v, T::ZERO)).x,
+            Dual::point(Vec3::new(u, v, T::ZERO)).y,
+        ];
+        let s = surface.parametric(u, v);
+        let n = to_f64(implicit(surface, s.map(|c| c.value)));
+        let tolerance = tolerance::<T>(surface.conditioning(v.to_f64()));
+        for tangent in [s.map(|c| c.gradient.x), s.map(|c| c.gradient.y)].map(to_f64) {
+            within(
+                dot(n, tangent),
+                2.0 * tolerance * dot(tangent, tangent).sqrt(),
+            )?;
+        }
+        Ok(())
+    });
+}
+
+/// (50) Swapping u and v turns the normal over.
+fn swapping_the_parameters_negates<T: Number>() {
+    check(places::<T>(), |(surface, u, v)| {
+        let swapped = normal::parametric(|v, u| surface.parametric(u, v), v, u);
+        same(
+            swapped.expect("away from the pole"),
+            -parametric(surface, u, v),
+        )
+    });
+}
+
+/// (50) Going along u and v at another pace changes nothing: exactly at a power of two, else to the
+/// rounding of each component of the tangents and of their product, 3u each.
+fn pace_of_the_parameters_does_not_matter<T: Number>() {
+    check(
+        (places::<T>(), 0.1..10.0, -3..=3),
+        |((surface, u, v), pace, k)| {
+            let n = parametric(surface, u, v);
+            let at_pace = |pace: T| {
+                let s = |u: Dual<T>, v: Dual<T>| {
+                    surface.parametric(u.chain(u.value, pace), v.chain(v.value, pace))
+                };
+                normal::parametric(s, u, v).expect("away from the pole")
+            };
+            same(at_pace(T::of(f64::from(k).exp2())), n)?;
+            near(
+                at_pace(T::of(pace)),
+                n,
+                2.0 * tolerance::<T>(surface.conditioning(v.to_f64())),
+            )
+        },
+    );
+}
+
+/// (51) The differentiated normal is the one derived by hand.
+fn differentiated_normals_equal_those_derived_by_hand<T: Number>() {
+    check(places::<T>(), |(surface, u, v)| {
+        let tolerance = 2.0 * tolerance::<T>(surface.conditioning(v.to_f64()));
+        let [s_u, s_v] = surface.tangents(u, v);
+        let by_hand = normal::from_tangents(s_u, s_v).expect("away from the pole");
+        near(parametric(surface, u, v), by_hand, tolerance)?;
+
+        let p = surface.parametric(u, v);
+        let by_hand = normal::from_gradient(surface.gradient(p)).expect("a smooth surface");
+        near(implicit(surface, p), by_hand, tolerance)
+    });
+}
+
+/// (46) No normal at the apex of a cone and at the pole of a sphere.
+fn singular_points_have_no_normal<T: Number>() {
+    check((0.1..10.0, 0.0..TAU), |(slope, u)| {
+        let slope = T::of(slope);
+        let cone = |p: Vec3<Dual<T>>| p.x * p.x + p.y * p.y - p.z * p.z * slope;
+        prop_assert!(normal::implicit(cone, Vec3::ZERO).is_none());
+        let round_cone = |p: Vec3<Dual<T>>| (p.x * p.x + p.y * p.y).sqrt() - p.z;
+        prop_assert!(normal::implicit(round_cone, Vec3::ZERO).is_none());
+        let sphere = |u: Dual<T>, v| Ellipsoid([1.0; 3]).parametric(u, v);
+        prop_assert!(normal::parametric(sphere, T::of(u), T::ZERO).is_none());
+        Ok(())
+    });
+}
+
+invariants! {
+    implicit_and_parametric_normals_agree,
+    factor_of_an_implicit_surface_does_not_matter,
+    gradient_is_perpendicular_to_both_tangents,
+    swapping_the_parameters_negates,
+    pace_of_the_parameters_does_not_matter,
+    differentiated_normals_equal_those_derived_by_hand,
+    singular_points_have_no_normal,
+}

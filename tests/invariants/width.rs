@@ -1,0 +1,91 @@
+//! (52) A number type agrees with `f64`, rounded. (Lanes agree with their scalar bit for bit; that
+//! has a test of its own.)
+
+use proptest::prelude::*;
+use shading::{IncidentLight, Material, UnitVec3, half_vector, lambert, reflection};
+
+use crate::check::{check, near, to_f64, within};
+use crate::exact::square_excess;
+use crate::generators::{Scene, model, pair, scene};
+use crate::number::Number;
+
+fn wide<T: Number>(n: UnitVec3<T>) -> UnitVec3<f64> {
+    n.map(T::to_f64)
+}
+
+/// A vector of R is off by 7u, one of H by 3u, and a cosine by 2u.
+fn directions_agree_with_double<T: Number>() {
+    check(pair::<T>(), |[n, l]| {
+        let [wide_n, wide_l] = [n, l].map(wide);
+        let own = f64::U; // the error of the f64 results is as many of its units
+        near(
+            wide(reflection(n, l)),
+            reflection(wide_n, wide_l),
+            7.0 * (T::U + own),
+        )?;
+        within(
+            lambert(n, l).to_f64() - lambert(wide_n, wide_l),
+            2.0 * (T::U + own),
+        )?;
+        if let (Some(h), Some(wide_h)) = (half_vector(n, l), half_vector(wide_n, wide_l)) {
+            // the sum itself is off by 1u for components up to 2
+            let sum = 2.0 + square_excess(to_f64(*wide_n + *wide_l)) - 1.0;
+            near(
+                wide(h),
+                wide_h,
+                (3.0 + 2.0 / sum.max(0.0).sqrt()) * (T::U + own),
+            )?;
+        }
+        Ok(())
+    });
+}
+
+/// The sum over lights: a cosine is off by 2u, its product with I, the n − 1 additions and the
+/// product with k by n + 1. Of a highlight the cosine is off by 11u, which counts m times.
+fn shading_agrees_with_double<T: Number>() {
+    check((model(), scene::<T>()), |(model, mut scene)| {
+        let m = scene.material.m;
+        // below m = 1 the power is steep at 0, and whole-number types have another m
+        prop_assume!(m.m >= 1.0 && m.m.fract() == 0.0);
+        // the horizon is an edge
+        scene
+            .lights
+            .retain(|light| scene.n.dot(light.l).to_f64().abs() > 4.0 * T::U);
+        let (narrow, double) = (scene.shade(model), widened(&scene).shade(model));
+        let lights = scene.lights.iter().map(|light| light.intensity);
+        let lights: shading::Rgb<T> = lights.sum();
+        let brightest = to_f64(lights).into_iter().fold(0.0, f64::max);
+        let unit = (T::U + f64::U) * brightest;
+        let n = scene.lights.len() as f64;
+        near(narrow.ambient.map(T::to_f64), double.ambient, 8.0 * T::U)?;
+        near(
+            narrow.diffuse.map(T::to_f64),
+            double.diffuse,
+            (n + 3.0) * unit,
+        )?;
+        let k = n + 1.0 + 11.0 * m.m + m.error::<T>();
+        near(narrow.specular.map(T::to_f64), double.specular, k * unit)
+    });
+}
+
+fn widened<T: Number>(scene: &Scene<T>) -> Scene<f64> {
+    let lights = scene.lights.iter();
+    let lights = lights.map(|light| IncidentLight {
+        l: wide(light.l),
+        intensity: light.intensity.map(T::to_f64),
+    });
+    Scene {
+        n: wide(scene.n),
+        v: wide(scene.v),
+        material: Material {
+            ..scene.material.map(T::to_f64)
+        },
+        i_a: scene.i_a.map(T::to_f64),
+        lights: lights.collect(),
+    }
+}
+
+invariants! {
+    directions_agree_with_double,
+    shading_agrees_with_double,
+}
