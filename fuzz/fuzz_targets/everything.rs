@@ -1,0 +1,39 @@
+//! Every public function, with numbers of the fuzzer's bits, in `f32` and in `f64`: nothing panics,
+//! and finite valid input gives neither NaN nor negative light.
+#![no_main]
+#![allow(dead_code)] // the tests use more of what they share
+
+#[path = "../../tests/support/everything.rs"]
+mod everything;
+#[path = "../../tests/support/number.rs"]
+mod number;
+#[path = "../../tests/support/running.rs"]
+mod running;
+
+use everything::{Numbers, any_bits, finite_and_valid};
+use libfuzzer_sys::fuzz_target;
+use number::Float;
+
+fuzz_target!(|data: &[u8]| {
+    let Some((m, bytes)) = data.split_first_chunk() else {
+        return;
+    };
+    let m = u32::from_le_bytes(*m);
+    feed(m, bytes, |bits| f32::from_bits(u32::from_le_bytes(bits)));
+    feed(m, bytes, |bits| f64::from_bits(u64::from_le_bytes(bits)));
+});
+
+/// Makes numbers of the bytes, over and over.
+fn feed<T: Float, const N: usize>(m: u32, bytes: &[u8], of: impl Fn([u8; N]) -> T) {
+    let numbers: Vec<T> = bytes.as_chunks().0.iter().copied().map(of).collect();
+    if numbers.is_empty() {
+        return;
+    }
+    for check in [any_bits, finite_and_valid] {
+        let mut numbers = numbers.iter().copied().cycle();
+        check(Numbers {
+            next: &mut || numbers.next().expect("endless"),
+            m,
+        });
+    }
+}

@@ -1,0 +1,81 @@
+//! No function panics, for any bits; none makes NaN or negative light of finite valid input.
+//! `fuzz/` runs the same for as long as one likes.
+
+mod support;
+
+use proptest::prelude::*;
+use support::everything::{Numbers, any_bits, finite_and_valid};
+use support::number::{Float, for_f32_and_f64};
+
+for_f32_and_f64!(any_bits_never_panic, finite_valid_input_gives_light);
+
+/// What formulas stumble over.
+const ADVERSARIAL: [f64; 30] = [
+    0.0,
+    -0.0,
+    1.0,
+    -1.0,
+    0.5,
+    2.0,
+    1.0 + f64::EPSILON,
+    1.0 - f64::EPSILON / 2.0,
+    1.0 + f32::EPSILON as f64,
+    1.0 - f32::EPSILON as f64 / 2.0,
+    1e30,
+    -1e30,
+    1e-30,
+    1e38,
+    1e-38,
+    1e300,
+    1e-300,
+    f32::MAX as f64,
+    -(f32::MAX as f64),
+    f32::MIN_POSITIVE as f64,
+    f32::from_bits(1) as f64,
+    f64::MAX,
+    -f64::MAX,
+    f64::MIN_POSITIVE,
+    f64::from_bits(1),
+    f64::INFINITY,
+    f64::NEG_INFINITY,
+    f64::NAN,
+    std::f64::consts::PI,
+    65_536.0,
+];
+
+/// A number of any bits: of an `f32`, of an `f64`, or one of the list. What a wide number is in
+/// single precision is often 0 or infinite, which is meant.
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        3 => any::<u32>().prop_map(|bits| f64::from(f32::from_bits(bits))),
+        1 => any::<u64>().prop_map(f64::from_bits),
+        3 => prop::sample::select(&ADVERSARIAL[..]),
+        2 => -2.0..2.0_f64,
+    ]
+}
+
+fn whole() -> impl Strategy<Value = u32> {
+    prop_oneof![0..200_u32, any::<u32>(), Just(u32::MAX)]
+}
+
+/// Feeds a check with numbers, over and over the same list.
+fn with_numbers<T: Float>(check: fn(Numbers<T>)) {
+    let config = ProptestConfig {
+        cases: 1000,
+        failure_persistence: None,
+        ..<_>::default()
+    };
+    let input = (prop::collection::vec(number(), 1..150), whole());
+    proptest!(config, |((list, m) in input)| {
+        let mut numbers = list.iter().cycle().map(|&x| T::of(x));
+        check(Numbers { next: &mut || numbers.next().expect("endless"), m });
+    });
+}
+
+fn any_bits_never_panic<T: Float>() {
+    with_numbers::<T>(any_bits);
+}
+
+fn finite_valid_input_gives_light<T: Float>() {
+    with_numbers::<T>(finite_and_valid);
+}

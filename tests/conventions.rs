@@ -1,0 +1,415 @@
+//! The conventions that trip people, each with the test that holds it.
+
+mod support;
+
+use shading::{
+    Attenuation, Dual, Exponent, IncidentLight, Light, Material, PointLight, Real, Rgb, SpotLight,
+    UnitVec3, Vec3, ambient, attenuation, blinn, half_vector, lambert, normal, phong, reflection,
+    shade,
+};
+use support::number::{Float, direction, for_f32_and_f64, vector};
+
+for_f32_and_f64!(
+    l_and_v_point_away_from_the_surface,
+    r_is_l_mirrored_and_glsl_takes_minus_l,
+    h_is_half_way_and_none_for_opposite_directions,
+    opposite_directions_give_no_highlight,
+    lambert_has_no_pi,
+    the_factors_are_literal_and_not_gated,
+    a_cosine_of_zero_or_below_gives_zero_for_every_m,
+    a_cosine_above_one_counts_as_one,
+    no_highlight_on_a_face_turned_from_the_light,
+    ambient_counts_once_and_is_not_attenuated,
+    attenuation_takes_the_distance_and_is_not_clamped,
+    clamped_attenuation_is_at_most_one,
+    bad_coefficients_are_refused,
+    a_light_at_the_point_lights_nothing,
+    a_directional_light_is_not_attenuated,
+    a_spot_is_given_by_its_half_angle_and_includes_its_edge,
+    colours_are_not_clamped_before_the_end,
+    the_parts_are_apart_and_total_adds_them,
+    lights_are_anything_that_iterates,
+    a_triangle_is_counter_clockwise,
+    a_degenerate_triangle_has_no_normal,
+    unit_is_right_from_the_smallest_to_the_largest_number,
+    known_takes_unit_vectors_only,
+    assume_unit_takes_your_word,
+    singular_points_have_no_normal,
+    parametric_normals_follow_the_order_of_u_and_v,
+);
+
+/// White everywhere; m as given.
+fn white<T: Real, M>(m: M) -> Material<T, M> {
+    Material {
+        k_a: Rgb::WHITE,
+        k_d: Rgb::WHITE,
+        k_s: Rgb::WHITE,
+        m,
+    }
+}
+
+fn from<T: Real>(l: UnitVec3<T>) -> IncidentLight<T> {
+    IncidentLight {
+        l,
+        intensity: Rgb::WHITE,
+    }
+}
+
+/// Whether two numbers differ by no more than so many u, relative to 1.
+fn near<T: Float>(a: T, b: f64, units: f64) -> bool {
+    (a.to_f64() - b).abs() <= units * T::U
+}
+
+fn l_and_v_point_away_from_the_surface<T: Float>() {
+    // light and eye both straight above: the surface is lit, and the highlight is full
+    let n = UnitVec3::<T>::Z;
+    let shaded = shade::phong(n, n, &white(5), Rgb::BLACK, [from(n)]);
+    assert_eq!((shaded.diffuse, shaded.specular), (Rgb::WHITE, Rgb::WHITE));
+    // an L that points into the surface is a light behind it
+    let behind = shade::phong(n, n, &white(5), Rgb::BLACK, [from(-n)]);
+    assert_eq!(behind.total(), Rgb::BLACK);
+    // a light gives the direction to itself
+    let lamp = PointLight {
+        position: Vec3::new(T::ZERO, T::ZERO, T::of(2.0)),
+        intensity: Rgb::WHITE,
+        attenuation: Attenuation::NONE,
+    };
+    assert_eq!(lamp.at(Vec3::ZERO).l, UnitVec3::Z);
+}
+
+fn r_is_l_mirrored_and_glsl_takes_minus_l<T: Float>() {
+    let (n, l) = (UnitVec3::<T>::Z, direction::<T>([3.0, 0.0, 4.0]));
+    assert_eq!(*reflection(n, l), Vec3::new(-l.x, T::ZERO, l.z));
+    // GLSL: reflect(I, N) = I − 2(N·I)N
+    let glsl = |i: UnitVec3<T>| *i - *n * (T::of(2.0) * n.dot(i));
+    assert_eq!(glsl(-l), *reflection(n, l));
+    assert_eq!(reflection(-n, l), reflection(n, l));
+}
+
+fn h_is_half_way_and_none_for_opposite_directions<T: Float>() {
+    // half-way between X and Z is (1, 0, 1)/√2
+    let h = half_vector(UnitVec3::<T>::X, UnitVec3::Z).expect("half-way");
+    let expected = 0.5_f64.sqrt();
+    assert!(near(h.x, expected, 2.0) && near(h.z, expected, 2.0) && h.y == T::ZERO);
+    for l in [[0.0, 0.0, 1.0], [1.0, 2.0, 3.0], [-5.0, 0.1, 7.0]].map(direction::<T>) {
+        assert_eq!(half_vector(l, -l), None);
+    }
+}
+
+fn opposite_directions_give_no_highlight<T: Float>() {
+    // the light above at 45°, the eye opposite to it below
+    let (n, l) = (UnitVec3::<T>::Z, direction::<T>([1.0, 0.0, 1.0]));
+    let shaded = shade::blinn_phong(n, -l, &white(0), Rgb::BLACK, [from(l)]);
+    assert_eq!(shaded.specular, Rgb::BLACK);
+    assert_eq!(shaded.diffuse, Rgb::gray(l.z));
+}
+
+fn lambert_has_no_pi<T: Float>() {
+    assert_eq!(lambert(UnitVec3::<T>::Z, UnitVec3::Z), T::ONE);
+    let l = direction::<T>([3.0, 0.0, 4.0]);
+    assert_eq!(lambert(UnitVec3::Z, l), l.z);
+    assert!(near(l.z, 0.8, 2.0));
+}
+
+fn the_factors_are_literal_and_not_gated<T: Float>() {
+    // the light behind the surface, R toward the eye: the factor alone does not know
+    let (n, l) = (UnitVec3::<T>::Z, -UnitVec3::Z);
+    let r = reflection(n, l);
+    assert_eq!(phong(r, r, 3), T::ONE);
+    assert_eq!(blinn(n, UnitVec3::Z, 3), T::ONE);
+    assert_eq!(lambert(n, l), T::ZERO);
+}
+
+fn a_cosine_of_zero_or_below_gives_zero_for_every_m<T: Float>() {
+    fn all<T: Float>(m: impl Exponent<T>) {
+        let z = UnitVec3::<T>::Z;
+        for at_or_below in [UnitVec3::X, -z, direction([1.0, 0.0, -0.01])] {
+            assert_eq!(phong(z, at_or_below, m), T::ZERO);
+            assert_eq!(blinn(z, at_or_below, m), T::ZERO);
+        }
+    }
+    [0, 1, 2, 1000, u32::MAX].into_iter().for_each(all::<T>);
+    [0.0, 0.5, 1.0, 1e30]
+        .map(T::of)
+        .into_iter()
+        .for_each(all::<T>);
+    // and above it, a power of 0 is 1
+    assert_eq!(
+        phong(UnitVec3::<T>::Z, direction([1.0, 0.0, 0.01]), 0),
+        T::ONE
+    );
+    assert_eq!(
+        phong(UnitVec3::<T>::Z, direction([1.0, 0.0, 0.01]), T::ZERO),
+        T::ONE
+    );
+}
+
+fn a_cosine_above_one_counts_as_one<T: Float>() {
+    // twice a unit vector in the last place: 1.0000002^1000000 would be 1.27
+    let more = T::ONE + T::of(2.0 * T::U);
+    let n = UnitVec3::assume_unit(Vec3::new(T::ZERO, T::ZERO, more));
+    assert!(n.dot(n) > T::ONE);
+    assert_eq!(phong(n, n, 1_000_000), T::ONE);
+    assert_eq!(blinn(n, n, T::of(1e6)), T::ONE);
+    let shaded = shade::blinn_phong(n, n, &white(T::of(1e6)), Rgb::BLACK, [from(n)]);
+    assert_eq!(shaded.specular, Rgb::WHITE);
+}
+
+fn no_highlight_on_a_face_turned_from_the_light<T: Float>() {
+    // L below the horizon and V mirrored: R·V = 1, and H is close to N at grazing angles
+    let n = UnitVec3::<T>::Z;
+    let l = direction::<T>([1.0, 0.0, -0.125]);
+    let v = direction::<T>([-1.0, 0.0, 0.5]);
+    assert!(blinn(n, half_vector(l, v).expect("H"), 1) > T::of(0.5));
+    for l in [l, UnitVec3::X] {
+        let phong = shade::phong(n, reflection(n, l), &white(1), Rgb::BLACK, [from(l)]);
+        let blinn = shade::blinn_phong(n, v, &white(1), Rgb::BLACK, [from(l)]);
+        assert_eq!((phong.specular, blinn.specular), (Rgb::BLACK, Rgb::BLACK));
+    }
+}
+
+fn ambient_counts_once_and_is_not_attenuated<T: Float>() {
+    let (k_a, i_a) = (Rgb::new(0.5, 0.25, 1.0), Rgb::new(0.5, 2.0, 0.0));
+    let (k_a, i_a) = (k_a.map(T::of), i_a.map(T::of));
+    let expected = Rgb::new(0.25, 0.5, 0.0).map(T::of);
+    assert_eq!(ambient(k_a, i_a), expected);
+    let material = Material { k_a, ..white(1) };
+    let lamp = from(UnitVec3::Z);
+    for count in 0..4 {
+        let lights = std::iter::repeat_n(lamp, count);
+        let shaded = shade::lambert(UnitVec3::Z, &material, i_a, lights);
+        assert_eq!(shaded.ambient, expected);
+    }
+}
+
+fn attenuation_takes_the_distance_and_is_not_clamped<T: Float>() {
+    // at a distance of 4: 1/(1 + 2·4 + 0.5·16) = 1/17
+    let [one, two, half, four] = [1.0, 2.0, 0.5, 4.0].map(T::of);
+    assert_eq!(attenuation(one, two, half, four), T::of(1.0 / 17.0));
+    // and at ¼ the inverse square is 16
+    assert_eq!(attenuation(T::ZERO, T::ZERO, one, T::of(0.25)), T::of(16.0));
+    let inverse_square = T::attenuation([0.0, 0.0, 1.0]).expect("coefficients");
+    assert_eq!(inverse_square.at(T::of(0.25)), T::of(16.0));
+}
+
+fn clamped_attenuation_is_at_most_one<T: Float>() {
+    let inverse_square = T::attenuation([0.0, 0.0, 1.0])
+        .expect("coefficients")
+        .clamped();
+    assert_eq!(inverse_square.at(T::of(0.25)), T::ONE);
+    assert_eq!(inverse_square.at(T::of(2.0)), T::of(0.25));
+}
+
+fn bad_coefficients_are_refused<T: Float>() {
+    let [zero, one, huge] = [T::ZERO, T::ONE, T::MAX];
+    for bad in [-one, -T::of(T::TINIEST), T::INFINITY, -T::INFINITY, T::NAN] {
+        for [a, b, c] in [[bad, one, one], [one, bad, one], [one, one, bad]] {
+            assert_eq!(T::new_attenuation(a, b, c), None);
+        }
+    }
+    assert_eq!(T::new_attenuation(zero, zero, zero), None);
+    assert_eq!(T::new_attenuation(-zero, zero, zero), None);
+    for [a, b, c] in [
+        [one, zero, zero],
+        [zero, one, zero],
+        [zero, zero, one],
+        [huge; 3],
+    ] {
+        assert!(T::new_attenuation(a, b, c).is_some());
+    }
+}
+
+fn a_light_at_the_point_lights_nothing<T: Float>() {
+    let position = vector::<T>([1.0, 2.0, 3.0]);
+    for coefficients in [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]] {
+        let attenuation = T::attenuation(coefficients).expect("coefficients");
+        let point = PointLight {
+            position,
+            intensity: Rgb::WHITE,
+            attenuation,
+        };
+        assert_eq!(point.at(position).intensity, Rgb::BLACK);
+        let spot = SpotLight {
+            point,
+            axis: UnitVec3::Z,
+            cone: T::cone(180.0).expect("π"),
+        };
+        assert_eq!(spot.at(position).intensity, Rgb::BLACK);
+        let n = UnitVec3::Z;
+        let shaded = shade::phong(n, n, &white(1), Rgb::BLACK, [point.at(position)]);
+        assert_eq!(shaded.total(), Rgb::BLACK);
+    }
+}
+
+fn a_directional_light_is_not_attenuated<T: Float>() {
+    let sun = shading::DirectionalLight {
+        l: UnitVec3::<T>::Z,
+        intensity: Rgb::WHITE,
+    };
+    for p in [Vec3::ZERO, vector([1e30, -1e30, 1e30])] {
+        assert_eq!(sun.at(p), from(UnitVec3::Z));
+        assert_eq!(Light::Directional(sun).at(p), from(UnitVec3::Z));
+    }
+}
+
+fn a_spot_is_given_by_its_half_angle_and_includes_its_edge<T: Float>() {
+    let axis = -UnitVec3::<T>::Z;
+    // a half-angle of 45°: 44° off the axis is inside, 46° is not
+    let cone = T::cone(45.0).expect("a half-angle");
+    let off_axis = |degrees: f64| {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        direction::<T>([sine, 0.0, cosine])
+    };
+    assert_eq!(cone.factor(axis, off_axis(44.0)), T::ONE);
+    assert_eq!(cone.factor(axis, off_axis(46.0)), T::ZERO);
+    // the edge itself: a cosine of exactly ½, and one u beside it
+    let cone = T::cone_from_cosine(T::of(0.5)).expect("a cosine");
+    let at =
+        |cosine: f64| UnitVec3::assume_unit(vector([(1.0 - cosine * cosine).sqrt(), 0.0, cosine]));
+    assert_eq!(cone.cosine(), T::of(0.5));
+    assert_eq!(cone.factor(axis, at(0.5)), T::ONE);
+    assert_eq!(cone.factor(axis, at(0.5 - T::U)), T::ZERO);
+    assert_eq!(T::cone_from_half_angle(T::of(-0.1)), None);
+    assert_eq!(T::cone_from_half_angle(T::of(3.2)), None);
+    assert_eq!(T::cone_from_cosine(T::of(1.1)), None);
+}
+
+fn colours_are_not_clamped_before_the_end<T: Float>() {
+    let n = UnitVec3::<T>::Z;
+    let lights = [from(n); 3];
+    let shaded = shade::lambert(n, &white(1), Rgb::WHITE, lights);
+    assert_eq!(shaded.total(), Rgb::gray(T::of(4.0)));
+    assert_eq!(shaded.total().clamped(), Rgb::WHITE);
+}
+
+fn the_parts_are_apart_and_total_adds_them<T: Float>() {
+    let grays = [0.25, 0.5, 0.125].map(|k| Rgb::gray(T::of(k)));
+    let [k_a, k_d, k_s] = grays;
+    let n = UnitVec3::<T>::Z;
+    let material = Material {
+        k_a,
+        k_d,
+        k_s,
+        m: 3,
+    };
+    for shaded in [
+        shade::phong(n, n, &material, Rgb::WHITE, [from(n)]),
+        shade::blinn_phong(n, n, &material, Rgb::WHITE, [from(n)]),
+    ] {
+        assert_eq!([shaded.ambient, shaded.diffuse, shaded.specular], grays);
+        assert_eq!(shaded.total(), Rgb::gray(T::of(0.875)));
+    }
+}
+
+fn lights_are_anything_that_iterates<T: Float>() {
+    let n = UnitVec3::<T>::Z;
+    let shade = |lights: &mut dyn Iterator<Item = IncidentLight<T>>| {
+        shade::lambert(n, &white(1), Rgb::BLACK, lights).diffuse
+    };
+    assert_eq!(shade(&mut std::iter::empty()), Rgb::BLACK);
+    assert_eq!(shade(&mut Some(from(n)).into_iter()), Rgb::WHITE);
+    // a shadow is a filter
+    let lights = vec![from(n), from(direction([1.0, 0.0, 1.0]))];
+    let unshadowed = lights.into_iter().filter(|light| light.l == n);
+    assert_eq!(shade(&mut { unshadowed }), Rgb::WHITE);
+}
+
+fn a_triangle_is_counter_clockwise<T: Float>() {
+    // (1, 0, 0) × (0, 1, 0) = (0, 0, 1)
+    let [a, b, c] = [[0.0, 0.0, 5.0], [1.0, 0.0, 5.0], [0.0, 1.0, 5.0]].map(vector::<T>);
+    for (vertices, expected) in [([a, b, c], UnitVec3::Z), ([a, c, b], -UnitVec3::Z)] {
+        let [v1, v2, v3] = vertices;
+        assert_eq!(normal::triangle(v1, v2, v3), Some(expected));
+        assert_eq!(normal::triangle(v2, v3, v1), Some(expected));
+    }
+}
+
+fn a_degenerate_triangle_has_no_normal<T: Float>() {
+    let [a, b] = [[1.0, 2.0, 3.0], [4.0, 6.0, 8.0]].map(vector::<T>);
+    let between = vector::<T>([2.5, 4.0, 5.5]);
+    for [v1, v2, v3] in [[a, a, a], [a, a, b], [a, b, a], [a, b, b], [a, between, b]] {
+        assert_eq!(normal::triangle(v1, v2, v3), None);
+    }
+    let outside = Vec3::new(T::INFINITY, T::ZERO, T::ZERO);
+    assert_eq!(normal::triangle(a, outside, b), None);
+    assert_eq!(
+        normal::triangle(a, Vec3::new(T::NAN, T::ZERO, T::ZERO), b),
+        None
+    );
+}
+
+fn unit_is_right_from_the_smallest_to_the_largest_number<T: Float>() {
+    // (1, 2, 2)/3 whatever the size
+    let expected = [1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0];
+    for size in [
+        T::of(T::TINIEST),
+        T::of(T::MIN_POSITIVE),
+        T::ONE,
+        T::MAX * T::of(0.5),
+    ] {
+        let v = vector::<T>([1.0, 2.0, 2.0]) * size;
+        let n: [T; 3] = v.unit().expect("a direction").into();
+        // squares, sums and root 2.5u, division 1u
+        assert!(
+            (0..3).all(|i| near(n[i], expected[i], 3.5)),
+            "{size:e}: {n:?}"
+        );
+        assert_eq!(v.unit_or(UnitVec3::X), v.unit().expect("a direction"));
+    }
+    for none in [T::ZERO, -T::ZERO, T::INFINITY, T::NAN] {
+        let v = Vec3::new(T::ZERO, none, T::ZERO);
+        assert_eq!((v.unit(), v.unit_or(UnitVec3::Y)), (None, UnitVec3::Y));
+    }
+}
+
+fn known_takes_unit_vectors_only<T: Float>() {
+    let [six, eight] = [0.6, 0.8].map(T::of);
+    assert_eq!(T::known(T::ZERO, T::ZERO, T::ONE), Some(UnitVec3::Z));
+    assert!(T::known(six, T::ZERO, eight).is_some());
+    for [x, y, z] in [[0.0; 3], [1.0, 0.0, 1.0], [0.6, 0.0, 0.81]].map(|v| v.map(T::of)) {
+        assert_eq!(T::known(x, y, z), None);
+    }
+    assert_eq!(T::known(T::NAN, T::ZERO, T::ONE), None);
+    assert_eq!(T::known(T::INFINITY, T::ZERO, T::ZERO), None);
+}
+
+fn assume_unit_takes_your_word<T: Float>() {
+    let v = vector::<T>([1.0, 2.0, 3.0]);
+    assert_eq!(*UnitVec3::assume_unit(v), v);
+}
+
+fn singular_points_have_no_normal<T: Float>() {
+    // the apex of a cone: ∇(x² + y² − z²) = 0
+    let cone = |p: Vec3<Dual<T>>| p.x * p.x + p.y * p.y - p.z * p.z;
+    assert_eq!(normal::implicit(cone, Vec3::ZERO), None);
+    assert!(normal::implicit(cone, vector([3.0, 4.0, 5.0])).is_some());
+    // the pole of a sphere, v = 0: ∂s/∂u = 0
+    let sphere = |u: Dual<T>, v: Dual<T>| {
+        use shading::Elementary;
+        Vec3::new(u.cos() * v.sin(), u.sin() * v.sin(), v.cos())
+    };
+    assert_eq!(normal::parametric(sphere, T::ONE, T::ZERO), None);
+    // tangents that are parallel everywhere
+    assert_eq!(
+        normal::parametric(|u, v| Vec3::new(u + v, u + v, u + v), T::ONE, T::ONE),
+        None
+    );
+    // a gradient that does not exist: √ at 0
+    assert_eq!(
+        normal::implicit(|p: Vec3<Dual<T>>| p.x.sqrt(), Vec3::ZERO),
+        None
+    );
+}
+
+fn parametric_normals_follow_the_order_of_u_and_v<T: Float>() {
+    // the plane (u, v, 0): S_u × S_v = X × Y = Z, and nothing turns it
+    let zero = Dual::from(T::ZERO);
+    assert_eq!(
+        normal::parametric(|u, v| Vec3::new(u, v, zero), T::ONE, T::ONE),
+        Some(UnitVec3::Z)
+    );
+    assert_eq!(
+        normal::parametric(|u, v| Vec3::new(v, u, zero), T::ONE, T::ONE),
+        Some(-UnitVec3::Z)
+    );
+}

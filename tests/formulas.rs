@@ -1,0 +1,345 @@
+//! Every formula against a value derived by hand. The derivation stands beside it; the tolerances
+//! count the roundings, in units u of the largest number on the way.
+
+mod support;
+
+use shading::{
+    DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight, Real, Rgb, Shaded,
+    SpotLight, UnitVec3, Vec3, ambient, attenuation, blinn, half_vector, lambert, normal, phong,
+    reflection, shade,
+};
+use support::number::{Float, direction, for_f32_and_f64, vector};
+
+for_f32_and_f64!(
+    vectors_add_multiply_and_cross,
+    colours_add_multiply_and_clamp,
+    lambert_at_60_degrees_is_a_half,
+    reflection_in_a_tilted_normal,
+    half_vector_of_two_pythagorean_directions,
+    phong_of_the_3_4_5_triangle,
+    blinn_of_the_3_4_5_triangle,
+    powers_of_a_half_are_exact,
+    ambient_is_the_product,
+    attenuation_is_a_third,
+    normals_of_the_box_with_diagonal_seven,
+    normal_of_the_saddle,
+    two_lights_after_lambert,
+    two_lights_after_phong,
+    two_lights_after_blinn,
+    spot_within_and_outside_of_30_degrees,
+    a_scene_maps_to_another_number_type,
+    dual_sum_product_and_quotient,
+    dual_with_a_plain_number,
+    dual_elementary_functions,
+    dual_whole_powers,
+);
+
+/// Whether the numbers differ by no more than so many u.
+fn assert_near<T: Float, const N: usize>(
+    actual: impl Into<[T; N]>,
+    expected: [f64; N],
+    units: f64,
+) {
+    let actual = actual.into().map(T::to_f64);
+    for (a, e) in actual.into_iter().zip(expected) {
+        assert!(
+            (a - e).abs() <= units * T::U,
+            "{actual:?} instead of {expected:?}"
+        );
+    }
+}
+
+fn rgb<T: Real>(r: f64, g: f64, b: f64) -> Rgb<T> {
+    Rgb::new(r, g, b).map(T::of)
+}
+
+/// L = (3, 0, 4)/5, at 36.87° from Z.
+fn slanted<T: Float>() -> UnitVec3<T> {
+    direction([3.0, 0.0, 4.0])
+}
+
+fn vectors_add_multiply_and_cross<T: Float>() {
+    let (a, b) = (vector::<T>([1.0, 2.0, 3.0]), vector::<T>([4.0, -5.0, 6.0]));
+    assert_eq!(a + b, vector([5.0, -3.0, 9.0]));
+    assert_eq!(a - b, vector([-3.0, 7.0, -3.0]));
+    assert_eq!(a * T::of(2.0), vector([2.0, 4.0, 6.0]));
+    assert_eq!(-a, vector([-1.0, -2.0, -3.0]));
+    // 4 − 10 + 18
+    assert_eq!(a.dot(b), T::of(12.0));
+    // (2·6 + 3·5, 3·4 − 1·6, −1·5 − 2·4)
+    assert_eq!(a.cross(b), vector([27.0, 6.0, -13.0]));
+    assert_eq!(a.cross(a), Vec3::ZERO);
+    assert_eq!(<[T; 3]>::from(a), [1.0, 2.0, 3.0].map(T::of));
+    assert_eq!(*-UnitVec3::<T>::X, vector([-1.0, 0.0, 0.0]));
+}
+
+fn colours_add_multiply_and_clamp<T: Float>() {
+    let (a, b) = (rgb::<T>(0.5, 1.0, 2.0), rgb::<T>(0.25, 0.5, -4.0));
+    assert_eq!(a + b, rgb(0.75, 1.5, -2.0));
+    assert_eq!(a - b, rgb(0.25, 0.5, 6.0));
+    assert_eq!(a * b, rgb(0.125, 0.5, -8.0));
+    assert_eq!(a * T::of(2.0), rgb(1.0, 2.0, 4.0));
+    assert_eq!([a, b, a].into_iter().sum::<Rgb<T>>(), rgb(1.25, 2.5, 0.0));
+    assert_eq!((a + b).clamped(), rgb(0.75, 1.0, 0.0));
+    let mut sum = a;
+    sum += b;
+    assert_eq!(<[T; 3]>::from(sum), [0.75, 1.5, -2.0].map(T::of));
+}
+
+fn lambert_at_60_degrees_is_a_half<T: Float>() {
+    // L = (√3/2, 0, ½); normalising rounds 3.5u of ½
+    let l = direction::<T>([3.0_f64.sqrt(), 0.0, 1.0]);
+    assert_near([lambert(UnitVec3::Z, l)], [0.5], 2.0);
+    assert_eq!(lambert(UnitVec3::Z, -l), T::ZERO);
+}
+
+fn reflection_in_a_tilted_normal<T: Float>() {
+    // N = (3, 0, 4)/5, L = Z: N·L = 4/5, R = 8/5 (3, 0, 4)/5 − (0, 0, 1) = (24, 0, 7)/25
+    let r = reflection(slanted::<T>(), UnitVec3::Z);
+    assert_near(*r, [0.96, 0.0, 0.28], 11.0);
+}
+
+fn half_vector_of_two_pythagorean_directions<T: Float>() {
+    // (2, 1, 2)/3 + (1, 2, 2)/3 = (3, 3, 4)/3, of length √34/3
+    let [l, v] = [[2.0, 1.0, 2.0], [1.0, 2.0, 2.0]].map(direction::<T>);
+    let h = half_vector(l, v).expect("half-way");
+    assert_near(*h, [3.0, 3.0, 4.0].map(|c: f64| c / 34.0_f64.sqrt()), 8.0);
+}
+
+fn phong_of_the_3_4_5_triangle<T: Float>() {
+    // R·V = 4/5: its square is 16/25 and its cube 64/125
+    let (r, v) = (slanted::<T>(), UnitVec3::Z);
+    assert_near([phong(r, v, 2), phong(r, v, 3)], [0.64, 0.512], 12.0);
+    assert_near(
+        [phong(r, v, T::of(2.0)), phong(r, v, T::of(3.0))],
+        [0.64, 0.512],
+        16.0,
+    );
+    // √(4/5)
+    assert_near([phong(r, v, T::of(0.5))], [0.8_f64.sqrt()], 8.0);
+}
+
+fn blinn_of_the_3_4_5_triangle<T: Float>() {
+    // L·V = 4/5, |L + V|² = 2 + 8/5 = 18/5, N·H = (4/5 + 1)/√(18/5) = √(9/10)
+    let n = UnitVec3::<T>::Z;
+    let h = half_vector(slanted(), n).expect("half-way");
+    assert_near([blinn(n, h, 2), blinn(n, h, 4)], [0.9, 0.81], 32.0);
+    assert_near([blinn(n, h, T::of(4.0))], [0.81], 36.0);
+}
+
+fn powers_of_a_half_are_exact<T: Float>() {
+    let half = T::of(0.5);
+    let mut expected = T::ONE;
+    for m in 0..100_u32 {
+        assert_eq!(m.raise(half), expected, "{m}");
+        assert_eq!(m.raise_root(T::of(0.25)), expected, "{m}");
+        if expected.to_f64() <= T::MIN_POSITIVE * 4.0 {
+            break;
+        }
+        expected = expected * half;
+    }
+}
+
+fn ambient_is_the_product<T: Float>() {
+    assert_eq!(
+        ambient(rgb::<T>(0.5, 0.25, 0.0), rgb(0.5, 2.0, 3.0)),
+        rgb(0.25, 0.5, 0.0)
+    );
+}
+
+fn attenuation_is_a_third<T: Float>() {
+    // 1 + ½·2 + ¼·2² = 3
+    let [a, b, c, q] = [1.0, 0.5, 0.25, 2.0].map(T::of);
+    assert_eq!(attenuation(a, b, c, q), T::of(1.0 / 3.0));
+    assert_eq!(
+        T::new_attenuation(a, b, c).expect("coefficients").at(q),
+        T::of(1.0 / 3.0)
+    );
+}
+
+fn normals_of_the_box_with_diagonal_seven<T: Float>() {
+    // 6² + 3² + 2² = 7²
+    let expected = [6.0 / 7.0, 3.0 / 7.0, 2.0 / 7.0];
+    let [six, three, two] = [6.0, 3.0, 2.0].map(T::of);
+    // (−1, 2, 0) × (−1, 0, 3) = (6, 3, 2)
+    let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0]].map(vector::<T>);
+    // ∇(xyz) = (yz, xz, xy), at (1, 2, 3)
+    let product = |p: Vec3<Dual<T>>| p.x * p.y * p.z;
+    let normals = [
+        normal::plane(six, three, two),
+        normal::triangle(a, b, c),
+        normal::sphere(vector([1.0, 1.0, 1.0]), vector([7.0, 4.0, 3.0])),
+        normal::implicit(product, vector([1.0, 2.0, 3.0])),
+        normal::from_gradient(vector([6.0, 3.0, 2.0])),
+        normal::from_tangents(b - a, c - a),
+    ];
+    for n in normals {
+        assert_near(*n.expect("a normal"), expected, 3.5);
+    }
+}
+
+fn normal_of_the_saddle<T: Float>() {
+    // s = (u, v, uv): S_u × S_v = (1, 0, v) × (0, 1, u) = (−v, −u, 1), at (2, 2)
+    let saddle = |u: Dual<T>, v: Dual<T>| Vec3::new(u, v, u * v);
+    let n = normal::parametric(saddle, T::of(2.0), T::of(2.0)).expect("a normal");
+    assert_near(*n, [-2.0 / 3.0, -2.0 / 3.0, 1.0 / 3.0], 3.5);
+}
+
+/// A lamp two above the origin with ¼ of (1, ½, 0) left there, and the slanted sun of ½; the eye
+/// is above.
+fn two_lights<T: Float>() -> [Light<T>; 2] {
+    let lamp = PointLight {
+        position: vector([0.0, 0.0, 2.0]),
+        intensity: rgb(1.0, 0.5, 0.0),
+        attenuation: T::attenuation([0.0, 0.0, 1.0]).expect("coefficients"),
+    };
+    let sun = DirectionalLight {
+        l: slanted(),
+        intensity: rgb(0.5, 0.5, 0.5),
+    };
+    [Light::Point(lamp), Light::Directional(sun)]
+}
+
+fn material<T: Real>() -> Material<T, u32> {
+    let [k_a, k_d, k_s] = [0.125, 0.5, 0.25].map(|k| Rgb::gray(T::of(k)));
+    Material {
+        k_a,
+        k_d,
+        k_s,
+        m: 2,
+    }
+}
+
+/// k_a I_a = 1/8 · 1/4, and for the diffuse part N·L = 1 and 4/5:
+/// ½ (¼ + ½ · ⅘) = 0.325, ½ (⅛ + ⅖) = 0.2625, ½ · ⅖ = 0.2.
+fn assert_ambient_and_diffuse<T: Float>(shaded: Shaded<T>) {
+    assert_eq!(shaded.ambient, Rgb::gray(T::of(1.0 / 32.0)));
+    assert_near(shaded.diffuse, [0.325, 0.2625, 0.2], 4.0);
+}
+
+fn two_lights_after_lambert<T: Float>() {
+    let lights = two_lights::<T>().map(|light| light.at(Vec3::ZERO));
+    let shaded = shade::lambert(UnitVec3::Z, &material(), Rgb::gray(T::of(0.25)), lights);
+    assert_ambient_and_diffuse(shaded);
+    assert_eq!(shaded.specular, Rgb::BLACK);
+}
+
+fn two_lights_after_phong<T: Float>() {
+    let n = UnitVec3::<T>::Z;
+    let lights = two_lights::<T>().map(|light| light.at(Vec3::ZERO));
+    let shaded = shade::phong(n, n, &material(), Rgb::gray(T::of(0.25)), lights);
+    assert_ambient_and_diffuse(shaded);
+    // (R·V)² = 1 and 16/25: ¼ (¼ + ½ · 0.64) = 0.1425, ¼ (⅛ + 0.32) = 0.11125, ¼ · 0.32
+    assert_near(shaded.specular, [0.1425, 0.11125, 0.08], 8.0);
+    assert_near(shaded.total(), [0.498_75, 0.405, 0.311_25], 16.0);
+}
+
+fn two_lights_after_blinn<T: Float>() {
+    let n = UnitVec3::<T>::Z;
+    let lights = two_lights::<T>().map(|light| light.at(Vec3::ZERO));
+    let shaded = shade::blinn_phong(n, n, &material(), Rgb::gray(T::of(0.25)), lights);
+    assert_ambient_and_diffuse(shaded);
+    // (N·H)² = 1 and 9/10: ¼ (¼ + ½ · 0.9) = 0.175, ¼ (⅛ + 0.45) = 0.14375, ¼ · 0.45
+    assert_near(shaded.specular, [0.175, 0.143_75, 0.1125], 8.0);
+}
+
+fn spot_within_and_outside_of_30_degrees<T: Float>() {
+    let Light::Point(point) = two_lights::<T>()[0] else {
+        unreachable!()
+    };
+    let axis = -UnitVec3::Z;
+    let spot = SpotLight {
+        point,
+        axis,
+        cone: T::cone(30.0).expect("a half-angle"),
+    };
+    // 2 below, 1 and 1.2 aside: arctan ½ = 26.6°, arctan 0.6 = 31.0°
+    let within = vector::<T>([1.0, 0.0, 0.0]);
+    assert_eq!(spot.at(within), point.at(within));
+    assert_near(spot.at(within).intensity, [0.2, 0.1, 0.0], 4.0);
+    assert_eq!(spot.at(vector([1.2, 0.0, 0.0])).intensity, Rgb::BLACK);
+}
+
+fn a_scene_maps_to_another_number_type<T: Float>() {
+    // the value of a dual number is what the plain number gives
+    let n = UnitVec3::<T>::Z;
+    let plain = two_lights::<T>().map(|light| light.at(Vec3::ZERO));
+    let dual = two_lights::<T>().map(|light| light.map(Dual::constant).at(Vec3::ZERO));
+    let shaded = shade::phong(n, n, &material(), Rgb::WHITE, plain);
+    let (n, white) = (n.map(Dual::constant), Rgb::WHITE);
+    let mapped = material::<T>().map(Dual::constant);
+    let shaded_dual = shade::phong(n, n, &mapped, white, dual);
+    assert_eq!(
+        shaded_dual.total().map(|channel| channel.value),
+        shaded.total()
+    );
+}
+
+/// The variables x = 2, y = 3 and z = −1.
+fn variables<T: Float>() -> Vec3<Dual<T>> {
+    Dual::point(vector([2.0, 3.0, -1.0]))
+}
+
+fn assert_dual<T: Float>(dual: Dual<T>, value: f64, gradient: [f64; 3], units: f64) {
+    assert_near([dual.value], [value], units);
+    assert_near(dual.gradient, gradient, units);
+}
+
+fn dual_sum_product_and_quotient<T: Float>() {
+    let Vec3 { x, y, z } = variables::<T>();
+    assert_dual(x + y - z, 6.0, [1.0, 1.0, -1.0], 0.0);
+    assert_dual(x * y * z, -6.0, [-3.0, -2.0, 6.0], 0.0);
+    assert_dual(-x, -2.0, [-1.0, 0.0, 0.0], 0.0);
+    // x²y/(x + y) = 12/5: ∂/∂x = (2xy(x + y) − x²y)/(x + y)² = 48/25, ∂/∂y = x³/(x + y)² = 8/25
+    assert_dual(x * x * y / (x + y), 2.4, [1.92, 0.32, 0.0], 16.0);
+    assert!(x < y && x == Dual::constant(T::of(2.0)));
+}
+
+fn dual_with_a_plain_number<T: Float>() {
+    let Vec3 { x, y, .. } = variables::<T>();
+    let two = T::of(2.0);
+    assert_dual(x + two, 4.0, [1.0, 0.0, 0.0], 0.0);
+    assert_dual(y - two, 1.0, [0.0, 1.0, 0.0], 0.0);
+    assert_dual(y * two, 6.0, [0.0, 2.0, 0.0], 0.0);
+    assert_dual(y / two, 1.5, [0.0, 0.5, 0.0], 0.0);
+    // the chain rule: a slope of 5 times ∇(xy) = (3, 2, 0)
+    assert_dual(
+        (x * y).chain(T::ONE, T::of(5.0)),
+        1.0,
+        [15.0, 10.0, 0.0],
+        0.0,
+    );
+    assert_dual(Dual::from(two), 2.0, [0.0; 3], 0.0);
+}
+
+fn dual_elementary_functions<T: Float>() {
+    let Vec3 { x, y, z } = variables::<T>();
+    // functions of x = 2: libm is right to 1 ulp, 2u of less than 8
+    assert_dual(x.sin(), 2.0_f64.sin(), [2.0_f64.cos(), 0.0, 0.0], 2.0);
+    assert_dual(x.cos(), 2.0_f64.cos(), [-2.0_f64.sin(), 0.0, 0.0], 2.0);
+    assert_dual(x.exp(), 2.0_f64.exp(), [2.0_f64.exp(), 0.0, 0.0], 16.0);
+    assert_dual(x.ln(), 2.0_f64.ln(), [0.5, 0.0, 0.0], 2.0);
+    // √(xy + z + 11) = 4: ∇ = (y, x, 1)/8
+    assert_dual(
+        (x * y + z + T::of(11.0)).sqrt(),
+        4.0,
+        [0.375, 0.25, 0.125],
+        0.0,
+    );
+    assert_dual(z.abs(), 1.0, [0.0, 0.0, -1.0], 0.0);
+    assert_dual(y.abs(), 3.0, [0.0, 1.0, 0.0], 0.0);
+}
+
+fn dual_whole_powers<T: Float>() {
+    let x = variables::<T>().x;
+    // xⁿ and n xⁿ⁻¹, at 2: all powers of two
+    for n in -10..=10 {
+        let power = 2.0_f64.powi(n);
+        assert_dual(
+            x.powi(n),
+            power,
+            [f64::from(n) * power / 2.0, 0.0, 0.0],
+            0.0,
+        );
+    }
+}

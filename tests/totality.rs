@@ -1,0 +1,468 @@
+//! What every function gives where its formula has no answer: each cell of the table in
+//! `docs/totality.md` is a test here, or in `conventions.rs`.
+
+mod support;
+
+use shading::{
+    DirectionalLight, Dual, Elementary, IncidentLight, Material, PointLight, Real, Rgb, SpotLight,
+    UnitVec3, Vec3, attenuation, blinn, half_vector, lambert, normal, phong, reflection, shade,
+};
+use support::number::{Float, direction, for_f32_and_f64, vector};
+
+for_f32_and_f64!(
+    unit_of_no_direction_is_none,
+    unit_or_gives_the_fallback,
+    half_vector_of_nan_is_none,
+    half_vector_is_right_next_to_opposite_directions,
+    reflection_of_garbage_is_garbage_of_the_same_kind,
+    plane_without_a_direction_has_no_normal,
+    triangle_with_an_infinite_vertex_has_no_normal,
+    sphere_has_no_normal_at_its_center,
+    gradient_and_tangents_that_are_not_finite_give_none,
+    tangents_of_any_length_give_the_normal,
+    lambert_of_nan_is_zero,
+    highlight_of_a_nan_cosine_is_zero,
+    highlight_with_m_zero_is_one_up_to_the_horizon,
+    highlight_with_a_huge_m_is_zero_beside_the_mirror,
+    highlight_with_an_invalid_m_takes_it_as_zero,
+    attenuation_without_a_denominator_is_infinite,
+    attenuation_with_an_overflowing_denominator_is_zero,
+    checked_attenuation_is_never_infinite,
+    cone_of_an_invalid_angle_is_none,
+    cone_of_zero_lights_its_axis,
+    cone_of_a_nan_direction_gives_one,
+    light_with_an_infinite_coordinate_is_black,
+    light_with_a_nan_coordinate_adds_nothing,
+    light_at_extreme_distances_has_its_direction,
+    light_that_overflows_is_the_largest_number,
+    black_light_with_infinite_attenuation_is_black,
+    incident_light_of_a_nan_direction_adds_nothing,
+    no_lights_give_the_ambient,
+    overflowing_sum_on_black_is_black,
+    overflowing_sum_is_the_largest_number,
+    clamped_nan_is_zero,
+    dual_root_at_zero_has_no_finite_gradient,
+    dual_logarithm_at_zero_has_no_finite_gradient,
+    dual_quotient_by_zero_has_no_finite_gradient,
+    dual_absolute_value_at_zero_is_flat,
+    dual_power_of_zero_is_one_and_flat,
+);
+
+fn at_x<T: Real>(x: T) -> Vec3<T> {
+    Vec3::new(x, T::ZERO, T::ZERO)
+}
+
+/// The numbers that are none.
+fn not_finite<T: Float>() -> [T; 3] {
+    [T::INFINITY, -T::INFINITY, T::NAN]
+}
+
+fn mirror<T: Real, M>(m: M) -> Material<T, M> {
+    Material {
+        k_a: Rgb::WHITE,
+        k_d: Rgb::WHITE,
+        k_s: Rgb::WHITE,
+        m,
+    }
+}
+
+fn lamp<T: Float>(position: Vec3<T>, coefficients: [f64; 3]) -> PointLight<T> {
+    let attenuation = T::attenuation(coefficients).expect("coefficients");
+    PointLight {
+        position,
+        intensity: Rgb::WHITE,
+        attenuation,
+    }
+}
+
+// vectors
+
+fn unit_of_no_direction_is_none<T: Float>() {
+    assert_eq!(Vec3::<T>::ZERO.unit(), None);
+    assert_eq!((-Vec3::<T>::ZERO).unit(), None);
+    for bad in not_finite::<T>() {
+        assert_eq!(at_x(bad).unit(), None);
+        assert_eq!(Vec3::new(T::ONE, T::ONE, bad).unit(), None);
+    }
+}
+
+fn unit_or_gives_the_fallback<T: Float>() {
+    assert_eq!(Vec3::<T>::ZERO.unit_or(UnitVec3::Y), UnitVec3::Y);
+    for bad in not_finite::<T>() {
+        assert_eq!(
+            Vec3::new(T::ONE, T::ONE, bad).unit_or(UnitVec3::Y),
+            UnitVec3::Y
+        );
+    }
+}
+
+fn half_vector_of_nan_is_none<T: Float>() {
+    let nan = UnitVec3::assume_unit(at_x(T::NAN));
+    assert_eq!(half_vector(nan, UnitVec3::X), None);
+}
+
+fn half_vector_is_right_next_to_opposite_directions<T: Float>() {
+    // both unit to rounding; their sum is (0, 0, tiny), and H is Z
+    for tiny in [T::of(T::TINIEST), T::of(T::MIN_POSITIVE), T::of(T::U)] {
+        let l = UnitVec3::assume_unit(Vec3::new(T::ONE, T::ZERO, tiny));
+        assert_eq!(half_vector(l, -UnitVec3::X), Some(UnitVec3::Z));
+    }
+}
+
+fn reflection_of_garbage_is_garbage_of_the_same_kind<T: Float>() {
+    // 2(N·L)N − L for |N| = 2: 2·4·2 − 1
+    let long = UnitVec3::assume_unit(at_x(T::of(2.0)));
+    assert_eq!(*reflection(long, UnitVec3::X), at_x(T::of(7.0)));
+    let nan = UnitVec3::assume_unit(at_x(T::NAN));
+    assert!(reflection(nan, UnitVec3::X).x.to_f64().is_nan());
+}
+
+// normals
+
+fn plane_without_a_direction_has_no_normal<T: Float>() {
+    assert_eq!(normal::plane(T::ZERO, T::ZERO, T::ZERO), None);
+    for bad in not_finite::<T>() {
+        assert_eq!(normal::plane(bad, T::ONE, T::ZERO), None);
+    }
+}
+
+fn triangle_with_an_infinite_vertex_has_no_normal<T: Float>() {
+    let [a, b] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(vector::<T>);
+    for bad in not_finite::<T>().map(at_x) {
+        assert_eq!(normal::triangle(bad, a, b), None);
+        assert_eq!(normal::triangle(a, bad, b), None);
+        assert_eq!(normal::triangle(a, b, bad), None);
+    }
+}
+
+fn sphere_has_no_normal_at_its_center<T: Float>() {
+    let center = vector::<T>([1.0, 2.0, 3.0]);
+    assert_eq!(normal::sphere(center, center), None);
+    for bad in not_finite::<T>().map(at_x) {
+        assert_eq!(normal::sphere(center, bad), None);
+        assert_eq!(normal::sphere(bad, center), None);
+    }
+}
+
+fn gradient_and_tangents_that_are_not_finite_give_none<T: Float>() {
+    for bad in not_finite::<T>().map(at_x) {
+        assert_eq!(normal::from_gradient(bad), None);
+        assert_eq!(normal::from_tangents(bad, *UnitVec3::Y), None);
+        assert_eq!(normal::from_tangents(*UnitVec3::Y, bad), None);
+    }
+    assert_eq!(normal::from_gradient(Vec3::<T>::ZERO), None);
+    assert_eq!(normal::from_tangents(Vec3::ZERO, *UnitVec3::<T>::Y), None);
+}
+
+fn tangents_of_any_length_give_the_normal<T: Float>() {
+    let lengths = [T::of(T::TINIEST), T::of(T::MIN_POSITIVE), T::ONE, T::MAX];
+    for (a, b) in lengths.into_iter().flat_map(|a| lengths.map(|b| (a, b))) {
+        let [s_u, s_v] = [*UnitVec3::X * a, *UnitVec3::Y * b];
+        assert_eq!(
+            normal::from_tangents(s_u, s_v),
+            Some(UnitVec3::Z),
+            "{a:e}, {b:e}"
+        );
+        assert_eq!(
+            normal::from_tangents(s_u, *UnitVec3::X * b),
+            None,
+            "{a:e}, {b:e}"
+        );
+    }
+}
+
+// terms
+
+fn lambert_of_nan_is_zero<T: Float>() {
+    let nan = UnitVec3::assume_unit(at_x(T::NAN));
+    assert_eq!(lambert(nan, UnitVec3::X), T::ZERO);
+}
+
+fn highlight_of_a_nan_cosine_is_zero<T: Float>() {
+    let nan = UnitVec3::assume_unit(at_x(T::NAN));
+    for m in [0, 1, 2, u32::MAX] {
+        assert_eq!(phong(nan, UnitVec3::X, m), T::ZERO);
+        assert_eq!(blinn(nan, UnitVec3::X, m), T::ZERO);
+    }
+    assert_eq!(phong(nan, UnitVec3::X, T::ZERO), T::ZERO);
+}
+
+fn highlight_with_m_zero_is_one_up_to_the_horizon<T: Float>() {
+    for cosine in [T::of(T::TINIEST), T::of(0.5), T::ONE] {
+        let v = UnitVec3::assume_unit(at_x(cosine));
+        assert_eq!(phong(UnitVec3::X, v, 0), T::ONE, "{cosine:e}");
+        assert_eq!(phong(UnitVec3::X, v, T::ZERO), T::ONE, "{cosine:e}");
+    }
+    let horizon = UnitVec3::assume_unit(at_x(T::ZERO));
+    assert_eq!(phong(UnitVec3::X, horizon, 0), T::ZERO);
+    assert_eq!(phong(UnitVec3::X, horizon, T::ZERO), T::ZERO);
+}
+
+fn highlight_with_a_huge_m_is_zero_beside_the_mirror<T: Float>() {
+    // (1 − 2⁻¹²)^(2³² − 1) = e^(−2²⁰) and less: 0 in every float
+    let beside = UnitVec3::assume_unit(at_x(T::of(1.0 - 2.0_f64.powi(-12))));
+    assert_eq!(phong(UnitVec3::X, beside, u32::MAX), T::ZERO);
+    assert_eq!(phong(UnitVec3::<T>::X, UnitVec3::X, u32::MAX), T::ONE);
+    for m in [T::of(1e30), T::MAX, T::INFINITY] {
+        assert_eq!(blinn(UnitVec3::X, beside, m), T::ZERO, "{m:e}");
+    }
+    for m in [T::of(1e30), T::MAX] {
+        assert_eq!(blinn(UnitVec3::X, UnitVec3::X, m), T::ONE, "{m:e}");
+    }
+}
+
+fn highlight_with_an_invalid_m_takes_it_as_zero<T: Float>() {
+    let n = UnitVec3::<T>::Z;
+    let v = direction::<T>([3.0, 0.0, 4.0]);
+    let light = [DirectionalLight {
+        l: n,
+        intensity: Rgb::WHITE,
+    }
+    .at(Vec3::ZERO)];
+    for m in [-T::ONE, -T::of(1e30), -T::INFINITY, T::NAN] {
+        assert_eq!((phong(n, v, m), blinn(n, v, m)), (T::ONE, T::ONE), "{m:e}");
+        let shaded = shade::blinn_phong(n, v, &mirror(m), Rgb::BLACK, light);
+        assert_eq!(shaded.specular, Rgb::WHITE, "{m:e}");
+    }
+}
+
+// attenuation and cone
+
+fn attenuation_without_a_denominator_is_infinite<T: Float>() {
+    let [zero, one] = [T::ZERO, T::ONE];
+    assert_eq!(attenuation(zero, zero, zero, one), T::INFINITY);
+    assert_eq!(attenuation(zero, one, one, zero), T::INFINITY);
+}
+
+fn attenuation_with_an_overflowing_denominator_is_zero<T: Float>() {
+    let [zero, one] = [T::ZERO, T::ONE];
+    assert_eq!(attenuation(zero, zero, one, T::MAX), zero);
+    assert_eq!(attenuation(T::MAX, T::MAX, T::MAX, T::MAX), zero);
+}
+
+fn checked_attenuation_is_never_infinite<T: Float>() {
+    for coefficients in [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [T::TINIEST, 0.0, 0.0]] {
+        let [a, b, c] = coefficients.map(T::of);
+        let checked = T::new_attenuation(a, b, c).expect("coefficients");
+        assert_eq!(checked.at(T::ZERO), T::MAX);
+        assert_eq!(checked.clamped().at(T::ZERO), T::ONE);
+    }
+}
+
+fn cone_of_an_invalid_angle_is_none<T: Float>() {
+    for angle in [-T::of(T::TINIEST), T::of(3.2), T::INFINITY, T::NAN] {
+        assert_eq!(T::cone_from_half_angle(angle), None, "{angle:e}");
+    }
+    let beyond = T::of(1.0 + 2.0 * T::U);
+    for cosine in [beyond, -beyond, T::INFINITY, -T::INFINITY, T::NAN] {
+        assert_eq!(T::cone_from_cosine(cosine), None, "{cosine:e}");
+    }
+}
+
+fn cone_of_zero_lights_its_axis<T: Float>() {
+    for cone in [
+        T::cone_from_half_angle(T::ZERO),
+        T::cone_from_cosine(T::ONE),
+    ] {
+        let cone = cone.expect("a cone");
+        for (x, y) in (1..100).flat_map(|x| (1..100).map(move |y| (x, y))) {
+            let axis = direction::<T>([f64::from(x), f64::from(y), 7.0]);
+            assert_eq!(cone.factor(axis, -axis), T::ONE, "{axis:?}");
+        }
+        assert_eq!(
+            cone.factor(UnitVec3::X, direction([-1.0, 0.01, 0.0])),
+            T::ZERO
+        );
+    }
+}
+
+fn cone_of_a_nan_direction_gives_one<T: Float>() {
+    let nan = UnitVec3::assume_unit(at_x(T::NAN));
+    let cone = T::cone(45.0).expect("a cone");
+    assert_eq!(cone.factor(nan, UnitVec3::X), T::ONE);
+}
+
+// lights
+
+fn light_with_an_infinite_coordinate_is_black<T: Float>() {
+    for far in [T::INFINITY, -T::INFINITY].map(at_x) {
+        let incident = lamp(far, [1.0, 0.0, 0.0]).at(Vec3::ZERO);
+        assert_eq!(incident.intensity, Rgb::BLACK);
+        let incident = lamp(Vec3::ZERO, [1.0, 0.0, 0.0]).at(far);
+        assert_eq!(incident.intensity, Rgb::BLACK);
+    }
+}
+
+fn light_with_a_nan_coordinate_adds_nothing<T: Float>() {
+    let n = UnitVec3::<T>::Z;
+    let incident = lamp(at_x(T::NAN), [1.0, 0.0, 0.0]).at(Vec3::ZERO);
+    let shaded = shade::phong(n, n, &mirror(1), Rgb::WHITE, [incident]);
+    assert_eq!(shaded.total(), Rgb::WHITE);
+}
+
+fn light_at_extreme_distances_has_its_direction<T: Float>() {
+    let extremes = [
+        T::TINIEST,
+        T::MIN_POSITIVE,
+        1e-30,
+        1e-15,
+        1e15,
+        1e30,
+        T::MAX.to_f64(),
+    ];
+    for q in extremes.map(T::of) {
+        // square, root, reciprocal and product: 2.5u, and the reciprocal of the distance 1u more
+        let near = |a: T, b: T| a == b || (a.to_f64() / b.to_f64() - 1.0).abs() <= 4.0 * T::U;
+        let constant = lamp(at_x(q), [1.0, 0.0, 0.0]).at(Vec3::ZERO);
+        assert!(
+            near(constant.l.x, T::ONE) && constant.l.y == T::ZERO,
+            "{q:e}"
+        );
+        assert_eq!(constant.intensity, Rgb::WHITE, "{q:e}");
+        let linear = lamp(at_x(q), [0.0, 1.0, 0.0]).at(Vec3::ZERO);
+        let expected = (T::ONE / q).at_most(T::MAX);
+        assert!(near(linear.intensity.r, expected), "{q:e}: {linear:?}");
+    }
+}
+
+fn light_that_overflows_is_the_largest_number<T: Float>() {
+    let bright = PointLight {
+        intensity: Rgb::gray(T::MAX),
+        ..lamp(at_x(T::of(0.5)), [0.0, 0.0, 1.0])
+    };
+    assert_eq!(bright.at(Vec3::ZERO).intensity, Rgb::gray(T::MAX));
+    let spot = SpotLight {
+        point: bright,
+        axis: -UnitVec3::X,
+        cone: T::cone(1.0).expect("a cone"),
+    };
+    assert_eq!(spot.at(Vec3::ZERO).intensity, Rgb::gray(T::MAX));
+}
+
+fn black_light_with_infinite_attenuation_is_black<T: Float>() {
+    for q in [T::ZERO, T::of(T::TINIEST), T::of(T::MIN_POSITIVE)] {
+        let black = PointLight {
+            intensity: Rgb::BLACK,
+            ..lamp(at_x(q), [0.0, 0.0, 1.0])
+        };
+        assert_eq!(black.at(Vec3::ZERO).intensity, Rgb::BLACK, "{q:e}");
+    }
+}
+
+fn incident_light_of_a_nan_direction_adds_nothing<T: Float>() {
+    let l = UnitVec3::assume_unit(at_x(T::NAN));
+    let light = IncidentLight {
+        l,
+        intensity: Rgb::WHITE,
+    };
+    let n = UnitVec3::X;
+    for shaded in [
+        shade::phong(n, n, &mirror(1), Rgb::WHITE, [light]),
+        shade::blinn_phong(n, n, &mirror(1), Rgb::WHITE, [light]),
+    ] {
+        assert_eq!(shaded.total(), Rgb::WHITE);
+    }
+}
+
+// the sum
+
+fn no_lights_give_the_ambient<T: Float>() {
+    let n = UnitVec3::<T>::Z;
+    let shaded = shade::phong(n, n, &mirror(1), Rgb::gray(T::of(0.5)), []);
+    let expected = [0.5, 0.0, 0.0].map(|part| Rgb::gray(T::of(part)));
+    assert_eq!([shaded.ambient, shaded.diffuse, shaded.specular], expected);
+}
+
+/// Two lights of the largest number, from above.
+fn overflowing<T: Float>() -> [IncidentLight<T>; 2] {
+    [IncidentLight {
+        l: UnitVec3::Z,
+        intensity: Rgb::gray(T::MAX),
+    }; 2]
+}
+
+fn overflowing_sum_on_black_is_black<T: Float>() {
+    let n = UnitVec3::<T>::Z;
+    let black = Material {
+        k_a: Rgb::BLACK,
+        k_d: Rgb::BLACK,
+        k_s: Rgb::BLACK,
+        m: 1,
+    };
+    let shaded = shade::phong(n, n, &black, Rgb::gray(T::MAX), overflowing());
+    assert_eq!(shaded.total(), Rgb::BLACK);
+}
+
+fn overflowing_sum_is_the_largest_number<T: Float>() {
+    let n = UnitVec3::<T>::Z;
+    let shaded = shade::phong(n, n, &mirror(1), Rgb::BLACK, overflowing());
+    assert_eq!([shaded.diffuse, shaded.specular], [Rgb::gray(T::MAX); 2]);
+    assert_eq!(shaded.total().clamped(), Rgb::WHITE);
+}
+
+fn clamped_nan_is_zero<T: Float>() {
+    let colour = Rgb::new(T::NAN, T::INFINITY, -T::INFINITY).clamped();
+    assert_eq!(colour, Rgb::new(T::ZERO, T::ONE, T::ZERO));
+}
+
+// dual numbers
+
+/// The first variable, at `value`.
+fn variable<T: Float>(value: f64) -> Dual<T> {
+    Dual::point(at_x(T::of(value))).x
+}
+
+/// The value is what the plain number gives, and the derivative does not exist.
+fn assert_no_derivative<T: Float>(dual: Dual<T>, value: T) {
+    assert_eq!(dual.value, value);
+    assert!(!dual.gradient.x.is_finite(), "{dual:?}");
+}
+
+fn dual_root_at_zero_has_no_finite_gradient<T: Float>() {
+    assert_no_derivative(variable::<T>(0.0).sqrt(), T::ZERO);
+}
+
+fn dual_logarithm_at_zero_has_no_finite_gradient<T: Float>() {
+    assert_no_derivative(variable::<T>(0.0).ln(), -T::INFINITY);
+}
+
+fn dual_quotient_by_zero_has_no_finite_gradient<T: Float>() {
+    let x = variable::<T>(0.0);
+    assert_no_derivative(Dual::from(T::ONE) / x, T::INFINITY);
+    assert_no_derivative(x.powi(-1), T::INFINITY);
+    assert_no_derivative(variable::<T>(1.0) / T::ZERO, T::INFINITY);
+}
+
+fn dual_absolute_value_at_zero_is_flat<T: Float>() {
+    let zero = variable::<T>(0.0).abs();
+    assert_eq!((zero.value, zero.gradient), (T::ZERO, Vec3::ZERO));
+}
+
+fn dual_power_of_zero_is_one_and_flat<T: Float>() {
+    let x = variable::<T>(0.0).powi(0);
+    assert_eq!((x.value, x.gradient), (T::ONE, Vec3::ZERO));
+}
+
+/// The table in the documentation cites tests that are there.
+#[test]
+fn every_row_of_the_table_names_a_test() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |file: &str| std::fs::read_to_string(root.join(file)).expect(file);
+    let tests =
+        ["totality", "conventions", "extremes"].map(|name| read(&format!("tests/{name}.rs")));
+    let table = read("docs/totality.md");
+    let cited = table
+        .lines()
+        .filter(|line| line.ends_with(" |"))
+        .filter_map(|row| {
+            let cell = row.trim_end_matches(" |").rsplit("| ").next()?;
+            cell.strip_prefix('`')?.split('`').next()
+        });
+    let cited: Vec<&str> = cited.collect();
+    for name in &cited {
+        let definition = format!("fn {name}<");
+        let is_there = tests.iter().any(|text| text.contains(&definition));
+        assert!(is_there, "no test {name}");
+    }
+    assert_eq!(cited.len(), 53, "rows");
+}
