@@ -16,7 +16,7 @@ use crate::real::Real;
 /// assert!(real < whole);
 /// ```
 pub trait Exponent<T>: Copy {
-    /// cosineᵐ for a cosine within [0, 1]; 1 for m = 0.
+    /// cosineᵐ for a cosine within [0, 1]; 1 for m = 0. An m below 0, or not a number, counts as 0.
     ///
     /// A whole m is exact to a relative error of m·u, u the unit roundoff (2⁻²⁴ for `f32`), which
     /// is the power's own conditioning.
@@ -48,24 +48,24 @@ impl<T: Real> Exponent<T> for u32 {
 impl Exponent<f32> for f32 {
     #[inline]
     fn raise(self, cosine: f32) -> f32 {
-        libm::powf(cosine, self)
+        libm::powf(cosine, self.positive_part())
     }
 
     #[inline]
     fn raise_root(self, square: f32) -> f32 {
-        libm::powf(square, 0.5 * self)
+        libm::powf(square, 0.5 * self.positive_part())
     }
 }
 
 impl Exponent<f64> for f64 {
     #[inline]
     fn raise(self, cosine: f64) -> f64 {
-        libm::pow(cosine, self)
+        libm::pow(cosine, self.positive_part())
     }
 
     #[inline]
     fn raise_root(self, square: f64) -> f64 {
-        libm::pow(square, 0.5 * self)
+        libm::pow(square, 0.5 * self.positive_part())
     }
 }
 
