@@ -1,0 +1,210 @@
+//! Every `f32` of a domain.
+//!
+//! All of them take minutes: `cargo test --release -- --ignored`. A plain `cargo test` takes every
+//! 509th, or as many as `SHADING_STRIDE` says. An odd stride takes numbers with every last digit.
+
+use std::env;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::thread;
+
+use shading::{Attenuation, Exponent, Vec3, attenuation};
+
+/// u, the unit roundoff of `f32`.
+const U: f64 = 1.0 / 16_777_216.0;
+
+/// The shininess m, whole numbers and others.
+const WHOLE: [u32; 14] = [0, 1, 2, 3, 4, 5, 7, 8, 31, 32, 100, 1000, 9_999, 10_000];
+const REAL: [f32; 15] = [
+    0.0, 0.1, 0.5, 1.0, 1.5, 2.0, 2.2, 5.0, 10.3, 32.5, 100.0, 250.7, 1000.1, 4096.0, 10_000.0,
+];
+
+#[test]
+fn whole_powers_of_some_cosines() {
+    in_parallel(&WHOLE, |&m| whole_power(m, stride()));
+}
+
+#[test]
+fn real_powers_of_some_cosines() {
+    in_parallel(&REAL, |&m| real_power(m, stride()));
+}
+
+#[test]
+fn attenuation_at_some_distances() {
+    in_parallel(&COEFFICIENTS, |&abc| attenuation_falls(abc, stride()));
+}
+
+#[test]
+fn unit_vectors_of_some_lengths() {
+    in_parallel(&DIRECTIONS, |&direction| unit_is_right(direction, stride()));
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn whole_powers_of_every_cosine() {
+    in_parallel(&WHOLE, |&m| whole_power(m, 1));
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn real_powers_of_every_cosine() {
+    in_parallel(&REAL, |&m| real_power(m, 1));
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn attenuation_at_every_distance() {
+    in_parallel(&COEFFICIENTS, |&abc| attenuation_falls(abc, 1));
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn unit_vectors_of_every_length() {
+    in_parallel(&DIRECTIONS, |&direction| unit_is_right(direction, 1));
+}
+
+/// cosineᵐ is right to m roundings, and never falls with the cosine: each multiplication is
+/// monotone. (√square)ᵐ has the root's rounding besides, m times, where m is odd.
+fn whole_power(m: u32, stride: u32) {
+    let mut largest = 0.0;
+    for cosine in floats(1.0, stride) {
+        let (power, expected) = (m.raise(cosine), f64::from(cosine).powf(f64::from(m)));
+        let error = f64::from(power) - expected;
+        assert!(
+            error.abs() <= f64::from(m) * (U * expected + TINY),
+            "{cosine:e}^{m} = {power:e}"
+        );
+        assert!(power >= largest, "{cosine:e}^{m} falls");
+        largest = power;
+
+        let of_root = m.raise_root(cosine);
+        let expected = f64::from(cosine).powf(0.5 * f64::from(m));
+        let error = f64::from(of_root) - expected;
+        let tolerance = 2.0 * f64::from(m) * (U * expected + TINY);
+        assert!(error.abs() <= tolerance, "√{cosine:e}^{m} = {of_root:e}");
+    }
+}
+
+/// A real power is right to 2⁻²², is 1 for m = 0 and for a cosine of 1, and falls with the cosine by
+/// one unit in the last place at most.
+fn real_power(m: f32, stride: u32) {
+    let tolerance = 1.0 / f64::from(1 << 22);
+    let mut largest = 0.0_f32;
+    for cosine in floats(1.0, stride) {
+        let (power, expected) = (m.raise(cosine), f64::from(cosine).powf(m.into()));
+        let error = (f64::from(power) - expected).abs();
+        assert!(
+            error <= tolerance,
+            "{cosine:e}^{m} = {power:e}, off by {error:e}"
+        );
+        assert!(
+            power.to_bits() + 1 >= largest.to_bits(),
+            "{cosine:e}^{m} = {power:e} falls from {largest:e}"
+        );
+        largest = largest.max(power);
+
+        let of_root = m.raise_root(cosine);
+        let error = (f64::from(of_root) - f64::from(cosine).powf(0.5 * f64::from(m))).abs();
+        assert!(
+            error <= tolerance,
+            "√{cosine:e}^{m} = {of_root:e}, off by {error:e}"
+        );
+    }
+    assert!(m > 0.0 || largest.to_bits() == 1.0_f32.to_bits());
+    assert!(m.raise(1.0).to_bits() == 1.0_f32.to_bits());
+}
+
+/// The coefficients of an attenuation.
+const COEFFICIENTS: [[f32; 3]; 7] = [
+    [1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, 0.0, 1.0],
+    [1.0, 0.1, 0.01],
+    [0.3, 1e-20, 7e20],
+    [f32::MAX, 1.0, f32::MAX],
+    [f32::from_bits(1), f32::from_bits(1), f32::from_bits(1)],
+];
+
+/// The attenuation never rises with the distance, to the bit, and the limited one is the smaller of
+/// it and 1.
+fn attenuation_falls([a, b, c]: [f32; 3], stride: u32) {
+    let checked = Attenuation::<f32>::new(a, b, c).expect("coefficients");
+    let clamped = checked.clamped();
+    let mut smallest = f32::INFINITY;
+    for q in floats(f32::MAX, stride) {
+        let factor = attenuation(a, b, c, q);
+        assert!(factor <= smallest, "({a}, {b}, {c}) rises at {q:e}");
+        assert!(
+            checked.at(q).to_bits() == factor.min(f32::MAX).to_bits(),
+            "{q:e}"
+        );
+        assert!(
+            clamped.at(q).to_bits() == factor.min(1.0).to_bits(),
+            "{q:e}"
+        );
+        smallest = factor;
+    }
+}
+
+/// Directions whose components are multiples of the length.
+const DIRECTIONS: [[f32; 3]; 4] = [
+    [1.0, 0.0, 0.0],
+    [1.0, -1.0, 1.0],
+    [0.3, -1.0, 0.8],
+    [1e-4, 0.7, -1e-20],
+];
+
+/// v/|v| has an error of at most 3.5u: the sum of squares is off by 3u and its root by half of that,
+/// the root and the division round.
+fn unit_is_right(direction: [f32; 3], stride: u32) {
+    for length in floats(f32::MAX, stride).skip(1) {
+        let v = direction.map(|c| c * length);
+        let expected = v.map(f64::from);
+        let square: f64 = expected.iter().map(|c| c * c).sum();
+        let Some(unit) = Vec3::from(v).unit() else {
+            assert!(square == 0.0, "no direction at {length:e}");
+            continue;
+        };
+        let reciprocal = 1.0 / square.sqrt();
+        for (c, expected) in <[f32; 3]>::from(unit).into_iter().zip(expected) {
+            let expected = expected * reciprocal;
+            let tolerance = 3.5 * U * expected.abs() + TINY;
+            assert!(
+                (f64::from(c) - expected).abs() <= tolerance,
+                "{v:?} gives {unit:?}"
+            );
+        }
+    }
+}
+
+/// The smallest `f32`: what an operation that underflows may lose.
+#[allow(clippy::cast_lossless)] // From is not const
+const TINY: f64 = f32::from_bits(1) as f64;
+
+/// The stride of the plain tests.
+fn stride() -> u32 {
+    match env::var("SHADING_STRIDE") {
+        Ok(stride) => stride.parse().expect("SHADING_STRIDE is a whole number"),
+        Err(_) => 509,
+    }
+}
+
+/// Every `stride`-th number from 0 upward, and the last.
+fn floats(last: f32, stride: u32) -> impl Iterator<Item = f32> {
+    let bits = (0..last.to_bits()).step_by(stride as usize);
+    bits.chain([last.to_bits()]).map(f32::from_bits)
+}
+
+/// Runs a check for each input, on as many threads as there are cores.
+fn in_parallel<I: Sync>(inputs: &[I], check: impl Fn(&I) + Sync) {
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    let next = AtomicUsize::new(0);
+    thread::scope(|scope| {
+        for _ in 0..threads {
+            scope.spawn(|| {
+                while let Some(input) = inputs.get(next.fetch_add(1, Relaxed)) {
+                    check(input);
+                }
+            });
+        }
+    });
+}
