@@ -40,6 +40,12 @@ pub fn same<T: Number, V: Into<[T; 3]>>(a: V, b: V) -> TestCaseResult {
     Ok(())
 }
 
+/// Equal as numbers: bit for bit, but for the sign of a zero.
+pub fn equal<T: Number, V: Into<[T; 3]>>(a: V, b: V) -> TestCaseResult {
+    prop_assert_eq!(to_f64(a), to_f64(b));
+    Ok(())
+}
+
 /// Within an absolute `tolerance`, component by component.
 pub fn near<T: Number, V: Into<[T; 3]>>(a: V, b: V, tolerance: f64) -> TestCaseResult {
     let (a, b) = (to_f64(a), to_f64(b));

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use shading::{Dual, Elementary, Real, Vec3};
 
-use crate::check::{check, near, nearly, same, to_f64};
+use crate::check::{check, equal, near, nearly, same, to_f64};
 use crate::generators::point;
 use crate::number::Number;
 
@@ -75,8 +75,7 @@ fn plain_numbers_are_constants<T: Number>() {
         ];
         for (mixed, dual) in pairs {
             value(mixed, dual.value)?;
-            // adding 0 makes −0 into 0
-            same(mixed.gradient + Vec3::ZERO, dual.gradient + Vec3::ZERO)?;
+            equal(mixed.gradient, dual.gradient)?;
         }
         same(Dual::<T>::of(0.5).gradient, Vec3::ZERO)?;
         value(Dual::<T>::of(0.5), T::of(0.5))

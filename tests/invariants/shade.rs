@@ -284,15 +284,15 @@ fn reflectance_of<T: Number>(scene: &mut Scene<T>, which: usize) -> &mut Rgb<T> 
         .expect("one of three")
 }
 
-/// Whether no light adds so little that its number has lost bits.
+/// Whether no highlight is so faint that its products with I and k lose bits. One that vanished is
+/// exactly 0, and stays it.
 fn is_far_from_underflow<T: Number>(scene: &Scene<T>, model: Model) -> bool {
-    let threshold = (T::TINY.to_f64() / T::U).sqrt();
-    scene.lights.iter().all(|&light| {
-        let Shaded {
-            diffuse, specular, ..
-        } = scene.lit_by(model, &[light]);
-        let channels = to_f64(diffuse).into_iter().chain(to_f64(specular));
-        channels.into_iter().all(|c| c == 0.0 || c > threshold)
+    let faint = (T::TINY.to_f64() / T::U).sqrt();
+    let mut white = scene.map_intensities(|_| Rgb::WHITE);
+    white.material.k_s = Rgb::WHITE;
+    white.lights.iter().all(|&light| {
+        let factor = white.lit_by(model, &[light]).specular.r.to_f64();
+        factor == 0.0 || factor > faint
     })
 }
 

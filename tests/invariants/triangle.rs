@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use shading::{UnitVec3, Vec3, normal};
 
-use crate::check::{check, near, same, to_f64, within};
+use crate::check::{check, equal, near, same, to_f64, within};
 use crate::exact::{cross, dot, length, square_excess, subtract};
 use crate::generators::{adversarial_vector, dyadic_point, point, unit};
 use crate::number::Number;
@@ -65,7 +65,7 @@ fn cyclic_shift_changes_little<T: Number>() {
 fn swapping_two_vertices_negates<T: Number>() {
     check(well_conditioned::<T>(), |([a, b, c], conditioning)| {
         let n = -normal([a, b, c]).expect("a triangle");
-        same(normal([a, c, b]).expect("the same triangle"), n)?;
+        equal(normal([a, c, b]).expect("the same triangle"), n)?;
         for swapped in [[b, a, c], [c, b, a]] {
             let swapped = normal(swapped).expect("the same triangle");
             near(swapped, n, 2.0 * tolerance::<T>(conditioning))?;

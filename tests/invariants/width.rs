@@ -13,7 +13,8 @@ fn wide<T: Number>(n: UnitVec3<T>) -> UnitVec3<f64> {
     n.map(T::to_f64)
 }
 
-/// A vector of R is off by 7u, one of H by 3u, and a cosine by 2u.
+/// A vector of R is off by 7u, one of H by 3u, and a cosine by 2.5u: one of its products
+/// may be above ½, the sum of two is below 1, and the sum of all may reach it.
 fn directions_agree_with_double<T: Number>() {
     check(pair::<T>(), |[n, l]| {
         let [wide_n, wide_l] = [n, l].map(wide);
@@ -25,7 +26,7 @@ fn directions_agree_with_double<T: Number>() {
         )?;
         within(
             lambert(n, l).to_f64() - lambert(wide_n, wide_l),
-            2.0 * (T::U + own),
+            2.5 * (T::U + own),
         )?;
         if let (Some(h), Some(wide_h)) = (half_vector(n, l), half_vector(wide_n, wide_l)) {
             // the sum itself is off by 1u for components up to 2
