@@ -14,7 +14,7 @@ Usage: cargo run --release --example gallery -- [OPTIONS] [FOLDER]
 
 Options:
   --model FILE.obj     draw a model of your own instead, flat and smooth
-  --thumbnails         draw the pictures of the README instead, small
+  --thumbnails         draw the pictures of the README (docs/pictures) instead, small
   -h, --help           show this
 ";
 

@@ -29,10 +29,10 @@ use render::film::Film;
 use render::png;
 use scenes::Picture;
 
-const WIDTH: usize = 960;
-const HEIGHT: usize = 720;
+const WIDTH: usize = 800;
+const HEIGHT: usize = 600;
 /// How many times smaller the pictures of the README are.
-const THUMBNAIL: usize = 3;
+const THUMBNAIL: usize = 2;
 
 fn main() -> ExitCode {
     match run() {
@@ -55,15 +55,14 @@ fn run() -> Result<(), String> {
 fn draw(order: &Order) -> Result<(), String> {
     let pictures = match &order.model {
         Some(path) => scenes::model(&Model::read(path)?),
+        None if order.thumbnails => scenes::all().into_iter().filter(|p| p.in_readme).collect(),
         None => scenes::all(),
     };
     let folder = order.folder.clone().unwrap_or_else(default_folder);
     fs::create_dir_all(&folder)
         .map_err(|error| format!("cannot make the folder {}: {error}", folder.display()))?;
     for picture in pictures {
-        if picture.in_readme || !order.thumbnails {
-            draw_one(&picture, order.thumbnails, &folder)?;
-        }
+        draw_one(&picture, order.thumbnails, &folder)?;
     }
     Ok(())
 }

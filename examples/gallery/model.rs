@@ -12,6 +12,8 @@ use crate::render::mesh::{Flat, Mesh, Smooth};
 
 /// A model that stands on the floor y = 0 at the origin.
 pub struct Model {
+    /// Up to which y it reaches.
+    pub height: f32,
     mesh: Arc<Mesh>,
     /// The file's normals at the corners of the triangles; zero where it has none.
     normals: Option<Vec<[Vec3<f32>; 3]>>,
@@ -59,6 +61,7 @@ impl Model {
             return Err("it has no face with an area".into());
         }
         Ok(Self {
+            height: positions.iter().map(|p| p.y).fold(0.0, f32::max),
             normals: (normals.len() == corners.len()).then_some(normals),
             mesh: Arc::new(Mesh::new(positions, corners)),
         })
@@ -107,6 +110,10 @@ fn triangles(obj: &str) -> Result<Vec<Triangle>, String> {
     if triangles.is_empty() {
         return Err("it has no faces".into());
     }
+    let mut coordinates = triangles.iter().flat_map(|(corners, _)| corners).flatten();
+    if !coordinates.all(|coordinate| coordinate.is_finite()) {
+        return Err("a vertex has a coordinate that is not a finite number".into());
+    }
     Ok(triangles)
 }
 
@@ -131,34 +138,39 @@ fn explained(error: LoadError, read: &str) -> String {
 
 /// The triangles moved to the middle of the floor and scaled to at most 2 high and 2.8 wide.
 fn placed(triangles: &[Triangle]) -> Result<Vec<[Vec3<f32>; 3]>, String> {
-    let vertices = || triangles.iter().flat_map(|(corners, _)| corners);
-    if !vertices()
-        .flatten()
-        .all(|coordinate| coordinate.is_finite())
-    {
-        return Err("a vertex has a coordinate that is not a finite number".into());
-    }
-    // in f64, where the extent of finite numbers is finite
-    let ends = [0, 1, 2].map(|axis| {
-        let along = || vertices().map(|vertex| f64::from(vertex[axis]));
-        (
-            along().fold(f64::MAX, f64::min),
-            along().fold(f64::MIN, f64::max),
-        )
-    });
-    let extent = ends.map(|(low, high)| high - low);
-    let scale = (2.0 / extent[1]).min(2.8 / extent[0].max(extent[2]));
+    /// A hair above the floor, where a flat model is seen.
+    const GAP: f64 = 2e-3;
+
+    let [x, y, z] = [0, 1, 2].map(|axis| ends(triangles, axis));
+    let extent = |[low, high]: [f64; 2]| high - low;
+    let scale = (2.0 / extent(y)).min(2.8 / extent(x).max(extent(z)));
     if !scale.is_finite() {
         return Err("all its vertices are one point".into());
     }
-    let middle = ends.map(|(low, high)| 0.5 * (low + high));
-    let foot = [middle[0], ends[1].0, middle[2]];
     let place = |vertex: [f32; 3]| {
-        let along = |axis: usize| ((f64::from(vertex[axis]) - foot[axis]) * scale) as f32;
-        Vec3::new(along(0), along(1), along(2))
+        let [along_x, along_y, along_z] = vertex.map(f64::from);
+        let placed = Vec3::new(
+            (along_x - f64::midpoint(x[0], x[1])) * scale,
+            (along_y - y[0]) * scale + GAP,
+            (along_z - f64::midpoint(z[0], z[1])) * scale,
+        );
+        placed.map(|coordinate| coordinate as f32)
     };
     Ok(triangles
         .iter()
         .map(|(corners, _)| corners.map(place))
         .collect())
+}
+
+/// The least and the greatest coordinate along an axis; as `f64`, so that their difference is
+/// finite.
+fn ends(triangles: &[Triangle], axis: usize) -> [f64; 2] {
+    let along = || {
+        let vertices = triangles.iter().flat_map(|(corners, _)| corners);
+        vertices.map(|vertex| f64::from(vertex[axis]))
+    };
+    [
+        along().fold(f64::INFINITY, f64::min),
+        along().fold(f64::NEG_INFINITY, f64::max),
+    ]
 }

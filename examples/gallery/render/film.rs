@@ -27,23 +27,19 @@ const SAMPLES: u32 = 16;
 const CONTRAST: f32 = 3.0 / 255.0;
 
 impl Film {
+    /// One sample in the middle of each pixel; more where that is not enough.
     pub fn of(view: &dyn View, width: usize, height: usize) -> Self {
         let aspect = width as f32 / height as f32;
         let sample = |column: usize, row: usize, dx: f32, dy: f32| {
             let x = (column as f32 + dx) / width as f32 * 2.0 - 1.0;
             let y = 1.0 - (row as f32 + dy) / height as f32 * 2.0;
+            // each sample on its own: the edge of a highlight brighter than white stays smooth
             view.color(x, y, aspect).clamped()
         };
         let rough = Self::filled(width, height, |column, row| sample(column, row, 0.5, 0.5));
-        let encoded = Self {
-            width,
-            height,
-            pixels: rough
-                .pixels
-                .iter()
-                .map(|&pixel| pixel.map(srgb::encode))
-                .collect(),
-        };
+        let encoded = Self::filled(width, height, |column, row| {
+            rough.at(column, row).map(srgb::encode)
+        });
         Self::filled(width, height, |column, row| {
             if encoded.has_contrast(column, row) {
                 let sum: Rgb<f32> = spread(SAMPLES)

@@ -1,6 +1,6 @@
 //! Rays, what they hit, and how they are sent through a picture.
 
-use shading::{UnitVec3, Vec3};
+use shading::{Elementary, UnitVec3, Vec3};
 
 /// How far a shadow ray starts above its surface, so that rounding does not shade the surface by
 /// itself. The scenes are a few units large.
@@ -79,7 +79,8 @@ enum Lens {
 impl Camera {
     /// Sees `degrees` from the lower to the upper edge of the picture.
     pub fn perspective(eye: [f32; 3], at: [f32; 3], degrees: f32) -> Self {
-        let tangent = (degrees.to_radians() / 2.0).tan();
+        let half = degrees.to_radians() / 2.0;
+        let tangent = Elementary::sin(half) / Elementary::cos(half);
         Self::new(eye.into(), at.into(), Lens::Perspective(tangent))
     }
 

@@ -33,6 +33,8 @@ pub enum Model {
 pub struct Object {
     surface: Box<dyn Surface>,
     look: Look,
+    /// The distances from the scene's origin between which it fades into the backdrop.
+    fade: Option<[f32; 2]>,
 }
 
 enum Look {
@@ -54,6 +56,7 @@ impl Object {
         Self {
             surface: Box::new(surface),
             look: Look::Painted(Box::new(paint)),
+            fade: None,
         }
     }
 
@@ -61,7 +64,21 @@ impl Object {
         Self {
             surface: Box::new(surface),
             look: Look::Glowing(color),
+            fade: None,
         }
+    }
+
+    /// Fades into the backdrop with the distance from the scene's origin, so that a floor has no
+    /// horizon.
+    pub fn fading(self, near: f32, far: f32) -> Self {
+        let fade = Some([near, far]);
+        Self { fade, ..self }
+    }
+
+    /// How much of the backdrop covers it at a point.
+    fn faded(&self, p: Vec3<f32>) -> f32 {
+        self.fade
+            .map_or(0.0, |[near, far]| (length(p) - near) / (far - near))
     }
 }
 
@@ -70,27 +87,17 @@ impl Object {
 pub struct Backdrop {
     pub center: Rgb<f32>,
     pub edge: Rgb<f32>,
-    /// The distances from the scene's origin between which things fade into the backdrop, so that
-    /// a floor has no horizon.
-    pub fade: [f32; 2],
 }
 
 impl Backdrop {
     pub const BLACK: Self = Self {
         center: Rgb::BLACK,
         edge: Rgb::BLACK,
-        fade: [f32::MAX; 2],
     };
 
     /// At the point (x, y) of the picture.
     fn color(&self, x: f32, y: f32) -> Rgb<f32> {
         mix(self.center, self.edge, (x * x + y * y).sqrt() / 1.2)
-    }
-
-    /// What is left of it over a point of the scene.
-    fn over(&self, p: Vec3<f32>) -> f32 {
-        let [near, far] = self.fade;
-        (p.dot(p).sqrt() - near) / (far - near)
     }
 }
 
@@ -102,8 +109,7 @@ fn mix(a: Rgb<f32>, b: Rgb<f32>, share: f32) -> Rgb<f32> {
 }
 
 impl Scene {
-    /// The light that comes back along a ray, where there is something.
-    fn seen(&self, ray: &Ray) -> Option<(Hit, Rgb<f32>)> {
+    fn nearest(&self, ray: &Ray) -> Option<(Hit, &Object)> {
         let mut nearest: Option<(Hit, &Object)> = None;
         for object in &self.objects {
             let limit = nearest.map_or(f32::INFINITY, |(hit, _)| hit.t);
@@ -113,12 +119,7 @@ impl Scene {
                 .map(|hit| (hit, object))
                 .or(nearest);
         }
-        let (hit, object) = nearest?;
-        let color = match &object.look {
-            Look::Painted(paint) => (self.part)(self.shaded(ray, &hit, &paint(&hit))),
-            Look::Glowing(color) => *color,
-        };
-        Some((hit, color))
+        nearest
     }
 
     fn shaded(&self, ray: &Ray, hit: &Hit, material: &Finish) -> Shaded<f32> {
@@ -162,10 +163,15 @@ fn length(v: Vec3<f32>) -> f32 {
 impl View for Scene {
     fn color(&self, x: f32, y: f32, aspect: f32) -> Rgb<f32> {
         let backdrop = self.backdrop.color(x, y);
-        match self.seen(&self.camera.ray(x * aspect, y)) {
-            Some((hit, color)) => mix(color, backdrop, self.backdrop.over(hit.p)),
-            None => backdrop,
-        }
+        let ray = self.camera.ray(x * aspect, y);
+        let Some((hit, object)) = self.nearest(&ray) else {
+            return backdrop;
+        };
+        let color = match &object.look {
+            Look::Painted(paint) => (self.part)(self.shaded(&ray, &hit, &paint(&hit))),
+            Look::Glowing(color) => *color,
+        };
+        mix(color, backdrop, object.faded(hit.p))
     }
 }
 

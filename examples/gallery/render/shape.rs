@@ -26,14 +26,22 @@ impl Sphere {
         let square = self.radius * self.radius - aside.dot(aside);
         (square > 0.0).then(|| [middle - square.sqrt(), middle + square.sqrt()])
     }
+
+    fn first_crossing(&self, ray: &Ray, limit: f32) -> Option<f32> {
+        let crossings = self.crossings(ray)?;
+        crossings.into_iter().find(|&t| 0.0 < t && t < limit)
+    }
 }
 
 impl Surface for Sphere {
     fn hit(&self, ray: &Ray, limit: f32) -> Option<Hit> {
-        let crossings = self.crossings(ray)?;
-        let t = crossings.into_iter().find(|&t| 0.0 < t && t < limit)?;
+        let t = self.first_crossing(ray, limit)?;
         let n = normal::sphere(self.center, ray.at(t))?;
         Some(Hit::new(ray, t, n))
+    }
+
+    fn blocks(&self, ray: &Ray, limit: f32) -> bool {
+        self.first_crossing(ray, limit).is_some()
     }
 }
 

@@ -8,7 +8,7 @@ use crate::render::scene::{Backdrop, Grid, Object, Scene};
 use crate::render::shape::{Plane, Sphere};
 
 pub fn pictures() -> Vec<Picture> {
-    vec![Picture::new("15_attenuation", strips()).for_readme()]
+    vec![Picture::new("15_attenuation", strips())]
 }
 
 /// One lamp and three attenuations: from above constant, linear, quadratic; the same at a distance

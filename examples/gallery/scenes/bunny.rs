@@ -12,21 +12,22 @@ const DATA: &str = include_str!("../data/bunny.obj");
 pub fn pictures() -> Vec<Picture> {
     let bunny = Model::parse(DATA).expect("the gallery's own model is in order");
     vec![
-        Picture::new("21_bunny_flat", pedestal(bunny.flat())).for_readme(),
-        Picture::new("22_bunny_smooth", pedestal(bunny.smooth())).for_readme(),
+        Picture::new("21_bunny_flat", shown(bunny.flat(), bunny.height)),
+        Picture::new("22_bunny_smooth", shown(bunny.smooth(), bunny.height)),
     ]
 }
 
 /// A model of the user's.
 pub fn model(model: &Model) -> Vec<Picture> {
     vec![
-        Picture::new("model_flat", pedestal(model.flat())).for_readme(),
-        Picture::new("model_smooth", pedestal(model.smooth())).for_readme(),
+        Picture::new("model_flat", shown(model.flat(), model.height)),
+        Picture::new("model_smooth", shown(model.smooth(), model.height)),
     ]
 }
 
-fn pedestal(surface: impl Surface + 'static) -> Scene {
-    let camera = Camera::perspective([0.0, 2.6, 7.4], [0.0, 0.93, 0.0], 21.0);
+/// A model of a known height, in the middle of the picture.
+fn shown(surface: impl Surface + 'static, height: f32) -> Scene {
+    let camera = Camera::perspective([0.0, 2.6, 7.4], [0.0, 0.465 * height, 0.0], 21.0);
     Scene {
         objects: vec![
             floor(matt(Rgb::gray(0.16))),

@@ -85,7 +85,6 @@ fn sunset() -> Grid<Scene> {
         let sky = Backdrop {
             center: Rgb::new(0.1, 0.07, 0.075),
             edge: Rgb::new(0.012, 0.014, 0.03),
-            fade: [7.0, 22.0],
         };
         let disc = Sphere {
             center: SUN,
@@ -93,7 +92,7 @@ fn sunset() -> Grid<Scene> {
         };
         Scene {
             objects: vec![
-                floor(glossy(Rgb::new(0.03, 0.06, 0.1), 0.8, m)),
+                floor(glossy(Rgb::new(0.03, 0.06, 0.1), 0.8, m)).fading(7.0, 22.0),
                 Object::glowing(disc, ORANGE),
             ],
             lights: vec![Light::Point(PointLight {

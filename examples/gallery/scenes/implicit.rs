@@ -5,13 +5,13 @@ use shading::{DirectionalLight, Elementary, Light, Rgb, Vec3};
 use super::{Picture, STUDIO, empty, floor, glossy, matt, towards};
 use crate::render::implicit::{Field, Implicit};
 use crate::render::ray::Camera;
-use crate::render::scene::{Backdrop, Object, Scene};
+use crate::render::scene::{Object, Scene};
 
 pub fn pictures() -> Vec<Picture> {
     vec![
         Picture::new("18_sphere_and_torus", sphere_and_torus()),
         Picture::new("19_gyroid", gyroid()).for_readme(),
-        Picture::new("20_metaballs", metaballs()).for_readme(),
+        Picture::new("20_metaballs", metaballs()),
     ]
 }
 
@@ -91,19 +91,14 @@ impl Field for Gyroid {
 }
 
 fn gyroid() -> Scene {
-    let camera = Camera::perspective([2.2, 1.9, 6.4], [0.0; 3], 25.0);
+    let camera = Camera::perspective([-0.7, 2.3, 6.4], [0.0; 3], 28.5);
     lit(Scene {
         objects: vec![Object::new(
             Implicit::new(Gyroid, [0.0; 3], 1.31),
             glossy(Rgb::new(0.6, 0.3, 0.08), 0.35, 40),
         )],
-        ..empty(
-            camera,
-            Backdrop {
-                fade: [f32::MAX; 2],
-                ..STUDIO
-            },
-        )
+        ambient: Rgb::gray(0.17),
+        ..empty(camera, STUDIO)
     })
 }
 

@@ -22,7 +22,7 @@ pub fn pictures() -> Vec<Picture> {
             "12_spot_light",
             pins(Light::Spot(SPOT), Some(SPOT.point.position)),
         ),
-        Picture::new("13_area_light", balls_under_a_square()).for_readme(),
+        Picture::new("13_area_light", balls_under_a_square()),
         Picture::new("14_three_colors_make_white", three_colors()).for_readme(),
     ]
 }
@@ -60,7 +60,7 @@ const SPOT: SpotLight<f32> = SpotLight {
 fn pins(light: Light<f32>, lamp: Option<Vec3<f32>>) -> Scene {
     let camera = Camera::perspective([2.9, 5.0, 7.6], [0.0, 0.42, 0.1], 30.0);
     let grey = |value| glossy(Rgb::new(value, 0.98 * value, 0.95 * value), 0.0, 1);
-    let mut objects = vec![tiles(grey(0.42), grey(0.3))];
+    let mut objects = vec![tiles(grey(0.42), grey(0.3)).fading(2.4, 6.5)];
     for (x, z) in [-1.5, 0.0, 1.5]
         .into_iter()
         .flat_map(|x| [(x, -1.5), (x, 0.0), (x, 1.5)])
@@ -81,13 +81,7 @@ fn pins(light: Light<f32>, lamp: Option<Vec3<f32>>) -> Scene {
         objects,
         lights: vec![light],
         ambient: Rgb::gray(0.09),
-        ..empty(
-            camera,
-            Backdrop {
-                fade: [2.4, 6.5],
-                ..STUDIO
-            },
-        )
+        ..empty(camera, STUDIO)
     }
 }
 
@@ -134,7 +128,7 @@ fn balls_under_a_square() -> Scene {
     };
     Scene {
         objects: vec![
-            floor(matt(Rgb::gray(0.34))),
+            floor(matt(Rgb::gray(0.34))).fading(1.5, 5.2),
             ball(-1.3, 0.55, 0.2, 0.55, Rgb::new(0.1, 0.36, 0.3)),
             ball(0.1, 0.95, -0.3, 0.55, Rgb::new(0.62, 0.4, 0.08)),
             ball(1.5, 0.4, 0.5, 0.4, Rgb::new(0.58, 0.14, 0.08)),
@@ -153,7 +147,8 @@ fn three_colors() -> Scene {
         Rgb::new(0.0, 0.0, 1.0),
     ];
     let spot = |(i, intensity)| {
-        let (sin, cos) = (TAU * (i as f32 / 3.0 + 0.25)).sin_cos();
+        let angle = TAU * (i as f32 / 3.0 + 0.25);
+        let (cos, sin) = (Elementary::cos(angle), Elementary::sin(angle));
         let position = Vec3::new(4.2 * cos, 7.5, -4.2 * sin);
         let target = Vec3::new(0.55 * cos, 0.0, -0.55 * sin);
         Light::Spot(SpotLight {
@@ -169,7 +164,7 @@ fn three_colors() -> Scene {
     let white = matt(Rgb::gray(0.92));
     Scene {
         objects: vec![
-            floor(white),
+            floor(white).fading(2.5, 6.0),
             Object::new(
                 Sphere::new([0.0, 0.42, 0.0], 0.42),
                 glossy(Rgb::gray(0.75), 0.2, 60),
@@ -177,12 +172,6 @@ fn three_colors() -> Scene {
         ],
         lights: spots.into_iter().enumerate().map(spot).collect(),
         ambient: Rgb::gray(0.01),
-        ..empty(
-            camera,
-            Backdrop {
-                fade: [3.0, 7.0],
-                ..Backdrop::BLACK
-            },
-        )
+        ..empty(camera, Backdrop::BLACK)
     }
 }

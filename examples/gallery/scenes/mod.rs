@@ -72,7 +72,6 @@ fn empty(camera: Camera, backdrop: Backdrop) -> Scene {
 const STUDIO: Backdrop = Backdrop {
     center: Rgb::new(0.055, 0.06, 0.07),
     edge: Rgb::new(0.008, 0.009, 0.011),
-    fade: [1.0, 4.6],
 };
 
 /// A material of one colour that reflects the ambient light as it does the others.
@@ -89,12 +88,12 @@ const fn matt(color: Rgb<f32>) -> Finish {
     glossy(color, 0.0, 1)
 }
 
-/// The floor y = 0.
+/// The floor y = 0 around the origin.
 fn floor(finish: Finish) -> Object {
-    Object::new(floor_plane(), finish)
+    Object::new(floor_plane(), finish).fading(1.0, 4.6)
 }
 
-/// The floor y = 0 in squares of one unit.
+/// The same in squares of one unit.
 fn tiles(light: Finish, dark: Finish) -> Object {
     Object::painted(floor_plane(), move |hit| {
         let odd = (hit.p.x.floor() + hit.p.z.floor()).rem_euclid(2.0) > 0.5;
@@ -103,9 +102,7 @@ fn tiles(light: Finish, dark: Finish) -> Object {
 }
 
 fn floor_plane() -> Plane {
-    const UP: [f32; 4] = [0.0, 1.0, 0.0, 0.0];
-    let [a, b, c, d] = UP;
-    Plane::new(a, b, c, d).expect("it has a normal")
+    Plane::new(0.0, 1.0, 0.0, 0.0).expect("it has a normal")
 }
 
 /// The direction (x, y, z), which is not zero.

@@ -25,13 +25,9 @@ fn still_life(part: Part) -> Scene {
     const BLUE: Rgb<f32> = Rgb::new(0.06, 0.2, 0.55);
 
     let camera = Camera::perspective([0.0, 2.7, 7.2], [0.16, 0.7, 0.0], 32.0);
-    let backdrop = Backdrop {
-        fade: [1.6, 5.2],
-        ..Backdrop::BLACK
-    };
     Scene {
         objects: vec![
-            floor(glossy(Rgb::gray(0.24), 0.08, 20)),
+            floor(glossy(Rgb::gray(0.24), 0.08, 20)).fading(1.6, 5.2),
             Object::new(Sphere::new([-1.35, 0.8, 0.25], 0.8), glossy(RED, 0.45, 60)),
             Object::new(ring(), glossy(GOLD, 0.5, 25)),
             Object::new(cube(), glossy(BLUE, 0.4, 40)),
@@ -43,7 +39,7 @@ fn still_life(part: Part) -> Scene {
         })],
         ambient: Rgb::gray(0.2),
         part,
-        ..empty(camera, backdrop)
+        ..empty(camera, Backdrop::BLACK)
     }
 }
 
