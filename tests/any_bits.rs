@@ -61,7 +61,7 @@ fn whole() -> impl Strategy<Value = u32> {
 /// Feeds a check with numbers, over and over the same list.
 fn with_numbers<T: Float>(check: fn(Numbers<T>)) {
     let config = ProptestConfig {
-        cases: 1000,
+        cases: 5000,
         failure_persistence: None,
         ..<_>::default()
     };

@@ -1,7 +1,7 @@
 //! Every public function, with numbers of the fuzzer's bits, in `f32` and in `f64`: nothing panics,
 //! and finite valid input gives neither NaN nor negative light.
 #![no_main]
-#![allow(dead_code)] // the tests use more of what they share
+#![allow(dead_code, unused_imports, unused_macros)] // the tests use more of what they share
 
 #[path = "../../tests/support/everything.rs"]
 mod everything;

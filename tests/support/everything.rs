@@ -243,7 +243,11 @@ pub fn finite_and_valid<T: Float>(numbers: Numbers<T>) {
     let position = signed.vector();
     assert_unit_if_any(normal::triangle(p, position, signed.vector()));
 
-    let mut positive = || finite().abs();
+    // −0 is not negative, and stays
+    let mut positive = || {
+        let x = finite();
+        if x < T::ZERO { -x } else { x }
+    };
     let mut numbers = Numbers {
         next: &mut positive,
         m: whole,

@@ -251,15 +251,7 @@ impl<const BITS: u32> Exponent<Self> for Running<BITS> {
 impl<const BITS: u32> Number for Running<BITS> {
     fn attenuation(coefficients: [f64; 3]) -> Option<Attenuation<Self>> {
         let [a, b, c] = coefficients;
-        Attenuation::<f64>::new(a, b, c).map(|checked| {
-            checked.map(|x| {
-                if x == f64::MAX {
-                    Self::MAX
-                } else {
-                    Self::of(x)
-                }
-            })
-        })
+        Attenuation::<f64>::new(a, b, c).map(|checked| checked.map(Self::of))
     }
 
     fn cone(degrees: f64) -> Option<Cone<Self>> {
