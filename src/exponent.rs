@@ -1,5 +1,6 @@
 //! Floor 0: the shininess m, and the power of a cosine.
 
+use crate::power::power;
 use crate::real::Real;
 
 /// The shininess m of a highlight: a whole number (`u32`) or a real one (`f32`, `f64`).
@@ -19,7 +20,8 @@ pub trait Exponent<T>: Copy {
     /// cosineᵐ for a cosine within [0, 1]; 1 for m = 0. An m below 0, or not a number, counts as 0.
     ///
     /// A whole m is exact to a relative error of m·u, u the unit roundoff (2⁻²⁴ for `f32`), which
-    /// is the power's own conditioning.
+    /// is the power's own conditioning; a power below 2⁻⁸⁹ may be 0. A real m is exact to an
+    /// absolute error of 2⁻²² in `f32`.
     #[must_use]
     fn raise(self, cosine: T) -> T;
 
@@ -32,15 +34,15 @@ pub trait Exponent<T>: Copy {
 impl<T: Real> Exponent<T> for u32 {
     #[inline]
     fn raise(self, cosine: T) -> T {
-        by_squaring(cosine, self)
+        by_squaring(perceptible(cosine, self), self)
     }
 
     #[inline]
     fn raise_root(self, square: T) -> T {
         if self % 2 == 0 {
-            by_squaring(square, self / 2)
+            (self / 2).raise(square)
         } else {
-            by_squaring(square.sqrt(), self)
+            self.raise(square.sqrt())
         }
     }
 }
@@ -48,12 +50,12 @@ impl<T: Real> Exponent<T> for u32 {
 impl Exponent<f32> for f32 {
     #[inline]
     fn raise(self, cosine: f32) -> f32 {
-        libm::powf(cosine, self.positive_part())
+        power(cosine, self.positive_part())
     }
 
     #[inline]
     fn raise_root(self, square: f32) -> f32 {
-        libm::powf(square, 0.5 * self.positive_part())
+        power(square, 0.5 * self.positive_part())
     }
 }
 
@@ -67,6 +69,19 @@ impl Exponent<f64> for f64 {
     fn raise_root(self, square: f64) -> f64 {
         libm::pow(square, 0.5 * self.positive_part())
     }
+}
+
+/// A base in [0, 1], or 0 where its power would be next to nothing: below 2⁻⁸⁹ for every m up to
+/// 2²⁴. So no step of the squaring meets a subnormal `f32`, which costs processors up to a hundred
+/// times as much as another number.
+#[inline]
+fn perceptible<T: Real>(base: T, m: u32) -> T {
+    // the bits of a float are its logarithm, all but linearly: these are a little above those of
+    // 2^(-126/m), never those of 1, and for m = 1 those of the largest subnormal
+    const ONE: u32 = 0x3F80_0000;
+    const LEAST_NORMAL: u32 = 0x0080_0000;
+    let least = f32::from_bits(ONE - 1 - (ONE - LEAST_NORMAL) / m.max(1));
+    base.if_above(T::of(f64::from(least)), base, T::ZERO)
 }
 
 /// baseᵐ by squaring from the lowest bit of m up, without a multiplication by one or a square too

@@ -76,6 +76,7 @@
 
 // floor 0: numbers
 mod exponent;
+mod power;
 mod real;
 mod root;
 // floor 1: vectors and colours

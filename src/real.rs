@@ -67,18 +67,32 @@ pub trait Real:
         (low - self).any_positive() | (self - high).any_positive()
     }
 
+    /// `then` where `self` > `threshold`, and `otherwise` where it is not, lane by lane.
+    #[inline]
+    #[must_use]
+    fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
+        (self - threshold).if_positive(then, otherwise)
+    }
+
     /// max(0, self), and 0 for NaN.
     #[inline]
     #[must_use]
     fn positive_part(self) -> Self {
-        self.if_positive(self, Self::ZERO)
+        self.at_least(Self::ZERO)
+    }
+
+    /// max(self, floor), and the floor for NaN.
+    #[inline]
+    #[must_use]
+    fn at_least(self, floor: Self) -> Self {
+        self.if_above(floor, self, floor)
     }
 
     /// min(self, limit).
     #[inline]
     #[must_use]
     fn at_most(self, limit: Self) -> Self {
-        (self - limit).if_positive(limit, self)
+        self.if_above(limit, limit, self)
     }
 }
 
@@ -169,10 +183,11 @@ macro_rules! float {
                 above_low > high.to_bits().wrapping_sub(low.to_bits())
             }
 
+            // a comparison that the compiler can turn into the processor's minimum or maximum;
             // `f32::min` is a library call on Arm
             #[inline]
-            fn at_most(self, limit: Self) -> Self {
-                if self > limit { limit } else { self }
+            fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
+                if self > threshold { then } else { otherwise }
             }
         }
 
