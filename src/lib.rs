@@ -97,6 +97,8 @@ mod material;
 pub mod shade;
 
 mod interop;
+#[cfg(feature = "wide")]
+mod lanes;
 
 pub use attenuation::{Attenuation, Cone, attenuation};
 pub use direction::{half_vector, reflection};

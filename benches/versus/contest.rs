@@ -1,0 +1,87 @@
+//! Taking times side by side.
+
+use std::time::Instant;
+
+use crate::scene::{LIGHTS, POINTS};
+
+const REPETITIONS: usize = 2000;
+
+pub struct Contestant<'a> {
+    name: &'static str,
+    shade: Box<dyn FnMut() + 'a>,
+    times: Vec<f64>,
+}
+
+impl<'a> Contestant<'a> {
+    /// `shade` shades the whole scene once.
+    pub fn new(name: &'static str, shade: impl FnMut() + 'a) -> Self {
+        Self {
+            name,
+            shade: Box::new(shade),
+            times: Vec::with_capacity(REPETITIONS),
+        }
+    }
+
+    fn median(&self) -> f64 {
+        let mut times = self.times.clone();
+        times.sort_by(f64::total_cmp);
+        times[times.len() / 2]
+    }
+}
+
+/// Runs all contestants and prints what each takes per point and light: the median of repetitions
+/// that are interleaved, so that whatever slows the machine down slows them all.
+pub struct Results(Vec<(&'static str, f64)>);
+
+impl Results {
+    pub fn of(mut contestants: Vec<Contestant>) -> Self {
+        for repetition in 0..REPETITIONS + 50 {
+            for contestant in &mut contestants {
+                let start = Instant::now();
+                (contestant.shade)();
+                // the first ones warm the caches up
+                if repetition >= 50 {
+                    contestant.times.push(start.elapsed().as_secs_f64());
+                }
+            }
+        }
+        #[allow(clippy::cast_precision_loss)]
+        let per_light = 1e9 / (POINTS * LIGHTS) as f64;
+        let medians = contestants.iter().map(|c| (c.name, c.median() * per_light));
+        let results = Self(medians.collect());
+        for (name, nanoseconds) in &results.0 {
+            println!("{name:28} {nanoseconds:6.2} ns per point and light");
+        }
+        results
+    }
+
+    /// Prints ours/theirs, where both took part.
+    pub fn ratio(&self, case: &str, ours: &str, theirs: &str) {
+        let find = |wanted| self.0.iter().find(|(name, _)| *name == wanted);
+        match (find(ours), find(theirs)) {
+            (Some((_, ours)), Some((_, theirs))) => println!("ratio {case} {:.3}", ours / theirs),
+            _ => println!("no ratio {case}: no C compiler was found"),
+        }
+    }
+}
+
+/// The images show the same: their formulas are the same, only the rounding differs.
+///
+/// # Panics
+///
+/// If they do not.
+pub fn agree(
+    name: &str,
+    ours: impl IntoIterator<Item = [f32; 3]>,
+    theirs: impl IntoIterator<Item = [f32; 3]>,
+) {
+    // four highlights of at most 2 each, wrong by m·8u
+    const TOLERANCE: f32 = 8.0 * 50.5 * 8.0 * f32::EPSILON / 2.0;
+    let (ours, theirs) = (ours.into_iter().flatten(), theirs.into_iter().flatten());
+    for (ours, theirs) in ours.zip(theirs) {
+        assert!(
+            (ours - theirs).abs() <= TOLERANCE,
+            "{name} shows {theirs}, not {ours}"
+        );
+    }
+}

@@ -1,0 +1,62 @@
+//! What all contestants shade: random points with random normals, about half of them turned away
+//! from each light, and four point lights.
+
+/// 4,096 is a power of two, so every number of lanes divides it.
+pub const POINTS: usize = 4096;
+/// How many a renderer has, it learns at run time; so no contestant knows the number beforehand.
+pub const LIGHTS: usize = 4;
+
+/// The shininess as a real number and as a whole one.
+pub const REAL_M: f32 = 50.5;
+pub const WHOLE_M: u32 = 50;
+
+pub const AMBIENT: [f32; 3] = [0.1, 0.1, 0.12];
+pub const K_A: [f32; 3] = [0.3, 0.25, 0.2];
+pub const K_D: [f32; 3] = [0.6, 0.5, 0.4];
+pub const K_S: [f32; 3] = [0.4, 0.4, 0.35];
+/// a, b, c of 1/(a + bq + cq²)
+pub const ATTENUATION: [f32; 3] = [1.0, 0.1, 0.05];
+
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct Lamp {
+    pub position: [f32; 3],
+    pub intensity: [f32; 3],
+}
+
+pub struct Scene {
+    pub points: Vec<[f32; 3]>,
+    pub normals: Vec<[f32; 3]>,
+    /// the directions to the eye
+    pub eyes: Vec<[f32; 3]>,
+    pub lamps: Vec<Lamp>,
+}
+
+impl Scene {
+    /// The same scene at every call.
+    pub fn new() -> Self {
+        let mut random = fastrand::Rng::with_seed(1975);
+        let mut within = |size: f32| [(); 3].map(|()| size * (2.0 * random.f32() - 1.0));
+        let lamp = |_| Lamp {
+            position: within(4.0),
+            intensity: within(0.5).map(|channel| channel + 1.0),
+        };
+        let lamps = (0..LIGHTS).map(lamp).collect();
+        let mut direction = || loop {
+            let v = within(1.0);
+            let square: f32 = v.iter().map(|c| c * c).sum();
+            if (0.01..1.0).contains(&square) {
+                return v.map(|c| c / square.sqrt());
+            }
+        };
+        let normals = (0..POINTS).map(|_| direction()).collect();
+        let eyes = (0..POINTS).map(|_| direction()).collect();
+        let points = (0..POINTS).map(|_| within(1.0)).collect();
+        Self {
+            points,
+            normals,
+            eyes,
+            lamps,
+        }
+    }
+}

@@ -1,0 +1,123 @@
+//! SIMD lanes: [`Real`] and [`Exponent`] for the types of the crate `wide`. Each lane has the bits
+//! that the scalar would have.
+
+use wide::bytemuck::cast;
+use wide::{f32x4, f32x8, f32x16, f64x4, f64x8, i32x4, i32x8, i32x16};
+
+use crate::exponent::Exponent;
+use crate::power::{Binary32, EXPONENT, TWO_THIRDS, power};
+use crate::real::Real;
+
+macro_rules! real {
+    ($lanes:ident of $float:ident) => {
+        impl Real for $lanes {
+            const ZERO: Self = Self::splat($float::ZERO);
+            const ONE: Self = Self::splat($float::ONE);
+            const MAX: Self = Self::splat(<$float as Real>::MAX);
+            const RESCALE: Self = Self::splat($float::RESCALE);
+
+            #[inline]
+            fn of(literal: f64) -> Self {
+                Self::splat($float::of(literal))
+            }
+
+            #[inline]
+            fn sqrt(self) -> Self {
+                self.sqrt()
+            }
+
+            #[inline]
+            fn if_positive(self, then: Self, otherwise: Self) -> Self {
+                self.if_above(Self::ZERO, then, otherwise)
+            }
+
+            #[inline]
+            fn any_positive(self) -> bool {
+                self.simd_gt(Self::ZERO).any()
+            }
+
+            #[inline]
+            fn any_outside(self, low: Self, high: Self) -> bool {
+                (self.simd_lt(low) | self.simd_gt(high)).any()
+            }
+
+            #[inline]
+            fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
+                self.simd_gt(threshold).bitselect(then, otherwise)
+            }
+
+            #[inline]
+            fn at_least(self, floor: Self) -> Self {
+                self.max(floor)
+            }
+
+            #[inline]
+            fn at_most(self, limit: Self) -> Self {
+                limit.fast_min(self)
+            }
+        }
+    };
+}
+
+/// Lanes of `f32`, with integer lanes of the same number for the power.
+macro_rules! single {
+    ($lanes:ident, $integers:ident, $from_integers:ident) => {
+        real!($lanes of f32);
+
+        impl Binary32 for $lanes {
+            #[inline]
+            fn split(self) -> (Self, Self) {
+                let bits: $integers = cast(self);
+                let above = bits - $integers::splat(TWO_THIRDS);
+                let e = (above >> 23) - $integers::splat(24);
+                let z = bits - (above & $integers::splat(EXPONENT));
+                (Self::$from_integers(e), cast(z))
+            }
+
+            #[inline]
+            fn two_to_low_byte(self) -> Self {
+                let bits: $integers = cast(self);
+                cast(bits << 23)
+            }
+        }
+
+        /// One m for all lanes.
+        impl Exponent<$lanes> for f32 {
+            #[inline]
+            fn raise(self, cosine: $lanes) -> $lanes {
+                power(cosine, $lanes::splat(self.positive_part()))
+            }
+
+            #[inline]
+            fn raise_root(self, square: $lanes) -> $lanes {
+                power(square, $lanes::splat(0.5 * self.positive_part()))
+            }
+        }
+    };
+}
+
+/// Lanes of `f64`; the power is taken lane by lane.
+macro_rules! double {
+    ($lanes:ident) => {
+        real!($lanes of f64);
+
+        /// One m for all lanes.
+        impl Exponent<$lanes> for f64 {
+            #[inline]
+            fn raise(self, cosine: $lanes) -> $lanes {
+                $lanes::new(cosine.to_array().map(|cosine| self.raise(cosine)))
+            }
+
+            #[inline]
+            fn raise_root(self, square: $lanes) -> $lanes {
+                $lanes::new(square.to_array().map(|square| self.raise_root(square)))
+            }
+        }
+    };
+}
+
+single!(f32x4, i32x4, from_i32x4);
+single!(f32x8, i32x8, from_i32x8);
+single!(f32x16, i32x16, from_i32x16);
+double!(f64x4);
+double!(f64x8);
