@@ -14,34 +14,35 @@ Usage: cargo run --release --example gallery -- [OPTIONS] [FOLDER]
 
 Options:
   --model FILE.obj     draw a model of your own instead, flat and smooth
-  --thumbnails         draw the pictures of the README (docs/pictures) instead, small
+  --thumbnails         draw the pictures of the README instead, half as large; without
+                       FOLDER, into docs/pictures of the crate
   -h, --help           show this
 ";
 
 pub enum Command {
     Help,
-    Draw(Order),
+    /// What is drawn, and the folder into which it goes, where one is given.
+    Draw(Subject, Option<PathBuf>),
 }
 
-/// What is drawn, and where it goes.
-#[derive(Default)]
-pub struct Order {
-    pub folder: Option<PathBuf>,
-    pub model: Option<PathBuf>,
-    pub thumbnails: bool,
+pub enum Subject {
+    Gallery,
+    /// Those pictures of the gallery that the README shows, small.
+    Thumbnails,
+    Model(PathBuf),
 }
 
 pub fn parse(arguments: impl IntoIterator<Item = OsString>) -> Result<Command, lexopt::Error> {
     let mut parser = lexopt::Parser::from_args(arguments);
-    let mut order = Order::default();
+    let (mut subject, mut folder) = (Subject::Gallery, None);
     while let Some(argument) = parser.next()? {
         match argument {
             Short('h') | Long("help") => return Ok(Command::Help),
-            Long("model") => order.model = Some(parser.value()?.into()),
-            Long("thumbnails") => order.thumbnails = true,
-            Value(folder) if order.folder.is_none() => order.folder = Some(folder.into()),
+            Long("model") => subject = Subject::Model(parser.value()?.into()),
+            Long("thumbnails") => subject = Subject::Thumbnails,
+            Value(path) if folder.is_none() => folder = Some(path.into()),
             _ => return Err(argument.unexpected()),
         }
     }
-    Ok(Command::Draw(order))
+    Ok(Command::Draw(subject, folder))
 }

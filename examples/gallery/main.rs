@@ -23,11 +23,10 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs};
 
-use arguments::{Command, Order};
+use arguments::{Command, Subject};
 use model::Model;
 use render::film::Film;
 use render::png;
-use scenes::Picture;
 
 const WIDTH: usize = 800;
 const HEIGHT: usize = 600;
@@ -47,40 +46,33 @@ fn main() -> ExitCode {
 fn run() -> Result<(), String> {
     match arguments::parse(env::args_os().skip(1)) {
         Ok(Command::Help) => say(arguments::HELP.trim_end()),
-        Ok(Command::Draw(order)) => draw(&order),
+        Ok(Command::Draw(subject, folder)) => draw(&subject, folder),
         Err(error) => Err(format!("{error}; --help shows what can be asked for")),
     }
 }
 
-fn draw(order: &Order) -> Result<(), String> {
-    let pictures = match &order.model {
-        Some(path) => scenes::model(&Model::read(path)?),
-        None if order.thumbnails => scenes::all().into_iter().filter(|p| p.in_readme).collect(),
-        None => scenes::all(),
+fn draw(subject: &Subject, folder: Option<PathBuf>) -> Result<(), String> {
+    let (pictures, default, smaller) = match subject {
+        Subject::Gallery => (scenes::all(), "target/gallery", 1),
+        Subject::Thumbnails => (scenes::of_readme(), "docs/pictures", THUMBNAIL),
+        Subject::Model(path) => (scenes::model(&Model::read(path)?), "target/gallery", 1),
     };
-    let folder = order.folder.clone().unwrap_or_else(default_folder);
+    let folder = folder.unwrap_or_else(|| in_the_crate(default));
     fs::create_dir_all(&folder)
         .map_err(|error| format!("cannot make the folder {}: {error}", folder.display()))?;
     for picture in pictures {
-        draw_one(&picture, order.thumbnails, &folder)?;
+        let film = Film::of(&*picture.view, WIDTH, HEIGHT).reduced(smaller);
+        let path = folder.join(format!("{}.png", picture.name));
+        png::write(&film, &path)
+            .map_err(|error| format!("cannot write {}: {error}", path.display()))?;
+        say(&path.display().to_string())?;
     }
     Ok(())
 }
 
-fn draw_one(picture: &Picture, small: bool, folder: &Path) -> Result<(), String> {
-    let mut film = Film::of(&*picture.view, WIDTH, HEIGHT);
-    if small {
-        film = film.reduced(THUMBNAIL);
-    }
-    let path = folder.join(format!("{}.png", picture.name));
-    png::write(&film, &path)
-        .map_err(|error| format!("cannot write {}: {error}", path.display()))?;
-    say(&path.display().to_string())
-}
-
-/// `target/gallery` of the crate, as seen from here.
-fn default_folder() -> PathBuf {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/gallery");
+/// A folder of the crate, as seen from here.
+fn in_the_crate(folder: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     env::current_dir()
         .ok()
         .and_then(|here| Some(folder.strip_prefix(here).ok()?.to_path_buf()))

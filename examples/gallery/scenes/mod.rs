@@ -22,7 +22,7 @@ pub struct Picture {
     /// The name of its file, without the ending.
     pub name: &'static str,
     pub view: Box<dyn View>,
-    pub in_readme: bool,
+    in_readme: bool,
 }
 
 impl Picture {
@@ -52,6 +52,13 @@ pub fn all() -> Vec<Picture> {
     pictures.extend(teapot::pictures());
     pictures.extend(implicit::pictures());
     pictures.extend(bunny::pictures());
+    pictures
+}
+
+/// Those that the README shows.
+pub fn of_readme() -> Vec<Picture> {
+    let mut pictures = all();
+    pictures.retain(|picture| picture.in_readme);
     pictures
 }
 
