@@ -99,11 +99,13 @@ impl<T: Real> Attenuation<T> {
         attenuation(self.a, self.b, self.c, q)
     }
 
-    /// The factor at its limit, which is not below 1.
+    /// The factor up to its limit, which is not below 1. At an infinite distance it is 0, also
+    /// where the formula gives no number.
     #[inline]
     pub(crate) fn limited(self, factor: T) -> T {
         // no field holds the limit: MAX of one type is not MAX in another
-        factor.at_most(if self.clamped { T::ONE } else { T::MAX })
+        let limit = if self.clamped { T::ONE } else { T::MAX };
+        factor.positive_part().at_most(limit)
     }
 
     /// The same attenuation over another number type; `f` gives the same number in that type.

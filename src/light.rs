@@ -197,17 +197,12 @@ impl<T: Real> PointLight<T> {
     /// The light at p along P_light − p, of which the square is known.
     #[inline]
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>, square: T) -> IncidentLight<T> {
-        if Vec3::is_extreme(square) {
-            return self.at_extreme(-p.x, -p.y, -p.z);
-        }
-        let q = square.sqrt();
-        let l = UnitVec3::assume_unit(to_light * (T::ONE / q));
-        self.arriving(l, q)
-    }
-
-    /// The light from the direction L and the distance q.
-    #[inline]
-    fn arriving(&self, l: UnitVec3<T>, q: T) -> IncidentLight<T> {
+        let (l, q) = if Vec3::is_extreme(square) {
+            self.extreme_way(-p.x, -p.y, -p.z, square)
+        } else {
+            let q = square.sqrt();
+            (UnitVec3::assume_unit(to_light * (T::ONE / q)), q)
+        };
         let factor = self.attenuation.unlimited(q);
         let mut intensity = self.intensity * factor;
         // neither the limit nor an overflow is in reach of a factor up to 1
@@ -218,34 +213,29 @@ impl<T: Real> PointLight<T> {
         IncidentLight { l, intensity }
     }
 
-    /// [`at`](PointLight::at) where the square of the distance is out of range, given −p. It takes
-    /// the point apart, because numbers go in registers, and lanes, which do not, negated, because
-    /// −p is made only here: p would be written to memory for every light, also where this is not
-    /// called.
-    #[cold]
-    #[inline(never)]
-    fn at_extreme(&self, minus_x: T, minus_y: T, minus_z: T) -> IncidentLight<T> {
+    /// L and q where q² is out of range, given −p. A light without a direction is infinitely far
+    /// away.
+    ///
+    /// It takes the point apart, because numbers go in registers, and lanes, which do not, negated,
+    /// because −p is made only here: p would be written to memory for every light, also where this
+    /// is not called. For firmware it is in line: the call would take more flash.
+    #[cfg_attr(target_os = "none", inline)]
+    #[cfg_attr(not(target_os = "none"), cold, inline(never))]
+    fn extreme_way(&self, minus_x: T, minus_y: T, minus_z: T, square: T) -> (UnitVec3<T>, T) {
         let p = -Vec3::new(minus_x, minus_y, minus_z);
-        let (to_light, scale) = Vec3::extreme_way(p, self.position);
-        let scaled_q = to_light.dot(to_light).sqrt();
-        // 1 where there is a direction, else 0
-        let exists =
-            scaled_q.if_positive((T::MAX / scaled_q).if_positive(T::ONE, T::ZERO), T::ZERO);
-        let reciprocal = exists.if_positive(T::ONE / scaled_q, T::ZERO);
-        let component = |c, otherwise| exists.if_positive(c * reciprocal, otherwise);
+        let (way, scale) = Vec3::extreme_way(p, self.position, square);
+        let q = way.dot(way).sqrt();
+        let reciprocal = T::ONE / q;
+        // positive for a reciprocal that is neither zero nor infinite nor NaN
+        let valid = reciprocal * (T::MAX - reciprocal);
+        let component = |c, otherwise| valid.if_positive(c * reciprocal, otherwise);
         let l = UnitVec3::assume_unit(Vec3::new(
-            component(to_light.x, T::ZERO),
-            component(to_light.y, T::ZERO),
-            component(to_light.z, T::ONE),
+            component(way.x, T::ZERO),
+            component(way.y, T::ZERO),
+            component(way.z, T::ONE),
         ));
-        let q = exists
-            .if_positive(scaled_q / scale, T::ZERO)
-            .at_most(T::MAX);
-        let incident = self.arriving(l, q);
-        IncidentLight {
-            intensity: incident.intensity * exists,
-            ..incident
-        }
+        let infinity = T::ONE / T::ZERO;
+        (l, valid.if_positive((q / scale).at_most(T::MAX), infinity))
     }
 
     /// The same light over another number type; `f` gives the same number in that type.

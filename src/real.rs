@@ -60,11 +60,12 @@ pub trait Real:
     fn any_positive(self) -> bool;
 
     /// Whether `self` is outside [low, high], for lanes: in at least one of them. The limits are
-    /// not negative, and the answer is open for −0 and for NaN.
+    /// not negative, NaN is outside, and for the limits themselves and −0 the answer is open.
     #[inline]
     #[must_use]
     fn any_outside(self, low: Self, high: Self) -> bool {
-        (low - self).any_positive() | (self - high).any_positive()
+        let outside = (self - low).if_positive(Self::ZERO, Self::ONE);
+        (high - self).if_positive(outside, Self::ONE).any_positive()
     }
 
     /// `then` where `self` > `threshold`, and `otherwise` where it is not, lane by lane.

@@ -129,16 +129,15 @@ impl<T: Real> Vec3<T> {
     #[cold]
     #[inline(never)]
     pub(crate) fn rescale_factor(self) -> T {
-        let [shrink, grow] = self.rescale_factors();
+        let [shrink, grow] = Self::rescale_factors(self.dot(self));
         shrink * grow
     }
 
-    /// The same power of two as a factor of at most 1 and one of at least 1.
+    /// The same power of two for a |v|² as a factor of at most 1 and one of at least 1.
     #[inline]
-    fn rescale_factors(self) -> [T; 2] {
-        let square = self.dot(self);
+    fn rescale_factors(square: T) -> [T; 2] {
         [
-            (square - T::RESCALE).if_positive(T::ONE / T::RESCALE, T::ONE),
+            (T::RESCALE - square).if_positive(T::ONE, T::ONE / T::RESCALE),
             (T::ONE / T::RESCALE - square).if_positive(T::RESCALE, T::ONE),
         ]
     }
@@ -147,20 +146,27 @@ impl<T: Real> Vec3<T> {
     #[inline]
     pub(crate) fn rescaled_way(from: Self, to: Self) -> Self {
         let way = to - from;
-        if Self::is_extreme(way.dot(way)) {
-            Self::extreme_way(from, to).0
+        let square = way.dot(way);
+        if Self::is_extreme(square) {
+            Self::rescaled_extreme_way(from, to)
         } else {
             way
         }
     }
 
-    /// [`rescaled_way`](Self::rescaled_way) where it is extreme, and the power of two. The points
-    /// shrink before their difference is taken, which may overflow, and it grows afterwards, for
-    /// they may be far out.
     #[cold]
     #[inline(never)]
-    pub(crate) fn extreme_way(from: Self, to: Self) -> (Self, T) {
-        let [shrink, grow] = (to - from).rescale_factors();
+    fn rescaled_extreme_way(from: Self, to: Self) -> Self {
+        let way = to - from;
+        Self::extreme_way(from, to, way.dot(way)).0
+    }
+
+    /// [`rescaled_way`](Self::rescaled_way) where it is extreme, by its `square`, and the power of
+    /// two. The points shrink before their difference is taken, which may overflow, and it grows
+    /// afterwards, for they may be far out.
+    #[inline]
+    pub(crate) fn extreme_way(from: Self, to: Self, square: T) -> (Self, T) {
+        let [shrink, grow] = Self::rescale_factors(square);
         ((to * shrink - from * shrink) * grow, shrink * grow)
     }
 }
