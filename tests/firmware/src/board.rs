@@ -1,4 +1,5 @@
-//! The board: text and the exit status by way of the debugger, and a count of instructions.
+//! The board: text and the exit status by way of the debugger, a count of instructions, and the
+//! depth of the stack.
 
 use core::hint::black_box;
 use core::panic::PanicInfo;
@@ -11,7 +12,9 @@ pub use semihosting::println;
 
 #[cfg_attr(target_arch = "arm", path = "board/arm.rs")]
 #[cfg_attr(target_arch = "riscv32", path = "board/riscv.rs")]
-mod counter;
+mod chip;
+
+pub use chip::thousand_instructions;
 
 /// Ends the program as a success.
 pub fn done() -> ! {
@@ -27,13 +30,32 @@ pub fn fail(info: &PanicInfo) -> ! {
 /// How many instructions `work` takes, its call included.
 pub fn instructions(work: impl Fn()) -> u32 {
     let ticks = |work: &dyn Fn()| {
-        let start = black_box(counter::now());
+        let start = black_box(chip::now());
         work();
-        black_box(counter::since(start))
+        black_box(chip::since(start))
     };
-    counter::start();
+    chip::start();
     let nothing = ticks(&|| {});
-    let thousand = ticks(&counter::thousand_instructions) - nothing;
+    let thousand = ticks(&chip::thousand_instructions) - nothing;
     let ticks = ticks(&work) - nothing;
     (ticks * 1000 + thousand / 2) / thousand
+}
+
+/// How many bytes of the stack `work` takes, found by painting what is below.
+#[inline(never)]
+pub fn stack(work: &dyn Fn()) -> usize {
+    const PAINT: u32 = 0xa5a5_5a5a;
+    const WORDS: usize = 1024;
+    let top = chip::stack_pointer();
+    let below = (1..=WORDS).map(|word| top.wrapping_sub(word));
+    // SAFETY: below the stack pointer is unused RAM, nothing interrupts, and this function stores
+    // nothing there until it calls `work`.
+    below
+        .clone()
+        .for_each(|word| unsafe { word.write_volatile(PAINT) });
+    work();
+    // SAFETY: as above.
+    let untouched = |word: &*mut u32| unsafe { word.read_volatile() } == PAINT;
+    let left = below.rev().take_while(untouched).count();
+    (WORDS - left) * size_of::<u32>()
 }

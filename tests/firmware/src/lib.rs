@@ -3,5 +3,6 @@
 
 #[cfg(target_os = "none")]
 pub mod board;
+pub mod broken;
 pub mod digest;
 pub mod scene;

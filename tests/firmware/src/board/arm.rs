@@ -37,3 +37,12 @@ pub fn thousand_instructions() {
     // SAFETY: they do nothing.
     unsafe { asm!(".rept 1000", "nop", ".endr", options(nomem, nostack)) }
 }
+
+/// Where the stack ends.
+#[inline(always)]
+pub fn stack_pointer() -> *mut u32 {
+    let pointer;
+    // SAFETY: it reads a register.
+    unsafe { asm!("mov {}, sp", out(reg) pointer, options(nomem, nostack)) }
+    pointer
+}

@@ -23,3 +23,12 @@ pub fn thousand_instructions() {
     // SAFETY: they do nothing. Compressed or not, each counts as one.
     unsafe { asm!(".rept 1000", "nop", ".endr", options(nomem, nostack)) }
 }
+
+/// Where the stack ends.
+#[inline(always)]
+pub fn stack_pointer() -> *mut u32 {
+    let pointer;
+    // SAFETY: it reads a register.
+    unsafe { asm!("mv {}, sp", out(reg) pointer, options(nomem, nostack)) }
+    pointer
+}

@@ -1,0 +1,147 @@
+//! Calls one function of the crate and nothing else: what the program is larger than one that
+//! calls `nothing` is what the function adds to flash, with all that it pulls in. The variable
+//! `MEASURED` names the function when this is built.
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+use core::sync::atomic::AtomicU32;
+
+use firmware::board;
+use shading::{
+    Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight,
+    Real, Rgb, SpotLight, UnitVec3, Vec3, ambient, attenuation, blinn, half_vector, lambert,
+    normal, phong, reflection, shade,
+};
+
+type V = Vec3<f32>;
+type N = UnitVec3<f32>;
+
+/// Keeps the one call that is named, and compiles for no other name.
+macro_rules! measure {
+    ($($name:literal => $call:expr,)*) => {
+        const { assert!($(is_measured($name) ||)* false) }
+        $(if const { is_measured($name) } {
+            $call;
+        })*
+    };
+}
+
+const fn is_measured(name: &str) -> bool {
+    let (mut name, mut measured) = (name.as_bytes(), env!("MEASURED").as_bytes());
+    while let ([a, after_a @ ..], [b, after_b @ ..]) = (name, measured) {
+        if *a != *b {
+            return false;
+        }
+        (name, measured) = (after_a, after_b);
+    }
+    name.is_empty() && measured.is_empty()
+}
+
+/// Arguments of which the compiler knows nothing, in RAM.
+struct Given {
+    n: N,
+    l: N,
+    v: N,
+    p: V,
+    a: V,
+    b: V,
+    i_a: Rgb<f32>,
+    whole: Material<f32, u32>,
+    real: Material<f32, f32>,
+    attenuation: Attenuation<f32>,
+    cone: Cone<f32>,
+    sun: DirectionalLight<f32>,
+    lamps: [PointLight<f32>; 4],
+    spot: SpotLight<f32>,
+    light: Light<f32>,
+}
+
+#[board::entry]
+fn main() -> ! {
+    static MEMORY: [AtomicU32; size_of::<Given>() / 4] =
+        [const { AtomicU32::new(0) }; size_of::<Given>() / 4];
+    loop {
+        // SAFETY: zeros are a value of every type in it, and nothing writes to it.
+        measured(black_box(unsafe { &*MEMORY.as_ptr().cast() }));
+    }
+}
+
+#[allow(clippy::too_many_lines)] // a line a function
+#[inline(never)]
+fn measured(given: &Given) {
+    let &Given {
+        n,
+        l,
+        v,
+        p,
+        a,
+        b,
+        i_a,
+        ..
+    } = given;
+    let (whole, real) = (&given.whole, &given.real);
+    let lights = || given.lamps.iter().map(|lamp| lamp.at(p));
+    measure! {
+        "nothing" => keep(()),
+        "Vec3::unit" => keep(p.unit()),
+        "Vec3::unit_or" => keep(p.unit_or(n)),
+        "UnitVec3::known" => keep(N::known(p.x, p.y, p.z)),
+        "Rgb::clamped" => keep(i_a.clamped()),
+        "ambient" => keep(ambient(i_a, i_a)),
+        "lambert" => keep(lambert(n, l)),
+        "phong, whole m" => keep(phong(n, v, whole.m)),
+        "phong, real m" => keep(phong(n, v, real.m)),
+        "blinn, whole m" => keep(blinn(n, v, whole.m)),
+        "blinn, real m" => keep(blinn(n, v, real.m)),
+        "reflection" => keep(reflection(n, l)),
+        "half_vector" => keep(half_vector(l, v)),
+        "attenuation" => keep(attenuation(a.x, a.y, a.z, p.x)),
+        "Attenuation::new" => keep(Attenuation::<f32>::new(a.x, a.y, a.z)),
+        "Attenuation::at" => keep(given.attenuation.at(p.x)),
+        "Cone::from_half_angle" => keep(Cone::<f32>::from_half_angle(a.x)),
+        "Cone::factor" => keep(given.cone.factor(n, l)),
+        "normal::plane" => keep(normal::plane(a.x, a.y, a.z)),
+        "normal::triangle" => keep(normal::triangle(p, a, b)),
+        "normal::sphere" => keep(normal::sphere(a, p)),
+        "normal::implicit, of a torus" => keep(normal::implicit(torus, p)),
+        "normal::from_gradient" => keep(normal::from_gradient(a)),
+        "normal::parametric, of a saddle" => keep(normal::parametric(saddle, a.x, a.y)),
+        "normal::from_tangents" => keep(normal::from_tangents(a, b)),
+        "DirectionalLight::at" => keep(given.sun.at(p)),
+        "PointLight::at" => keep(given.lamps[0].at(p)),
+        "SpotLight::at" => keep(given.spot.at(p)),
+        "Light::at" => keep(given.light.at(p)),
+        "shade::lambert" => keep(shade::lambert(n, whole, i_a, lights())),
+        "shade::phong, whole m" => keep(shade::phong(n, v, whole, i_a, lights())),
+        "shade::phong, real m" => keep(shade::phong(n, v, real, i_a, lights())),
+        "shade::blinn_phong, whole m" => keep(shade::blinn_phong(n, v, whole, i_a, lights())),
+        "shade::blinn_phong, real m" => keep(shade::blinn_phong(n, v, real, i_a, lights())),
+        "Exponent::raise, whole m" => keep(whole.m.raise(a.x)),
+        "Exponent::raise, real m" => keep(real.m.raise(a.x)),
+        "Real::sqrt" => keep(Real::sqrt(a.x)),
+        "Elementary::exp" => keep(Elementary::exp(a.x)),
+        "Elementary::ln" => keep(Elementary::ln(a.x)),
+        "Elementary::sin" => keep(Elementary::sin(a.x)),
+    }
+}
+
+fn torus(p: Vec3<Dual<f32>>) -> Dual<f32> {
+    let ring = (p.x * p.x + p.y * p.y).sqrt() - 2.0;
+    ring * ring + p.z * p.z - 0.25
+}
+
+fn saddle(u: Dual<f32>, v: Dual<f32>) -> Vec3<Dual<f32>> {
+    Vec3::new(u, v, u * u - v * v)
+}
+
+/// A result that is wanted.
+#[inline(always)]
+fn keep<T>(result: T) {
+    black_box(&result);
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo) -> ! {
+    loop {}
+}
