@@ -186,10 +186,10 @@ impl<T: Real> PointLight<T> {
         let to_light = self.position - p;
         let square = to_light.dot(to_light);
         let n_dot_to_light = n.dot(to_light);
-        // Below zero by more than 2⁻²⁰ of the distance, which is 16u for `f32`: the rounding of this
-        // dot product and of N·L is less, so N·L is not positive either.
-        let two_to_minus_40 = T::of(9.094_947_017_729_282e-13);
-        let grazing = square * two_to_minus_40 - n_dot_to_light * n_dot_to_light;
+        // Below zero by more than 2⁻⁸ of the distance: the rounding of this dot product and of N·L is
+        // less in any number type of 12 bits or more, so N·L is not positive either.
+        let two_to_minus_16 = T::of(1.0 / 65536.0);
+        let grazing = square * two_to_minus_16 - n_dot_to_light * n_dot_to_light;
         let front = n_dot_to_light.if_positive(T::ONE, grazing);
         (front.any_positive() || Vec3::is_extreme(square)).then(|| self.along(p, to_light, square))
     }
