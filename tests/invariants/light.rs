@@ -3,13 +3,15 @@
 use std::f64::consts::TAU;
 
 use proptest::prelude::*;
-use shading::{Attenuation, DirectionalLight, Light, PointLight, Rgb, SpotLight, attenuation};
+use shading::{
+    Attenuation, DirectionalLight, Light, PointLight, Rgb, SpotLight, attenuation, lambert,
+};
 
 use crate::check::{check, same, to_f64, within};
 use crate::exact;
 use crate::generators::{
     Relation, adversarial, adversarial_colour, adversarial_vector, coefficients, coefficients_of,
-    cone, direction, light, light_colour, pair, point, rounded, unit,
+    cone, direction, light, light_colour, pair, point, rounded, two_directions, unit,
 };
 use crate::number::Number;
 
@@ -230,6 +232,71 @@ fn spot_is_a_point_light_or_dark<T: Number>() {
     });
 }
 
+/// Leaving out what is not in front changes nothing: a light that is left out is behind the surface
+/// or dark, and any other is what it was, to the bit.
+fn only_lights_that_add_nothing_are_left_out<T: Number>() {
+    let q = prop_oneof![Just(1.0), 0.01..100.0_f64];
+    let inputs = (two_directions(), q, point::<T>(), light::<T, _>(point()));
+    check(inputs, |([n, l], q, p, light)| {
+        let (n, position) = (rounded(n), p + *rounded::<T>(l) * T::of(q));
+        let light = match light {
+            Light::Directional(light) => Light::Directional(DirectionalLight {
+                l: rounded(l),
+                ..light
+            }),
+            Light::Point(light) => Light::Point(PointLight { position, ..light }),
+            Light::Spot(light) => {
+                let point = PointLight {
+                    position,
+                    ..light.point
+                };
+                Light::Spot(SpotLight { point, ..light })
+            }
+        };
+        let all = light.at(p);
+        if let Some(lit) = light.in_front(p, n) {
+            same(lit.l, all.l)?;
+            same(lit.intensity, all.intensity)
+        } else {
+            let is_behind = lambert(n, all.l) == T::ZERO;
+            prop_assert!(is_behind || all.intensity == Rgb::BLACK);
+            Ok(())
+        }
+    });
+}
+
+/// What is well behind the surface is left out, and what is outside the cone.
+fn lights_behind_are_left_out<T: Number>() {
+    check(
+        (
+            unit::<T>(),
+            0.01..100.0_f64,
+            point::<T>(),
+            light_colour::<T>(),
+        ),
+        |(n, q, p, intensity)| {
+            let behind = -*n * T::of(q);
+            let attenuation = Attenuation::NONE;
+            let at = |position| PointLight {
+                position,
+                intensity,
+                attenuation,
+            };
+            prop_assert!(at(p + behind).in_front(p, n).is_none());
+            let sun = DirectionalLight { l: -n, intensity };
+            prop_assert!(sun.in_front(p, n).is_none());
+            let spot = |axis| SpotLight {
+                point: at(p - behind),
+                axis,
+                cone: cone(0.9),
+            };
+            prop_assert!(spot(-n).in_front(p, n).is_some());
+            prop_assert!(spot(n).in_front(p, n).is_none());
+            Ok(())
+        },
+    );
+}
+
 /// A light in `f32` numbers is the same light in `f64`.
 fn lights_keep_their_numbers_in_another_type<T: Number>() {
     check((light::<T, _>(point()), point()), |(light, p)| {
@@ -250,5 +317,7 @@ invariants! {
     lamp_follows_its_formula,
     lamp_is_finite_everywhere,
     spot_is_a_point_light_or_dark,
+    only_lights_that_add_nothing_are_left_out,
+    lights_behind_are_left_out,
     lights_keep_their_numbers_in_another_type,
 }

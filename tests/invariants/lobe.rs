@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 use proptest::prelude::*;
 use shading::{UnitVec3, Vec3, blinn, half_vector, phong, reflection};
 
-use crate::check::{at_least, check, nearly, same, to_f64, within};
+use crate::check::{at_least, check, same, to_f64, within};
 use crate::exact::{determinant, dot};
 use crate::generators::{Relation, Shine, direction, rounded, shine, triple};
 use crate::number::Number;
@@ -140,6 +140,9 @@ fn highlight<T: Number>(cosine: T, m: Shine) -> T {
     highlight
 }
 
+/// A whole power below 2⁻⁸⁹ may be 0, so that none is subnormal in `f32`.
+const NEXT_TO_NOTHING: f64 = 1.0 / (1_u128 << 89) as f64;
+
 /// A cosine within [0, 1], also next to the ends.
 fn cosine<T: Number>() -> impl Strategy<Value = T> {
     prop_oneof![
@@ -166,7 +169,7 @@ fn highlight_does_not_rise_with_the_shininess<T: Number>() {
                 highlight(cosine, large).to_f64(),
             );
             let k = if whole { small.m + large.m } else { 2.0 };
-            at_least(brighter, darker, k * T::U * brighter + T::TINY.to_f64())
+            at_least(brighter, darker, k * T::U * brighter + NEXT_TO_NOTHING)
         },
     );
 }
@@ -199,8 +202,8 @@ fn highlight_ends_at_the_horizon<T: Number>() {
     });
 }
 
-/// (34) f^(m₁ + m₂) = f^m₁ · f^m₂ for whole m, to 2(m + 1)u: m roundings on either side. A power
-/// below 2⁻⁸⁹ may be 0.
+/// (34) f^(m₁ + m₂) = f^m₁ · f^m₂ for whole m, to 2(m + 1)u: m roundings on either side. Both
+/// are 0, or may be, where they would be next to nothing.
 fn whole_powers_add_up<T: Number>() {
     check(
         (cosine::<T>(), 0..5000_u32, 0..5000_u32),
@@ -217,7 +220,7 @@ fn whole_powers_add_up<T: Number>() {
             let (product, power) = (highlight(a) * highlight(b), highlight(a + b));
             let (product, power) = (product.to_f64(), power.to_f64());
             let roundings = 2.0 * f64::from(a + b + 1) * T::U * power.max(product);
-            within(power - product, roundings.max(2.0_f64.powi(-89)))
+            within(power - product, roundings.max(NEXT_TO_NOTHING))
         },
     );
 }

@@ -1,0 +1,86 @@
+//! Vectors and the formulas of the books, in many digits.
+
+use std::array::from_fn;
+
+use dashu_float::FBig;
+use dashu_float::round::mode::HalfEven;
+
+use crate::support::number::Float;
+
+/// A number of 150 bits, the result of each operation rounded.
+pub type Number = FBig<HalfEven, 2>;
+pub type Vector = [Number; 3];
+
+pub fn number(x: f64) -> Number {
+    Number::try_from(x)
+        .expect("finite")
+        .with_precision(150)
+        .value()
+}
+
+/// The numbers of a vector, exactly.
+pub fn vector<T: Float>(v: impl Into<[T; 3]>) -> Vector {
+    v.into().map(|c| number(c.to_f64()))
+}
+
+pub fn add(a: &Vector, b: &Vector) -> Vector {
+    from_fn(|i| &a[i] + &b[i])
+}
+
+pub fn subtract(a: &Vector, b: &Vector) -> Vector {
+    from_fn(|i| &a[i] - &b[i])
+}
+
+pub fn scale(a: &Vector, factor: &Number) -> Vector {
+    from_fn(|i| &a[i] * factor)
+}
+
+pub fn dot(a: &Vector, b: &Vector) -> Number {
+    &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]
+}
+
+pub fn cross(a: &Vector, b: &Vector) -> Vector {
+    from_fn(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        &a[j] * &b[k] - &a[k] * &b[j]
+    })
+}
+
+pub fn length(a: &Vector) -> Number {
+    dot(a, a).sqrt()
+}
+
+pub fn unit(a: &Vector) -> Vector {
+    let length = length(a);
+    from_fn(|i| &a[i] / &length)
+}
+
+/// R = 2(N·L)N − L
+pub fn reflection(n: &Vector, l: &Vector) -> Vector {
+    subtract(&scale(n, &(number(2.0) * dot(n, l))), l)
+}
+
+/// H = (L + V)/|L + V|
+pub fn half_vector(l: &Vector, v: &Vector) -> Vector {
+    unit(&add(l, v))
+}
+
+pub fn positive_part(x: Number) -> Number {
+    if x > Number::ZERO { x } else { number(0.0) }
+}
+
+/// max(0, min(1, cosine))ᵐ
+pub fn highlight(cosine: Number, m: f64) -> Number {
+    let one = number(1.0);
+    let cosine = positive_part(if cosine > one { one } else { cosine });
+    if cosine == Number::ZERO {
+        cosine
+    } else {
+        cosine.powf(&number(m))
+    }
+}
+
+/// 1/(a + bq + cq²)
+pub fn attenuation([a, b, c]: &[Number; 3], q: &Number) -> Number {
+    number(1.0) / (a + b * q + c * q * q)
+}
