@@ -38,12 +38,17 @@ macro_rules! real {
 
             #[inline]
             fn any_outside(self, low: Self, high: Self) -> bool {
-                (self.simd_lt(low) | self.simd_gt(high)).any()
+                !(self.simd_ge(low) & self.simd_le(high)).all()
             }
 
             #[inline]
             fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
                 self.simd_gt(threshold).bitselect(then, otherwise)
+            }
+
+            #[inline]
+            fn abs(self) -> Self {
+                self.abs()
             }
 
             #[inline]
