@@ -17,7 +17,8 @@ use crate::real::Real;
 /// assert!(real < whole);
 /// ```
 pub trait Exponent<T>: Copy {
-    /// cosineᵐ for a cosine within [0, 1]; 1 for m = 0. An m below 0, or not a number, counts as 0.
+    /// cosineᵐ for a cosine up to 1; 1 for m = 0. An m below 0, or not a number, counts as 0. Where
+    /// the cosine is not above 0, or not a number, the power is 0 for **every** m, also for m = 0.
     ///
     /// A whole m is exact to a relative error of m·u, u the unit roundoff (2⁻²⁴ for `f32`), which
     /// is the power's own conditioning; a power below 2⁻⁸⁹ may be 0. A real m is exact to an
@@ -25,8 +26,9 @@ pub trait Exponent<T>: Copy {
     #[must_use]
     fn raise(self, cosine: T) -> T;
 
-    /// (√square)ᵐ for the square of a cosine, within [0, 1]: what a highlight needs where the
-    /// square is at hand and its root would cost more than the power.
+    /// (√square)ᵐ for the square of a cosine, with the cosine's sign: what a highlight needs where
+    /// the square is at hand and its root would cost more than the power. Otherwise as
+    /// [`raise`](Exponent::raise).
     #[must_use]
     fn raise_root(self, square: T) -> T;
 }
@@ -34,16 +36,20 @@ pub trait Exponent<T>: Copy {
 impl<T: Real> Exponent<T> for u32 {
     #[inline]
     fn raise(self, cosine: T) -> T {
+        if self == 0 {
+            return cosine.if_positive(T::ONE, T::ZERO);
+        }
         by_squaring(perceptible(cosine, self), self)
     }
 
     #[inline]
     fn raise_root(self, square: T) -> T {
-        if self % 2 == 0 {
-            (self / 2).raise(square)
+        let (cosine, m) = if self % 2 == 0 {
+            (square, self / 2)
         } else {
-            self.raise(square.sqrt())
-        }
+            (square.sqrt(), self)
+        };
+        m.raise(cosine)
     }
 }
 
@@ -55,19 +61,20 @@ impl Exponent<f32> for f32 {
 
     #[inline]
     fn raise_root(self, square: f32) -> f32 {
-        power(square, 0.5 * self.positive_part())
+        (0.5 * self).raise(square)
     }
 }
 
 impl Exponent<f64> for f64 {
     #[inline]
     fn raise(self, cosine: f64) -> f64 {
-        libm::pow(cosine, self.positive_part())
+        let power = libm::pow(cosine.positive_part(), self.positive_part());
+        cosine.if_positive(power, 0.0)
     }
 
     #[inline]
     fn raise_root(self, square: f64) -> f64 {
-        libm::pow(square, 0.5 * self.positive_part())
+        (0.5 * self).raise(square)
     }
 }
 

@@ -75,6 +75,13 @@ pub trait Real:
         (self - threshold).if_positive(then, otherwise)
     }
 
+    /// The absolute value. At 0 its derivative is taken to be 0, the mean of the two sides.
+    #[inline]
+    #[must_use]
+    fn abs(self) -> Self {
+        self.if_positive(self, (-self).if_positive(-self, Self::ZERO))
+    }
+
     /// max(0, self), and 0 for NaN.
     #[inline]
     #[must_use]
@@ -127,13 +134,6 @@ pub trait Elementary: Real {
     #[must_use]
     fn ln(self) -> Self;
 
-    /// The absolute value. At 0 its derivative is taken to be 0, the mean of the two sides.
-    #[inline]
-    #[must_use]
-    fn abs(self) -> Self {
-        self.if_positive(self, (-self).if_positive(-self, Self::ZERO))
-    }
-
     /// A whole power, by squaring; a negative one is 1 over the positive.
     #[inline]
     #[must_use]
@@ -185,6 +185,11 @@ macro_rules! float {
             }
 
             // a comparison that the compiler can turn into the processor's minimum or maximum;
+            #[inline]
+            fn abs(self) -> Self {
+                $float::abs(self)
+            }
+
             // `f32::min` is a library call on Arm
             #[inline]
             fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {

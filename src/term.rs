@@ -113,16 +113,13 @@ pub fn blinn<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: UnitVec3<T>, m: M) -> T
 #[inline]
 pub(crate) fn blinn_between<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: Vec3<T>, m: M) -> T {
     let n_dot_h = n.dot(h);
-    // nothing next to any |h| above the rounding of a unit vector; with it 0/0 cannot be
-    let h_dot_h = h.dot(h) + T::ONE / T::RESCALE;
-    let square = (n_dot_h * n_dot_h / h_dot_h).at_most(T::ONE);
-    n_dot_h.if_positive(m.raise_root(square), T::ZERO)
+    // below 0 where N·H is; not a number, which counts as 0 too, where L = −V
+    let square = n_dot_h * n_dot_h.abs() / h.dot(h);
+    m.raise_root(square.at_most(T::ONE))
 }
 
 /// The power of a cosine, cut off at the horizon.
 #[inline]
 fn highlight<T: Real, M: Exponent<T>>(cosine: T, m: M) -> T {
-    // the side not selected is raised too: within [0, 1], like the other
-    let base = cosine.positive_part().at_most(T::ONE);
-    cosine.if_positive(m.raise(base), T::ZERO)
+    m.raise(cosine.at_most(T::ONE))
 }

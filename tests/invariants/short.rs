@@ -104,10 +104,10 @@ impl Elementary for Short {
 
 impl Exponent<Short> for Short {
     fn raise(self, cosine: Short) -> Short {
-        round(cosine.0.powf(self.0))
+        cosine.if_positive(round(cosine.0.powf(self.0)), Self::ZERO)
     }
     fn raise_root(self, square: Short) -> Short {
-        round(square.0.powf(0.5 * self.0))
+        round(0.5 * self.0).raise(square)
     }
 }
 

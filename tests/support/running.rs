@@ -240,11 +240,11 @@ impl<const BITS: u32> Elementary for Running<BITS> {
 
 impl<const BITS: u32> Exponent<Self> for Running<BITS> {
     fn raise(self, cosine: Self) -> Self {
-        Self::power(cosine, self)
+        cosine.if_positive(Self::power(cosine, self), Self::ZERO)
     }
 
     fn raise_root(self, square: Self) -> Self {
-        Self::power(square, self * Self::of(0.5))
+        (self * Self::of(0.5)).raise(square)
     }
 }
 
