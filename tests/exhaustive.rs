@@ -63,10 +63,10 @@ fn unit_vectors_of_every_length() {
 }
 
 /// cosineᵐ is right to m roundings, and never falls with the cosine: each multiplication is
-/// monotone. (√square)ᵐ has the root's rounding besides, m times, where m is odd. What is below 2⁻⁸⁹
+/// monotone. (√square)ᵐ has the root's rounding besides, m times, where m is odd. What would be subnormal
 /// may be 0.
 fn whole_power(m: u32, stride: u32) {
-    let next_to_nothing = 2.0_f64.powi(-89);
+    let next_to_nothing = f64::from(f32::MIN_POSITIVE);
     let mut largest = 0.0;
     for cosine in floats(1.0, stride) {
         let (power, expected) = (m.raise(cosine), f64::from(cosine).powf(f64::from(m)));

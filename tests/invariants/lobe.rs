@@ -140,8 +140,8 @@ fn highlight<T: Number>(cosine: T, m: Shine) -> T {
     highlight
 }
 
-/// A whole power below 2⁻⁸⁹ may be 0, so that none is subnormal in `f32`.
-const NEXT_TO_NOTHING: f64 = 1.0 / (1_u128 << 89) as f64;
+/// Below it a power would be subnormal in `f32`, and may be 0.
+const NEXT_TO_NOTHING: f64 = f32::MIN_POSITIVE as f64;
 
 /// A cosine within [0, 1], also next to the ends.
 fn cosine<T: Number>() -> impl Strategy<Value = T> {
