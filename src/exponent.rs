@@ -82,21 +82,30 @@ impl Exponent<f64> for f64 {
 const ONE: u32 = 0x3F80_0000;
 const OCTAVE: u32 = 0x0080_0000;
 
-/// A base in [0, 1], or 0 where its power would be subnormal in single precision: squaring would
-/// lead through subnormal numbers, which cost processors up to a hundred times as much as others.
-/// Numbers with the range of `f64` hardly ever come to theirs and keep every power.
+/// A base up to 1, or 0 where it is not above 0, and where its power would be subnormal in single
+/// precision: squaring would lead through subnormal numbers, which cost processors up to a hundred
+/// times as much as others. Numbers with the range of `f64` hardly ever come to theirs and keep
+/// every power.
 #[inline]
 fn perceptible<T: Real>(base: T, m: u32) -> T {
-    if T::of(1e-300).any_positive() {
-        return base;
-    }
-    // The least base is 2^(-126/m). The bits of a float are its logarithm but for the significand
-    // 1 + x, of which log₂(1 + x) ≈ x + 0.39 x(1 − x). With these factors the least base is never
-    // above the true one, and its power above 2⁻¹³⁰ up to m = 10⁴.
+    let has_range_of_f64 = T::of(1e-300).any_positive();
+    let least = if has_range_of_f64 {
+        0.0
+    } else {
+        least_normal_base(m)
+    };
+    base.if_above(T::of(f64::from(least)), base, T::ZERO)
+}
+
+/// 2^(−126/m), whose power m ≥ 1 is the least normal number: never more, and its power not below
+/// 2⁻¹³⁰ up to m = 10⁴.
+#[inline]
+fn least_normal_base(m: u32) -> f32 {
+    // the bits of a float are its logarithm, but for the significand 1 + x, of which
+    // log₂(1 + x) ≈ x + 0.39 x(1 − x)
     let linear = ONE - 126 * OCTAVE / m.max(1);
     let x = (linear >> 12) & 0x7FF;
-    let least = f32::from_bits(linear - x * (0x800 - x) / 32 * 25 - 1600);
-    base.if_above(T::of(f64::from(least)), base, T::ZERO)
+    f32::from_bits(linear - x * (0x800 - x) / 32 * 25 - 1600)
 }
 
 /// baseᵐ by squaring from the lowest bit of m up, without a multiplication by one or a square too
