@@ -13,7 +13,7 @@ pub fn promise(zero: f32) -> f32 {
         return digits[black_box(zero) as usize];
     }
     if cfg!(feature = "broken-doubles") {
-        return (f64::from(black_box(zero)) * 1.5) as f32;
+        return (black_box(f64::from(zero)) * black_box(1.5)) as f32;
     }
     if cfg!(feature = "broken-instructions") {
         (0..10_000).for_each(|i| _ = black_box(i));

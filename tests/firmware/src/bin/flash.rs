@@ -7,7 +7,7 @@
 use core::hint::black_box;
 use core::sync::atomic::AtomicU32;
 
-use firmware::board;
+use firmware::{board, broken};
 use shading::{
     Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight,
     Real, Rgb, SpotLight, UnitVec3, Vec3, ambient, attenuation, blinn, half_vector, lambert,
@@ -139,6 +139,9 @@ fn saddle(u: Dual<f32>, v: Dual<f32>) -> Vec3<Dual<f32>> {
 #[inline(always)]
 fn keep<T>(result: T) {
     black_box(&result);
+    if size_of::<T>() > 0 {
+        broken::promise(0.0);
+    }
 }
 
 #[panic_handler]

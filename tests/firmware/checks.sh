@@ -1,0 +1,83 @@
+# Sourced: the single measurements. `features` names a promise that is broken on purpose, if any.
+
+features=""
+
+# The directory in which cargo puts what it builds under a profile.
+directory() { if [ "$1" = dev ]; then echo debug; else echo "$1"; fi; }
+
+# Builds a program for a target under a profile and prints its path.
+build() {
+    local target=$1 profile=$2 program=$3 kind=bin place=
+    [ "$program" = wasm ] && kind=example place=examples/ program=wasm
+    cross "$target" build --quiet --profile "$profile" --features "$features" "--$kind" "$program" >&2 || return
+    echo "target/$target/$(directory "$profile")/$place$program"
+}
+
+# Runs a program on the emulated machine of a target; more arguments go to the emulator.
+emulate() {
+    local target=$1 program=$2 machine
+    shift 2
+    case $target in
+    thumbv6m-*) machine="qemu-system-arm -machine microbit" ;;
+    thumbv7em-*) machine="qemu-system-arm -machine mps2-an386 -cpu cortex-m4" ;;
+    riscv32*) machine="qemu-system-riscv32 -machine virt -bios none" ;;
+    esac
+    # shellcheck disable=SC2086 # one word an argument
+    timeout 120 $machine -nographic -semihosting-config enable=on,target=native "$@" -kernel "$program" </dev/null
+}
+
+# The digest for a target, or `host`, under a profile.
+digest() {
+    local target=$1 profile=$2 program
+    case $target in
+    host) cargo run --quiet --profile "$profile" --features "$features" --bin host ;;
+    wasm32-*) program=$(build "$target" "$profile" wasm) && node wasm.mjs "$program.wasm" ;;
+    *) program=$(build "$target" "$profile" digest) && emulate "$target" "$program" ;;
+    esac
+}
+
+# Instructions per point light at opt-level 3: "whole real".
+instructions() {
+    local shift=10 program
+    case $1 in riscv32*) shift=0 ;; esac
+    program=$(build "$1" release count) && emulate "$1" "$program" -icount "shift=$shift"
+}
+
+# The same of the C kernel at -O2.
+instructions_of_c() {
+    local flags program=target/kernel-$1
+    case $1 in
+    thumbv6m-*) flags="-mcpu=cortex-m0" ;;
+    thumbv7em-*) flags="-mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard" ;;
+    esac
+    # shellcheck disable=SC2086 # one word a flag
+    arm-none-eabi-gcc -mthumb $flags -O2 -Wall -Wextra -Werror -ffunction-sections -nostartfiles \
+        -T c/link.ld -Wl,--gc-sections c/start.c c/kernel.c c/count.c -lm -o "$program"
+    emulate "$1" "$program" -icount shift=10 2>&1 # where a plain debugger's text goes
+}
+
+# The bytes that a public function adds to flash at opt-level s, as src/bin/flash.rs names it.
+flash() { echo $(($(program_size "$1" "$2") - $(program_size "$1" nothing))); }
+
+# .text and .rodata of the program that calls one function.
+program_size() {
+    local program
+    program=$(MEASURED=$2 build "$1" small flash) || return
+    arm-none-eabi-size -A "$program" | awk '$1 ~ /^\.(text|rodata)$/ { bytes += $2 } END { print bytes }'
+}
+
+# Bytes of stack below the caller under a profile: "whole real".
+stack() {
+    local program
+    program=$(build "$1" "$2" stack) && emulate "$1" "$program"
+}
+
+# Succeeds where the proof links, which it does where nothing can panic.
+cannot_panic() { build "$1" "$2" proof >/dev/null 2>&1; }
+
+# Succeeds where the proof has no routine for doubles, of the Arm run-time ABI or of libgcc's.
+has_no_doubles() {
+    local program symbols
+    program=$(build "$1" "$2" proof) && symbols=$(arm-none-eabi-nm "$program") || return
+    ! grep -E ' (__aeabi_(c?d[a-z]+|d2[a-z]+|[a-z]+2d)|__[a-z]*df[a-z]*[0-9]?)$' <<<"$symbols"
+}

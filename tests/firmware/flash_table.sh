@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Prints, as a table in Markdown, what each public function adds to flash at opt-level s, in bytes.
+set -euo pipefail
+cd "$(dirname "$0")"
+. ./toolchain.sh
+. ./checks.sh
+
+install_packages binutils-arm-none-eabi
+prepare_cross
+echo "| function | Cortex-M4F | Cortex-M0 |"
+echo "|---|---:|---:|"
+sed -nE 's/^ +"(.+)" => keep\(.*/\1/p; s/^ +"(.+)" => \{$/\1/p' src/bin/flash.rs | grep -v '^nothing$' |
+    while read -r function; do
+        echo "| $function | $(flash thumbv7em-none-eabihf "$function") | $(flash thumbv6m-none-eabi "$function") |"
+    done
