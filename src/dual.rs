@@ -12,7 +12,7 @@ use crate::vector::Vec3;
 ///
 /// [`normal::implicit`](crate::normal::implicit) and
 /// [`normal::parametric`](crate::normal::parametric) hand such numbers to your function. Plain
-/// numbers mix with them on the right: `p.dot(p) - 1.0`. Comparisons look at the value alone.
+/// numbers mix with them: `p.dot(p) - 1.0`, `2.0 * p.x`. Comparisons look at the value alone.
 /// Where the derivative does not exist (√ at 0), the gradient is not finite.
 ///
 /// ```
@@ -217,6 +217,21 @@ impl<T: Real> Div<T> for Dual<T> {
         }
     }
 }
+
+macro_rules! number_first {
+    ($float:ident: $($trait:ident $method:ident),*) => {
+        $(impl $trait<Dual<$float>> for $float {
+            type Output = Dual<$float>;
+            #[inline]
+            fn $method(self, dual: Dual<$float>) -> Dual<$float> {
+                Dual::constant(self).$method(dual)
+            }
+        })*
+    };
+}
+
+number_first!(f32: Add add, Sub sub, Mul mul, Div div);
+number_first!(f64: Add add, Sub sub, Mul mul, Div div);
 
 impl<T: Real> Real for Dual<T> {
     const ZERO: Self = Self::constant(T::ZERO);

@@ -65,6 +65,8 @@
 //! # Features
 //!
 //! - `approx`: `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`] and [`Rgb`].
+//! - `wide`: [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`. A scene in scalars
+//!   goes into lanes by `map`: `light.map(f32x8::splat)`.
 //!
 //! No feature is on by default.
 #![no_std]
@@ -111,6 +113,14 @@ pub use rgb::Rgb;
 pub use shade::Shaded;
 pub use term::{ambient, blinn, lambert, phong};
 pub use vector::{UnitVec3, Vec3};
+
+// pages of the documentation, without code
+#[cfg(doc)]
+#[doc = include_str!("../docs/precision.md")]
+pub mod precision {}
+#[cfg(doc)]
+#[doc = include_str!("../docs/totality.md")]
+pub mod totality {}
 
 /// The README's code blocks, compiled as doc-tests.
 #[cfg(doctest)]

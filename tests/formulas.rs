@@ -343,3 +343,19 @@ fn dual_whole_powers<T: Float>() {
         );
     }
 }
+
+/// A number before a dual one: 3 + x, 3 − x, 3x and 3/x at x = 2, where (3/x)′ = −3/x² = −3/4.
+macro_rules! number_before_a_dual_one {
+    ($($name:ident: $float:ident),*) => {
+        $(#[test]
+        fn $name() {
+            let x = Dual::point(Vec3::<$float>::new(2.0, 3.0, -1.0)).x;
+            assert_dual(3.0 + x, 5.0, [1.0, 0.0, 0.0], 0.0);
+            assert_dual(3.0 - x, 1.0, [-1.0, 0.0, 0.0], 0.0);
+            assert_dual(3.0 * x, 6.0, [3.0, 0.0, 0.0], 0.0);
+            assert_dual(3.0 / x, 1.5, [-0.75, 0.0, 0.0], 0.0);
+        })*
+    };
+}
+
+number_before_a_dual_one!(f32_before_a_dual_one: f32, f64_before_a_dual_one: f64);
