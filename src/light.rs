@@ -189,9 +189,12 @@ impl<T: Real> PointLight<T> {
         // Below zero by more than 2⁻⁸ of the distance: the rounding of this dot product and of N·L is
         // less in any number type of 12 bits or more, so N·L is not positive either.
         let two_to_minus_16 = T::of(1.0 / 65536.0);
-        let grazing = square * two_to_minus_16 - n_dot_to_light * n_dot_to_light;
-        let front = n_dot_to_light.if_positive(T::ONE, grazing);
-        (front.any_positive() || Vec3::is_extreme(square)).then(|| self.along(p, to_light, square))
+        let beyond_doubt = n_dot_to_light * n_dot_to_light - square * two_to_minus_16;
+        let behind = n_dot_to_light.if_positive(T::ZERO, beyond_doubt);
+        let in_front = behind.if_positive(T::ZERO, T::ONE);
+        in_front
+            .any_positive()
+            .then(|| self.along(p, to_light, square))
     }
 
     /// The light at p along P_light − p, of which the square is known.

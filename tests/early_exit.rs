@@ -1,0 +1,48 @@
+//! Leaving out early the lights behind a surface changes no sum, not by a bit.
+
+use proptest::prelude::*;
+use shading::{
+    Attenuation, Cone, Light, Material, PointLight, Rgb, SpotLight, UnitVec3, Vec3, shade,
+};
+
+fn vector() -> impl Strategy<Value = Vec3<f32>> {
+    [-1.0_f32..1.0, -1.0..1.0, -1.0..1.0].prop_map(Vec3::from)
+}
+
+/// Powers of two from those whose squares vanish to those whose squares overflow.
+fn size() -> impl Strategy<Value = f32> {
+    prop_oneof![4 => -10..10, 1 => -120..120].prop_map(|power| 2.0_f32.powi(power))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+    /// The light is raised over the horizon, or sunk below it, by 1 to 2⁻³⁰ of its distance: by
+    /// less and by more than rounding does.
+    #[test]
+    fn early_exit(
+        (n, v, aside, p) in (vector(), vector(), vector(), vector()),
+        (size, height, sign) in (size(), -30..0, prop_oneof![Just(-1.0_f32), Just(0.0), Just(1.0)]),
+        axis in vector(),
+    ) {
+        let [n, v, axis] = [n, v, axis].map(|direction| direction.unit_or(UnitVec3::Z));
+        let horizontal = n.cross(aside);
+        let way = (horizontal + *n * (sign * 2.0_f32.powi(height))) * size;
+        let point = PointLight {
+            position: p * size + way,
+            intensity: Rgb::new(1.0, 0.5, 2.0),
+            attenuation: Attenuation::NONE,
+        };
+        let cone = Cone::<f32>::from_half_angle(1.0).unwrap();
+        let lights = [Light::Point(point), Light::Spot(SpotLight { point, axis, cone })];
+        let material = Material { k_a: Rgb::WHITE, k_d: Rgb::WHITE, k_s: Rgb::WHITE, m: 1 };
+
+        let p = p * size;
+        let all = lights.iter().map(|light| light.at(p));
+        let lit = lights.iter().filter_map(|light| light.in_front(p, n));
+        prop_assert_eq!(
+            shade::blinn_phong(n, v, &material, Rgb::BLACK, all),
+            shade::blinn_phong(n, v, &material, Rgb::BLACK, lit)
+        );
+    }
+}
