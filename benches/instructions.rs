@@ -1,0 +1,70 @@
+//! Counts the instructions of each public function under valgrind, which repeats exactly, and
+//! compares them with the table in `instructions.txt`.
+//!
+//! - `cargo bench --bench instructions` prints the table;
+//! - with `-- --check` it fails where a count is more than 3 % off the table;
+//! - with `-- --write` it writes the table.
+//!
+//! Each function is called once for each of 4,096 arguments, in a function of its own that is not
+//! inlined; what is left of the loop is counted too, and is the same for all.
+
+#[path = "instructions/functions.rs"]
+mod functions;
+#[path = "instructions/table.rs"]
+mod table;
+
+use std::process::{Command, ExitCode};
+
+use functions::FUNCTIONS;
+use table::Table;
+
+const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/instructions.txt");
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if let Some(name) = arguments.iter().find_map(|a| a.strip_prefix("--call=")) {
+        functions::call(name);
+        return ExitCode::SUCCESS;
+    }
+    let given = |option: &str| arguments.iter().any(|a| a == option);
+    match report(given("--check"), given("--write")) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("instructions: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn report(check: bool, write: bool) -> Result<(), String> {
+    let counts = FUNCTIONS.iter().map(|(name, _)| Ok((*name, count(name)?)));
+    let table = Table(counts.collect::<Result<_, String>>()?);
+    print!("{table}");
+    if write {
+        std::fs::write(TABLE, table.to_string()).map_err(|error| format!("{TABLE}: {error}"))?;
+    }
+    if check {
+        let kept = std::fs::read_to_string(TABLE).map_err(|error| format!("{TABLE}: {error}"))?;
+        table.compare(&kept)?;
+    }
+    Ok(())
+}
+
+/// The instructions of one call.
+fn count(name: &str) -> Result<f64, String> {
+    let this = std::env::current_exe().map_err(|error| error.to_string())?;
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+        .args(["--collect-atstart=no", "--toggle-collect=*4shading_counted_*"])
+        .arg(this)
+        .arg(format!("--call={name}"))
+        .output()
+        .map_err(|error| format!("cannot run valgrind: {error}"))?;
+    let said = String::from_utf8_lossy(&output.stderr);
+    let collected = said.lines().find_map(|line| line.split_once("Collected : "));
+    let instructions: Option<f64> = collected.and_then(|(_, number)| number.trim().parse().ok());
+    match instructions {
+        Some(instructions) if output.status.success() => Ok(instructions / f64::from(functions::CALLS)),
+        _ => Err(format!("valgrind counted nothing for {name}: {said}")),
+    }
+}
