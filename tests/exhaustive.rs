@@ -68,7 +68,7 @@ fn unit_vectors_of_every_length() {
 fn whole_power(m: u32, stride: u32) {
     let next_to_nothing = f64::from(f32::MIN_POSITIVE);
     let mut largest = 0.0;
-    for cosine in floats(1.0, stride) {
+    for cosine in floats(1.0, stride).skip(1) {
         let (power, expected) = (m.raise(cosine), f64::from(cosine).powf(f64::from(m)));
         let error = (f64::from(power) - expected).abs();
         let tolerance = (f64::from(m) * U * expected).max(next_to_nothing);

@@ -1,0 +1,61 @@
+//! The table of instruction counts.
+
+use std::fmt;
+
+/// By how much a count may be off the one that is kept.
+const TOLERANCE: f64 = 0.03;
+
+/// Names and instructions of a call.
+pub struct Table(pub Vec<(&'static str, f64)>);
+
+impl fmt::Display for Table {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(
+            f,
+            "# instructions of a call on x86-64, as {} compiles",
+            compiler()
+        )?;
+        for (name, count) in &self.0 {
+            writeln!(f, "{name:24} {count:8.1}")?;
+        }
+        Ok(())
+    }
+}
+
+/// Another one may count otherwise.
+fn compiler() -> String {
+    let version = std::process::Command::new("rustc")
+        .arg("--version")
+        .output();
+    let version = version.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_owned());
+    version.unwrap_or_default()
+}
+
+impl Table {
+    /// Says which counts are off the table that is kept.
+    pub fn compare(&self, kept: &str) -> Result<(), String> {
+        let lines = kept.lines().filter(|line| !line.starts_with('#'));
+        let mut kept: Vec<(&str, f64)> = lines
+            .filter_map(|line| line.rsplit_once(' '))
+            .filter_map(|(name, count)| Some((name.trim(), count.parse().ok()?)))
+            .collect();
+        let mut off = Vec::new();
+        for (name, count) in &self.0 {
+            let place = kept.iter().position(|(kept, _)| kept == name);
+            match place.map(|place| kept.swap_remove(place)) {
+                Some((_, before)) if (count / before - 1.0).abs() <= TOLERANCE => {}
+                Some((_, before)) => off.push(format!("{name}: {count:.1} instead of {before:.1}")),
+                None => off.push(format!("{name}: not in the table")),
+            }
+        }
+        off.extend(
+            kept.iter()
+                .map(|(name, _)| format!("{name}: only in the table")),
+        );
+        if off.is_empty() {
+            Ok(())
+        } else {
+            Err(off.join("\n"))
+        }
+    }
+}
