@@ -5,19 +5,21 @@ mod cases;
 mod fnv;
 
 use cases::{DISTANCES, Numbers, REAL, WHOLE};
-use fnv::Fnv;
+pub use fnv::Fnv;
 use shading::{
     Attenuation, Dual, Elementary, Exponent, Light, PointLight, Real, Rgb, UnitVec3, Vec3,
     attenuation, blinn, half_vector, lambert, normal, phong, reflection, shade,
 };
 
-use crate::broken;
 use crate::scene::{AMBIENT, LIGHTS, brass};
+use crate::{broken, picture};
 
-/// The digest of [`single_precision`] and of the angles, which `libm` computes in doubles.
+/// The digest of [`single_precision`], of the [`picture`] for a display, and of the angles, which
+/// `libm` computes in doubles.
 #[must_use]
 pub fn everything() -> u64 {
     let mut digest = Fnv(single_precision());
+    picture::absorb(&mut digest);
     angles(&mut digest);
     digest.0
 }

@@ -5,4 +5,5 @@
 pub mod board;
 pub mod broken;
 pub mod digest;
+pub mod picture;
 pub mod scene;

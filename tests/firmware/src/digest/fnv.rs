@@ -11,7 +11,7 @@ impl Fnv {
         value.absorb_into(self);
     }
 
-    fn bits(&mut self, bits: u32) {
+    pub fn bits(&mut self, bits: u32) {
         for byte in bits.to_le_bytes() {
             self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
         }

@@ -1,0 +1,42 @@
+//! The picture of the example on a display, drawn on the chip by the same code.
+
+#[path = "../../../examples/display/ball.rs"]
+pub mod ball;
+
+use core::convert::Infallible;
+
+use embedded_graphics::Pixel;
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
+use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Size};
+
+use crate::digest::Fnv;
+
+/// A display that keeps nothing but a digest of what it is told to show.
+struct Display<'a>(&'a mut Fnv);
+
+impl OriginDimensions for Display<'_> {
+    fn size(&self) -> Size {
+        Size::new(160, 128)
+    }
+}
+
+impl DrawTarget for Display<'_> {
+    type Color = Rgb565;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(
+        &mut self,
+        pixels: I,
+    ) -> Result<(), Infallible> {
+        for Pixel(_, color) in pixels {
+            self.0.bits(RawU16::from(color).into_inner().into());
+        }
+        Ok(())
+    }
+}
+
+/// Absorbs a frame of the picture.
+pub fn absorb(digest: &mut Fnv) {
+    let Ok(()) = ball::draw(&mut Display(digest), ball::Turn::NONE.next());
+}
