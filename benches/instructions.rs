@@ -7,9 +7,9 @@
 //!
 //! Each function is called for 4,096 random arguments, out of line; `nothing` is what that costs.
 
-#[path = "instructions/functions.rs"]
+#[path = "support/functions.rs"]
 mod functions;
-#[path = "instructions/table.rs"]
+#[path = "support/table.rs"]
 mod table;
 
 use std::process::{Command, ExitCode};
@@ -22,7 +22,7 @@ const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/instructions.txt");
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     if let Some(name) = arguments.iter().find_map(|a| a.strip_prefix("--call=")) {
-        functions::call(name);
+        call(name);
         return ExitCode::SUCCESS;
     }
     let given = |option: &str| arguments.iter().any(|a| a == option);
@@ -69,5 +69,14 @@ fn count(name: &str) -> Result<f64, String> {
             Ok(instructions / f64::from(functions::CALLS))
         }
         _ => Err(format!("valgrind counted nothing for {name}: {said}")),
+    }
+}
+
+/// Calls a function for each of the random places.
+fn call(name: &str) {
+    let found = FUNCTIONS.iter().find(|(known, _)| *known == name);
+    let (_, function) = found.unwrap_or_else(|| panic!("no function {name}"));
+    for place in &functions::places() {
+        function(place);
     }
 }

@@ -14,6 +14,8 @@ mod contest;
 #[cfg(feature = "wide")]
 #[path = "versus/lanes.rs"]
 mod lanes;
+#[path = "support/native.rs"]
+mod native;
 #[path = "versus/ours.rs"]
 mod ours;
 #[path = "versus/scalar.rs"]
@@ -29,30 +31,6 @@ fn main() {
     lanes::contest();
     if cfg!(not(feature = "wide")) {
         scalar::contest();
-        std::process::exit(run_for_this_processor());
-    }
-}
-
-/// Builds and runs the part in lanes.
-fn run_for_this_processor() -> i32 {
-    let run = std::process::Command::new(env!("CARGO"))
-        .args([
-            "bench",
-            "--quiet",
-            "--bench",
-            "versus",
-            "--features",
-            "wide",
-        ])
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .args(["--target-dir", "../target/native"])
-        .env("RUSTFLAGS", "-C target-cpu=native")
-        .status();
-    match run {
-        Ok(status) => status.code().unwrap_or(1),
-        Err(error) => {
-            eprintln!("versus: cannot start cargo for the lanes: {error}");
-            1
-        }
+        std::process::exit(native::run("versus"));
     }
 }

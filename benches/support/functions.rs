@@ -7,7 +7,7 @@ use shading::{
     Real, Rgb, SpotLight, UnitVec3, Vec3, normal, shade,
 };
 
-/// How often each is called.
+/// How many places there are.
 pub const CALLS: u16 = 4096;
 
 /// What a function may want of a random surface point.
@@ -132,23 +132,17 @@ fn paraboloid<T: Real>(u: T, v: T) -> Vec3<T> {
     Vec3::new(u, v, u * u + v * v)
 }
 
-/// Calls a function for each of the random places.
-pub fn call(name: &str) {
+/// Random places.
+pub fn places() -> Vec<Place> {
     let mut random = fastrand::Rng::with_seed(1975);
     let mut vector = || Vec3::from([(); 3].map(|()| 4.0 * random.f32() - 2.0));
-    let places: Vec<Place> = (0..CALLS)
-        .map(|_| Place {
-            p: vector(),
-            a: vector(),
-            n: vector().unit_or(UnitVec3::X),
-            l: vector().unit_or(UnitVec3::Y),
-            v: vector().unit_or(UnitVec3::Z),
-            x: vector().x.abs() / 2.0,
-        })
-        .collect();
-    let found = FUNCTIONS.iter().find(|(known, _)| *known == name);
-    let (_, function) = found.unwrap_or_else(|| panic!("no function {name}"));
-    for place in &places {
-        function(place);
-    }
+    let mut place = |_| Place {
+        p: vector(),
+        a: vector(),
+        n: vector().unit_or(UnitVec3::X),
+        l: vector().unit_or(UnitVec3::Y),
+        v: vector().unit_or(UnitVec3::Z),
+        x: vector().x.abs() / 2.0,
+    };
+    (0..CALLS).map(&mut place).collect()
 }

@@ -1,0 +1,93 @@
+//! The time over points × lights, from one to a million, drawn into `target/scaling.svg` and
+//! `target/numbers.svg`: it grows linearly. Fails if anything is allocated on the way.
+
+#![allow(clippy::cast_precision_loss)] // a million is exact
+
+#[cfg(feature = "wide")]
+#[path = "scaling/allocations.rs"]
+mod allocations;
+#[cfg(feature = "wide")]
+#[path = "scaling/chart.rs"]
+mod chart;
+#[cfg(feature = "wide")]
+#[path = "scaling/measure.rs"]
+mod measure;
+#[cfg(not(feature = "wide"))]
+#[path = "support/native.rs"]
+mod native;
+
+#[cfg(not(feature = "wide"))]
+fn main() {
+    std::process::exit(native::run("scaling"));
+}
+
+#[cfg(feature = "wide")]
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    use chart::Chart;
+    use measure::nanoseconds;
+    use shading::Real;
+    use wide::{f32x8, f32x16, f64x8};
+
+    let one = |[x]: [f64; 1]| f32::of(x);
+    let eight = |x: [f64; 8]| f32x8::new(x.map(f32::of));
+    let sixteen = |x: [f64; 16]| f32x16::new(x.map(f32::of));
+
+    let target = concat!(env!("CARGO_MANIFEST_DIR"), "/../target/");
+    let lights = [1, 10, 100, 1000, 10_000, 100_000, 1_000_000];
+    let by_lights = |lights: usize| {
+        let points = (0..=6)
+            .map(|power| 10_usize.pow(power))
+            .filter(|p| p * lights <= 1_000_000);
+        let times = points.map(|points| {
+            let time = nanoseconds(one, points, lights);
+            (
+                (points * lights) as f64,
+                time * (points * lights) as f64 * 1e-9,
+            )
+        });
+        (format!("{lights} lights"), times.collect())
+    };
+    Chart {
+        title: "seconds by points × lights, f32",
+        x: 1.0..1e6,
+        y: 1e-9..1e-1,
+        lines: lights.map(by_lights).into(),
+    }
+    .draw(&format!("{target}scaling.svg"))?;
+
+    let products = || (2..=18).step_by(2).map(|power| 1 << power);
+    let with_four_lights = |nanoseconds: &dyn Fn(usize) -> f64| {
+        products()
+            .map(move |product| (product as f64, nanoseconds(product / 4)))
+            .collect()
+    };
+    Chart {
+        title: "nanoseconds a point and light by points × 4 lights",
+        x: 4.0..262_144.0,
+        y: 0.5..100.0,
+        lines: vec![
+            (
+                "f64".into(),
+                with_four_lights(&|points| nanoseconds(|[x]| x, points, 4)),
+            ),
+            (
+                "f32".into(),
+                with_four_lights(&|points| nanoseconds(one, points, 4)),
+            ),
+            (
+                "f64x8".into(),
+                with_four_lights(&|points| nanoseconds(f64x8::new, points, 4)),
+            ),
+            (
+                "f32x8".into(),
+                with_four_lights(&|points| nanoseconds(eight, points, 4)),
+            ),
+            (
+                "f32x16".into(),
+                with_four_lights(&|points| nanoseconds(sixteen, points, 4)),
+            ),
+        ],
+    }
+    .draw(&format!("{target}numbers.svg"))?;
+    Ok(())
+}
