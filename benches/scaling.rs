@@ -25,6 +25,7 @@ fn main() {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     use chart::Chart;
     use measure::nanoseconds;
+    use plotters::chart::SeriesLabelPosition;
     use shading::Real;
     use wide::{f32x8, f32x16, f64x8};
 
@@ -45,12 +46,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 time * (points * lights) as f64 * 1e-9,
             )
         });
-        (format!("{lights} lights"), times.collect())
+        (format!("lights: {lights}"), times.collect())
     };
     Chart {
         title: "seconds by points × lights, f32",
         x: 1.0..1e6,
         y: 1e-9..1e-1,
+        legend: SeriesLabelPosition::LowerRight,
         lines: lights.map(by_lights).into(),
     }
     .draw(&format!("{target}scaling.svg"))?;
@@ -64,7 +66,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Chart {
         title: "nanoseconds a point and light by points × 4 lights",
         x: 4.0..262_144.0,
-        y: 0.5..100.0,
+        y: 0.1..100.0,
+        legend: SeriesLabelPosition::LowerLeft,
         lines: vec![
             (
                 "f64".into(),

@@ -9,6 +9,8 @@ pub struct Chart<'a> {
     pub title: &'a str,
     pub x: Range<f64>,
     pub y: Range<f64>,
+    /// where no line is
+    pub legend: SeriesLabelPosition,
     pub lines: Vec<(String, Vec<(f64, f64)>)>,
 }
 
@@ -18,11 +20,16 @@ impl Chart<'_> {
         area.fill(&WHITE)?;
         let mut chart = ChartBuilder::on(&area)
             .caption(self.title, ("sans-serif", 20))
-            .margin(10)
+            .margin(25)
             .x_label_area_size(30)
             .y_label_area_size(60)
             .build_cartesian_2d(self.x.log_scale(), self.y.log_scale())?;
-        chart.configure_mesh().light_line_style(WHITE).draw()?;
+        chart
+            .configure_mesh()
+            .light_line_style(WHITE)
+            .x_label_formatter(&|x| format!("{x:.0e}"))
+            .y_label_formatter(&|y| format!("{y:.0e}"))
+            .draw()?;
         for (i, (name, points)) in self.lines.into_iter().enumerate() {
             println!("{name}: {points:?}");
             let colour = Palette99::pick(i);
@@ -35,7 +42,7 @@ impl Chart<'_> {
         }
         chart
             .configure_series_labels()
-            .position(SeriesLabelPosition::LowerRight)
+            .position(self.legend)
             .border_style(BLACK)
             .draw()?;
         area.present()?;
