@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_4, TAU};
 
 use proptest::prelude::*;
-use shading::{UnitVec3, Vec3, blinn, half_vector, phong, reflection};
+use shading::{Exponent, UnitVec3, Vec3, blinn, half_vector, phong, reflection};
 
 use crate::check::{at_least, check, same, to_f64, within};
 use crate::exact::{determinant, dot};
@@ -237,6 +237,21 @@ fn real_powers_add_up<T: Number<Shininess = T>>() {
     );
 }
 
+/// (34) (√s)^2m = s^m, exactly for whole m: no root need be taken. An odd power has the root's
+/// rounding, m times, and its own.
+fn power_of_a_root_is_half_the_power<T: Number>() {
+    check((cosine::<T>(), 0..5000_u32), |(square, m)| {
+        same([(2 * m).raise_root(square); 3], [m.raise(square); 3])?;
+        let m = 2 * m + 1;
+        let (power, expected) = (
+            m.raise_root(square).to_f64(),
+            m.raise(square.sqrt()).to_f64(),
+        );
+        let roundings = 3.0 * f64::from(m) * T::U * expected;
+        within(power - expected, roundings.max(NEXT_TO_NOTHING))
+    });
+}
+
 /// (34) Whole m and the same real m agree.
 fn whole_and_real_powers_agree<T: Number>() {
     check((cosine::<T>(), shine(10_000)), |(cosine, shine)| {
@@ -258,6 +273,7 @@ invariants! {
     highlight_does_not_fall_with_the_cosine,
     highlight_ends_at_the_horizon,
     whole_powers_add_up,
+    power_of_a_root_is_half_the_power,
     whole_and_real_powers_agree,
 }
 
