@@ -261,15 +261,17 @@ fn highlights<T: Float, M: Exponent<T>>(
     })
 }
 
-/// The power of a cosine above ½; below it a large one vanishes.
+/// The power of a cosine so near to 1 that no power is below 2⁻¹⁰⁰.
 fn power<T: Float, M: Exponent<T>>(m: M, exact_m: f64, relative: bool) -> f64 {
-    largest((0.5..1.0).prop_map(T::of), |cosine| {
+    let least = number(2.0).powf(&number(-100.0 / exact_m)).to_f64();
+    largest((least.value()..1.0).prop_map(T::of), |cosine| {
         let expected = number(cosine.to_f64()).powf(&number(exact_m));
-        let (one, power) = (number(1.0), m.raise(cosine));
-        if power.to_f64() < T::MIN_POSITIVE {
-            return 0.0; // it has lost bits
-        }
-        error(power, &expected, if relative { &expected } else { &one })
+        let one = number(1.0);
+        error(
+            m.raise(cosine),
+            &expected,
+            if relative { &expected } else { &one },
+        )
     })
 }
 
