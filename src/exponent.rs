@@ -31,25 +31,32 @@ pub trait Exponent<T>: Copy {
     /// [`raise`](Exponent::raise).
     #[must_use]
     fn raise_root(self, square: T) -> T;
+
+    /// [`raise_root`](Exponent::raise_root) as a function of the square, for a sum over lights: what
+    /// depends on m alone is computed once.
+    #[inline]
+    #[must_use]
+    fn root_power(self) -> impl Fn(T) -> T {
+        move |square| self.raise_root(square)
+    }
 }
 
 impl<T: Real> Exponent<T> for u32 {
     #[inline]
     fn raise(self, cosine: T) -> T {
-        if self == 0 {
-            return cosine.if_positive(T::ONE, T::ZERO);
-        }
-        by_squaring(perceptible(cosine, self), self)
+        power_of(self)(cosine)
     }
 
     #[inline]
     fn raise_root(self, square: T) -> T {
-        let (cosine, m) = if self % 2 == 0 {
-            (square, self / 2)
-        } else {
-            (square.sqrt(), self)
-        };
-        m.raise(cosine)
+        self.root_power()(square)
+    }
+
+    #[inline]
+    fn root_power(self) -> impl Fn(T) -> T {
+        let is_even = self % 2 == 0;
+        let power = power_of(if is_even { self / 2 } else { self });
+        move |square: T| power(if is_even { square } else { square.sqrt() })
     }
 }
 
@@ -82,19 +89,25 @@ impl Exponent<f64> for f64 {
 const ONE: u32 = 0x3F80_0000;
 const OCTAVE: u32 = 0x0080_0000;
 
-/// A base up to 1, or 0 where it is not above 0, and where its power would be subnormal in single
+/// The m-th power of a cosine. A cosine counts as 0 where its power would be subnormal in single
 /// precision: squaring would lead through subnormal numbers, which cost processors up to a hundred
 /// times as much as others. Numbers with the range of `f64` hardly ever come to theirs and keep
 /// every power.
 #[inline]
-fn perceptible<T: Real>(base: T, m: u32) -> T {
+fn power_of<T: Real>(m: u32) -> impl Fn(T) -> T {
     let has_range_of_f64 = T::of(1e-300).any_positive();
     let least = if has_range_of_f64 {
-        0.0
+        T::ZERO
     } else {
-        least_normal_base(m)
+        T::of(f64::from(least_normal_base(m)))
     };
-    base.if_above(T::of(f64::from(least)), base, T::ZERO)
+    move |cosine: T| {
+        if m == 0 {
+            cosine.if_positive(T::ONE, T::ZERO)
+        } else {
+            by_squaring(cosine.if_above(least, cosine, T::ZERO), m)
+        }
+    }
 }
 
 /// 2^(−126/m), whose power m ≥ 1 is the least normal number: never more, and its power not below

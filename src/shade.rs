@@ -161,8 +161,9 @@ pub fn blinn_phong<T: Real, M: Exponent<T>>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
+    let root_power = material.m.root_power();
     sum(n, material, i_a, lights, |l| {
-        term::blinn_between(n, between(l, v), material.m)
+        root_power(term::n_dot_h_squared(n, between(l, v)))
     })
 }
 

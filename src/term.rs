@@ -108,14 +108,15 @@ pub fn blinn<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: UnitVec3<T>, m: M) -> T
     highlight(n.dot(h), m)
 }
 
-/// [`blinn`] for an h = L + V that is not normalised. (N·H)ᵐ = ((N·h)²/(h·h))^(m/2) takes a
-/// division; normalising h would take a square root and a division.
+/// (N·H)², with the sign of N·H, for an h = L + V that is not normalised: (N·h)²/(h·h) takes a
+/// division; normalising h would take a square root and a division. It is what
+/// [`Exponent::raise_root`] raises.
 #[inline]
-pub(crate) fn blinn_between<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: Vec3<T>, m: M) -> T {
+pub(crate) fn n_dot_h_squared<T: Real>(n: UnitVec3<T>, h: Vec3<T>) -> T {
     let n_dot_h = n.dot(h);
-    // below 0 where N·H is; not a number, which counts as 0 too, where L = −V
+    // not a number, which counts as 0, where L = −V
     let square = n_dot_h * n_dot_h.abs() / h.dot(h);
-    m.raise_root(square.at_most(T::ONE))
+    square.at_most(T::ONE)
 }
 
 /// The power of a cosine, cut off at the horizon.
