@@ -1,0 +1,50 @@
+#![no_std]
+#![no_main]
+
+use cortex_m_rt::entry;
+use shading::*;
+
+static LAMPS: [PointLight<f32>; 2] = [
+    PointLight {
+        position: Vec3::new(2.0, 3.0, 4.0),
+        intensity: Rgb::new(1.0, 0.9, 0.8),
+        attenuation: Attenuation::<f32>::new(0.5, 0.0, 0.03).unwrap(), // checked by the compiler
+    },
+    PointLight {
+        position: Vec3::new(-3.0, 0.0, 1.0),
+        intensity: Rgb::new(0.1, 0.2, 0.6),
+        attenuation: Attenuation::NONE,
+    },
+];
+static AMBIENT: Rgb<f32> = Rgb::new(0.05, 0.05, 0.07);
+static BRASS: Material<f32, u32> = Material {
+    k_a: Rgb::new(0.33, 0.22, 0.03),
+    k_d: Rgb::new(0.78, 0.57, 0.11),
+    k_s: Rgb::new(0.99, 0.94, 0.81),
+    m: 28, // a whole number: the fast path
+};
+
+/// The color of the point p of the unit sphere, seen from far away, as a display takes it.
+fn pixel(p: Vec3<f32>) -> u16 {
+    let Some(n) = p.unit() else { return 0 };
+    let lights = LAMPS.iter().filter_map(|lamp| lamp.in_front(p, n));
+    let light = shade::blinn_phong(n, UnitVec3::Z, &BRASS, AMBIENT, lights).total();
+
+    // clamped, encoded (a root is near enough to sRGB), rounded
+    let Rgb { r, g, b } = light.clamped().map(Real::sqrt);
+    let level = |channel: f32, max: f32| (channel * max + 0.5) as u16;
+    level(r, 31.0) << 11 | level(g, 63.0) << 5 | level(b, 31.0)
+}
+
+#[entry]
+fn main() -> ! {
+    let mut color = pixel(Vec3::new(0.6, 0.0, 0.8));
+    loop {
+        color = core::hint::black_box(color); // to the display
+    }
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo) -> ! {
+    loop {}
+}
