@@ -15,6 +15,8 @@
 //! **Monotone.** The computed logarithm never falls as c rises: from one `f32` to the next the true
 //! one rises by several units in its last place. The rounded product by m then never falls either;
 //! only the last polynomial may step back, by one unit in the last place of the result.
+//!
+//! `benches/minimax.py` finds the polynomials, `tests/exhaustive.rs` tries every c.
 
 use crate::real::Real;
 
