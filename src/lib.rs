@@ -49,6 +49,12 @@
 //!   factors [`phong`] and [`blinn`] alone do not.
 //! - **m = 0 or not, a cosine ≤ 0 gives no highlight.**
 //!
+//! # More to read
+//!
+//! - Firmware, from an empty project to a lit pixel, and what each function costs: [`mod@embedded`].
+//! - What each function gives where its formula has no answer: [`mod@totality`].
+//! - How far each function is from its formula: [`mod@precision`].
+//!
 //! # The floors
 //!
 //! Each file uses only files on floors below it.
@@ -115,6 +121,9 @@ pub use term::{ambient, blinn, lambert, phong};
 pub use vector::{UnitVec3, Vec3};
 
 // pages of the documentation, without code
+#[cfg(doc)]
+#[doc = include_str!("../docs/embedded.md")]
+pub mod embedded {}
 #[cfg(doc)]
 #[doc = include_str!("../docs/precision.md")]
 pub mod precision {}
