@@ -52,6 +52,7 @@
 //! # More to read
 //!
 //! - Firmware, from an empty project to a lit pixel, and what each function costs: [`mod@embedded`].
+//! - How fast it is, beside the same formulas by hand: [`mod@performance`].
 //! - What each function gives where its formula has no answer: [`mod@totality`].
 //! - How far each function is from its formula: [`mod@precision`].
 //!
@@ -124,6 +125,9 @@ pub use vector::{UnitVec3, Vec3};
 #[cfg(doc)]
 #[doc = include_str!("../docs/embedded.md")]
 pub mod embedded {}
+#[cfg(doc)]
+#[doc = include_str!("../docs/performance.md")]
+pub mod performance {}
 #[cfg(doc)]
 #[doc = include_str!("../docs/precision.md")]
 pub mod precision {}
