@@ -151,6 +151,7 @@ fn linear_in_the_tangent<T: Number>() {
 fn decisions_look_at_the_value<T: Number>() {
     check((dual::<T>(), dual::<T>()), |(f, g)| {
         prop_assert_eq!(f < g, f.value < g.value);
+        prop_assert_eq!(f == g, f.value == g.value);
         let elsewhere = Dual {
             gradient: g.gradient,
             ..f

@@ -1,13 +1,13 @@
 //! Attenuation, the cone, and what arrives of a light.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use proptest::prelude::*;
 use shading::{
-    Attenuation, DirectionalLight, Light, PointLight, Rgb, SpotLight, attenuation, lambert,
+    Attenuation, DirectionalLight, Light, PointLight, Rgb, SpotLight, Vec3, attenuation, lambert,
 };
 
-use crate::check::{check, same, to_f64, within};
+use crate::check::{check, near, same, to_f64, within};
 use crate::exact;
 use crate::generators::{
     Relation, adversarial, adversarial_colour, adversarial_vector, coefficients, coefficients_of,
@@ -232,11 +232,21 @@ fn spot_is_a_point_light_or_dark<T: Number>() {
     });
 }
 
+/// A distance: usual, or any that the type has.
+fn distance<T: Number>() -> impl Strategy<Value = f64> {
+    let octaves = 0.9 * T::MAX.to_f64().log2();
+    prop_oneof![
+        Just(1.0),
+        0.01..100.0,
+        (-octaves..octaves).prop_map(f64::exp2)
+    ]
+}
+
 /// Leaving out what is not in front changes nothing: a light that is left out is behind the surface
 /// or dark, and any other is what it was, to the bit.
 fn only_lights_that_add_nothing_are_left_out<T: Number>() {
-    let q = prop_oneof![Just(1.0), 0.01..100.0_f64];
-    let inputs = (two_directions(), q, point::<T>(), light::<T, _>(point()));
+    let p = prop_oneof![point::<T>(), Just(Vec3::ZERO)];
+    let inputs = (two_directions(), distance::<T>(), p, light::<T, _>(point()));
     check(inputs, |([n, l], q, p, light)| {
         let (n, position) = (rounded(n), p + *rounded::<T>(l) * T::of(q));
         let light = match light {
@@ -265,36 +275,66 @@ fn only_lights_that_add_nothing_are_left_out<T: Number>() {
     });
 }
 
-/// What is well behind the surface is left out, and what is outside the cone.
+/// What is behind the surface by more than a quarter of a degree is left out, and what is outside
+/// the cone.
 fn lights_behind_are_left_out<T: Number>() {
-    check(
-        (
-            unit::<T>(),
-            0.01..100.0_f64,
-            point::<T>(),
-            light_colour::<T>(),
-        ),
-        |(n, q, p, intensity)| {
-            let behind = -*n * T::of(q);
-            let attenuation = Attenuation::NONE;
-            let at = |position| PointLight {
-                position,
-                intensity,
-                attenuation,
-            };
-            prop_assert!(at(p + behind).in_front(p, n).is_none());
-            let sun = DirectionalLight { l: -n, intensity };
-            prop_assert!(sun.in_front(p, n).is_none());
-            let spot = |axis| SpotLight {
-                point: at(p - behind),
-                axis,
-                cone: cone(0.9),
-            };
-            prop_assert!(spot(-n).in_front(p, n).is_some());
-            prop_assert!(spot(n).in_front(p, n).is_none());
-            Ok(())
-        },
+    let angle = FRAC_PI_2 + 0.005..PI;
+    let inputs = (
+        direction(),
+        angle,
+        0.0..TAU,
+        0.01..100.0_f64,
+        light_colour::<T>(),
     );
+    check(inputs, |(n, angle, azimuth, q, intensity)| {
+        let (l, n) = (
+            rounded(Relation::Angle(angle, azimuth).to(n)),
+            rounded::<T>(n),
+        );
+        let (p, attenuation) = (Vec3::ZERO, Attenuation::NONE);
+        let lamp = |position| PointLight {
+            position,
+            intensity,
+            attenuation,
+        };
+        prop_assert!(lamp(*l * T::of(q)).in_front(p, n).is_none());
+        let sun = DirectionalLight { l, intensity };
+        prop_assert!(sun.in_front(p, n).is_none());
+        let spot = |axis| SpotLight {
+            point: lamp(*n * T::of(q)),
+            axis,
+            cone: cone(0.9),
+        };
+        prop_assert!(spot(-n).in_front(p, n).is_some());
+        prop_assert!(spot(n).in_front(p, n).is_none());
+        Ok(())
+    });
+}
+
+/// Whatever the distance, L points to the light, to 10u: two unit vectors. Where the way to it
+/// overflows, that of a quarter of it does not.
+fn lamp_is_seen_where_it_is<T: Number>() {
+    let any = adversarial_vector::<T>;
+    check((any(), any()), |(position, p)| {
+        let (intensity, attenuation) = (Rgb::WHITE, Attenuation::NONE);
+        let incident = PointLight {
+            position,
+            intensity,
+            attenuation,
+        }
+        .at(p);
+        let quarter = T::of(0.25);
+        let way = (position - p)
+            .unit()
+            .or((position * quarter - p * quarter).unit());
+        if let Some(way) = way {
+            near(incident.l, way, 10.0 * T::U)?;
+            same(incident.intensity, Rgb::WHITE)?;
+        } else {
+            prop_assert!(position == p);
+        }
+        Ok(())
+    });
 }
 
 /// A light in `f32` numbers is the same light in `f64`.
@@ -319,5 +359,6 @@ invariants! {
     spot_is_a_point_light_or_dark,
     only_lights_that_add_nothing_are_left_out,
     lights_behind_are_left_out,
+    lamp_is_seen_where_it_is,
     lights_keep_their_numbers_in_another_type,
 }

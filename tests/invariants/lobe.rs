@@ -252,6 +252,17 @@ fn power_of_a_root_is_half_the_power<T: Number>() {
     });
 }
 
+/// (34) (√s)^m of a real m, to the errors of both, and m times the rounding of the root.
+fn real_power_of_a_root_is_half_the_power<T: Number<Shininess = T>>() {
+    check((cosine::<T>(), shine(5000)), |(square, m)| {
+        let real = Shine { whole: false, ..m };
+        let power = real.raise_root(square).to_f64();
+        let expected = real.raise(square.sqrt()).to_f64();
+        let tolerance = 2.0 * T::POWER_ERROR + 2.0 * m.m * expected.max(power);
+        within(power - expected, tolerance * T::U)
+    });
+}
+
 /// (34) Whole m and the same real m agree.
 fn whole_and_real_powers_agree<T: Number>() {
     check((cosine::<T>(), shine(10_000)), |(cosine, shine)| {
@@ -279,4 +290,5 @@ invariants! {
 
 invariants! { of numbers with real powers:
     real_powers_add_up,
+    real_power_of_a_root_is_half_the_power,
 }

@@ -304,14 +304,13 @@ pub fn adversarial_signed<T: Number>() -> impl Strategy<Value = T> {
         .prop_map(|(x, negative): (T, bool)| if negative { -x } else { x })
 }
 
-/// A point or vector of such numbers.
+/// A point or vector of such numbers, or of any one size.
 pub fn adversarial_vector<T: Number>() -> impl Strategy<Value = Vec3<T>> {
-    [
-        adversarial_signed(),
-        adversarial_signed(),
-        adversarial_signed(),
+    let component = adversarial_signed::<T>;
+    prop_oneof![
+        [component(), component(), component()].prop_map(Vec3::from),
+        (unit::<T>(), component()).prop_map(|(direction, size)| *direction * size),
     ]
-    .prop_map(Vec3::from)
 }
 
 fn colour<T: Number, S: Strategy<Value = T>>(channel: fn() -> S) -> impl Strategy<Value = Rgb<T>> {
