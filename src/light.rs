@@ -162,7 +162,7 @@ impl<T: Real> PointLight<T> {
     /// costs a dot product, and neither root nor division.
     ///
     /// ```
-    /// use shading::{shade, *};
+    /// use shading::*;
     /// # let (n, v) = (UnitVec3::<f32>::Z, UnitVec3::<f32>::Z);
     /// # let p = Vec3::ZERO;
     /// # let material = Material { k_a: Rgb::WHITE, k_d: Rgb::WHITE, k_s: Rgb::WHITE, m: 8 };
