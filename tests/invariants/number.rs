@@ -49,7 +49,7 @@ impl Number for f64 {
     }
 }
 
-/// The value of a dual number follows every invariant; its gradient has its own in `numbers.rs`.
+/// The value of a dual number follows every invariant; its gradient has its own in `dual.rs`.
 impl<T: Number> Number for Dual<T> {
     const U: f64 = T::U;
     const TINY: Self = Self::constant(T::TINY);
