@@ -137,8 +137,8 @@ impl<T: Real> Vec3<T> {
     #[inline]
     fn rescale_factors(square: T) -> [T; 2] {
         [
-            (T::RESCALE - square).if_positive(T::ONE, T::ONE / T::RESCALE),
-            (T::ONE / T::RESCALE - square).if_positive(T::RESCALE, T::ONE),
+            T::RESCALE.if_above(square, T::ONE, T::ONE / T::RESCALE),
+            (T::ONE / T::RESCALE).if_above(square, T::RESCALE, T::ONE),
         ]
     }
 
