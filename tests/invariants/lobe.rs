@@ -263,6 +263,20 @@ fn real_power_of_a_root_is_half_the_power<T: Number<Shininess = T>>() {
     });
 }
 
+/// A whole power is right to m − 1 roundings down to the least normal number of `f32`: nothing that
+/// single precision can hold in full is taken for nothing. What is expected is rounded once.
+fn faint_highlights_are_kept<T: Number>() {
+    check((1..=10_000_u32, 0.0..126.0_f64), |(m, octaves)| {
+        let cosine = T::of((-octaves / f64::from(m)).exp2());
+        let expected = cosine.to_f64().powf(m.into());
+        prop_assume!(expected >= NEXT_TO_NOTHING);
+        let (m, whole) = (f64::from(m), true);
+        let error = highlight(cosine, Shine { m, whole }).to_f64() - expected;
+        let roundings = ((m - 1.0) * T::U).exp_m1(); // (1 + u)^(m − 1) − 1
+        within(error, (roundings + f64::U) * expected)
+    });
+}
+
 /// (34) Whole m and the same real m agree.
 fn whole_and_real_powers_agree<T: Number>() {
     check((cosine::<T>(), shine(10_000)), |(cosine, shine)| {
@@ -285,6 +299,7 @@ invariants! {
     highlight_ends_at_the_horizon,
     whole_powers_add_up,
     power_of_a_root_is_half_the_power,
+    faint_highlights_are_kept,
     whole_and_real_powers_agree,
 }
 

@@ -396,11 +396,18 @@ pub fn point<T: Number>() -> impl Strategy<Value = Vec3<T>> {
     [coordinate(), coordinate(), coordinate()].prop_map(Vec3::from)
 }
 
-/// Coefficients of the attenuation, many of them 0, not all.
+/// An attenuation, limited to 1 or not; many of its coefficients are 0, not all.
 pub fn coefficients<T: Number>() -> impl Strategy<Value = Attenuation<T>> {
     let coefficient = || prop_oneof![1 => Just(0.0), 2 => 0.0..2.0];
-    [coefficient(), coefficient(), coefficient()]
-        .prop_filter_map("all zero", |[a, b, c]| coefficients_of([a, b, c]))
+    let abc = [coefficient(), coefficient(), coefficient()];
+    (abc, any::<bool>()).prop_filter_map("all zero", |(abc, clamped)| {
+        let attenuation = coefficients_of(abc)?;
+        Some(if clamped {
+            attenuation.clamped()
+        } else {
+            attenuation
+        })
+    })
 }
 
 /// The checked coefficients nearest to these.
