@@ -94,23 +94,23 @@ const TO_INTEGER: f32 = 12_583_038.0; // 1.5 · 2²³ + 126
 #[inline]
 pub(crate) fn power<T: Binary32>(c: T, m: T) -> T {
     let (zero, one, two) = (T::ZERO, T::ONE, T::of(2.0));
+    let of = |coefficient: f32| T::of(f64::from(coefficient));
 
     // scaled by 2²⁴, exactly, the least subnormal number is normal; `split` takes the 24 off again
     let (e, z) = (c * T::of(16_777_216.0)).split();
     let s = (z - one) / (z + one);
-    let log2_c = e + s * horner(LOG, s * s);
+    let x = s * s;
+    let [p0, p1, p2, p3] = LOG;
+    let log2_c = e + s * (of(p0) + x * (of(p1) + x * (of(p2) + x * of(p3))));
 
     // y = n + r within [−126, 0]; the result is 2^(n − 1) 2^(1 + r), and 0 for n = −126
     let y = (m * log2_c).at_least(T::of(-126.0)).at_most(zero);
-    let shifted = y + T::of(f64::from(TO_INTEGER));
-    let r = y - (shifted - T::of(f64::from(TO_INTEGER)));
+    let shifted = y + of(TO_INTEGER);
+    let r = y - (shifted - of(TO_INTEGER));
 
-    (two + r * horner(EXP, r)) * c.if_positive(shifted.two_to_low_byte(), zero)
-}
+    // written out: for a loop over the coefficients, opt-level s would copy them to the stack
+    let [q0, q1, q2, q3, q4, q5] = EXP;
+    let q = of(q0) + r * (of(q1) + r * (of(q2) + r * (of(q3) + r * (of(q4) + r * of(q5)))));
 
-/// The polynomial with these coefficients, the constant first.
-#[inline]
-fn horner<T: Real, const N: usize>(coefficients: [f32; N], x: T) -> T {
-    let higher = coefficients.into_iter().rev().map(|c| T::of(f64::from(c)));
-    higher.reduce(|sum, c| c + x * sum).unwrap_or(x)
+    (two + r * q) * c.if_positive(shifted.two_to_low_byte(), zero)
 }
