@@ -148,11 +148,11 @@ impl<T: Real> PointLight<T> {
     ///
     /// At the light itself (q = 0), and where a coordinate is infinite, it lights nothing. A distance
     /// or an intensity that overflows is the largest finite number.
-    #[inline]
+    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
+    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
     #[must_use]
     pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
-        let to_light = self.position - p;
-        self.along(p, to_light, to_light.dot(to_light))
+        self.arriving(p)
     }
 
     /// [`at`](PointLight::at) a point of a surface with the normal N, or `None` where the light is
@@ -180,9 +180,29 @@ impl<T: Real> PointLight<T> {
     /// assert_eq!(all, lit);
     /// ```
     #[doc(alias = "cull")]
-    #[inline]
+    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
+    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
+        self.arriving_in_front(p, n)
+    }
+
+    /// [`at`](PointLight::at), in line wherever it is called.
+    ///
+    /// Where there is no FPU all numbers lie on the stack. So there `at` and `in_front` are out of
+    /// line: their numbers make room for those of the highlight. But they are so only once, and all
+    /// that they call is in line: a call within a call would take more of the stack.
+    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(always))]
+    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
+    fn arriving(&self, p: Vec3<T>) -> IncidentLight<T> {
+        let to_light = self.position - p;
+        self.along(p, to_light, to_light.dot(to_light))
+    }
+
+    /// [`in_front`](PointLight::in_front), in line wherever it is called.
+    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(always))]
+    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
+    fn arriving_in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
         let to_light = self.position - p;
         let square = to_light.dot(to_light);
         let n_dot_to_light = n.dot(to_light);
@@ -198,7 +218,8 @@ impl<T: Real> PointLight<T> {
     }
 
     /// The light at p along P_light − p, of which the square is known.
-    #[inline]
+    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(always))]
+    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>, square: T) -> IncidentLight<T> {
         let (l, q) = if Vec3::is_extreme(square) {
             self.extreme_way(-p.x, -p.y, -p.z, square)
@@ -222,7 +243,8 @@ impl<T: Real> PointLight<T> {
     /// It takes the point apart, because numbers go in registers, and lanes, which do not, negated,
     /// because −p is made only here: p would be written to memory for every light, also where this
     /// is not called. For firmware it is in line: the call would take more flash.
-    #[cfg_attr(target_os = "none", inline)]
+    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(always))]
+    #[cfg_attr(all(target_os = "none", target_abi = "eabihf"), inline)]
     #[cfg_attr(not(target_os = "none"), cold, inline(never))]
     fn extreme_way(&self, minus_x: T, minus_y: T, minus_z: T, square: T) -> (UnitVec3<T>, T) {
         let p = -Vec3::new(minus_x, minus_y, minus_z);
@@ -256,23 +278,35 @@ impl<T: Real> PointLight<T> {
 impl<T: Real> SpotLight<T> {
     /// The light that arrives at the point p: that of the [`PointLight`] inside the cone and on
     /// its edge, none outside.
-    #[inline]
+    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
+    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
     #[must_use]
     pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
-        let incident = self.point.at(p);
+        self.narrowed(self.point.arriving(p))
+    }
+
+    /// [`at`](SpotLight::at) a point of a surface with the normal N, or `None` where the light is
+    /// behind it or the point outside the cone; in lanes, where nothing arrives in any. See
+    /// [`PointLight::in_front`].
+    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
+    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
+    #[must_use]
+    pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
+        self.narrowed_in_front(self.point.arriving_in_front(p, n)?)
+    }
+
+    /// What the cone leaves of the light at its tip.
+    #[inline]
+    fn narrowed(&self, incident: IncidentLight<T>) -> IncidentLight<T> {
         IncidentLight {
             intensity: incident.intensity * self.cone.factor(self.axis, incident.l),
             ..incident
         }
     }
 
-    /// [`at`](SpotLight::at) a point of a surface with the normal N, or `None` where the light is
-    /// behind it or the point outside the cone; in lanes, where nothing arrives in any. See
-    /// [`PointLight::in_front`].
+    /// What the cone leaves of the light at its tip, or `None` where that is nothing.
     #[inline]
-    #[must_use]
-    pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
-        let incident = self.point.in_front(p, n)?;
+    fn narrowed_in_front(&self, incident: IncidentLight<T>) -> Option<IncidentLight<T>> {
         let factor = self.cone.factor(self.axis, incident.l);
         factor.any_positive().then(|| IncidentLight {
             intensity: incident.intensity * factor,
@@ -294,25 +328,35 @@ impl<T: Real> SpotLight<T> {
 
 impl<T: Real> Light<T> {
     /// The light that arrives at the point p.
-    #[inline]
+    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
+    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
     #[must_use]
     pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
+        let point = match self {
+            Self::Directional(light) => return light.at(p),
+            Self::Point(point) | Self::Spot(SpotLight { point, .. }) => point,
+        };
+        let incident = point.arriving(p);
         match self {
-            Self::Directional(light) => light.at(p),
-            Self::Point(light) => light.at(p),
-            Self::Spot(light) => light.at(p),
+            Self::Spot(spot) => spot.narrowed(incident),
+            _ => incident,
         }
     }
 
     /// [`at`](Light::at) a point of a surface with the normal N, or `None` where nothing arrives at
     /// its front: sooner than `at`, and with the same sum. See [`PointLight::in_front`].
-    #[inline]
+    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
+    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
+        let point = match self {
+            Self::Directional(light) => return light.in_front(p, n),
+            Self::Point(point) | Self::Spot(SpotLight { point, .. }) => point,
+        };
+        let incident = point.arriving_in_front(p, n)?;
         match self {
-            Self::Directional(light) => light.in_front(p, n),
-            Self::Point(light) => light.in_front(p, n),
-            Self::Spot(light) => light.in_front(p, n),
+            Self::Spot(spot) => spot.narrowed_in_front(incident),
+            _ => Some(incident),
         }
     }
 

@@ -176,17 +176,54 @@ fn sum<T: Real, M>(
     lights: impl IntoIterator<Item = IncidentLight<T>>,
     highlight: impl Fn(UnitVec3<T>) -> T,
 ) -> Shaded<T> {
-    let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
-    for IncidentLight { l, intensity } in lights {
-        let n_dot_l = term::lambert(n, l);
+    let mut sums = Sums {
+        diffuse: Rgb::BLACK,
+        specular: Rgb::BLACK,
+    };
+    for ref light in lights {
+        sums.add(&n, light, &highlight);
+    }
+    sums.reflected(material, &i_a)
+}
+
+/// The light of the lights so far, before the material reflects it.
+///
+/// Where there is no FPU all numbers lie on the stack. So there the parts of the sum are out of
+/// line, and their numbers lie in the same place, one part's after another's, rather than side by
+/// side. What they share they take by reference, so that it is not copied for them.
+struct Sums<T> {
+    /// Σ I max(0, N·L).
+    diffuse: Rgb<T>,
+    /// Σ I highlight.
+    specular: Rgb<T>,
+}
+
+impl<T: Real> Sums<T> {
+    /// Adds a light; one behind the surface adds nothing.
+    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
+    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
+    fn add(
+        &mut self,
+        n: &UnitVec3<T>,
+        light: &IncidentLight<T>,
+        highlight: &impl Fn(UnitVec3<T>) -> T,
+    ) {
+        let n_dot_l = term::lambert(*n, light.l);
         if n_dot_l.any_positive() {
-            diffuse += intensity * n_dot_l;
-            specular += intensity * n_dot_l.if_positive(highlight(l), T::ZERO);
+            self.diffuse += light.intensity * n_dot_l;
+            let highlight = n_dot_l.if_positive(highlight(light.l), T::ZERO);
+            self.specular += light.intensity * highlight;
         }
     }
-    Shaded {
-        ambient: term::ambient(material.k_a, i_a),
-        diffuse: diffuse.reflected(material.k_d),
-        specular: specular.reflected(material.k_s),
+
+    /// What the material sends to the eye of them, and of the ambient light I_a.
+    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
+    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
+    fn reflected<M>(&self, material: &Material<T, M>, i_a: &Rgb<T>) -> Shaded<T> {
+        Shaded {
+            ambient: term::ambient(material.k_a, *i_a),
+            diffuse: self.diffuse.reflected(material.k_d),
+            specular: self.specular.reflected(material.k_s),
+        }
     }
 }

@@ -41,21 +41,25 @@ pub fn instructions(work: impl Fn()) -> u32 {
     (ticks * 1000 + thousand / 2) / thousand
 }
 
-/// How many bytes of the stack `work` takes, found by painting what is below.
-#[inline(never)]
-pub fn stack(work: &dyn Fn()) -> usize {
+/// How many bytes of the stack the one function that `work` calls takes, found by painting what is
+/// below. It is in line: the stack pointer is that of the caller, whose own frame does not count.
+#[inline(always)]
+pub fn stack(work: impl FnOnce()) -> usize {
     const PAINT: u32 = 0xa5a5_5a5a;
-    const WORDS: usize = 1024;
+    const WORDS: usize = 512;
     let top = chip::stack_pointer();
-    let below = (1..=WORDS).map(|word| top.wrapping_sub(word));
-    // SAFETY: below the stack pointer is unused RAM, nothing interrupts, and this function stores
-    // nothing there until it calls `work`.
-    below
-        .clone()
-        .for_each(|word| unsafe { word.write_volatile(PAINT) });
+    let mut depth = WORDS;
+    // SAFETY: below the stack pointer is unused RAM, nothing interrupts, and nothing is called
+    // until `work` is.
+    while depth > 0 {
+        unsafe { top.wrapping_sub(depth).write_volatile(PAINT) };
+        depth -= 1;
+    }
     work();
+    depth = WORDS;
     // SAFETY: as above.
-    let untouched = |word: &*mut u32| unsafe { word.read_volatile() } == PAINT;
-    let left = below.rev().take_while(untouched).count();
-    (WORDS - left) * size_of::<u32>()
+    while depth > 0 && unsafe { top.wrapping_sub(depth).read_volatile() } == PAINT {
+        depth -= 1;
+    }
+    depth * size_of::<u32>()
 }

@@ -1,5 +1,5 @@
-//! Prints how many bytes of the stack the sum over a slice of lights takes, with a whole shininess
-//! and with a real one.
+//! Prints how many bytes of the stack, below the caller, the sum over a slice of lights takes: with
+//! a whole shininess and with a real one, then again with only the lights in front of the surface.
 #![no_std]
 #![no_main]
 
@@ -7,21 +7,60 @@ use core::hint::black_box;
 
 use firmware::scene::{AMBIENT, CAP, LIGHTS, brass};
 use firmware::{board, broken};
-use shading::{Exponent, Material, shade};
+use shading::{Exponent, Light, Material, Rgb, Shaded, UnitVec3, Vec3, shade};
 
 #[board::entry]
 fn main() -> ! {
-    board::println!("{} {}", depth(&brass(32)), depth(&brass(32.5)));
+    let (whole, real) = (&brass(32), &brass(32.5));
+    board::println!(
+        "{} {} {} {}",
+        depth(whole, sum),
+        depth(real, sum),
+        depth(whole, sum_in_front),
+        depth(real, sum_in_front)
+    );
     board::done()
 }
 
-fn depth<M: Exponent<f32>>(material: &Material<f32, M>) -> usize {
-    let (lights, n, v) = (black_box(&LIGHTS), black_box(&CAP[1]), black_box(&CAP[0]));
-    board::stack(&|| {
-        let incident = lights.iter().map(|light| light.at(**n));
-        black_box(&shade::blinn_phong(*n, *v, material, AMBIENT, incident));
-        broken::promise(0.0);
-    })
+/// What is measured, as firmware has it: one function, given all that it needs.
+type Sum<M> = fn(
+    p: Vec3<f32>,
+    n: UnitVec3<f32>,
+    v: UnitVec3<f32>,
+    material: &Material<f32, M>,
+    i_a: Rgb<f32>,
+    lights: &[Light<f32>],
+) -> Shaded<f32>;
+
+fn sum<M: Exponent<f32>>(
+    p: Vec3<f32>,
+    n: UnitVec3<f32>,
+    v: UnitVec3<f32>,
+    material: &Material<f32, M>,
+    i_a: Rgb<f32>,
+    lights: &[Light<f32>],
+) -> Shaded<f32> {
+    broken::promise(0.0);
+    shade::blinn_phong(n, v, material, i_a, lights.iter().map(|light| light.at(p)))
+}
+
+fn sum_in_front<M: Exponent<f32>>(
+    p: Vec3<f32>,
+    n: UnitVec3<f32>,
+    v: UnitVec3<f32>,
+    material: &Material<f32, M>,
+    i_a: Rgb<f32>,
+    lights: &[Light<f32>],
+) -> Shaded<f32> {
+    let lights = lights.iter().filter_map(|light| light.in_front(p, n));
+    shade::blinn_phong(n, v, material, i_a, lights)
+}
+
+fn depth<M>(material: &Material<f32, M>, sum: Sum<M>) -> usize {
+    let [n, v] = black_box([CAP[1], CAP[0]]);
+    let (i_a, lights) = (black_box(AMBIENT), black_box(&LIGHTS[..]));
+    let sum = black_box(sum); // a call that cannot be in line
+    board::stack(|| _ = black_box(&sum(*n, n, v, material, i_a, lights)))
 }
 
 #[panic_handler]
