@@ -363,14 +363,39 @@ fn unit_is_right_from_the_smallest_to_the_largest_number<T: Float>() {
 }
 
 fn known_takes_unit_vectors_only<T: Float>() {
-    let [six, eight] = [0.6, 0.8].map(T::of);
-    assert_eq!(T::known(T::ZERO, T::ZERO, T::ONE), Some(UnitVec3::Z));
-    assert!(T::known(six, T::ZERO, eight).is_some());
-    for [x, y, z] in [[0.0; 3], [1.0, 0.0, 1.0], [0.6, 0.0, 0.81]].map(|v| v.map(T::of)) {
-        assert_eq!(T::known(x, y, z), None);
+    let known = |v: [f64; 3]| {
+        let [x, y, z] = v.map(T::of);
+        T::known(x, y, z)
+    };
+    assert_eq!(known([0.0, 0.0, 1.0]), Some(UnitVec3::Z));
+    let third = 1.0 / 3.0;
+    for v in [
+        [0.0, 0.0, 1.0],
+        [0.6, 0.0, -0.8],
+        [-0.48, 0.6, 0.64],
+        [2.0 * third, 2.0 * third, -third],
+        [third.sqrt(); 3],
+    ] {
+        let taken = known(v).expect("a unit vector");
+        assert_eq!(*taken, vector(v));
+        // 16ε in the square of the length, where a rounded unit vector is off by 4ε at most
+        for factor in [1.0 - 16.0 * T::U, 1.0 + 16.0 * T::U] {
+            assert_eq!(known(v.map(|c| c * factor)), None);
+        }
+        for i in 0..3 {
+            let mut wrong = v;
+            wrong[i] = 0.5 - v[i];
+            assert_eq!(known(wrong), None, "{wrong:?}");
+        }
     }
-    assert_eq!(T::known(T::NAN, T::ZERO, T::ONE), None);
-    assert_eq!(T::known(T::INFINITY, T::ZERO, T::ZERO), None);
+    for v in [[0.0; 3], [1.0, 0.0, 1.0], [f64::NAN, 0.0, 1.0]] {
+        assert_eq!(known(v), None);
+    }
+    for i in 0..3 {
+        let mut infinite = [0.0; 3];
+        infinite[i] = f64::INFINITY;
+        assert_eq!(known(infinite), None);
+    }
 }
 
 fn assume_unit_takes_your_word<T: Float>() {
