@@ -55,6 +55,7 @@
 //! - How fast it is, beside the same formulas by hand: [`mod@performance`].
 //! - What each function gives where its formula has no answer: [`mod@totality`].
 //! - How far each function is from its formula: [`mod@precision`].
+//! - How to try the invariants of illumination on a number type of your own: [`mod@invariants`].
 //!
 //! # The floors
 //!
@@ -125,6 +126,9 @@ pub use vector::{UnitVec3, Vec3};
 #[cfg(doc)]
 #[doc = include_str!("../docs/embedded.md")]
 pub mod embedded {}
+#[cfg(doc)]
+#[doc = include_str!("../docs/invariants.md")]
+pub mod invariants {}
 #[cfg(doc)]
 #[doc = include_str!("../docs/performance.md")]
 pub mod performance {}

@@ -2,7 +2,7 @@
 //!
 //! Each property is a generic function over [`Number`](number::Number), and each file ends with a
 //! list of its properties, which [`invariants!`] turns into tests for each number type. How to run
-//! them for a type of your own: see `tests/README.md`.
+//! them for a type of your own: see `docs/invariants.md`.
 //!
 //! Tolerances are in units of u, the unit roundoff, and each has its reason beside it. Where
 //! nothing is said, two results are compared bit for bit.
