@@ -241,11 +241,19 @@ fn attenuation_with_an_overflowing_denominator_is_zero<T: Float>() {
 }
 
 fn checked_attenuation_is_never_infinite<T: Float>() {
-    for coefficients in [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [T::TINIEST, 0.0, 0.0]] {
+    let steep = [
+        [0.0, 1.0, 0.0],
+        [-0.0, 1.0, 0.0],
+        [-0.0, 0.0, 1.0],
+        [T::TINIEST, 0.0, 0.0],
+    ];
+    for coefficients in steep {
         let [a, b, c] = coefficients.map(T::of);
         let checked = T::new_attenuation(a, b, c).expect("coefficients");
-        assert_eq!(checked.at(T::ZERO), T::MAX);
-        assert_eq!(checked.clamped().at(T::ZERO), T::ONE);
+        for zero in [T::ZERO, -T::ZERO] {
+            assert_eq!(checked.at(zero), T::MAX);
+            assert_eq!(checked.clamped().at(zero), T::ONE);
+        }
     }
 }
 

@@ -1,12 +1,12 @@
-//! (52) A number type agrees with `f64`, rounded. (Lanes agree with their scalar bit for bit; that
-//! has a test of its own.)
+//! (52) A number type agrees with `f64`, rounded, and decides as [`Real`](shading::Real) promises.
+//! (Lanes agree with their scalar bit for bit; that has a test of its own.)
 
 use proptest::prelude::*;
 use shading::{IncidentLight, Material, UnitVec3, half_vector, lambert, reflection};
 
-use crate::check::{check, near, to_f64, within};
+use crate::check::{check, near, same, to_f64, within};
 use crate::exact::square_excess;
-use crate::generators::{Scene, model, pair, scene};
+use crate::generators::{Scene, adversarial_signed, model, pair, scene};
 use crate::number::Number;
 
 fn wide<T: Number>(n: UnitVec3<T>) -> UnitVec3<f64> {
@@ -69,6 +69,45 @@ fn shading_agrees_with_double<T: Number>() {
     });
 }
 
+/// Every decision, also between equal numbers and for what is not a number.
+fn decisions_are_as_promised<T: Number>() {
+    let numbers = (
+        adversarial_signed::<T>(),
+        adversarial_signed(),
+        any::<bool>(),
+    );
+    check(numbers, |(x, other, equal)| {
+        let y = if equal { x } else { other };
+        let (then, otherwise) = (T::ONE, T::of(2.0));
+        let pick = |condition| if condition { then } else { otherwise };
+        let value = |x: T, expected: T| same([x; 3], [expected; 3]);
+
+        value(x.if_positive(then, otherwise), pick(x > T::ZERO))?;
+        value(x.if_above(y, then, otherwise), pick(x > y))?;
+        prop_assert_eq!(x.any_positive(), x > T::ZERO);
+        prop_assert!(x.abs() >= T::ZERO && (x.abs() == x || x.abs() == -x));
+        value(x.at_least(y), if x > y { x } else { y })?;
+        value(x.at_most(y), if x > y { y } else { x })?;
+        value(x.positive_part(), if x > T::ZERO { x } else { T::ZERO })?;
+
+        let (low, high) = if x.abs() < y.abs() { (x, y) } else { (y, x) };
+        let (low, high) = (low.abs(), high.abs());
+        if low < T::ONE && T::ONE < high {
+            prop_assert!(!T::ONE.any_outside(low, high));
+        }
+        if T::ONE < low || T::ONE > high {
+            prop_assert!(T::ONE.any_outside(low, high));
+        }
+
+        let nan = T::ZERO / T::ZERO;
+        value(nan.if_positive(then, otherwise), otherwise)?;
+        value(nan.if_above(y, then, otherwise), otherwise)?;
+        value(nan.at_least(y), y)?;
+        prop_assert!(!nan.any_positive() && nan.any_outside(low, high));
+        Ok(())
+    });
+}
+
 fn widened<T: Number>(scene: &Scene<T>) -> Scene<f64> {
     let lights = scene.lights.iter();
     let lights = lights.map(|light| IncidentLight {
@@ -89,4 +128,5 @@ fn widened<T: Number>(scene: &Scene<T>) -> Scene<f64> {
 invariants! {
     directions_agree_with_double,
     shading_agrees_with_double,
+    decisions_are_as_promised,
 }

@@ -1,0 +1,45 @@
+//! Comparisons within a tolerance by the crate `approx` look at every component, and mean by their
+//! defaults what they mean for floats.
+
+use approx::{AbsDiffEq, RelativeEq, UlpsEq};
+use shading::{Rgb, UnitVec3, Vec3};
+
+#[test]
+fn vectors_are_compared_in_every_coordinate() {
+    looks_at_every_component(Vec3::from);
+}
+
+#[test]
+fn directions_are_compared_in_every_coordinate() {
+    looks_at_every_component(|xyz| UnitVec3::assume_unit(Vec3::from(xyz)));
+}
+
+#[test]
+fn colours_are_compared_in_every_channel() {
+    looks_at_every_component(Rgb::from);
+}
+
+fn looks_at_every_component<V>(value: impl Fn([f64; 3]) -> V)
+where
+    V: AbsDiffEq<Epsilon = f64> + RelativeEq + UlpsEq,
+{
+    let one = value([1.0; 3]);
+    for i in 0..3 {
+        let with = |component: f64| {
+            let mut components = [1.0; 3];
+            components[i] = component;
+            value(components)
+        };
+        assert!(one.abs_diff_eq(&with(1.5), 0.5));
+        assert!(!one.abs_diff_eq(&with(1.5), 0.25));
+        // 1 is a half of 2
+        assert!(one.relative_eq(&with(2.0), 0.0, 0.5));
+        assert!(!one.relative_eq(&with(2.0), 0.0, 0.25));
+        let three_up = with(1.0 + 3.0 * f64::EPSILON);
+        assert!(one.ulps_eq(&three_up, 0.0, 3));
+        assert!(!one.ulps_eq(&three_up, 0.0, 2));
+    }
+    assert!(V::default_epsilon().eq(&f64::default_epsilon()));
+    assert!(V::default_max_relative().eq(&f64::default_max_relative()));
+    assert_eq!(V::default_max_ulps(), f64::default_max_ulps());
+}
