@@ -36,11 +36,11 @@ digest() {
     esac
 }
 
-# Instructions per point light at opt-level 3: "whole real".
+# Instructions per point light, under `release` unless another profile is named: "whole real".
 instructions() {
     local shift=10 program
     case $1 in riscv32*) shift=0 ;; esac
-    program=$(build "$1" release count) && emulate "$1" "$program" -icount "shift=$shift"
+    program=$(build "$1" "${2-release}" count) && emulate "$1" "$program" -icount "shift=$shift"
 }
 
 # The same of the C kernel at -O2.
