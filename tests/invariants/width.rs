@@ -99,11 +99,14 @@ fn decisions_are_as_promised<T: Number>() {
             prop_assert!(T::ONE.any_outside(low, high));
         }
 
-        let nan = T::ZERO / T::ZERO;
-        value(nan.if_positive(then, otherwise), otherwise)?;
-        value(nan.if_above(y, then, otherwise), otherwise)?;
-        value(nan.at_least(y), y)?;
-        prop_assert!(!nan.any_positive() && nan.any_outside(low, high));
+        let nan = T::of(f64::NAN);
+        // a type may do without
+        if nan.partial_cmp(&nan).is_none() {
+            value(nan.if_positive(then, otherwise), otherwise)?;
+            value(nan.if_above(y, then, otherwise), otherwise)?;
+            value(nan.at_least(y), y)?;
+            prop_assert!(!nan.any_positive() && nan.any_outside(low, high));
+        }
         Ok(())
     });
 }
