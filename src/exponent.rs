@@ -1,6 +1,6 @@
 //! Floor 0: the shininess m, and the power of a cosine.
 
-use crate::power::power;
+use crate::power::{four_powers, power};
 use crate::real::Real;
 
 /// The shininess m of a highlight: a whole number (`u32`) or a real one (`f32`, `f64`).
@@ -17,6 +17,10 @@ use crate::real::Real;
 /// assert!(real < whole);
 /// ```
 pub trait Exponent<T>: Copy {
+    /// Whether [`raise_four_roots`](Exponent::raise_four_roots) takes little longer than one root, in
+    /// SIMD registers: then a sum over lights takes four highlights at a time. The bits are the same.
+    const FOUR_AT_ONCE: bool = false;
+
     /// cosineᵐ for a cosine up to 1; 1 for m = 0. An m below 0, or not a number, counts as 0. Where
     /// the cosine is not above 0, or not a number, the power is 0 for **every** m, also for m = 0.
     ///
@@ -31,6 +35,13 @@ pub trait Exponent<T>: Copy {
     /// [`raise`](Exponent::raise).
     #[must_use]
     fn raise_root(self, square: T) -> T;
+
+    /// [`raise_root`](Exponent::raise_root) of each of four squares.
+    #[inline]
+    #[must_use]
+    fn raise_four_roots(self, squares: [T; 4]) -> [T; 4] {
+        squares.map(|square| self.raise_root(square))
+    }
 
     /// [`raise_root`](Exponent::raise_root) as a function of the square, for a sum over lights: what
     /// depends on m alone is computed once.
@@ -61,6 +72,12 @@ impl<T: Real> Exponent<T> for u32 {
 }
 
 impl Exponent<f32> for f32 {
+    const FOUR_AT_ONCE: bool = cfg!(any(
+        target_feature = "sse2",
+        target_feature = "neon",
+        target_feature = "simd128"
+    ));
+
     #[inline]
     fn raise(self, cosine: f32) -> f32 {
         power(cosine, self.positive_part())
@@ -69,6 +86,11 @@ impl Exponent<f32> for f32 {
     #[inline]
     fn raise_root(self, square: f32) -> f32 {
         (0.5 * self).raise(square)
+    }
+
+    #[inline]
+    fn raise_four_roots(self, [a, b, c, d]: [f32; 4]) -> [f32; 4] {
+        four_powers(a, b, c, d, (0.5 * self).positive_part())
     }
 }
 

@@ -114,3 +114,17 @@ pub(crate) fn power<T: Binary32>(c: T, m: T) -> T {
 
     (two + r * q) * c.if_positive(shifted.two_to_low_byte(), zero)
 }
+
+/// The [`power`] of each of four cosines.
+///
+/// Out of line and of numbers, not of an array: so compilers see a loop of four and nothing around
+/// it, make SIMD instructions of it, and pass the cosines in registers. Written to memory one by one,
+/// they could not be read as a vector before all of them had arrived there.
+#[inline(never)]
+pub(crate) fn four_powers(a: f32, b: f32, c: f32, d: f32, m: f32) -> [f32; 4] {
+    let mut powers = [a, b, c, d];
+    for power_of_c in &mut powers {
+        *power_of_c = power(*power_of_c, m);
+    }
+    powers
+}

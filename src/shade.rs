@@ -99,7 +99,7 @@ pub fn lambert<T: Real, M>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    sum(n, material, i_a, lights, |_| T::ZERO)
+    sum(n, material, i_a, lights, |_| T::ZERO, |black: [T; 1]| black)
 }
 
 /// Shiny surfaces after Phong.
@@ -128,9 +128,9 @@ pub fn phong<T: Real, M: Exponent<T>>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    sum(n, material, i_a, lights, |l| {
-        term::phong(reflection(n, l), v, material.m)
-    })
+    let cosine = |l| reflection(n, l).dot(v).at_most(T::ONE);
+    let power = |[cosine]: [T; 1]| [material.m.raise(cosine)];
+    sum(n, material, i_a, lights, cosine, power)
 }
 
 /// Shiny surfaces after Blinn: Phong's model with the half vector.
@@ -161,69 +161,58 @@ pub fn blinn_phong<T: Real, M: Exponent<T>>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    let root_power = material.m.root_power();
-    sum(n, material, i_a, lights, |l| {
-        root_power(term::n_dot_h_squared(n, between(l, v)))
-    })
+    let square = |l| term::n_dot_h_squared(n, between(l, v));
+    if M::FOUR_AT_ONCE {
+        let powers = |squares: [T; 4]| material.m.raise_four_roots(squares);
+        sum(n, material, i_a, lights, square, powers)
+    } else {
+        let root_power = material.m.root_power();
+        let power = |[square]: [T; 1]| [root_power(square)];
+        sum(n, material, i_a, lights, square, power)
+    }
 }
 
-/// The sum over lights; `highlight` is the factor of k_s I for the light from L.
+/// The sum over lights. The factor of k_s I is the power of the `cosine` of the light from L, up to 1;
+/// `powers` are those of N lights in front at a time, as SIMD registers like it.
 #[inline]
-fn sum<T: Real, M>(
+fn sum<T: Real, M, const N: usize>(
     n: UnitVec3<T>,
     material: &Material<T, M>,
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
-    highlight: impl Fn(UnitVec3<T>) -> T,
+    cosine: impl Fn(UnitVec3<T>) -> T,
+    powers: impl Fn([T; N]) -> [T; N],
 ) -> Shaded<T> {
-    let mut sums = Sums {
-        diffuse: Rgb::BLACK,
-        specular: Rgb::BLACK,
-    };
-    for ref light in lights {
-        sums.add(&n, light, &highlight);
-    }
-    sums.reflected(material, &i_a)
-}
-
-/// The light of the lights so far, before the material reflects it.
-///
-/// Where there is no FPU all numbers lie on the stack. So there the parts of the sum are out of
-/// line, and their numbers lie in the same place, one part's after another's, rather than side by
-/// side. What they share they take by reference, so that it is not copied for them.
-struct Sums<T> {
-    /// Σ I max(0, N·L).
-    diffuse: Rgb<T>,
-    /// Σ I highlight.
-    specular: Rgb<T>,
-}
-
-impl<T: Real> Sums<T> {
-    /// Adds a light; one behind the surface adds nothing.
-    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
-    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
-    fn add(
-        &mut self,
-        n: &UnitVec3<T>,
-        light: &IncidentLight<T>,
-        highlight: &impl Fn(UnitVec3<T>) -> T,
-    ) {
-        let n_dot_l = term::lambert(*n, light.l);
-        if n_dot_l.any_positive() {
-            self.diffuse += light.intensity * n_dot_l;
-            let highlight = n_dot_l.if_positive(highlight(light.l), T::ZERO);
-            self.specular += light.intensity * highlight;
+    let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
+    // of the lights in front whose highlights are still to be added
+    let (mut intensities, mut cosines) = ([Rgb::BLACK; N], [T::ZERO; N]);
+    let mut waiting = 0;
+    let mut lights = lights.into_iter();
+    loop {
+        let next = lights.next();
+        if let Some(IncidentLight { l, intensity }) = next {
+            let n_dot_l = term::lambert(n, l);
+            if n_dot_l.any_positive() {
+                diffuse += intensity * n_dot_l;
+                intensities[waiting % N] = intensity;
+                cosines[waiting % N] = n_dot_l.if_positive(cosine(l), T::ZERO);
+                waiting += 1;
+            }
+        }
+        if waiting == N || next.is_none() && waiting > 0 {
+            let highlights = powers(cosines);
+            for i in 0..waiting {
+                specular += intensities[i % N] * highlights[i % N];
+            }
+            waiting = 0;
+        }
+        if next.is_none() {
+            break;
         }
     }
-
-    /// What the material sends to the eye of them, and of the ambient light I_a.
-    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
-    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
-    fn reflected<M>(&self, material: &Material<T, M>, i_a: &Rgb<T>) -> Shaded<T> {
-        Shaded {
-            ambient: term::ambient(material.k_a, *i_a),
-            diffuse: self.diffuse.reflected(material.k_d),
-            specular: self.specular.reflected(material.k_s),
-        }
+    Shaded {
+        ambient: term::ambient(material.k_a, i_a),
+        diffuse: diffuse.reflected(material.k_d),
+        specular: specular.reflected(material.k_s),
     }
 }
