@@ -148,11 +148,11 @@ impl<T: Real> PointLight<T> {
     ///
     /// At the light itself (q = 0), and where a coordinate is infinite, it lights nothing. A distance
     /// or an intensity that overflows is the largest finite number.
-    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
-    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
+    #[inline]
     #[must_use]
     pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
-        self.arriving(p)
+        let to_light = self.position - p;
+        self.along(p, to_light, to_light.dot(to_light))
     }
 
     /// [`at`](PointLight::at) a point of a surface with the normal N, or `None` where the light is
@@ -180,46 +180,64 @@ impl<T: Real> PointLight<T> {
     /// assert_eq!(all, lit);
     /// ```
     #[doc(alias = "cull")]
-    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
-    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
+    #[inline]
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
-        self.arriving_in_front(p, n)
-    }
-
-    /// [`at`](PointLight::at), in line wherever it is called.
-    ///
-    /// Where there is no FPU all numbers lie on the stack. So there `at` and `in_front` are out of
-    /// line: their numbers make room for those of the highlight. But they are so only once, and all
-    /// that they call is in line: a call within a call would take more of the stack.
-    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(always))]
-    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
-    fn arriving(&self, p: Vec3<T>) -> IncidentLight<T> {
-        let to_light = self.position - p;
-        self.along(p, to_light, to_light.dot(to_light))
-    }
-
-    /// [`in_front`](PointLight::in_front), in line wherever it is called.
-    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(always))]
-    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
-    fn arriving_in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
         let to_light = self.position - p;
         let square = to_light.dot(to_light);
+        Self::is_in_front(n, to_light, square).then(|| self.along(p, to_light, square))
+    }
+
+    /// [`in_front`](PointLight::in_front) for each of a scene's lights: those in front of a point, as
+    /// they arrive.
+    ///
+    /// Where it cannot be foretold which they are, this is the quickest way: all are tried without a
+    /// branch, 32 at a time, so the processor has only their number to guess.
+    ///
+    /// ```
+    /// use shading::*;
+    /// # let (n, v) = (UnitVec3::<f32>::Z, UnitVec3::<f32>::Z);
+    /// # let p = Vec3::ZERO;
+    /// # let material = Material { k_a: Rgb::WHITE, k_d: Rgb::WHITE, k_s: Rgb::WHITE, m: 8 };
+    /// # let lamp = |z| PointLight {
+    /// #     position: Vec3::new(1.0, 0.0, z), intensity: Rgb::WHITE, attenuation: Attenuation::NONE };
+    /// # let lights = [lamp(2.0), lamp(-2.0), lamp(-1.0)];
+    /// let lit = PointLight::all_in_front(&lights, p, n);
+    /// let shaded = shade::blinn_phong(n, v, &material, Rgb::BLACK, lit);
+    /// # let all = lights.iter().map(|light| light.at(p));
+    /// # assert_eq!(shaded, shade::blinn_phong(n, v, &material, Rgb::BLACK, all));
+    /// ```
+    #[inline]
+    pub fn all_in_front(
+        lights: &[Self],
+        p: Vec3<T>,
+        n: UnitVec3<T>,
+    ) -> impl Iterator<Item = IncidentLight<T>> {
+        Those::of(lights, move |light| light.may_light(p, n)).map(move |light| light.at(p))
+    }
+
+    /// Whether [`in_front`](PointLight::in_front) gives a light.
+    #[inline]
+    fn may_light(&self, p: Vec3<T>, n: UnitVec3<T>) -> bool {
+        let to_light = self.position - p;
+        Self::is_in_front(n, to_light, to_light.dot(to_light))
+    }
+
+    /// Whether a light along P_light − p, of which the square is known, may light a surface: `false`
+    /// where N·L would not be positive in any lane.
+    #[inline]
+    fn is_in_front(n: UnitVec3<T>, to_light: Vec3<T>, square: T) -> bool {
         let n_dot_to_light = n.dot(to_light);
         // Below zero by more than 2⁻⁸ of the distance: the rounding of this dot product and of N·L is
         // less in any number type of 12 bits or more, so N·L is not positive either.
         let two_to_minus_16 = T::of(1.0 / 65536.0);
         let beyond_doubt = n_dot_to_light * n_dot_to_light - square * two_to_minus_16;
         let behind = n_dot_to_light.if_positive(T::ZERO, beyond_doubt);
-        let in_front = behind.if_positive(T::ZERO, T::ONE);
-        in_front
-            .any_positive()
-            .then(|| self.along(p, to_light, square))
+        behind.if_positive(T::ZERO, T::ONE).any_positive()
     }
 
     /// The light at p along P_light − p, of which the square is known.
-    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(always))]
-    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
+    #[inline]
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>, square: T) -> IncidentLight<T> {
         let (l, q) = if Vec3::is_extreme(square) {
             self.extreme_way(-p.x, -p.y, -p.z, square)
@@ -243,8 +261,7 @@ impl<T: Real> PointLight<T> {
     /// It takes the point apart, because numbers go in registers, and lanes, which do not, negated,
     /// because −p is made only here: p would be written to memory for every light, also where this
     /// is not called. For firmware it is in line: the call would take more flash.
-    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(always))]
-    #[cfg_attr(all(target_os = "none", target_abi = "eabihf"), inline)]
+    #[cfg_attr(target_os = "none", inline)]
     #[cfg_attr(not(target_os = "none"), cold, inline(never))]
     fn extreme_way(&self, minus_x: T, minus_y: T, minus_z: T, square: T) -> (UnitVec3<T>, T) {
         let p = -Vec3::new(minus_x, minus_y, minus_z);
@@ -278,35 +295,23 @@ impl<T: Real> PointLight<T> {
 impl<T: Real> SpotLight<T> {
     /// The light that arrives at the point p: that of the [`PointLight`] inside the cone and on
     /// its edge, none outside.
-    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
-    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
+    #[inline]
     #[must_use]
     pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
-        self.narrowed(self.point.arriving(p))
-    }
-
-    /// [`at`](SpotLight::at) a point of a surface with the normal N, or `None` where the light is
-    /// behind it or the point outside the cone; in lanes, where nothing arrives in any. See
-    /// [`PointLight::in_front`].
-    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
-    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
-    #[must_use]
-    pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
-        self.narrowed_in_front(self.point.arriving_in_front(p, n)?)
-    }
-
-    /// What the cone leaves of the light at its tip.
-    #[inline]
-    fn narrowed(&self, incident: IncidentLight<T>) -> IncidentLight<T> {
+        let incident = self.point.at(p);
         IncidentLight {
             intensity: incident.intensity * self.cone.factor(self.axis, incident.l),
             ..incident
         }
     }
 
-    /// What the cone leaves of the light at its tip, or `None` where that is nothing.
+    /// [`at`](SpotLight::at) a point of a surface with the normal N, or `None` where the light is
+    /// behind it or the point outside the cone; in lanes, where nothing arrives in any. See
+    /// [`PointLight::in_front`].
     #[inline]
-    fn narrowed_in_front(&self, incident: IncidentLight<T>) -> Option<IncidentLight<T>> {
+    #[must_use]
+    pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
+        let incident = self.point.in_front(p, n)?;
         let factor = self.cone.factor(self.axis, incident.l);
         factor.any_positive().then(|| IncidentLight {
             intensity: incident.intensity * factor,
@@ -328,36 +333,42 @@ impl<T: Real> SpotLight<T> {
 
 impl<T: Real> Light<T> {
     /// The light that arrives at the point p.
-    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
-    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
+    #[inline]
     #[must_use]
     pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
-        let point = match self {
-            Self::Directional(light) => return light.at(p),
-            Self::Point(point) | Self::Spot(SpotLight { point, .. }) => point,
-        };
-        let incident = point.arriving(p);
         match self {
-            Self::Spot(spot) => spot.narrowed(incident),
-            _ => incident,
+            Self::Directional(light) => light.at(p),
+            Self::Point(light) => light.at(p),
+            Self::Spot(light) => light.at(p),
         }
     }
 
     /// [`at`](Light::at) a point of a surface with the normal N, or `None` where nothing arrives at
     /// its front: sooner than `at`, and with the same sum. See [`PointLight::in_front`].
-    #[cfg_attr(all(target_os = "none", not(target_abi = "eabihf")), inline(never))]
-    #[cfg_attr(any(not(target_os = "none"), target_abi = "eabihf"), inline)]
+    #[inline]
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
-        let point = match self {
-            Self::Directional(light) => return light.in_front(p, n),
-            Self::Point(point) | Self::Spot(SpotLight { point, .. }) => point,
-        };
-        let incident = point.arriving_in_front(p, n)?;
         match self {
-            Self::Spot(spot) => spot.narrowed_in_front(incident),
-            _ => Some(incident),
+            Self::Directional(light) => light.in_front(p, n),
+            Self::Point(light) => light.in_front(p, n),
+            Self::Spot(light) => light.in_front(p, n),
         }
+    }
+
+    /// [`in_front`](Light::in_front) for each of a scene's lights. See [`PointLight::all_in_front`].
+    #[inline]
+    pub fn all_in_front(
+        lights: &[Self],
+        p: Vec3<T>,
+        n: UnitVec3<T>,
+    ) -> impl Iterator<Item = IncidentLight<T>> {
+        let is_in_front = move |light: &Self| match light {
+            Self::Directional(light) => n.dot(light.l).any_positive(),
+            Self::Point(light) | Self::Spot(SpotLight { point: light, .. }) => {
+                light.may_light(p, n)
+            }
+        };
+        Those::of(lights, is_in_front).filter_map(move |light| light.in_front(p, n))
     }
 
     /// The same light over another number type; `f` gives the same number in that type.
@@ -369,5 +380,62 @@ impl<T: Real> Light<T> {
             Self::Point(light) => Light::Point(light.map(f)),
             Self::Spot(light) => Light::Spot(light.map(f)),
         }
+    }
+}
+
+/// Those of a slice that a test chooses, in order: a filter that tries 32 before it gives the first.
+struct Those<'a, L, F> {
+    chunk: &'a [L],
+    /// A bit for each of the chunk that is still to come.
+    chosen: u32,
+    rest: &'a [L],
+    is_chosen: F,
+}
+
+impl<'a, L, F: Fn(&L) -> bool> Those<'a, L, F> {
+    #[inline]
+    fn of(rest: &'a [L], is_chosen: F) -> Self {
+        let mut those = Self {
+            chunk: &[],
+            chosen: 0,
+            rest,
+            is_chosen,
+        };
+        those.choose();
+        those
+    }
+
+    #[inline]
+    fn choose(&mut self) {
+        (self.chunk, self.rest) = self.rest.split_at(self.rest.len().min(32));
+        let bit = |light| u32::from((self.is_chosen)(light));
+        self.chosen = self
+            .chunk
+            .iter()
+            .rev()
+            .fold(0, |bits, light| bits << 1 | bit(light));
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn choose_more(&mut self) {
+        self.choose();
+    }
+}
+
+impl<'a, L, F: Fn(&L) -> bool> Iterator for Those<'a, L, F> {
+    type Item = &'a L;
+
+    #[inline]
+    fn next(&mut self) -> Option<&'a L> {
+        while self.chosen == 0 {
+            if self.rest.is_empty() {
+                return None;
+            }
+            self.choose_more();
+        }
+        let first = self.chosen.trailing_zeros() as usize;
+        self.chosen &= self.chosen - 1;
+        self.chunk.get(first)
     }
 }

@@ -1,8 +1,10 @@
 //! Leaving out early the lights behind a surface changes no sum, not by a bit.
 
+use proptest::collection::vec;
 use proptest::prelude::*;
 use shading::{
-    Attenuation, Cone, Light, Material, PointLight, Rgb, SpotLight, UnitVec3, Vec3, shade,
+    Attenuation, Cone, DirectionalLight, Light, Material, PointLight, Rgb, SpotLight, UnitVec3,
+    Vec3, shade,
 };
 
 fn vector() -> impl Strategy<Value = Vec3<f32>> {
@@ -43,6 +45,42 @@ proptest! {
         prop_assert_eq!(
             shade::blinn_phong(n, v, &material, Rgb::BLACK, all),
             shade::blinn_phong(n, v, &material, Rgb::BLACK, lit)
+        );
+    }
+
+    /// In more than one group of 32, with directional lights and spots among them.
+    #[test]
+    fn all_in_front_are_those_in_front(
+        (n, p) in (vector(), vector()),
+        lights in vec((vector(), vector(), 0..3), 0..100),
+    ) {
+        let n = n.unit_or(UnitVec3::Z);
+        let point = |position| PointLight {
+            position,
+            intensity: Rgb::WHITE,
+            attenuation: Attenuation::NONE,
+        };
+        let cone = Cone::<f32>::from_half_angle(1.0).unwrap();
+        let points: Vec<_> = lights.iter().map(|&(position, ..)| point(position)).collect();
+        let mixed: Vec<_> = lights
+            .iter()
+            .map(|&(position, direction, kind)| {
+                let (point, axis) = (point(position), direction.unit_or(UnitVec3::Z));
+                match kind {
+                    0 => Light::Directional(DirectionalLight { l: axis, intensity: Rgb::WHITE }),
+                    1 => Light::Point(point),
+                    _ => Light::Spot(SpotLight { point, axis, cone }),
+                }
+            })
+            .collect();
+
+        prop_assert!(
+            PointLight::all_in_front(&points, p, n)
+                .eq(points.iter().filter_map(|light| light.in_front(p, n)))
+        );
+        prop_assert!(
+            Light::all_in_front(&mixed, p, n)
+                .eq(mixed.iter().filter_map(|light| light.in_front(p, n)))
         );
     }
 }
