@@ -109,6 +109,8 @@ functions! {
     sum_blinn_phong_real: |s| shade::blinn_phong(s.n, s.v, black_box(&REAL), Rgb::WHITE, at(s));
     sum_in_front_whole: |s| shade::blinn_phong(s.n, s.v, black_box(&WHOLE), Rgb::WHITE, in_front(s));
     sum_in_front_real: |s| shade::blinn_phong(s.n, s.v, black_box(&REAL), Rgb::WHITE, in_front(s));
+    sum_all_in_front_whole: |s| shade::blinn_phong(s.n, s.v, black_box(&WHOLE), Rgb::WHITE, all_in_front(s));
+    sum_all_in_front_real: |s| shade::blinn_phong(s.n, s.v, black_box(&REAL), Rgb::WHITE, all_in_front(s));
     total: |s| shade::lambert(s.n, &REAL, Rgb::gray(s.x), []).total();
 }
 
@@ -121,6 +123,10 @@ fn in_front(s: &Place) -> impl Iterator<Item = shading::IncidentLight<f32>> {
     black_box(&POINTS)
         .iter()
         .filter_map(|light| light.in_front(s.p, s.n))
+}
+
+fn all_in_front(s: &Place) -> impl Iterator<Item = shading::IncidentLight<f32>> {
+    PointLight::all_in_front(black_box(&POINTS), s.p, s.n)
 }
 
 fn torus<T: Real>(p: Vec3<T>) -> T {

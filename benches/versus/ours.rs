@@ -1,6 +1,8 @@
 //! This crate, over any number type.
 
-use shading::{Attenuation, Exponent, Material, PointLight, Real, Rgb, UnitVec3, Vec3, shade};
+use shading::{
+    Attenuation, Exponent, Material, PointLight, Real, Rgb, Shaded, UnitVec3, Vec3, shade,
+};
 
 use crate::scene::{AMBIENT, ATTENUATION, K_A, K_D, K_S, Scene};
 
@@ -48,12 +50,32 @@ impl<T: Real, M: Exponent<T>> Ours<T, M> {
         }
     }
 
+    /// One point at a time: which lights are in front of it cannot be foretold.
     #[inline(never)]
     pub fn shade(&mut self) {
+        self.each(|scene, p, n, v| {
+            let lights = PointLight::all_in_front(&scene.lights, p, n);
+            shade::blinn_phong(n, v, &scene.material, scene.ambient, lights)
+        });
+    }
+
+    /// Points in lanes: nearly every light is in front of one of them.
+    #[cfg(feature = "wide")]
+    #[inline(never)]
+    pub fn shade_lanes(&mut self) {
+        self.each(|scene, p, n, v| {
+            let lights = scene.lights.iter().map(|light| light.at(p));
+            shade::blinn_phong(n, v, &scene.material, scene.ambient, lights)
+        });
+    }
+
+    #[inline]
+    fn each(&mut self, shade: impl Fn(&Self, Vec3<T>, UnitVec3<T>, UnitVec3<T>) -> Shaded<T>) {
+        let mut image = std::mem::take(&mut self.image);
         let places = self.points.iter().zip(&self.normals).zip(&self.eyes);
-        for (((&p, &n), &v), pixel) in places.zip(&mut self.image) {
-            let lights = self.lights.iter().filter_map(|light| light.in_front(p, n));
-            *pixel = shade::blinn_phong(n, v, &self.material, self.ambient, lights).total();
+        for (((&p, &n), &v), pixel) in places.zip(&mut image) {
+            *pixel = shade(self, p, n, v).total();
         }
+        self.image = image;
     }
 }

@@ -1,7 +1,5 @@
 //! One point at a time, in a default build.
 
-use std::hint::black_box;
-
 use shading::Vec3;
 
 use crate::by_hand::Glam;
@@ -11,40 +9,47 @@ use crate::contest::{Contestant, Results, agree};
 use crate::ours::Ours;
 use crate::scene::{REAL_M, Scene, WHOLE_M};
 
+const SCENES: u64 = 16;
+
 pub fn contest() {
-    let scene = &Scene::new();
+    let scenes: Vec<_> = (1..=SCENES).map(Scene::new).collect();
     let gather = |all: &[[f32; 3]]| all.iter().copied().map(Vec3::from).collect();
-    let mut real = Ours::new(scene, REAL_M, gather);
-    let mut whole = Ours::new(scene, WHOLE_M, gather);
-    let mut powf = Glam::new(scene, REAL_M);
-    let mut powi = Glam::new(scene, WHOLE_M.cast_signed());
+    let mut real: Vec<_> = scenes
+        .iter()
+        .map(|s| Ours::new(s, REAL_M, gather))
+        .collect();
+    let mut whole: Vec<_> = scenes
+        .iter()
+        .map(|s| Ours::new(s, WHOLE_M, gather))
+        .collect();
+    let mut powf: Vec<_> = scenes.iter().map(|s| Glam::new(s, REAL_M)).collect();
+    let mut powi: Vec<_> = scenes
+        .iter()
+        .map(|s| Glam::new(s, WHOLE_M.cast_signed()))
+        .collect();
     #[cfg(c_peers)]
-    let mut c = c::Scalar::new(scene);
+    let mut c: Vec<_> = scenes.iter().map(c::Scalar::new).collect();
 
     println!("one by one, in a default build:");
     let results = Results::of(vec![
-        Contestant::new("ours, real m", || black_box(&mut real).shade()),
-        Contestant::new("ours, whole m", || black_box(&mut whole).shade()),
-        Contestant::new("glam, powf", || black_box(&mut powf).shade(f32::powf)),
-        Contestant::new("glam, powi", || black_box(&mut powi).shade(f32::powi)),
+        Contestant::in_turn("ours, real m", &mut real, Ours::shade),
+        Contestant::in_turn("ours, whole m", &mut whole, Ours::shade),
+        Contestant::in_turn("glam, powf", &mut powf, |scene| scene.shade(f32::powf)),
+        Contestant::in_turn("glam, powi", &mut powi, |scene| scene.shade(f32::powi)),
         #[cfg(c_peers)]
-        Contestant::new("C -O2, powf", || black_box(&mut c).shade()),
+        Contestant::in_turn("C -O2, powf", &mut c, c::Scalar::shade),
     ]);
     results.ratio("scalar-real/glam", "ours, real m", "glam, powf");
     results.ratio("scalar-whole/glam", "ours, whole m", "glam, powi");
     results.ratio("scalar-real/c", "ours, real m", "C -O2, powf");
 
-    let image = |image: &[shading::Rgb<f32>]| image.iter().map(|&c| c.into()).collect::<Vec<_>>();
-    agree(
-        "glam",
-        image(&real.image),
-        powf.image.iter().map(glam::Vec3::to_array),
-    );
-    agree(
-        "glam",
-        image(&whole.image),
-        powi.image.iter().map(glam::Vec3::to_array),
-    );
-    #[cfg(c_peers)]
-    agree("C", image(&real.image), c.image);
+    for i in 0..scenes.len() {
+        let rgb = |image: &[shading::Rgb<f32>]| image.iter().map(|&c| c.into()).collect::<Vec<_>>();
+        let glam =
+            |image: &[glam::Vec3]| image.iter().map(glam::Vec3::to_array).collect::<Vec<_>>();
+        agree("glam", rgb(&real[i].image), glam(&powf[i].image));
+        agree("glam", rgb(&whole[i].image), glam(&powi[i].image));
+        #[cfg(c_peers)]
+        agree("C", rgb(&real[i].image), c[i].image.iter().copied());
+    }
 }

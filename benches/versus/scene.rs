@@ -33,9 +33,9 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The same scene at every call.
-    pub fn new() -> Self {
-        let mut random = fastrand::Rng::with_seed(1975);
+    /// The same scene for the same seed.
+    pub fn new(seed: u64) -> Self {
+        let mut random = fastrand::Rng::with_seed(seed);
         let mut within = |size: f32| [(); 3].map(|()| size * (2.0 * random.f32() - 1.0));
         let lamp = |_| Lamp {
             position: within(4.0),
