@@ -87,7 +87,7 @@ fn shading<T: Real, M: Exponent<T>>(
             });
         });
     };
-    let lit = |p, n| lights.iter().filter_map(move |light| light.in_front(p, n));
+    let lit = |p, n| PointLight::all_in_front(&lights, p, n);
     model("lambert", &|p, n, _| {
         shade::lambert(n, &material, i_a, lit(p, n)).total()
     });
@@ -96,6 +96,10 @@ fn shading<T: Real, M: Exponent<T>>(
     });
     model("blinn_phong", &|p, n, v| {
         shade::blinn_phong(n, v, &material, i_a, lit(p, n)).total()
+    });
+    let each = |p, n| lights.iter().filter_map(move |light| light.in_front(p, n));
+    model("blinn_phong, one light at a time", &|p, n, v| {
+        shade::blinn_phong(n, v, &material, i_a, each(p, n)).total()
     });
     let all = |p| lights.iter().map(move |light| light.at(p));
     model("blinn_phong, no early exit", &|p, n, v| {

@@ -192,13 +192,14 @@ fn shade_all<T: Real, M: shading::Exponent<T>>(
     i_a: Rgb<T>,
     lights: &[Light<T>],
     p: Vec3<T>,
-) -> [Shaded<T>; 3] {
+) -> [Shaded<T>; 4] {
     // twice, so that the sum may overflow where no light does
-    let lights = || lights.iter().chain(lights).map(|light| light.at(p));
+    let twice = || lights.iter().chain(lights).map(|light| light.at(p));
     [
-        shade::lambert(n, material, i_a, lights()),
-        shade::phong(n, v, material, i_a, lights()),
-        shade::blinn_phong(n, v, material, i_a, lights()),
+        shade::lambert(n, material, i_a, twice()),
+        shade::phong(n, v, material, i_a, twice()),
+        shade::blinn_phong(n, v, material, i_a, twice()),
+        shade::blinn_phong(n, v, material, i_a, Light::all_in_front(lights, p, n)),
     ]
 }
 
