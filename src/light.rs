@@ -298,11 +298,7 @@ impl<T: Real> SpotLight<T> {
     #[inline]
     #[must_use]
     pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
-        let incident = self.point.at(p);
-        IncidentLight {
-            intensity: incident.intensity * self.cone.factor(self.axis, incident.l),
-            ..incident
-        }
+        self.narrowed(self.point.at(p))
     }
 
     /// [`at`](SpotLight::at) a point of a surface with the normal N, or `None` where the light is
@@ -311,7 +307,21 @@ impl<T: Real> SpotLight<T> {
     #[inline]
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
-        let incident = self.point.in_front(p, n)?;
+        self.narrowed_in_front(self.point.in_front(p, n)?)
+    }
+
+    /// What the cone leaves of the light at its tip.
+    #[inline]
+    fn narrowed(&self, incident: IncidentLight<T>) -> IncidentLight<T> {
+        IncidentLight {
+            intensity: incident.intensity * self.cone.factor(self.axis, incident.l),
+            ..incident
+        }
+    }
+
+    /// What the cone leaves of the light at its tip, or `None` where that is nothing.
+    #[inline]
+    fn narrowed_in_front(&self, incident: IncidentLight<T>) -> Option<IncidentLight<T>> {
         let factor = self.cone.factor(self.axis, incident.l);
         factor.any_positive().then(|| IncidentLight {
             intensity: incident.intensity * factor,
@@ -336,10 +346,14 @@ impl<T: Real> Light<T> {
     #[inline]
     #[must_use]
     pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
+        let point = match self {
+            Self::Directional(light) => return light.at(p),
+            Self::Point(point) | Self::Spot(SpotLight { point, .. }) => point,
+        };
+        let incident = point.at(p);
         match self {
-            Self::Directional(light) => light.at(p),
-            Self::Point(light) => light.at(p),
-            Self::Spot(light) => light.at(p),
+            Self::Spot(spot) => spot.narrowed(incident),
+            _ => incident,
         }
     }
 
@@ -348,10 +362,14 @@ impl<T: Real> Light<T> {
     #[inline]
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
+        let point = match self {
+            Self::Directional(light) => return light.in_front(p, n),
+            Self::Point(point) | Self::Spot(SpotLight { point, .. }) => point,
+        };
+        let incident = point.in_front(p, n)?;
         match self {
-            Self::Directional(light) => light.in_front(p, n),
-            Self::Point(light) => light.in_front(p, n),
-            Self::Spot(light) => light.in_front(p, n),
+            Self::Spot(spot) => spot.narrowed_in_front(incident),
+            _ => Some(incident),
         }
     }
 

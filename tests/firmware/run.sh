@@ -88,7 +88,7 @@ within "$m4f flash, real m" "$real" $((${flash_of[$m4f]} + kilobyte_and_tenth))
 echo "== stack below the caller, whole and real m, all lights and those in front, opt-level 3 and s"
 for target in $chip_targets; do
     # without an FPU + − × ÷ are calls, across which most numbers lie on the stack; on a Cortex-M0 × itself takes 100
-    budget=512
+    budget=480
     [ $target = $m4f ] && budget=256
     depths="$(stack "$target" release) $(stack "$target" small)"
     echo "$target stack_bytes=${depths// /,}"
