@@ -86,6 +86,7 @@
 
 // floor 0: numbers
 mod exponent;
+mod filter;
 mod power;
 mod real;
 mod root;

@@ -1,6 +1,7 @@
 //! Floor 4: lights, and what arrives of them at a point.
 
 use crate::attenuation::{Attenuation, Cone};
+use crate::filter::Filtered;
 use crate::real::Real;
 use crate::rgb::Rgb;
 use crate::vector::{UnitVec3, Vec3};
@@ -213,7 +214,8 @@ impl<T: Real> PointLight<T> {
         p: Vec3<T>,
         n: UnitVec3<T>,
     ) -> impl Iterator<Item = IncidentLight<T>> {
-        Those::of(lights, move |light| light.may_light(p, n)).map(move |light| light.at(p))
+        Filtered::by(move |light: &Self| light.may_light(p, n), lights)
+            .map(move |light| light.at(p))
     }
 
     /// Whether [`in_front`](PointLight::in_front) gives a light.
@@ -322,11 +324,8 @@ impl<T: Real> SpotLight<T> {
     /// What the cone leaves of the light at its tip, or `None` where that is nothing.
     #[inline]
     fn narrowed_in_front(&self, incident: IncidentLight<T>) -> Option<IncidentLight<T>> {
-        let factor = self.cone.factor(self.axis, incident.l);
-        factor.any_positive().then(|| IncidentLight {
-            intensity: incident.intensity * factor,
-            ..incident
-        })
+        let is_inside = self.cone.factor(self.axis, incident.l).any_positive();
+        is_inside.then(|| self.narrowed(incident))
     }
 
     /// The same light over another number type; `f` gives the same number in that type.
@@ -386,7 +385,7 @@ impl<T: Real> Light<T> {
                 light.may_light(p, n)
             }
         };
-        Those::of(lights, is_in_front).filter_map(move |light| light.in_front(p, n))
+        Filtered::by(is_in_front, lights).filter_map(move |light| light.in_front(p, n))
     }
 
     /// The same light over another number type; `f` gives the same number in that type.
@@ -398,62 +397,5 @@ impl<T: Real> Light<T> {
             Self::Point(light) => Light::Point(light.map(f)),
             Self::Spot(light) => Light::Spot(light.map(f)),
         }
-    }
-}
-
-/// Those of a slice that a test chooses, in order: a filter that tries 32 before it gives the first.
-struct Those<'a, L, F> {
-    chunk: &'a [L],
-    /// A bit for each of the chunk that is still to come.
-    chosen: u32,
-    rest: &'a [L],
-    is_chosen: F,
-}
-
-impl<'a, L, F: Fn(&L) -> bool> Those<'a, L, F> {
-    #[inline]
-    fn of(rest: &'a [L], is_chosen: F) -> Self {
-        let mut those = Self {
-            chunk: &[],
-            chosen: 0,
-            rest,
-            is_chosen,
-        };
-        those.choose();
-        those
-    }
-
-    #[inline]
-    fn choose(&mut self) {
-        (self.chunk, self.rest) = self.rest.split_at(self.rest.len().min(32));
-        let bit = |light| u32::from((self.is_chosen)(light));
-        self.chosen = self
-            .chunk
-            .iter()
-            .rev()
-            .fold(0, |bits, light| bits << 1 | bit(light));
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn choose_more(&mut self) {
-        self.choose();
-    }
-}
-
-impl<'a, L, F: Fn(&L) -> bool> Iterator for Those<'a, L, F> {
-    type Item = &'a L;
-
-    #[inline]
-    fn next(&mut self) -> Option<&'a L> {
-        while self.chosen == 0 {
-            if self.rest.is_empty() {
-                return None;
-            }
-            self.choose_more();
-        }
-        let first = self.chosen.trailing_zeros() as usize;
-        self.chosen &= self.chosen - 1;
-        self.chunk.get(first)
     }
 }

@@ -99,7 +99,7 @@ pub fn lambert<T: Real, M>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    sum(n, material, i_a, lights, |_| T::ZERO, |black: [T; 1]| black)
+    sum(n, material, i_a, lights, |_| T::ZERO, |[none]| [none])
 }
 
 /// Shiny surfaces after Phong.
@@ -128,9 +128,8 @@ pub fn phong<T: Real, M: Exponent<T>>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    let cosine = |l| reflection(n, l).dot(v).at_most(T::ONE);
-    let power = |[cosine]: [T; 1]| [material.m.raise(cosine)];
-    sum(n, material, i_a, lights, cosine, power)
+    let highlight = |l| term::phong(reflection(n, l), v, material.m);
+    sum(n, material, i_a, lights, highlight, |[done]| [done])
 }
 
 /// Shiny surfaces after Blinn: Phong's model with the half vector.
@@ -167,25 +166,25 @@ pub fn blinn_phong<T: Real, M: Exponent<T>>(
         sum(n, material, i_a, lights, square, powers)
     } else {
         let root_power = material.m.root_power();
-        let power = |[square]: [T; 1]| [root_power(square)];
-        sum(n, material, i_a, lights, square, power)
+        let highlight = |l| root_power(square(l));
+        sum(n, material, i_a, lights, highlight, |[done]| [done])
     }
 }
 
-/// The sum over lights. The factor of k_s I is the power of the `cosine` of the light from L, up to 1;
-/// `powers` are those of N lights in front at a time, as SIMD registers like it.
+/// The sum over lights. The factor of k_s I is begun for the light from L, and finished for N lights
+/// in front at a time, as SIMD registers like it. What is begun as 0 ends as 0.
 #[inline]
 fn sum<T: Real, M, const N: usize>(
     n: UnitVec3<T>,
     material: &Material<T, M>,
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
-    cosine: impl Fn(UnitVec3<T>) -> T,
-    powers: impl Fn([T; N]) -> [T; N],
+    begin: impl Fn(UnitVec3<T>) -> T,
+    finish: impl Fn([T; N]) -> [T; N],
 ) -> Shaded<T> {
     let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
     // of the lights in front whose highlights are still to be added
-    let (mut intensities, mut cosines) = ([Rgb::BLACK; N], [T::ZERO; N]);
+    let (mut intensities, mut begun) = ([Rgb::BLACK; N], [T::ZERO; N]);
     let mut waiting = 0;
     let mut lights = lights.into_iter();
     loop {
@@ -195,12 +194,12 @@ fn sum<T: Real, M, const N: usize>(
             if n_dot_l.any_positive() {
                 diffuse += intensity * n_dot_l;
                 intensities[waiting % N] = intensity;
-                cosines[waiting % N] = n_dot_l.if_positive(cosine(l), T::ZERO);
+                begun[waiting % N] = n_dot_l.if_positive(begin(l), T::ZERO);
                 waiting += 1;
             }
         }
         if waiting == N || next.is_none() && waiting > 0 {
-            let highlights = powers(cosines);
+            let highlights = finish(begun);
             for i in 0..waiting {
                 specular += intensities[i % N] * highlights[i % N];
             }

@@ -14,10 +14,10 @@ fn main() -> ! {
     let (whole, real) = (&brass(32), &brass(32.5));
     board::println!(
         "{} {} {} {}",
-        depth(whole, sum),
-        depth(real, sum),
-        depth(whole, sum_in_front),
-        depth(real, sum_in_front)
+        depth(whole, sum::<_, false>),
+        depth(real, sum::<_, false>),
+        depth(whole, sum::<_, true>),
+        depth(real, sum::<_, true>)
     );
     board::done()
 }
@@ -32,7 +32,7 @@ type Sum<M> = fn(
     lights: &[Light<f32>],
 ) -> Shaded<f32>;
 
-fn sum<M: Exponent<f32>>(
+fn sum<M: Exponent<f32>, const IN_FRONT: bool>(
     p: Vec3<f32>,
     n: UnitVec3<f32>,
     v: UnitVec3<f32>,
@@ -40,20 +40,13 @@ fn sum<M: Exponent<f32>>(
     i_a: Rgb<f32>,
     lights: &[Light<f32>],
 ) -> Shaded<f32> {
-    broken::promise(0.0);
-    shade::blinn_phong(n, v, material, i_a, lights.iter().map(|light| light.at(p)))
-}
-
-fn sum_in_front<M: Exponent<f32>>(
-    p: Vec3<f32>,
-    n: UnitVec3<f32>,
-    v: UnitVec3<f32>,
-    material: &Material<f32, M>,
-    i_a: Rgb<f32>,
-    lights: &[Light<f32>],
-) -> Shaded<f32> {
-    let lights = lights.iter().filter_map(|light| light.in_front(p, n));
-    shade::blinn_phong(n, v, material, i_a, lights)
+    if IN_FRONT {
+        let lights = lights.iter().filter_map(|light| light.in_front(p, n));
+        shade::blinn_phong(n, v, material, i_a, lights)
+    } else {
+        broken::promise(0.0);
+        shade::blinn_phong(n, v, material, i_a, lights.iter().map(|light| light.at(p)))
+    }
 }
 
 fn depth<M>(material: &Material<f32, M>, sum: Sum<M>) -> usize {
