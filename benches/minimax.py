@@ -1,7 +1,7 @@
 """Finds the coefficients of src/power.rs and prints them with their errors.
 
-    log2 z    = s P(s^2),    s = (z - 1)/(z + 1),   z in [2/3, 4/3],    P of degree 3
-    2^(1 + r) = 2 + r Q(r),                         r in [-1/2, 1/2],   Q of degree 5
+    log2 z    = s P(s^2),              s = (z - 1)/(z + 1),   z in [sqrt(1/2), sqrt(2)],  P of degree 2
+    2^(1 + r) = 2 + 4r/(Q(r^2) - r),                          r in [-1/2, 1/2],           Q of degree 2
 
 Each is a minimax polynomial by Lawson's iteration: weighted least squares, each point's weight multiplied
 by its error until the error is level. Its coefficients are then rounded to f32 one after the other, the rest
@@ -12,7 +12,7 @@ import numpy as np
 
 F = np.float32
 U = 2.0**-24
-TWO_THIRDS = 0x3F2AAAAB
+ROOT_HALF = 0x3F3504F3
 
 
 def horner(p, x):
@@ -22,7 +22,7 @@ def horner(p, x):
     return total
 
 
-def fit(x, y, weight, degree, rounds=60):
+def fit(x, y, weight, degree, rounds=100):
     """The polynomial p, constant first, that makes max |weight (p(x) - y)| least, and that maximum."""
     powers = np.vander(x, degree + 1, increasing=True) * weight[:, None]
     scale = np.abs(powers).max(axis=0)
@@ -62,17 +62,19 @@ def search(name, x, y, weight, degree, computed):
 
 def logarithm(degree):
     """The relative error of log2 x, for x <= 1: above 1, z stands for x = z/2, whose log2 is log2 z - 1."""
-    v = (1 + np.cos(np.linspace(0, np.pi, 800))) / 50 + 1e-9  # s^2, from 0 to 1/25
-    y = 2 / np.log(2) * np.arctanh(np.sqrt(v)) / np.sqrt(v)
-    z = np.arange(TWO_THIRDS, TWO_THIRDS + (1 << 23), 3, dtype=np.uint32).view(F)
+    x = (3 - 2 * np.sqrt(2)) ** 2 * (1 + np.cos(np.linspace(0, np.pi, 800))) / 2 + 1e-9  # s^2
+    s = np.sqrt(x)
+    y = 2 / np.log(2) * np.arctanh(s) / s
+    weight = s / np.minimum(s * y, 1 - s * y)  # of log2 z beside |log2 x|, below and above 1
+    z = np.arange(ROOT_HALF, ROOT_HALF + (1 << 23), 3, dtype=np.uint32).view(F)
     z = z[z != 1]
-    s, exponent = (z - F(1)) / (z + F(1)), np.where(z < 1, F(0), F(-1))
+    quotient, exponent = (z - F(1)) / (z + F(1)), np.where(z < 1, F(0), F(-1))
     true = np.log2(z.astype(float)) + exponent
 
     def computed(p):
-        return np.abs((exponent + s * horner(p, s * s)) / true - 1).max()
+        return np.abs((exponent + quotient * horner(p, quotient * quotient)) / true - 1).max()
 
-    search("log2, relative", v, y, 1 / y, degree, computed)
+    search("log2, relative", x, y, weight, degree, computed)
 
 
 def exponential(degree):
@@ -80,17 +82,20 @@ def exponential(degree):
     def part(r):
         return np.where(r < 0, 0.5, 0.25)  # of 2^(1 + r)
 
-    r = np.cos(np.linspace(0, np.pi, 1200)) / 2
+    r = np.cos(np.linspace(0, np.pi, 2000)) / 2
+    y = r * (np.exp2(r) + 1) / np.expm1(r * np.log(2))
+    weight = part(r) * np.abs(4 * r / (y - r) ** 2)  # the slope of 4r/(y - r)
     grid = np.linspace(-0.5, 0.5, 400_001).astype(F)
     true = 2 * np.exp2(grid.astype(float))
 
     def computed(p):
-        return np.abs(part(grid) * (F(2) + grid * horner(p, grid) - true)).max()
+        q = p[0] - grid + grid * grid * horner(p[1:], grid * grid)
+        return np.abs(part(grid) * (F(2) + F(4) * grid / q - true)).max()
 
-    search("exp2, absolute", r, 2 * np.expm1(r * np.log(2)) / r, part(r) * np.abs(r), degree, computed)
+    search("exp2, absolute", r * r, y, weight, degree, computed)
 
 
 for d in (2, 3):
     logarithm(d)
-for d in (4, 5):
+for d in (1, 2):
     exponential(d)

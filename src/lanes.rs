@@ -5,7 +5,7 @@ use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x4, f64x8, i32x4, i32x8, i32x16};
 
 use crate::exponent::Exponent;
-use crate::power::{Binary32, EXPONENT, TWO_THIRDS, power};
+use crate::power::{Binary32, EXPONENT, LEAST, power};
 use crate::real::Real;
 
 macro_rules! real {
@@ -73,10 +73,9 @@ macro_rules! single {
             #[inline]
             fn split(self) -> (Self, Self) {
                 let bits: $integers = cast(self);
-                let above = bits - $integers::splat(TWO_THIRDS);
-                let e = (above >> 23) - $integers::splat(24);
+                let above = bits - $integers::splat(LEAST);
                 let z = bits - (above & $integers::splat(EXPONENT));
-                (Self::$from_integers(e), cast(z))
+                (Self::$from_integers(above >> 23), cast(z))
             }
 
             #[inline]
