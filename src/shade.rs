@@ -99,7 +99,7 @@ pub fn lambert<T: Real, M>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    sum(n, material, i_a, lights, |_| T::ZERO, |[none]| [none])
+    sum(n, material, i_a, lights, |_| T::ZERO)
 }
 
 /// Shiny surfaces after Phong.
@@ -129,7 +129,7 @@ pub fn phong<T: Real, M: Exponent<T>>(
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
     let highlight = |l| term::phong(reflection(n, l), v, material.m);
-    sum(n, material, i_a, lights, highlight, |[done]| [done])
+    sum(n, material, i_a, lights, highlight)
 }
 
 /// Shiny surfaces after Blinn: Phong's model with the half vector.
@@ -162,29 +162,47 @@ pub fn blinn_phong<T: Real, M: Exponent<T>>(
 ) -> Shaded<T> {
     let square = |l| term::n_dot_h_squared(n, between(l, v));
     if M::FOUR_AT_ONCE {
-        let powers = |squares: [T; 4]| material.m.raise_four_roots(squares);
-        sum(n, material, i_a, lights, square, powers)
+        sum_by_fours(n, material, i_a, lights, square)
     } else {
         let root_power = material.m.root_power();
-        let highlight = |l| root_power(square(l));
-        sum(n, material, i_a, lights, highlight, |[done]| [done])
+        sum(n, material, i_a, lights, |l| root_power(square(l)))
     }
 }
 
-/// The sum over lights. The factor of k_s I is begun for the light from L, and finished for N lights
-/// in front at a time, as SIMD registers like it. What is begun as 0 ends as 0.
+/// The sum over lights. The highlight is the factor of k_s I for the light from L.
 #[inline]
-fn sum<T: Real, M, const N: usize>(
+fn sum<T: Real, M>(
     n: UnitVec3<T>,
     material: &Material<T, M>,
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
-    begin: impl Fn(UnitVec3<T>) -> T,
-    finish: impl Fn([T; N]) -> [T; N],
+    highlight: impl Fn(UnitVec3<T>) -> T,
+) -> Shaded<T> {
+    let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
+    for IncidentLight { l, intensity } in lights {
+        let n_dot_l = term::lambert(n, l);
+        if n_dot_l.any_positive() {
+            let highlight = n_dot_l.if_positive(highlight(l), T::ZERO);
+            diffuse += intensity * n_dot_l;
+            specular += intensity * highlight;
+        }
+    }
+    reflected(diffuse, specular, material, i_a)
+}
+
+/// The same sum, with the highlights of four lights in front at a time: what their cosines' squares
+/// are raised to fits SIMD registers.
+#[inline]
+fn sum_by_fours<T: Real, M: Exponent<T>>(
+    n: UnitVec3<T>,
+    material: &Material<T, M>,
+    i_a: Rgb<T>,
+    lights: impl IntoIterator<Item = IncidentLight<T>>,
+    square: impl Fn(UnitVec3<T>) -> T,
 ) -> Shaded<T> {
     let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
     // of the lights in front whose highlights are still to be added
-    let (mut intensities, mut begun) = ([Rgb::BLACK; N], [T::ZERO; N]);
+    let (mut intensities, mut squares) = ([Rgb::BLACK; 4], [T::ZERO; 4]);
     let mut waiting = 0;
     let mut lights = lights.into_iter();
     loop {
@@ -193,15 +211,15 @@ fn sum<T: Real, M, const N: usize>(
             let n_dot_l = term::lambert(n, l);
             if n_dot_l.any_positive() {
                 diffuse += intensity * n_dot_l;
-                intensities[waiting % N] = intensity;
-                begun[waiting % N] = n_dot_l.if_positive(begin(l), T::ZERO);
+                intensities[waiting % 4] = intensity;
+                squares[waiting % 4] = n_dot_l.if_positive(square(l), T::ZERO);
                 waiting += 1;
             }
         }
-        if waiting == N || next.is_none() && waiting > 0 {
-            let highlights = finish(begun);
+        if waiting == 4 || next.is_none() && waiting > 0 {
+            let highlights = material.m.raise_four_roots(squares);
             for i in 0..waiting {
-                specular += intensities[i % N] * highlights[i % N];
+                specular += intensities[i % 4] * highlights[i % 4];
             }
             waiting = 0;
         }
@@ -209,6 +227,16 @@ fn sum<T: Real, M, const N: usize>(
             break;
         }
     }
+    reflected(diffuse, specular, material, i_a)
+}
+
+#[inline]
+fn reflected<T: Real, M>(
+    diffuse: Rgb<T>,
+    specular: Rgb<T>,
+    material: &Material<T, M>,
+    i_a: Rgb<T>,
+) -> Shaded<T> {
     Shaded {
         ambient: term::ambient(material.k_a, i_a),
         diffuse: diffuse.reflected(material.k_d),
