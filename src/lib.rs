@@ -78,8 +78,12 @@
 //!
 //! No feature is on by default.
 #![no_std]
+#![deny(unsafe_code)]
 #![cfg_attr(
-    not(all(target_arch = "arm", target_abi = "eabihf")),
+    not(any(
+        all(target_arch = "x86_64", target_feature = "sse2"),
+        all(target_arch = "arm", target_abi = "eabihf")
+    )),
     forbid(unsafe_code)
 )]
 #![cfg_attr(docsrs, feature(doc_cfg))]

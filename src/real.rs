@@ -184,12 +184,12 @@ macro_rules! float {
                 above_low > high.to_bits().wrapping_sub(low.to_bits())
             }
 
-            // a comparison that the compiler can turn into the processor's minimum or maximum;
             #[inline]
             fn abs(self) -> Self {
                 $float::abs(self)
             }
 
+            // a comparison that the compiler can turn into the processor's minimum or maximum;
             // `f32::min` is a library call on Arm
             #[inline]
             fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
@@ -234,7 +234,7 @@ float!(
 float!(
     f64,
     f64::from_bits((1023 + 720) << 52),
-    libm::sqrt,
+    crate::root::sqrt,
     libm::sin,
     libm::cos,
     libm::exp,

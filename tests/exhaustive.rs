@@ -7,7 +7,7 @@ use std::env;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::thread;
 
-use shading::{Attenuation, Exponent, Vec3, attenuation};
+use shading::{Attenuation, Exponent, Real, Vec3, attenuation};
 
 /// u, the unit roundoff of `f32`.
 const U: f64 = 1.0 / 16_777_216.0;
@@ -39,6 +39,11 @@ fn unit_vectors_of_some_lengths() {
 }
 
 #[test]
+fn roots_of_some_numbers() {
+    root_is_rounded_correctly(stride());
+}
+
+#[test]
 #[ignore = "takes minutes"]
 fn whole_powers_of_every_cosine() {
     in_parallel(&WHOLE, |&m| whole_power(m, 1));
@@ -60,6 +65,27 @@ fn attenuation_at_every_distance() {
 #[ignore = "takes minutes"]
 fn unit_vectors_of_every_length() {
     in_parallel(&DIRECTIONS, |&direction| unit_is_right(direction, 1));
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn roots_of_every_number() {
+    root_is_rounded_correctly(1);
+}
+
+/// √x is the nearest `f32`: the root in double precision has more than twice the digits, so to round it
+/// once more does no harm.
+fn root_is_rounded_correctly(stride: u32) {
+    for x in floats(f32::MAX, stride) {
+        let root = f64::from(x).sqrt();
+        #[allow(clippy::cast_possible_truncation)]
+        let nearest = root as f32;
+        assert!(Real::sqrt(x).to_bits() == nearest.to_bits(), "√{x:e}");
+        assert!(
+            Real::sqrt(f64::from(x)).to_bits() == root.to_bits(),
+            "√{x:e}"
+        );
+    }
 }
 
 /// cosineᵐ is right to m − 1 roundings, and never falls with the cosine: each multiplication is
