@@ -1,8 +1,9 @@
 //! This crate against the same formulas by hand: Blinn–Phong, RGB, attenuation, 4 lights, 4,096
-//! points. Prints nanoseconds per point and light, and lines `ratio <case> <ours/theirs>`.
+//! points; then the power alone against two `powf`. Prints nanoseconds, and lines
+//! `ratio <case> <ours/theirs>`.
 //!
-//! `cargo bench --bench versus` runs the scalar part as it is built by default, then builds itself
-//! again for this very processor and runs the part in lanes.
+//! `cargo bench --bench versus` runs the scalar parts as they are built by default, then builds
+//! itself again for this very processor and runs the part in lanes.
 
 #[path = "versus/by_hand.rs"]
 mod by_hand;
@@ -18,6 +19,8 @@ mod lanes;
 mod native;
 #[path = "versus/ours.rs"]
 mod ours;
+#[path = "versus/power.rs"]
+mod power;
 #[path = "versus/scalar.rs"]
 mod scalar;
 #[path = "versus/scene.rs"]
@@ -31,6 +34,7 @@ fn main() {
     lanes::contest();
     if cfg!(not(feature = "wide")) {
         scalar::contest();
+        power::contest();
         std::process::exit(native::run("versus"));
     }
 }

@@ -3,22 +3,20 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use crate::scene::{LIGHTS, POINTS};
-
 const REPETITIONS: usize = 2000;
 
 pub struct Contestant<'a> {
     name: &'static str,
-    shade: Box<dyn FnMut() + 'a>,
+    work: Box<dyn FnMut() + 'a>,
     times: Vec<f64>,
 }
 
 impl<'a> Contestant<'a> {
-    /// `shade` shades the whole scene once.
-    pub fn new(name: &'static str, shade: impl FnMut() + 'a) -> Self {
+    /// `work` does all of it once.
+    pub fn new(name: &'static str, work: impl FnMut() + 'a) -> Self {
         Self {
             name,
-            shade: Box::new(shade),
+            work: Box::new(work),
             times: Vec::with_capacity(REPETITIONS),
         }
     }
@@ -44,16 +42,18 @@ impl<'a> Contestant<'a> {
     }
 }
 
-/// Runs all contestants and prints what each takes per point and light: the median of repetitions
-/// that are interleaved, so that whatever slows the machine down slows them all.
+/// What each contestant takes.
 pub struct Results(Vec<(&'static str, f64)>);
 
 impl Results {
-    pub fn of(mut contestants: Vec<Contestant>) -> Self {
+    /// Runs all contestants and prints what each takes for each of the `count` units of its work: the
+    /// median of repetitions that are interleaved, so that whatever slows the machine down slows
+    /// them all.
+    pub fn of(unit: &str, count: usize, mut contestants: Vec<Contestant>) -> Self {
         for repetition in 0..REPETITIONS + 50 {
             for contestant in &mut contestants {
                 let start = Instant::now();
-                (contestant.shade)();
+                (contestant.work)();
                 // the first ones warm the caches up
                 if repetition >= 50 {
                     contestant.times.push(start.elapsed().as_secs_f64());
@@ -61,11 +61,11 @@ impl Results {
             }
         }
         #[allow(clippy::cast_precision_loss)]
-        let per_light = 1e9 / (POINTS * LIGHTS) as f64;
-        let medians = contestants.iter().map(|c| (c.name, c.median() * per_light));
+        let per_unit = 1e9 / count as f64;
+        let medians = contestants.iter().map(|c| (c.name, c.median() * per_unit));
         let results = Self(medians.collect());
         for (name, nanoseconds) in &results.0 {
-            println!("{name:28} {nanoseconds:6.2} ns per point and light");
+            println!("{name:28} {nanoseconds:6.2} ns per {unit}");
         }
         results
     }

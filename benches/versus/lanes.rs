@@ -9,7 +9,7 @@ use wide::f32x8;
 use crate::c;
 use crate::contest::{Contestant, Results, agree};
 use crate::ours::Ours;
-use crate::scene::{POINTS, REAL_M, Scene, WHOLE_M};
+use crate::scene::{LIGHTS, POINTS, REAL_M, Scene, WHOLE_M};
 use crate::wide::Wide;
 
 /// As many lanes as this processor has; a C compiler takes as many.
@@ -37,16 +37,20 @@ pub fn contest() {
     let mut c = c::Lanes::new(scene);
 
     println!("\nin lanes, {COUNT} where nothing else is said, with -C target-cpu=native:");
-    let results = Results::of(vec![
-        Contestant::new("ours, real m, 8 lanes", || {
-            black_box(&mut eight).shade_lanes();
-        }),
-        Contestant::new("ours, real m", || black_box(&mut real).shade_lanes()),
-        Contestant::new("ours, whole m", || black_box(&mut whole).shade_lanes()),
-        Contestant::new("wide by hand, powf", || black_box(&mut by_hand).shade()),
-        #[cfg(c_peers)]
-        Contestant::new("C -Ofast -march=native", || black_box(&mut c).shade()),
-    ]);
+    let results = Results::of(
+        "point and light",
+        POINTS * LIGHTS,
+        vec![
+            Contestant::new("ours, real m, 8 lanes", || {
+                black_box(&mut eight).shade_lanes();
+            }),
+            Contestant::new("ours, real m", || black_box(&mut real).shade_lanes()),
+            Contestant::new("ours, whole m", || black_box(&mut whole).shade_lanes()),
+            Contestant::new("wide by hand, powf", || black_box(&mut by_hand).shade()),
+            #[cfg(c_peers)]
+            Contestant::new("C -Ofast -march=native", || black_box(&mut c).shade()),
+        ],
+    );
     results.ratio(
         "lanes-real/c-native",
         "ours, real m",

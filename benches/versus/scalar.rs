@@ -7,7 +7,7 @@ use crate::by_hand::Glam;
 use crate::c;
 use crate::contest::{Contestant, Results, agree};
 use crate::ours::Ours;
-use crate::scene::{REAL_M, Scene, WHOLE_M};
+use crate::scene::{LIGHTS, POINTS, REAL_M, Scene, WHOLE_M};
 
 const SCENES: u64 = 16;
 
@@ -31,14 +31,18 @@ pub fn contest() {
     let mut c: Vec<_> = scenes.iter().map(c::Scalar::new).collect();
 
     println!("one by one, in a default build:");
-    let results = Results::of(vec![
-        Contestant::in_turn("ours, real m", &mut real, Ours::shade),
-        Contestant::in_turn("ours, whole m", &mut whole, Ours::shade),
-        Contestant::in_turn("glam, powf", &mut powf, |scene| scene.shade(f32::powf)),
-        Contestant::in_turn("glam, powi", &mut powi, |scene| scene.shade(f32::powi)),
-        #[cfg(c_peers)]
-        Contestant::in_turn("C -O2, powf", &mut c, c::Scalar::shade),
-    ]);
+    let results = Results::of(
+        "point and light",
+        POINTS * LIGHTS,
+        vec![
+            Contestant::in_turn("ours, real m", &mut real, Ours::shade),
+            Contestant::in_turn("ours, whole m", &mut whole, Ours::shade),
+            Contestant::in_turn("glam, powf", &mut powf, |scene| scene.shade(f32::powf)),
+            Contestant::in_turn("glam, powi", &mut powi, |scene| scene.shade(f32::powi)),
+            #[cfg(c_peers)]
+            Contestant::in_turn("C -O2, powf", &mut c, c::Scalar::shade),
+        ],
+    );
     results.ratio("scalar-real/glam", "ours, real m", "glam, powf");
     results.ratio("scalar-whole/glam", "ours, whole m", "glam, powi");
     results.ratio("scalar-real/c", "ours, real m", "C -O2, powf");
