@@ -143,25 +143,24 @@ fn least_normal_base(m: u32) -> f32 {
     f32::from_bits(linear - x * (0x800 - x) / 32 * 25 - 1600)
 }
 
-/// baseᵐ by squaring from the lowest bit of m up, without a multiplication by one or a square too
-/// many.
+/// baseᵐ by squaring, from the highest bit of m down; the zeros at its end are squares of the base.
 #[inline]
-pub(crate) fn by_squaring<T: Real>(mut base: T, mut m: u32) -> T {
+pub(crate) fn by_squaring<T: Real>(mut base: T, m: u32) -> T {
     if m == 0 {
         return T::ONE;
     }
-    let zeros = m.trailing_zeros();
-    for _ in 0..zeros {
+    for _ in 0..m.trailing_zeros() {
         base = base * base;
     }
-    m >>= zeros;
     let mut power = base;
-    while m > 1 {
-        base = base * base;
-        m /= 2;
-        if m % 2 == 1 {
+    // the bits of m below its highest one, leftmost first, down to its last one
+    let mut bits = m << m.leading_zeros() << 1;
+    while bits != 0 {
+        power = power * power;
+        if bits >> 31 == 1 {
             power = power * base;
         }
+        bits <<= 1;
     }
     power
 }
