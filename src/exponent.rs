@@ -48,6 +48,7 @@ pub trait Exponent<T>: Copy {
     #[inline]
     #[must_use]
     fn root_power(self) -> impl Fn(T) -> T {
+        #[inline(always)]
         move |square| self.raise_root(square)
     }
 }
@@ -67,6 +68,7 @@ impl<T: Real> Exponent<T> for u32 {
     fn root_power(self) -> impl Fn(T) -> T {
         let is_even = self % 2 == 0;
         let power = power_of(if is_even { self / 2 } else { self });
+        #[inline(always)]
         move |square: T| power(if is_even { square } else { square.sqrt() })
     }
 }
@@ -78,12 +80,12 @@ impl Exponent<f32> for f32 {
         target_feature = "simd128"
     ));
 
-    #[inline]
+    #[inline(always)]
     fn raise(self, cosine: f32) -> f32 {
         power(cosine, self.positive_part())
     }
 
-    #[inline]
+    #[inline(always)]
     fn raise_root(self, square: f32) -> f32 {
         (0.5 * self).raise(square)
     }
@@ -149,8 +151,11 @@ pub(crate) fn by_squaring<T: Real>(mut base: T, m: u32) -> T {
     if m == 0 {
         return T::ONE;
     }
-    for _ in 0..m.trailing_zeros() {
+    // a bit from the last one of m down; a loop over their number would be unrolled, by four
+    let mut zero = (m & m.wrapping_neg()) >> 1;
+    while zero != 0 {
         base = base * base;
+        zero >>= 1;
     }
     let mut power = base;
     // the bits of m below its highest one, leftmost first, down to its last one

@@ -1,4 +1,8 @@
 //! Floor 4: lights, and what arrives of them at a point.
+//!
+//! For firmware `at` and `in_front` are always in line. A function of their own would keep numbers on
+//! the stack beside those of the sum over lights that calls it, and small chips have little of that:
+//! `tests/firmware/run.sh` measures how much is taken.
 
 use crate::attenuation::{Attenuation, Cone};
 use crate::filter::Filtered;
@@ -81,6 +85,7 @@ pub struct PointLight<T> {
 /// assert_eq!(SPOT.at(Vec3::new(3.0, 0.0, 0.0)).intensity, Rgb::BLACK);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)] // begins with its point light, as `Light::Point` does: `Light` finds both at one place
 pub struct SpotLight<T> {
     /// The light at the tip of the cone.
     pub point: PointLight<T>,
@@ -149,7 +154,7 @@ impl<T: Real> PointLight<T> {
     ///
     /// At the light itself (q = 0), and where a coordinate is infinite, it lights nothing. A distance
     /// or an intensity that overflows is the largest finite number.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
         let to_light = self.position - p;
@@ -181,12 +186,17 @@ impl<T: Real> PointLight<T> {
     /// assert_eq!(all, lit);
     /// ```
     #[doc(alias = "cull")]
-    #[inline]
+    #[cfg_attr(target_os = "none", inline(always))]
+    #[cfg_attr(not(target_os = "none"), inline)]
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
         let to_light = self.position - p;
         let square = to_light.dot(to_light);
-        Self::is_in_front(n, to_light, square).then(|| self.along(p, to_light, square))
+        if Self::is_in_front(n, to_light, square) {
+            Some(self.along(p, to_light, square))
+        } else {
+            None
+        }
     }
 
     /// [`in_front`](PointLight::in_front) for each of a scene's lights: those in front of a point, as
@@ -239,7 +249,7 @@ impl<T: Real> PointLight<T> {
     }
 
     /// The light at p along P_light − p, of which the square is known.
-    #[inline]
+    #[inline(always)]
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>, square: T) -> IncidentLight<T> {
         let (l, q) = if Vec3::is_extreme(square) {
             self.extreme_way(-p.x, -p.y, -p.z, square)
@@ -248,12 +258,13 @@ impl<T: Real> PointLight<T> {
             (UnitVec3::assume_unit(to_light * (T::ONE / q)), q)
         };
         let factor = self.attenuation.unlimited(q);
-        let mut intensity = self.intensity * factor;
         // neither the limit nor an overflow is in reach of a factor up to 1
-        if factor.any_outside(T::ZERO, T::ONE) {
-            intensity = self.intensity * self.attenuation.limited(factor);
-            intensity = intensity.map(|channel| channel.at_most(T::MAX));
-        }
+        let intensity = if factor.any_outside(T::ZERO, T::ONE) {
+            let intensity = self.intensity * self.attenuation.limited(factor);
+            intensity.map(|channel| channel.at_most(T::MAX))
+        } else {
+            self.intensity * factor
+        };
         IncidentLight { l, intensity }
     }
 
@@ -262,8 +273,8 @@ impl<T: Real> PointLight<T> {
     ///
     /// It takes the point apart, because numbers go in registers, and lanes, which do not, negated,
     /// because −p is made only here: p would be written to memory for every light, also where this
-    /// is not called. For firmware it is in line: the call would take more flash.
-    #[cfg_attr(target_os = "none", inline)]
+    /// is not called. For firmware it is in line: the call would take more flash and more stack.
+    #[cfg_attr(target_os = "none", inline(always))]
     #[cfg_attr(not(target_os = "none"), cold, inline(never))]
     fn extreme_way(&self, minus_x: T, minus_y: T, minus_z: T, square: T) -> (UnitVec3<T>, T) {
         let p = -Vec3::new(minus_x, minus_y, minus_z);
@@ -297,7 +308,7 @@ impl<T: Real> PointLight<T> {
 impl<T: Real> SpotLight<T> {
     /// The light that arrives at the point p: that of the [`PointLight`] inside the cone and on
     /// its edge, none outside.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
         self.narrowed(self.point.at(p))
@@ -306,7 +317,8 @@ impl<T: Real> SpotLight<T> {
     /// [`at`](SpotLight::at) a point of a surface with the normal N, or `None` where the light is
     /// behind it or the point outside the cone; in lanes, where nothing arrives in any. See
     /// [`PointLight::in_front`].
-    #[inline]
+    #[cfg_attr(target_os = "none", inline(always))]
+    #[cfg_attr(not(target_os = "none"), inline)]
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
         self.narrowed_in_front(self.point.in_front(p, n)?)
@@ -342,7 +354,7 @@ impl<T: Real> SpotLight<T> {
 
 impl<T: Real> Light<T> {
     /// The light that arrives at the point p.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
         let point = match self {
@@ -358,7 +370,8 @@ impl<T: Real> Light<T> {
 
     /// [`at`](Light::at) a point of a surface with the normal N, or `None` where nothing arrives at
     /// its front: sooner than `at`, and with the same sum. See [`PointLight::in_front`].
-    #[inline]
+    #[cfg_attr(target_os = "none", inline(always))]
+    #[cfg_attr(not(target_os = "none"), inline)]
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
         let point = match self {

@@ -89,7 +89,7 @@ const TO_INTEGER: f32 = 12_583_038.0; // 1.5 · 2²³ + 126
 ///
 /// Whatever the bits of c and m, the result is a number of [0, 1], the same one everywhere: c above 1
 /// counts as 1, c below 0 or not a number as 0.
-#[inline]
+#[inline(always)]
 pub(crate) fn power<T: Binary32>(c: T, m: T) -> T {
     let of = |coefficient: f32| T::of(f64::from(coefficient));
 

@@ -178,6 +178,12 @@ fn sum<T: Real, M>(
     lights: impl IntoIterator<Item = IncidentLight<T>>,
     highlight: impl Fn(UnitVec3<T>) -> T,
 ) -> Shaded<T> {
+    // the ambient light goes first into the result: then I_a need not be kept
+    let mut shaded = Shaded {
+        ambient: term::ambient(material.k_a, i_a),
+        diffuse: Rgb::BLACK,
+        specular: Rgb::BLACK,
+    };
     let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
     for IncidentLight { l, intensity } in lights {
         let n_dot_l = term::lambert(n, l);
@@ -187,7 +193,9 @@ fn sum<T: Real, M>(
             specular += intensity * highlight;
         }
     }
-    reflected(diffuse, specular, material, i_a)
+    shaded.diffuse = diffuse.reflected(material.k_d);
+    shaded.specular = specular.reflected(material.k_s);
+    shaded
 }
 
 /// The same sum, with the highlights of four lights in front at a time: what their cosines' squares
@@ -227,16 +235,6 @@ fn sum_by_fours<T: Real, M: Exponent<T>>(
             break;
         }
     }
-    reflected(diffuse, specular, material, i_a)
-}
-
-#[inline]
-fn reflected<T: Real, M>(
-    diffuse: Rgb<T>,
-    specular: Rgb<T>,
-    material: &Material<T, M>,
-    i_a: Rgb<T>,
-) -> Shaded<T> {
     Shaded {
         ambient: term::ambient(material.k_a, i_a),
         diffuse: diffuse.reflected(material.k_d),

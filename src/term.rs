@@ -75,7 +75,7 @@ pub fn lambert<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> T {
 /// ```
 #[doc(alias = "specular")]
 #[doc(alias = "shininess")]
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn phong<T: Real, M: Exponent<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T {
     highlight(r.dot(v), m)
@@ -120,7 +120,7 @@ pub(crate) fn n_dot_h_squared<T: Real>(n: UnitVec3<T>, h: Vec3<T>) -> T {
 }
 
 /// The power of a cosine, cut off at the horizon.
-#[inline]
+#[inline(always)]
 fn highlight<T: Real, M: Exponent<T>>(cosine: T, m: M) -> T {
     m.raise(cosine.at_most(T::ONE))
 }
