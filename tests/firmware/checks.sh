@@ -66,7 +66,7 @@ program_size() {
     arm-none-eabi-size -A "$program" | awk '$1 ~ /^\.(text|rodata)$/ { bytes += $2 } END { print bytes }'
 }
 
-# Bytes of stack below the caller under a profile: "whole real", for all lights, then for those in front.
+# Bytes of stack below the caller under a profile, as src/bin/stack.rs lists them.
 stack() {
     local program
     program=$(build "$1" "$2" stack) && emulate "$1" "$program"

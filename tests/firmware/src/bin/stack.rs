@@ -1,5 +1,6 @@
-//! Prints how many bytes of the stack, below the caller, the sum over a slice of lights takes: with
-//! a whole shininess and with a real one, then again with only the lights in front of the surface.
+//! Prints how many bytes of the stack, below the caller, the sum over a slice of lights takes: after
+//! Lambert, after Phong with a whole shininess and a real one, and after Blinn with both; each over
+//! all lights and over those in front of the surface alone.
 #![no_std]
 #![no_main]
 
@@ -7,17 +8,26 @@ use core::hint::black_box;
 
 use firmware::scene::{AMBIENT, CAP, LIGHTS, brass};
 use firmware::{board, broken};
-use shading::{Exponent, Light, Material, Rgb, Shaded, UnitVec3, Vec3, shade};
+use shading::{
+    Attenuation, Exponent, IncidentLight, Light, Material, PointLight, Rgb, Shaded, UnitVec3, Vec3,
+    shade,
+};
 
 #[board::entry]
 fn main() -> ! {
     let (whole, real) = (&brass(32), &brass(32.5));
     board::println!(
-        "{} {} {} {}",
-        depth(whole, sum::<_, false>),
-        depth(real, sum::<_, false>),
-        depth(whole, sum::<_, true>),
-        depth(real, sum::<_, true>)
+        "{} {} {} {} {} {} {} {} {} {}",
+        depth(whole, sum::<_, 'L', false>),
+        depth(whole, sum::<_, 'L', true>),
+        depth(whole, sum::<_, 'P', false>),
+        depth(whole, sum::<_, 'P', true>),
+        depth(real, sum::<_, 'P', false>),
+        depth(real, sum::<_, 'P', true>),
+        depth(whole, sum::<_, 'B', false>),
+        depth(whole, sum::<_, 'B', true>),
+        depth(real, sum::<_, 'B', false>),
+        depth(real, sum::<_, 'B', true>)
     );
     board::done()
 }
@@ -32,7 +42,7 @@ type Sum<M> = fn(
     lights: &[Light<f32>],
 ) -> Shaded<f32>;
 
-fn sum<M: Exponent<f32>, const IN_FRONT: bool>(
+fn sum<M: Exponent<f32>, const MODEL: char, const IN_FRONT: bool>(
     p: Vec3<f32>,
     n: UnitVec3<f32>,
     v: UnitVec3<f32>,
@@ -42,18 +52,52 @@ fn sum<M: Exponent<f32>, const IN_FRONT: bool>(
 ) -> Shaded<f32> {
     if IN_FRONT {
         let lights = lights.iter().filter_map(|light| light.in_front(p, n));
-        shade::blinn_phong(n, v, material, i_a, lights)
+        shaded::<_, MODEL>(n, v, material, i_a, lights)
     } else {
         broken::promise(0.0);
-        shade::blinn_phong(n, v, material, i_a, lights.iter().map(|light| light.at(p)))
+        shaded::<_, MODEL>(n, v, material, i_a, lights.iter().map(|light| light.at(p)))
     }
+}
+
+#[inline(always)]
+fn shaded<M: Exponent<f32>, const MODEL: char>(
+    n: UnitVec3<f32>,
+    v: UnitVec3<f32>,
+    material: &Material<f32, M>,
+    i_a: Rgb<f32>,
+    lights: impl Iterator<Item = IncidentLight<f32>>,
+) -> Shaded<f32> {
+    match MODEL {
+        'L' => shade::lambert(n, material, i_a, lights),
+        'P' => shade::phong(n, v, material, i_a, lights),
+        _ => shade::blinn_phong(n, v, material, i_a, lights),
+    }
+}
+
+/// Far away, so far that the way there overflows, at the place that is lit, and nowhere.
+static OUTLYING: [Light<f32>; 4] = [
+    lamp(Vec3::new(1e25, 2e25, 3e25)),
+    lamp(Vec3::new(f32::MAX, f32::MAX, f32::MAX)),
+    lamp(Vec3::new(0.28, 0.0, 0.96)),
+    lamp(Vec3::new(f32::INFINITY, f32::NAN, 0.0)),
+];
+
+const fn lamp(position: Vec3<f32>) -> Light<f32> {
+    Light::Point(PointLight {
+        position,
+        intensity: Rgb::WHITE,
+        attenuation: Attenuation::<f32>::new(0.0, 0.0, 1.0).unwrap(),
+    })
 }
 
 fn depth<M>(material: &Material<f32, M>, sum: Sum<M>) -> usize {
     let [n, v] = black_box([CAP[1], CAP[0]]);
-    let (i_a, lights) = (black_box(AMBIENT), black_box(&LIGHTS[..]));
+    let i_a = black_box(AMBIENT);
     let sum = black_box(sum); // a call that cannot be in line
-    board::stack(|| _ = black_box(&sum(*n, n, v, material, i_a, lights)))
+    let depth_with = |lights: &[Light<f32>]| {
+        board::stack(|| _ = black_box(&sum(*n, n, v, material, i_a, lights)))
+    };
+    depth_with(black_box(&LIGHTS)).max(depth_with(black_box(&OUTLYING)))
 }
 
 #[panic_handler]
