@@ -157,8 +157,7 @@ impl<T: Real> PointLight<T> {
     #[inline(always)]
     #[must_use]
     pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
-        let to_light = self.position - p;
-        self.along(p, to_light, to_light.dot(to_light))
+        self.along(p, self.position - p)
     }
 
     /// [`at`](PointLight::at) a point of a surface with the normal N, or `None` where the light is
@@ -191,9 +190,9 @@ impl<T: Real> PointLight<T> {
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
         let to_light = self.position - p;
-        let square = to_light.dot(to_light);
-        if Self::is_in_front(n, to_light, square) {
-            Some(self.along(p, to_light, square))
+        // most often the sign alone decides
+        if n.dot(to_light).any_positive() || Self::is_in_front(n, to_light) {
+            Some(self.along(p, to_light))
         } else {
             None
         }
@@ -231,28 +230,28 @@ impl<T: Real> PointLight<T> {
     /// Whether [`in_front`](PointLight::in_front) gives a light.
     #[inline]
     fn may_light(&self, p: Vec3<T>, n: UnitVec3<T>) -> bool {
-        let to_light = self.position - p;
-        Self::is_in_front(n, to_light, to_light.dot(to_light))
+        Self::is_in_front(n, self.position - p)
     }
 
-    /// Whether a light along P_light − p, of which the square is known, may light a surface: `false`
-    /// where N·L would not be positive in any lane.
+    /// Whether a light along P_light − p may light a surface: `false` where N·L would not be positive
+    /// in any lane.
     #[inline]
-    fn is_in_front(n: UnitVec3<T>, to_light: Vec3<T>, square: T) -> bool {
-        let n_dot_to_light = n.dot(to_light);
-        // Below zero by more than 2⁻⁸ of the distance: the rounding of this dot product and of N·L is
-        // less in any number type of 12 bits or more, so N·L is not positive either.
-        let two_to_minus_16 = T::of(1.0 / 65536.0);
-        let beyond_doubt = n_dot_to_light * n_dot_to_light - square * two_to_minus_16;
-        let behind = n_dot_to_light.if_positive(T::ZERO, beyond_doubt);
-        behind.if_positive(T::ZERO, T::ONE).any_positive()
+    fn is_in_front(n: UnitVec3<T>, to_light: Vec3<T>) -> bool {
+        // Below zero by more than 2⁻⁹ of |x| + |y| + |z|, which is not less than the distance: the
+        // rounding of this dot product and of N·L is less in any number type of 12 bits or more, so N·L
+        // is not positive either. Where the product may have lost bits below its range, it is in doubt.
+        let size = to_light.x.abs() + to_light.y.abs() + to_light.z.abs();
+        let beyond_doubt = size * T::of(-1.0 / 512.0) - T::ONE / T::RESCALE;
+        let in_front = beyond_doubt.if_above(n.dot(to_light), T::ZERO, T::ONE);
+        in_front.any_positive()
     }
 
-    /// The light at p along P_light − p, of which the square is known.
+    /// The light at p along P_light − p.
     #[inline(always)]
-    fn along(&self, p: Vec3<T>, to_light: Vec3<T>, square: T) -> IncidentLight<T> {
+    fn along(&self, p: Vec3<T>, to_light: Vec3<T>) -> IncidentLight<T> {
+        let square = to_light.dot(to_light);
         let (l, q) = if Vec3::is_extreme(square) {
-            self.extreme_way(-p.x, -p.y, -p.z, square)
+            self.extreme_way(p.into(), square)
         } else {
             let q = square.sqrt();
             (UnitVec3::assume_unit(to_light * (T::ONE / q)), q)
@@ -268,16 +267,15 @@ impl<T: Real> PointLight<T> {
         IncidentLight { l, intensity }
     }
 
-    /// L and q where q² is out of range, given −p. A light without a direction is infinitely far
-    /// away.
+    /// L and q where q² is out of range. A light without a direction is infinitely far away.
     ///
-    /// It takes the point apart, because numbers go in registers, and lanes, which do not, negated,
-    /// because −p is made only here: p would be written to memory for every light, also where this
-    /// is not called. For firmware it is in line: the call would take more flash and more stack.
+    /// It takes the point as an array: that is made only here, where a vector at hand would be written
+    /// to memory for every light, also where this is not called. For firmware it is in line: the call
+    /// would take more flash and more stack.
     #[cfg_attr(target_os = "none", inline(always))]
     #[cfg_attr(not(target_os = "none"), cold, inline(never))]
-    fn extreme_way(&self, minus_x: T, minus_y: T, minus_z: T, square: T) -> (UnitVec3<T>, T) {
-        let p = -Vec3::new(minus_x, minus_y, minus_z);
+    fn extreme_way(&self, p: [T; 3], square: T) -> (UnitVec3<T>, T) {
+        let p = Vec3::from(p);
         let (way, scale) = Vec3::extreme_way(p, self.position, square);
         let q = way.dot(way).sqrt();
         let reciprocal = T::ONE / q;

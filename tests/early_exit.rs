@@ -11,9 +11,11 @@ fn vector() -> impl Strategy<Value = Vec3<f32>> {
     [-1.0_f32..1.0, -1.0..1.0, -1.0..1.0].prop_map(Vec3::from)
 }
 
-/// Powers of two from those whose squares vanish to those whose squares overflow.
+/// Powers of two: from those whose squares vanish to those whose squares overflow, and so small that a
+/// vector is of a few units in the last place.
 fn size() -> impl Strategy<Value = f32> {
-    prop_oneof![4 => -10..10, 1 => -120..120].prop_map(|power| 2.0_f32.powi(power))
+    prop_oneof![4 => -10..10, 1 => -120..128, 1 => -149..-144]
+        .prop_map(|power| libm::scalbnf(1.0, power))
 }
 
 proptest! {
