@@ -7,17 +7,18 @@ const REPETITIONS: usize = 2000;
 
 pub struct Contestant<'a> {
     name: &'static str,
-    work: Box<dyn FnMut() + 'a>,
-    times: Vec<f64>,
+    work: Box<dyn FnMut(usize) + 'a>,
+    /// The least time of each scene.
+    least: Vec<f64>,
 }
 
 impl<'a> Contestant<'a> {
     /// `work` does all of it once.
-    pub fn new(name: &'static str, work: impl FnMut() + 'a) -> Self {
+    pub fn new(name: &'static str, mut work: impl FnMut() + 'a) -> Self {
         Self {
             name,
-            work: Box::new(work),
-            times: Vec::with_capacity(REPETITIONS),
+            work: Box::new(move |_| work()),
+            least: vec![f64::INFINITY],
         }
     }
 
@@ -28,17 +29,24 @@ impl<'a> Contestant<'a> {
         scenes: &'a mut [S],
         shade: impl Fn(&mut S) + 'a,
     ) -> Self {
-        let mut next = 0;
-        Self::new(name, move || {
-            shade(black_box(&mut scenes[next]));
-            next = (next + 1) % scenes.len();
-        })
+        Self {
+            name,
+            least: vec![f64::INFINITY; scenes.len()],
+            work: Box::new(move |scene| shade(black_box(&mut scenes[scene]))),
+        }
     }
 
-    fn median(&self) -> f64 {
-        let mut times = self.times.clone();
-        times.sort_by(f64::total_cmp);
-        times[times.len() / 2]
+    fn perform(&mut self, repetition: usize) {
+        let scene = repetition % self.least.len();
+        let start = Instant::now();
+        (self.work)(scene);
+        self.least[scene] = self.least[scene].min(start.elapsed().as_secs_f64());
+    }
+
+    fn mean(&self) -> f64 {
+        #[allow(clippy::cast_precision_loss)]
+        let scenes = self.least.len() as f64;
+        self.least.iter().sum::<f64>() / scenes
     }
 }
 
@@ -47,23 +55,19 @@ pub struct Results(Vec<(&'static str, f64)>);
 
 impl Results {
     /// Runs all contestants and prints what each takes for each of the `count` units of its work: the
-    /// median of repetitions that are interleaved, so that whatever slows the machine down slows
-    /// them all.
+    /// mean over the scenes of the least of many times. What else the machine does adds to a time, and
+    /// more to that of one contestant than of another; as they take turns, all have the same quiet
+    /// moments.
     pub fn of(unit: &str, count: usize, mut contestants: Vec<Contestant>) -> Self {
-        for repetition in 0..REPETITIONS + 50 {
+        for repetition in 0..REPETITIONS {
             for contestant in &mut contestants {
-                let start = Instant::now();
-                (contestant.work)();
-                // the first ones warm the caches up
-                if repetition >= 50 {
-                    contestant.times.push(start.elapsed().as_secs_f64());
-                }
+                contestant.perform(repetition);
             }
         }
         #[allow(clippy::cast_precision_loss)]
         let per_unit = 1e9 / count as f64;
-        let medians = contestants.iter().map(|c| (c.name, c.median() * per_unit));
-        let results = Self(medians.collect());
+        let means = contestants.iter().map(|c| (c.name, c.mean() * per_unit));
+        let results = Self(means.collect());
         for (name, nanoseconds) in &results.0 {
             println!("{name:28} {nanoseconds:6.2} ns per {unit}");
         }
