@@ -151,11 +151,12 @@ pub(crate) fn by_squaring<T: Real>(mut base: T, m: u32) -> T {
     if m == 0 {
         return T::ONE;
     }
-    // a bit from the last one of m down; a loop over their number would be unrolled, by four
-    let mut zero = (m & m.wrapping_neg()) >> 1;
-    while zero != 0 {
+    // one bit comes down past these zeros; a loop over their number compilers would unroll, and
+    // small chips lack the registers for that
+    let mut bit = (m & m.wrapping_neg()) >> 1;
+    while bit != 0 {
         base = base * base;
-        zero >>= 1;
+        bit >>= 1;
     }
     let mut power = base;
     // the bits of m below its highest one, leftmost first, down to its last one

@@ -37,7 +37,8 @@ fn try_some<L>(is_chosen: impl Fn(&L) -> bool, all: &[L]) -> Tried<'_, L> {
     }
 }
 
-/// The test comes by value, and nothing by reference to the filter: so that stays in registers.
+/// Takes the test by value and returns what it tried: it is given no reference to the filter, which
+/// so stays in registers.
 #[cold]
 #[inline(never)]
 fn try_more<L>(is_chosen: impl Fn(&L) -> bool, rest: &[L]) -> Tried<'_, L> {
