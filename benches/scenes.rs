@@ -71,9 +71,9 @@ fn shading<T: Real, M: Exponent<T>>(
 ) {
     let surface: Vec<_> = surface
         .iter()
-        .map(|&(p, n)| (p.map(of), n.map(of)))
+        .map(|&(p, n)| (p.map(of), n.cast(of)))
         .collect();
-    let lights = LIGHTS.map(|light| light.map(of));
+    let lights = LIGHTS.map(|light| light.cast(of));
     let [k_a, k_d, k_s] = [0.2, 0.6, 0.4].map(|k| Rgb::gray(of(k)));
     let material = Material { k_a, k_d, k_s, m };
     let (i_a, eye) = (Rgb::WHITE, Vec3::new(6.0, -8.0, 5.0).map(of));

@@ -2,19 +2,25 @@
 
 macro_rules! componentwise {
     ($type:ident { $x:ident, $y:ident, $z:ident }) => {
-        impl<T> $type<T> {
+        impl<T: Real> $type<T> {
             /// From its three components.
             #[inline]
             #[must_use]
             pub const fn new($x: T, $y: T, $z: T) -> Self {
                 Self { $x, $y, $z }
             }
+        }
 
-            /// The same function of each component: a change of the number type, for example.
+        impl<T> $type<T> {
+            /// The same function of each component.
             #[inline]
             #[must_use]
             pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> $type<U> {
-                $type::new(f(self.$x), f(self.$y), f(self.$z))
+                $type {
+                    $x: f(self.$x),
+                    $y: f(self.$y),
+                    $z: f(self.$z),
+                }
             }
         }
 
@@ -42,6 +48,34 @@ macro_rules! componentwise {
             }
         }
 
+        impl<T: Real> Div<T> for $type<T> {
+            type Output = Self;
+            #[inline]
+            fn div(self, divisor: T) -> Self {
+                Self::new(self.$x / divisor, self.$y / divisor, self.$z / divisor)
+            }
+        }
+
+        componentwise!(f32 * $type);
+        componentwise!(f64 * $type);
+        componentwise!($type AddAssign::add_assign(Self) is +);
+        componentwise!($type SubAssign::sub_assign(Self) is -);
+        componentwise!($type MulAssign::mul_assign(T) is *);
+
+        impl<T: Real> Sum for $type<T> {
+            #[inline]
+            fn sum<I: Iterator<Item = Self>>(iter: I) -> Self {
+                iter.fold(Self::new(T::ZERO, T::ZERO, T::ZERO), Add::add)
+            }
+        }
+
+        impl<'a, T: Real> Sum<&'a Self> for $type<T> {
+            #[inline]
+            fn sum<I: Iterator<Item = &'a Self>>(iter: I) -> Self {
+                iter.copied().sum()
+            }
+        }
+
         impl<T> From<[T; 3]> for $type<T> {
             #[inline]
             fn from([$x, $y, $z]: [T; 3]) -> Self {
@@ -53,6 +87,25 @@ macro_rules! componentwise {
             #[inline]
             fn from(value: $type<T>) -> Self {
                 [value.$x, value.$y, value.$z]
+            }
+        }
+    };
+
+    ($float:ident * $type:ident) => {
+        impl Mul<$type<$float>> for $float {
+            type Output = $type<$float>;
+            #[inline]
+            fn mul(self, value: $type<$float>) -> $type<$float> {
+                value * self
+            }
+        }
+    };
+
+    ($type:ident $assign:ident::$method:ident($other:ty) is $operator:tt) => {
+        impl<T: Real> $assign<$other> for $type<T> {
+            #[inline]
+            fn $method(&mut self, other: $other) {
+                *self = *self $operator other;
             }
         }
     };

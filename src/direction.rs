@@ -1,7 +1,8 @@
 //! Floor 3: the directions R and H, made of N, L and V.
 
 use crate::real::Real;
-use crate::vector::{UnitVec3, Vec3};
+use crate::unit::UnitVec3;
+use crate::vector::Vec3;
 
 /// The reflection vector: the direction L mirrored in the normal N.
 ///
@@ -18,7 +19,7 @@ use crate::vector::{UnitVec3, Vec3};
 /// ```
 /// use shading::{UnitVec3, Vec3, reflection};
 ///
-/// let l = UnitVec3::<f32>::known(0.6, 0.0, 0.8).unwrap();
+/// let l = UnitVec3::<f32>::new(0.6, 0.0, 0.8).unwrap();
 /// let r = reflection(UnitVec3::<f32>::Z, l);
 /// assert_eq!(*r, Vec3::new(-0.6, 0.0, 0.8));
 /// ```

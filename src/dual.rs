@@ -27,7 +27,7 @@ use crate::vector::Vec3;
 /// Source: Clifford 1873; Griewank and Walther, *Evaluating Derivatives*.
 #[doc(alias = "autodiff")]
 #[derive(Clone, Copy, Debug)]
-pub struct Dual<T> {
+pub struct Dual<T = f32> {
     /// The value.
     pub value: T,
     /// Its derivatives by the three variables.
@@ -236,6 +236,7 @@ number_first!(f64: Add add, Sub sub, Mul mul, Div div);
 impl<T: Real> Real for Dual<T> {
     const ZERO: Self = Self::constant(T::ZERO);
     const ONE: Self = Self::constant(T::ONE);
+    const NEG_ONE: Self = Self::constant(T::NEG_ONE);
     const MAX: Self = Self::constant(T::MAX);
     const RESCALE: Self = Self::constant(T::RESCALE);
 

@@ -8,10 +8,10 @@ use crate::real::Real;
 /// A whole m takes the much faster path, by squaring. The type of the argument chooses:
 ///
 /// ```
-/// use shading::{Exponent, UnitVec3, blinn};
+/// use shading::{Exponent, UnitVec3, term::blinn};
 ///
 /// let n = UnitVec3::<f32>::Z;
-/// let h = UnitVec3::<f32>::known(0.0, 0.6, 0.8).unwrap();
+/// let h = UnitVec3::<f32>::new(0.0, 0.6, 0.8).unwrap();
 /// let whole = blinn(n, h, 32); // five multiplications
 /// let real = blinn(n, h, 32.5);
 /// assert!(real < whole);

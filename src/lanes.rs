@@ -13,6 +13,7 @@ macro_rules! real {
         impl Real for $lanes {
             const ZERO: Self = Self::splat($float::ZERO);
             const ONE: Self = Self::splat($float::ONE);
+            const NEG_ONE: Self = Self::splat($float::NEG_ONE);
             const MAX: Self = Self::splat(<$float as Real>::MAX);
             const RESCALE: Self = Self::splat($float::RESCALE);
 

@@ -46,7 +46,7 @@
 //! - **A spot's angle is the half-angle**, in radians, and its edge is inside.
 //! - **Lambert has no 1/π**, the highlights are not normalised: the formulas are the books'.
 //! - **No highlight on a face turned from the light**: the sums in [`mod@shade`] see to it. The
-//!   factors [`phong`] and [`blinn`] alone do not.
+//!   factors of [`mod@term`] alone do not.
 //! - **m = 0 or not, a cosine ≤ 0 gives no highlight.**
 //!
 //! # More to read
@@ -65,7 +65,7 @@
 //! |---|---|
 //! | 5 the model | [`mod@shade`]: [`lambert`](shade::lambert), [`phong`](shade::phong), [`blinn_phong`](shade::blinn_phong), the sums over lights |
 //! | 4 scenes | [`DirectionalLight`], [`PointLight`], [`SpotLight`], [`Light`], [`IncidentLight`]; [`Material`] |
-//! | 3 formulas | [`normal`]; [`reflection`], [`half_vector`]; [`ambient`], [`lambert`](lambert()), [`phong`](phong()), [`blinn`]; [`attenuation`], [`Attenuation`], [`Cone`] |
+//! | 3 formulas | [`normal`]; [`reflection`], [`half_vector`]; [`mod@term`]; [`attenuation`], [`Attenuation`], [`Cone`] |
 //! | 2 differentiation | [`Dual`] |
 //! | 1 vectors, colours | [`Vec3`], [`UnitVec3`]; [`Rgb`] |
 //! | 0 numbers | [`Real`], [`Elementary`]; [`Exponent`] |
@@ -74,7 +74,7 @@
 //!
 //! - `approx`: `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`] and [`Rgb`].
 //! - `wide`: [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`. A scene in scalars
-//!   goes into lanes by `map`: `light.map(f32x8::splat)`.
+//!   goes into lanes by `cast`: `light.cast(f32x8::splat)`.
 //!
 //! No feature is on by default.
 #![no_std]
@@ -96,15 +96,18 @@ mod real;
 mod root;
 // floor 1: vectors and colours
 mod componentwise;
+mod rescale;
 mod rgb;
+mod unit;
 mod vector;
 // floor 2: differentiation
 mod dual;
 // floor 3: formulas
 mod attenuation;
+mod cone;
 mod direction;
 pub mod normal;
-mod term;
+pub mod term;
 // floor 4: scenes
 mod light;
 mod material;
@@ -115,7 +118,8 @@ mod interop;
 #[cfg(feature = "wide")]
 mod lanes;
 
-pub use attenuation::{Attenuation, Cone, attenuation};
+pub use attenuation::{Attenuation, attenuation};
+pub use cone::Cone;
 pub use direction::{half_vector, reflection};
 pub use dual::Dual;
 pub use exponent::Exponent;
@@ -124,8 +128,13 @@ pub use material::Material;
 pub use real::{Elementary, Real};
 pub use rgb::Rgb;
 pub use shade::Shaded;
-pub use term::{ambient, blinn, lambert, phong};
-pub use vector::{UnitVec3, Vec3};
+
+pub use unit::UnitVec3;
+pub use vector::Vec3;
+
+// the types of a scene in one number type
+mod aliases;
+pub use aliases::{f32, f64};
 
 // pages of the documentation, without code
 #[cfg(doc)]

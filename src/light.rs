@@ -4,11 +4,14 @@
 //! the stack beside those of the sum over lights that calls it, and small chips have little of that:
 //! `tests/firmware/run.sh` measures how much is taken.
 
-use crate::attenuation::{Attenuation, Cone};
+use crate::attenuation::Attenuation;
+use crate::cone::Cone;
 use crate::filter::Filtered;
 use crate::real::Real;
+use crate::rescale::{extreme_difference, is_extreme};
 use crate::rgb::Rgb;
-use crate::vector::{UnitVec3, Vec3};
+use crate::unit::UnitVec3;
+use crate::vector::Vec3;
 
 /// The light that arrives at a point from one direction: what every light source comes down to,
 /// and what the [sums over lights](crate::shade) take.
@@ -16,7 +19,7 @@ use crate::vector::{UnitVec3, Vec3};
 /// Make it yourself for a light of your own kind, and change it on its way to the sum: a shadow is
 /// an intensity of zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct IncidentLight<T> {
+pub struct IncidentLight<T = f32> {
     /// L, the direction from the surface **to** the light.
     pub l: UnitVec3<T>,
     /// I, as it arrives: attenuated, and zero outside a spot's cone.
@@ -33,7 +36,7 @@ pub struct IncidentLight<T> {
 /// assert_eq!(SUN.at(Vec3::new(5.0, 0.0, -2.0)).intensity, SUN.intensity);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DirectionalLight<T> {
+pub struct DirectionalLight<T = f32> {
     /// L, the direction **to** the light, against the way it shines.
     pub l: UnitVec3<T>,
     /// I, the same everywhere.
@@ -58,7 +61,7 @@ pub struct DirectionalLight<T> {
 /// assert_eq!(LAMP.at(LAMP.position).intensity, Rgb::BLACK);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PointLight<T> {
+pub struct PointLight<T = f32> {
     /// Where the light is.
     pub position: Vec3<T>,
     /// I, before attenuation.
@@ -78,7 +81,7 @@ pub struct PointLight<T> {
 ///         intensity: Rgb::WHITE,
 ///         attenuation: Attenuation::NONE,
 ///     },
-///     axis: UnitVec3::<f32>::known(0.0, -1.0, 0.0).unwrap(),
+///     axis: UnitVec3::<f32>::new(0.0, -1.0, 0.0).unwrap(),
 ///     cone: Cone::<f32>::from_half_angle(0.5).unwrap(),
 /// };
 /// assert_eq!(SPOT.at(Vec3::ZERO).intensity, Rgb::WHITE);
@@ -86,7 +89,7 @@ pub struct PointLight<T> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // begins with its point light, as `Light::Point` does: `Light` finds both at one place
-pub struct SpotLight<T> {
+pub struct SpotLight<T = f32> {
     /// The light at the tip of the cone.
     pub point: PointLight<T>,
     /// The direction in which the spot shines.
@@ -106,7 +109,7 @@ pub struct SpotLight<T> {
 /// assert_eq!(incident.count(), 1);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Light<T> {
+pub enum Light<T = f32> {
     /// From one direction.
     Directional(DirectionalLight<T>),
     /// From one point.
@@ -134,12 +137,13 @@ impl<T: Real> DirectionalLight<T> {
         n.dot(self.l).any_positive().then(|| self.at(p))
     }
 
-    /// The same light over another number type; `f` gives the same number in that type.
+    /// The same light in another number type: `f` converts each number, and may do no more
+    /// than round it.
     #[inline]
     #[must_use]
-    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> DirectionalLight<U> {
+    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> DirectionalLight<U> {
         DirectionalLight {
-            l: self.l.map(&mut f),
+            l: self.l.cast(&mut f),
             intensity: self.intensity.map(f),
         }
     }
@@ -250,7 +254,7 @@ impl<T: Real> PointLight<T> {
     #[inline(always)]
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>) -> IncidentLight<T> {
         let square = to_light.dot(to_light);
-        let (l, q) = if Vec3::is_extreme(square) {
+        let (l, q) = if is_extreme(square) {
             self.extreme_way(p.into(), square)
         } else {
             let q = square.sqrt();
@@ -276,7 +280,7 @@ impl<T: Real> PointLight<T> {
     #[cfg_attr(not(target_os = "none"), cold, inline(never))]
     fn extreme_way(&self, p: [T; 3], square: T) -> (UnitVec3<T>, T) {
         let p = Vec3::from(p);
-        let (way, scale) = Vec3::extreme_way(p, self.position, square);
+        let (way, scale) = extreme_difference(self.position, p, square);
         let q = way.dot(way).sqrt();
         let reciprocal = T::ONE / q;
         // positive for a reciprocal that is neither zero nor infinite nor NaN
@@ -291,14 +295,15 @@ impl<T: Real> PointLight<T> {
         (l, valid.if_positive((q / scale).at_most(T::MAX), infinity))
     }
 
-    /// The same light over another number type; `f` gives the same number in that type.
+    /// The same light in another number type: `f` converts each number, and may do no more
+    /// than round it.
     #[inline]
     #[must_use]
-    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> PointLight<U> {
+    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> PointLight<U> {
         PointLight {
             position: self.position.map(&mut f),
             intensity: self.intensity.map(&mut f),
-            attenuation: self.attenuation.map(f),
+            attenuation: self.attenuation.cast(f),
         }
     }
 }
@@ -338,14 +343,15 @@ impl<T: Real> SpotLight<T> {
         is_inside.then(|| self.narrowed(incident))
     }
 
-    /// The same light over another number type; `f` gives the same number in that type.
+    /// The same light in another number type: `f` converts each number, and may do no more
+    /// than round it.
     #[inline]
     #[must_use]
-    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> SpotLight<U> {
+    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> SpotLight<U> {
         SpotLight {
-            point: self.point.map(&mut f),
-            axis: self.axis.map(&mut f),
-            cone: self.cone.map(f),
+            point: self.point.cast(&mut f),
+            axis: self.axis.cast(&mut f),
+            cone: self.cone.cast(f),
         }
     }
 }
@@ -399,14 +405,15 @@ impl<T: Real> Light<T> {
         Filtered::by(is_in_front, lights).filter_map(move |light| light.in_front(p, n))
     }
 
-    /// The same light over another number type; `f` gives the same number in that type.
+    /// The same light in another number type: `f` converts each number, and may do no more
+    /// than round it.
     #[inline]
     #[must_use]
-    pub fn map<U>(self, f: impl FnMut(T) -> U) -> Light<U> {
+    pub fn cast<U>(self, f: impl FnMut(T) -> U) -> Light<U> {
         match self {
-            Self::Directional(light) => Light::Directional(light.map(f)),
-            Self::Point(light) => Light::Point(light.map(f)),
-            Self::Spot(light) => Light::Spot(light.map(f)),
+            Self::Directional(light) => Light::Directional(light.cast(f)),
+            Self::Point(light) => Light::Point(light.cast(f)),
+            Self::Spot(light) => Light::Spot(light.cast(f)),
         }
     }
 }

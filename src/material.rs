@@ -18,7 +18,7 @@ use crate::rgb::Rgb;
 /// };
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Material<T, M> {
+pub struct Material<T = f32, M = u32> {
     /// k_a, the share of the ambient light that is returned.
     pub k_a: Rgb<T>,
     /// k_d, the share of a light that is returned diffusely.
@@ -30,11 +30,11 @@ pub struct Material<T, M> {
 }
 
 impl<T, M> Material<T, M> {
-    /// The same material over another number type; `f` gives the same number in that type. The
-    /// shininess stays as it is.
+    /// The same material in another number type: `f` converts each number, and may do no more
+    /// than round it. The shininess stays as it is.
     #[inline]
     #[must_use]
-    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Material<U, M> {
+    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> Material<U, M> {
         Material {
             k_a: self.k_a.map(&mut f),
             k_d: self.k_d.map(&mut f),

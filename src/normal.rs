@@ -5,7 +5,9 @@
 
 use crate::dual::Dual;
 use crate::real::Real;
-use crate::vector::{UnitVec3, Vec3};
+use crate::rescale::tame_difference;
+use crate::unit::UnitVec3;
+use crate::vector::Vec3;
 
 /// The normal of the plane ax + by + cz + d = 0.
 ///
@@ -54,8 +56,8 @@ pub fn triangle<T: Real + PartialOrd>(
     v2: Vec3<T>,
     v3: Vec3<T>,
 ) -> Option<UnitVec3<T>> {
-    Vec3::rescaled_way(v1, v2)
-        .cross(Vec3::rescaled_way(v1, v3))
+    tame_difference(v2, v1)
+        .cross(tame_difference(v3, v1))
         .unit()
 }
 
@@ -77,7 +79,7 @@ pub fn triangle<T: Real + PartialOrd>(
 #[inline]
 #[must_use]
 pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitVec3<T>> {
-    Vec3::rescaled_way(center, p).unit()
+    tame_difference(p, center).unit()
 }
 
 /// The normal of the implicit surface f(x, y, z) = 0 at a point of it, from f itself.
@@ -181,5 +183,6 @@ pub fn parametric<T: Real + PartialOrd>(
 #[inline]
 #[must_use]
 pub fn from_tangents<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<UnitVec3<T>> {
-    s_u.rescaled().cross(s_v.rescaled()).unit()
+    let tame = |tangent| tame_difference(tangent, Vec3::ZERO);
+    tame(s_u).cross(tame(s_v)).unit()
 }

@@ -35,6 +35,8 @@ pub trait Real:
     const ZERO: Self;
     /// One.
     const ONE: Self;
+    /// Minus one.
+    const NEG_ONE: Self;
     /// The largest finite number.
     const MAX: Self;
     /// A power of two *p* that tames vectors of any size before they are squared: where |v|² is
@@ -152,6 +154,7 @@ macro_rules! float {
         impl Real for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
+            const NEG_ONE: Self = -1.0;
             const MAX: Self = $float::MAX;
             const RESCALE: Self = $rescale;
 

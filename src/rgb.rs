@@ -1,7 +1,7 @@
 //! Floor 1: colour.
 
 use core::iter::Sum;
-use core::ops::{Add, AddAssign, Mul, Sub};
+use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub, SubAssign};
 
 use crate::componentwise::componentwise;
 use crate::real::Real;
@@ -24,7 +24,7 @@ use crate::real::Real;
 #[doc(alias = "colour")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
-pub struct Rgb<T> {
+pub struct Rgb<T = f32> {
     /// Red.
     pub r: T,
     /// Green.
@@ -74,19 +74,5 @@ impl<T: Real> Mul for Rgb<T> {
     #[inline]
     fn mul(self, other: Self) -> Self {
         Self::new(self.r * other.r, self.g * other.g, self.b * other.b)
-    }
-}
-
-impl<T: Real> AddAssign for Rgb<T> {
-    #[inline]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl<T: Real> Sum for Rgb<T> {
-    #[inline]
-    fn sum<I: Iterator<Item = Self>>(iter: I) -> Self {
-        iter.fold(Self::BLACK, Add::add)
     }
 }

@@ -66,3 +66,33 @@ pub(crate) fn sqrtf(x: f32) -> f32 {
     }
     f32::from_bits(bits)
 }
+
+/// The root of a positive normal number, correctly rounded, in a constant. The integer root has at
+/// least three bits more than the result, and its lowest bit also says whether it is inexact.
+#[allow(
+    clippy::cast_possible_wrap,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss
+)]
+pub(crate) const fn const_sqrtf(x: f32) -> f32 {
+    // x = n 2^(2h) with an even exponent, n of 53 or 54 bits
+    let exponent = (x.to_bits() >> 23) as i32 - 127 - 23 - 29;
+    let n = ((x.to_bits() & 0x007F_FFFF | 0x0080_0000) as u64) << (29 + (exponent & 1));
+    let root = n.isqrt();
+    let sticky = (root * root != n) as u64;
+    (root | sticky) as f32 * f32::from_bits(((127 + (exponent >> 1)) as u32) << 23)
+}
+
+/// The same in double precision.
+#[allow(
+    clippy::cast_possible_wrap,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss
+)]
+pub(crate) const fn const_sqrt(x: f64) -> f64 {
+    let exponent = (x.to_bits() >> 52) as i64 - 1023 - 52 - 59;
+    let n = ((x.to_bits() & (1 << 52) - 1 | 1 << 52) as u128) << (59 + (exponent & 1));
+    let root = n.isqrt();
+    let sticky = (root * root != n) as u128;
+    (root | sticky) as f64 * f64::from_bits(((1023 + (exponent >> 1)) as u64) << 52)
+}

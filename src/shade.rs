@@ -43,6 +43,9 @@
 //!
 //! Source: Foley, van Dam et al., *Computer Graphics*, §16.1; OpenGL 2.1 §2.14.1.
 
+use core::iter::Sum;
+use core::ops::{Add, Mul};
+
 use crate::direction::{between, reflection};
 use crate::exponent::Exponent;
 use crate::light::IncidentLight;
@@ -50,14 +53,24 @@ use crate::material::Material;
 use crate::real::Real;
 use crate::rgb::Rgb;
 use crate::term;
-use crate::vector::UnitVec3;
+use crate::unit::UnitVec3;
 
 /// The light that a point sends to the eye, part by part.
 ///
 /// A texture multiplies `ambient` and `diffuse`; a plain surface wants the
 /// [`total`](Shaded::total).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shaded<T> {
+///
+/// Results add up, part by part, and scale: several passes, or the corners of a triangle (Gouraud).
+///
+/// ```
+/// use shading::f32::{Rgb, Shaded};
+///
+/// let corner = |diffuse| Shaded { diffuse: Rgb::gray(diffuse), ..Shaded::default() };
+/// let middle: Shaded = [corner(0.25), corner(0.75)].into_iter().map(|c| c * 0.5).sum();
+/// assert_eq!(middle.total(), Rgb::gray(0.5));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Shaded<T = f32> {
     /// k_a I_a.
     pub ambient: Rgb<T>,
     /// Σ k_d I max(0, N·L).
@@ -72,6 +85,42 @@ impl<T: Real> Shaded<T> {
     #[must_use]
     pub fn total(self) -> Rgb<T> {
         self.ambient + self.diffuse + self.specular
+    }
+}
+
+impl<T: Real> Add for Shaded<T> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self {
+            ambient: self.ambient + other.ambient,
+            diffuse: self.diffuse + other.diffuse,
+            specular: self.specular + other.specular,
+        }
+    }
+}
+
+impl<T: Real> Mul<T> for Shaded<T> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, factor: T) -> Self {
+        Self {
+            ambient: self.ambient * factor,
+            diffuse: self.diffuse * factor,
+            specular: self.specular * factor,
+        }
+    }
+}
+
+impl<T: Real> Sum for Shaded<T> {
+    #[inline]
+    fn sum<I: Iterator<Item = Self>>(iter: I) -> Self {
+        let none = Self {
+            ambient: Rgb::BLACK,
+            diffuse: Rgb::BLACK,
+            specular: Rgb::BLACK,
+        };
+        iter.fold(none, Add::add)
     }
 }
 

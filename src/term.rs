@@ -3,7 +3,8 @@
 use crate::exponent::Exponent;
 use crate::real::Real;
 use crate::rgb::Rgb;
-use crate::vector::{UnitVec3, Vec3};
+use crate::unit::UnitVec3;
+use crate::vector::Vec3;
 
 /// The ambient term: light that has no direction.
 ///
@@ -16,7 +17,7 @@ use crate::vector::{UnitVec3, Vec3};
 /// Source: Foley, van Dam et al. §16.1.1.
 ///
 /// ```
-/// use shading::{Rgb, ambient};
+/// use shading::{Rgb, term::ambient};
 /// assert_eq!(ambient(Rgb::gray(0.5_f32), Rgb::new(0.2, 0.2, 0.4)), Rgb::new(0.1, 0.1, 0.2));
 /// ```
 #[inline]
@@ -36,10 +37,10 @@ pub fn ambient<T: Real>(k_a: Rgb<T>, i_a: Rgb<T>) -> Rgb<T> {
 /// Source: Lambert 1760; Foley, van Dam et al. §16.1.2.
 ///
 /// ```
-/// use shading::{UnitVec3, lambert};
+/// use shading::{UnitVec3, term::lambert};
 ///
 /// let n = UnitVec3::<f32>::Z;
-/// let l = UnitVec3::<f32>::known(0.6, 0.0, 0.8).unwrap();
+/// let l = UnitVec3::<f32>::new(0.6, 0.0, 0.8).unwrap();
 /// assert_eq!(lambert(n, l), 0.8);
 /// assert_eq!(lambert(n, -l), 0.0);
 /// ```
@@ -65,10 +66,10 @@ pub fn lambert<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> T {
 /// Source: Phong 1975.
 ///
 /// ```
-/// use shading::{UnitVec3, phong};
+/// use shading::{UnitVec3, term::phong};
 ///
 /// let r = UnitVec3::<f32>::Z;
-/// let v = UnitVec3::<f32>::known(0.6, 0.0, 0.8).unwrap();
+/// let v = UnitVec3::<f32>::new(0.6, 0.0, 0.8).unwrap();
 /// assert!((phong(r, v, 2) - 0.64).abs() < 1e-7);
 /// assert!((phong(r, v, 2.0) - 0.64).abs() < 1e-7);
 /// assert_eq!(phong(r, -v, 0), 0.0);
@@ -93,10 +94,10 @@ pub fn phong<T: Real, M: Exponent<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T
 /// Source: Blinn 1977.
 ///
 /// ```
-/// use shading::{UnitVec3, blinn};
+/// use shading::{UnitVec3, term::blinn};
 ///
 /// let n = UnitVec3::<f64>::Z;
-/// let h = UnitVec3::<f64>::known(0.0, 0.6, 0.8).unwrap();
+/// let h = UnitVec3::<f64>::new(0.0, 0.6, 0.8).unwrap();
 /// assert!((blinn(n, h, 3) - 0.512).abs() < 1e-15);
 /// assert!((blinn(n, h, 3.0) - 0.512).abs() < 1e-15);
 /// ```

@@ -4,8 +4,7 @@ mod support;
 
 use shading::{
     Attenuation, Dual, Exponent, IncidentLight, Light, Material, PointLight, Real, Rgb, SpotLight,
-    UnitVec3, Vec3, ambient, attenuation, blinn, half_vector, lambert, normal, phong, reflection,
-    shade,
+    UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 use support::number::{Float, direction, for_f32_and_f64, vector};
 
@@ -32,7 +31,7 @@ for_f32_and_f64!(
     a_triangle_is_counter_clockwise,
     a_degenerate_triangle_has_no_normal,
     unit_is_right_from_the_smallest_to_the_largest_number,
-    known_takes_unit_vectors_only,
+    new_takes_unit_vectors_only,
     assume_unit_takes_your_word,
     singular_points_have_no_normal,
     parametric_normals_follow_the_order_of_u_and_v,
@@ -105,9 +104,9 @@ fn opposite_directions_give_no_highlight<T: Float>() {
 }
 
 fn lambert_has_no_pi<T: Float>() {
-    assert_eq!(lambert(UnitVec3::<T>::Z, UnitVec3::Z), T::ONE);
+    assert_eq!(term::lambert(UnitVec3::<T>::Z, UnitVec3::Z), T::ONE);
     let l = direction::<T>([3.0, 0.0, 4.0]);
-    assert_eq!(lambert(UnitVec3::Z, l), l.z);
+    assert_eq!(term::lambert(UnitVec3::Z, l), l.z);
     assert!(near(l.z, 0.8, 2.0));
 }
 
@@ -115,17 +114,17 @@ fn the_factors_are_literal_and_not_gated<T: Float>() {
     // the light behind the surface, R toward the eye: the factor alone does not know
     let (n, l) = (UnitVec3::<T>::Z, -UnitVec3::Z);
     let r = reflection(n, l);
-    assert_eq!(phong(r, r, 3), T::ONE);
-    assert_eq!(blinn(n, UnitVec3::Z, 3), T::ONE);
-    assert_eq!(lambert(n, l), T::ZERO);
+    assert_eq!(term::phong(r, r, 3), T::ONE);
+    assert_eq!(term::blinn(n, UnitVec3::Z, 3), T::ONE);
+    assert_eq!(term::lambert(n, l), T::ZERO);
 }
 
 fn a_cosine_of_zero_or_below_gives_zero_for_every_m<T: Float>() {
     fn all<T: Float>(m: impl Exponent<T>) {
         let z = UnitVec3::<T>::Z;
         for at_or_below in [UnitVec3::X, -z, direction([1.0, 0.0, -0.01])] {
-            assert_eq!(phong(z, at_or_below, m), T::ZERO);
-            assert_eq!(blinn(z, at_or_below, m), T::ZERO);
+            assert_eq!(term::phong(z, at_or_below, m), T::ZERO);
+            assert_eq!(term::blinn(z, at_or_below, m), T::ZERO);
         }
     }
     [0, 1, 2, 1000, u32::MAX].into_iter().for_each(all::<T>);
@@ -135,11 +134,11 @@ fn a_cosine_of_zero_or_below_gives_zero_for_every_m<T: Float>() {
         .for_each(all::<T>);
     // and above it, a power of 0 is 1
     assert_eq!(
-        phong(UnitVec3::<T>::Z, direction([1.0, 0.0, 0.01]), 0),
+        term::phong(UnitVec3::<T>::Z, direction([1.0, 0.0, 0.01]), 0),
         T::ONE
     );
     assert_eq!(
-        phong(UnitVec3::<T>::Z, direction([1.0, 0.0, 0.01]), T::ZERO),
+        term::phong(UnitVec3::<T>::Z, direction([1.0, 0.0, 0.01]), T::ZERO),
         T::ONE
     );
 }
@@ -149,8 +148,8 @@ fn a_cosine_above_one_counts_as_one<T: Float>() {
     let more = T::ONE + T::of(2.0 * T::U);
     let n = UnitVec3::assume_unit(Vec3::new(T::ZERO, T::ZERO, more));
     assert!(n.dot(n) > T::ONE);
-    assert_eq!(phong(n, n, 1_000_000), T::ONE);
-    assert_eq!(blinn(n, n, T::of(1e6)), T::ONE);
+    assert_eq!(term::phong(n, n, 1_000_000), T::ONE);
+    assert_eq!(term::blinn(n, n, T::of(1e6)), T::ONE);
     let shaded = shade::blinn_phong(n, n, &white(T::of(1e6)), Rgb::BLACK, [from(n)]);
     assert_eq!(shaded.specular, Rgb::WHITE);
 }
@@ -160,7 +159,7 @@ fn no_highlight_on_a_face_turned_from_the_light<T: Float>() {
     let n = UnitVec3::<T>::Z;
     let l = direction::<T>([1.0, 0.0, -0.125]);
     let v = direction::<T>([-1.0, 0.0, 0.5]);
-    assert!(blinn(n, half_vector(l, v).expect("H"), 1) > T::of(0.5));
+    assert!(term::blinn(n, half_vector(l, v).expect("H"), 1) > T::of(0.5));
     for l in [l, UnitVec3::X] {
         let phong = shade::phong(n, reflection(n, l), &white(1), Rgb::BLACK, [from(l)]);
         let blinn = shade::blinn_phong(n, v, &white(1), Rgb::BLACK, [from(l)]);
@@ -172,7 +171,7 @@ fn ambient_counts_once_and_is_not_attenuated<T: Float>() {
     let (k_a, i_a) = (Rgb::new(0.5, 0.25, 1.0), Rgb::new(0.5, 2.0, 0.0));
     let (k_a, i_a) = (k_a.map(T::of), i_a.map(T::of));
     let expected = Rgb::new(0.25, 0.5, 0.0).map(T::of);
-    assert_eq!(ambient(k_a, i_a), expected);
+    assert_eq!(term::ambient(k_a, i_a), expected);
     let material = Material { k_a, ..white(1) };
     let lamp = from(UnitVec3::Z);
     for count in 0..4 {
@@ -362,12 +361,12 @@ fn unit_is_right_from_the_smallest_to_the_largest_number<T: Float>() {
     }
 }
 
-fn known_takes_unit_vectors_only<T: Float>() {
-    let known = |v: [f64; 3]| {
+fn new_takes_unit_vectors_only<T: Float>() {
+    let checked = |v: [f64; 3]| {
         let [x, y, z] = v.map(T::of);
-        T::known(x, y, z)
+        T::direction(x, y, z)
     };
-    assert_eq!(known([0.0, 0.0, 1.0]), Some(UnitVec3::Z));
+    assert_eq!(checked([0.0, 0.0, 1.0]), Some(UnitVec3::Z));
     let third = 1.0 / 3.0;
     for v in [
         [0.0, 0.0, 1.0],
@@ -376,25 +375,25 @@ fn known_takes_unit_vectors_only<T: Float>() {
         [2.0 * third, 2.0 * third, -third],
         [third.sqrt(); 3],
     ] {
-        let taken = known(v).expect("a unit vector");
+        let taken = checked(v).expect("a unit vector");
         assert_eq!(*taken, vector(v));
         // 16ε in the square of the length, where a rounded unit vector is off by 4ε at most
         for factor in [1.0 - 16.0 * T::U, 1.0 + 16.0 * T::U] {
-            assert_eq!(known(v.map(|c| c * factor)), None);
+            assert_eq!(checked(v.map(|c| c * factor)), None);
         }
         for i in 0..3 {
             let mut wrong = v;
             wrong[i] = 0.5 - v[i];
-            assert_eq!(known(wrong), None, "{wrong:?}");
+            assert_eq!(checked(wrong), None, "{wrong:?}");
         }
     }
     for v in [[0.0; 3], [1.0, 0.0, 1.0], [f64::NAN, 0.0, 1.0]] {
-        assert_eq!(known(v), None);
+        assert_eq!(checked(v), None);
     }
     for i in 0..3 {
         let mut infinite = [0.0; 3];
         infinite[i] = f64::INFINITY;
-        assert_eq!(known(infinite), None);
+        assert_eq!(checked(infinite), None);
     }
 }
 

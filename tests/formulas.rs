@@ -5,8 +5,7 @@ mod support;
 
 use shading::{
     DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight, Real, Rgb, Shaded,
-    SpotLight, UnitVec3, Vec3, ambient, attenuation, blinn, half_vector, lambert, normal, phong,
-    reflection, shade,
+    SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 use support::number::{Float, direction, for_f32_and_f64, vector};
 
@@ -89,8 +88,8 @@ fn colours_add_multiply_and_clamp<T: Float>() {
 fn lambert_at_60_degrees_is_a_half<T: Float>() {
     // L = (√3/2, 0, ½); normalising rounds 3.5u of ½
     let l = direction::<T>([3.0_f64.sqrt(), 0.0, 1.0]);
-    assert_near([lambert(UnitVec3::Z, l)], [0.5], 2.0);
-    assert_eq!(lambert(UnitVec3::Z, -l), T::ZERO);
+    assert_near([term::lambert(UnitVec3::Z, l)], [0.5], 2.0);
+    assert_eq!(term::lambert(UnitVec3::Z, -l), T::ZERO);
 }
 
 fn reflection_in_a_tilted_normal<T: Float>() {
@@ -109,22 +108,30 @@ fn half_vector_of_two_pythagorean_directions<T: Float>() {
 fn phong_of_the_3_4_5_triangle<T: Float>() {
     // R·V = 4/5: its square is 16/25 and its cube 64/125
     let (r, v) = (slanted::<T>(), UnitVec3::Z);
-    assert_near([phong(r, v, 2), phong(r, v, 3)], [0.64, 0.512], 12.0);
     assert_near(
-        [phong(r, v, T::of(2.0)), phong(r, v, T::of(3.0))],
+        [term::phong(r, v, 2), term::phong(r, v, 3)],
+        [0.64, 0.512],
+        12.0,
+    );
+    assert_near(
+        [term::phong(r, v, T::of(2.0)), term::phong(r, v, T::of(3.0))],
         [0.64, 0.512],
         16.0,
     );
     // √(4/5)
-    assert_near([phong(r, v, T::of(0.5))], [0.8_f64.sqrt()], 8.0);
+    assert_near([term::phong(r, v, T::of(0.5))], [0.8_f64.sqrt()], 8.0);
 }
 
 fn blinn_of_the_3_4_5_triangle<T: Float>() {
     // L·V = 4/5, |L + V|² = 2 + 8/5 = 18/5, N·H = (4/5 + 1)/√(18/5) = √(9/10)
     let n = UnitVec3::<T>::Z;
     let h = half_vector(slanted(), n).expect("half-way");
-    assert_near([blinn(n, h, 2), blinn(n, h, 4)], [0.9, 0.81], 32.0);
-    assert_near([blinn(n, h, T::of(4.0))], [0.81], 36.0);
+    assert_near(
+        [term::blinn(n, h, 2), term::blinn(n, h, 4)],
+        [0.9, 0.81],
+        32.0,
+    );
+    assert_near([term::blinn(n, h, T::of(4.0))], [0.81], 36.0);
 }
 
 fn powers_of_a_half_are_exact<T: Float>() {
@@ -142,7 +149,7 @@ fn powers_of_a_half_are_exact<T: Float>() {
 
 fn ambient_is_the_product<T: Float>() {
     assert_eq!(
-        ambient(rgb::<T>(0.5, 0.25, 0.0), rgb(0.5, 2.0, 3.0)),
+        term::ambient(rgb::<T>(0.5, 0.25, 0.0), rgb(0.5, 2.0, 3.0)),
         rgb(0.25, 0.5, 0.0)
     );
 }
@@ -264,10 +271,10 @@ fn a_scene_maps_to_another_number_type<T: Float>() {
     // the value of a dual number is what the plain number gives
     let n = UnitVec3::<T>::Z;
     let plain = two_lights::<T>().map(|light| light.at(Vec3::ZERO));
-    let dual = two_lights::<T>().map(|light| light.map(Dual::constant).at(Vec3::ZERO));
+    let dual = two_lights::<T>().map(|light| light.cast(Dual::constant).at(Vec3::ZERO));
     let shaded = shade::phong(n, n, &material(), Rgb::WHITE, plain);
-    let (n, white) = (n.map(Dual::constant), Rgb::WHITE);
-    let mapped = material::<T>().map(Dual::constant);
+    let (n, white) = (n.cast(Dual::constant), Rgb::WHITE);
+    let mapped = material::<T>().cast(Dual::constant);
     let shaded_dual = shade::phong(n, n, &mapped, white, dual);
     assert_eq!(
         shaded_dual.total().map(|channel| channel.value),

@@ -47,7 +47,7 @@ fn gradient<T: Number>(row: &Row, p: Vec3<T>) -> Vec3<T> {
     let Vec3 { x, y, z } = p;
     match row.text("surface") {
         // ∇|p − c|² = 2(p − c)
-        "sphere" => p - Vec3::new("cx", "cy", "cz").map(number),
+        "sphere" => p - Vec3::from(["cx", "cy", "cz"]).map(number),
         "ellipsoid" => Vec3::new(over(x, "a"), over(y, "b"), over(z, "c")),
         "hyperboloid1" | "hyperboloid2" | "cone" => {
             Vec3::new(over(x, "a"), over(y, "b"), -over(z, "c"))

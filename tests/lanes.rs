@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use proptest::prelude::*;
 use shading::{
     Attenuation, Cone, Exponent, Light, Material, PointLight, Real, Rgb, Shaded, SpotLight,
-    UnitVec3, Vec3, blinn, lambert, phong, reflection, shade,
+    UnitVec3, Vec3, reflection, shade, term,
 };
 use wide::{f32x4, f32x8, f32x16, f64x4, f64x8};
 
@@ -137,7 +137,11 @@ fn everything<T: Real, M: Exponent<T>>(
 ) -> Vec<T> {
     let [n, v] = [n, v].map(|direction| direction.unit_or(UnitVec3::X));
     let (m, i_a) = (material.m, Rgb::gray(T::of(0.25)));
-    let mut all = vec![lambert(n, v), phong(n, v, m), blinn(n, v, m)];
+    let mut all = vec![
+        term::lambert(n, v),
+        term::phong(n, v, m),
+        term::blinn(n, v, m),
+    ];
     let mut colour = |c: Rgb<T>| all.extend(<[T; 3]>::from(c));
     for light in lights.iter().map(|light| light.at(p)) {
         colour(light.intensity);
@@ -170,7 +174,7 @@ fn agree_for<L: Lanes, M: Exponent<L> + Exponent<L::Scalar>>(
 ) {
     let splat = |x: L::Scalar| L::gather(|_| x);
     let lights: Vec<_> = lamps.iter().flat_map(lamp::<L::Scalar>).collect();
-    let lights_of_lanes: Vec<_> = lights.iter().map(|light| light.map(splat)).collect();
+    let lights_of_lanes: Vec<_> = lights.iter().map(|light| light.cast(splat)).collect();
     let material = Material {
         k_a: Rgb::gray(L::Scalar::of(0.5)),
         k_d: Rgb::new(0.75, 0.5, 0.0).map(L::Scalar::of),
@@ -186,7 +190,7 @@ fn agree_for<L: Lanes, M: Exponent<L> + Exponent<L::Scalar>>(
         vec3(place),
         directions,
         &lights_of_lanes,
-        &material.map(splat),
+        &material.cast(splat),
     );
     for (i, surface) in surfaces.iter().enumerate().take(L::COUNT) {
         let scalar = |v: [f64; 3]| Vec3::from(v.map(L::Scalar::of));

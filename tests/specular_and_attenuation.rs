@@ -3,8 +3,8 @@
 mod support;
 
 use shading::{
-    DirectionalLight, Material, Real, Rgb, UnitVec3, Vec3, attenuation, blinn, half_vector, phong,
-    reflection, shade,
+    DirectionalLight, Material, Real, Rgb, UnitVec3, Vec3, attenuation, half_vector, reflection,
+    shade, term,
 };
 use support::number::{Bounded, Float, Number, for_f32_and_f64, vector};
 use support::reference::{Row, Tally, rows};
@@ -70,8 +70,8 @@ fn half_vectors<T: Float>() {
 fn highlights<T: Number, M: shading::Exponent<T>>(row: &Row, m: M) -> [T; 2] {
     let [n, l, v] = directions::<T>(row);
     // where there is no H there is no highlight
-    let of_blinn = half_vector(l, v).map_or(T::ZERO, |h| blinn(n, h, m));
-    [phong(reflection(n, l), v, m), of_blinn]
+    let of_blinn = half_vector(l, v).map_or(T::ZERO, |h| term::blinn(n, h, m));
+    [term::phong(reflection(n, l), v, m), of_blinn]
 }
 
 /// What the crate decides otherwise than the bare power does: nothing at or below a cosine of 0,

@@ -5,7 +5,7 @@ mod support;
 
 use shading::{
     DirectionalLight, Dual, Elementary, IncidentLight, Material, PointLight, Real, Rgb, SpotLight,
-    UnitVec3, Vec3, attenuation, blinn, half_vector, lambert, normal, phong, reflection, shade,
+    UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 use support::number::{Float, direction, for_f32_and_f64, vector};
 
@@ -175,39 +175,39 @@ fn tangents_of_any_length_give_the_normal<T: Float>() {
 
 fn lambert_of_nan_is_zero<T: Float>() {
     let nan = UnitVec3::assume_unit(at_x(T::NAN));
-    assert_eq!(lambert(nan, UnitVec3::X), T::ZERO);
+    assert_eq!(term::lambert(nan, UnitVec3::X), T::ZERO);
 }
 
 fn highlight_of_a_nan_cosine_is_zero<T: Float>() {
     let nan = UnitVec3::assume_unit(at_x(T::NAN));
     for m in [0, 1, 2, u32::MAX] {
-        assert_eq!(phong(nan, UnitVec3::X, m), T::ZERO);
-        assert_eq!(blinn(nan, UnitVec3::X, m), T::ZERO);
+        assert_eq!(term::phong(nan, UnitVec3::X, m), T::ZERO);
+        assert_eq!(term::blinn(nan, UnitVec3::X, m), T::ZERO);
     }
-    assert_eq!(phong(nan, UnitVec3::X, T::ZERO), T::ZERO);
+    assert_eq!(term::phong(nan, UnitVec3::X, T::ZERO), T::ZERO);
 }
 
 fn highlight_with_m_zero_is_one_up_to_the_horizon<T: Float>() {
     for cosine in [T::of(T::TINIEST), T::of(0.5), T::ONE] {
         let v = UnitVec3::assume_unit(at_x(cosine));
-        assert_eq!(phong(UnitVec3::X, v, 0), T::ONE, "{cosine:e}");
-        assert_eq!(phong(UnitVec3::X, v, T::ZERO), T::ONE, "{cosine:e}");
+        assert_eq!(term::phong(UnitVec3::X, v, 0), T::ONE, "{cosine:e}");
+        assert_eq!(term::phong(UnitVec3::X, v, T::ZERO), T::ONE, "{cosine:e}");
     }
     let horizon = UnitVec3::assume_unit(at_x(T::ZERO));
-    assert_eq!(phong(UnitVec3::X, horizon, 0), T::ZERO);
-    assert_eq!(phong(UnitVec3::X, horizon, T::ZERO), T::ZERO);
+    assert_eq!(term::phong(UnitVec3::X, horizon, 0), T::ZERO);
+    assert_eq!(term::phong(UnitVec3::X, horizon, T::ZERO), T::ZERO);
 }
 
 fn highlight_with_a_huge_m_is_zero_beside_the_mirror<T: Float>() {
     // (1 − 2⁻¹²)^(2³² − 1) = e^(−2²⁰) and less: 0 in every float
     let beside = UnitVec3::assume_unit(at_x(T::of(1.0 - 2.0_f64.powi(-12))));
-    assert_eq!(phong(UnitVec3::X, beside, u32::MAX), T::ZERO);
-    assert_eq!(phong(UnitVec3::<T>::X, UnitVec3::X, u32::MAX), T::ONE);
+    assert_eq!(term::phong(UnitVec3::X, beside, u32::MAX), T::ZERO);
+    assert_eq!(term::phong(UnitVec3::<T>::X, UnitVec3::X, u32::MAX), T::ONE);
     for m in [T::of(1e30), T::MAX, T::INFINITY] {
-        assert_eq!(blinn(UnitVec3::X, beside, m), T::ZERO, "{m:e}");
+        assert_eq!(term::blinn(UnitVec3::X, beside, m), T::ZERO, "{m:e}");
     }
     for m in [T::of(1e30), T::MAX] {
-        assert_eq!(blinn(UnitVec3::X, UnitVec3::X, m), T::ONE, "{m:e}");
+        assert_eq!(term::blinn(UnitVec3::X, UnitVec3::X, m), T::ONE, "{m:e}");
     }
 }
 
@@ -220,7 +220,11 @@ fn highlight_with_an_invalid_m_takes_it_as_zero<T: Float>() {
     }
     .at(Vec3::ZERO)];
     for m in [-T::ONE, -T::of(1e30), -T::INFINITY, T::NAN] {
-        assert_eq!((phong(n, v, m), blinn(n, v, m)), (T::ONE, T::ONE), "{m:e}");
+        assert_eq!(
+            (term::phong(n, v, m), term::blinn(n, v, m)),
+            (T::ONE, T::ONE),
+            "{m:e}"
+        );
         let shaded = shade::blinn_phong(n, v, &mirror(m), Rgb::BLACK, light);
         assert_eq!(shaded.specular, Rgb::WHITE, "{m:e}");
     }

@@ -35,7 +35,7 @@ pub fn nanoseconds<T: Real, const N: usize>(
         .collect();
     let attenuation = Attenuation::<f64>::new(1.0, 0.1, 0.05)
         .expect("valid")
-        .map(T::of);
+        .cast(T::of);
     let intensity = Rgb::WHITE;
     let lamps: Vec<_> = (0..lights)
         .map(|_| PointLight {

@@ -28,7 +28,7 @@ const POINT: PointLight<f32> = PointLight {
 };
 const SPOT: SpotLight<f32> = SpotLight {
     point: POINT,
-    axis: UnitVec3::<f32>::known(0.0, -0.6, -0.8).unwrap(),
+    axis: UnitVec3::<f32>::new(0.0, -0.6, -0.8).unwrap(),
     cone: Cone::<f32>::from_half_angle(0.5).unwrap(),
 };
 const SUN: DirectionalLight<f32> = DirectionalLight {
@@ -76,12 +76,12 @@ functions! {
     unit_or: |s| s.p.unit_or(s.n);
     reflection: |s| shading::reflection(s.n, s.l);
     half_vector: |s| shading::half_vector(s.l, s.v);
-    ambient: |s| shading::ambient(REAL.k_a, Rgb::gray(s.x));
-    lambert: |s| shading::lambert(s.n, s.l);
-    phong_whole: |s| shading::phong(s.l, s.v, black_box(50_u32));
-    phong_real: |s| shading::phong(s.l, s.v, black_box(50.5_f32));
-    blinn_whole: |s| shading::blinn(s.n, s.v, black_box(50_u32));
-    blinn_real: |s| shading::blinn(s.n, s.v, black_box(50.5_f32));
+    ambient: |s| shading::term::ambient(REAL.k_a, Rgb::gray(s.x));
+    lambert: |s| shading::term::lambert(s.n, s.l);
+    phong_whole: |s| shading::term::phong(s.l, s.v, black_box(50_u32));
+    phong_real: |s| shading::term::phong(s.l, s.v, black_box(50.5_f32));
+    blinn_whole: |s| shading::term::blinn(s.n, s.v, black_box(50_u32));
+    blinn_real: |s| shading::term::blinn(s.n, s.v, black_box(50.5_f32));
     power_whole: |s| black_box(50_u32).raise(s.x);
     power_real: |s| black_box(50.5_f32).raise(s.x);
     attenuation: |s| shading::attenuation(1.0, 0.1, s.x, s.a.x);

@@ -37,7 +37,7 @@ impl<T: Real, M: Exponent<T>> Ours<T, M> {
                 .map(|lamp| PointLight {
                     position: Vec3::from(lamp.position.map(number)),
                     intensity: colour(lamp.intensity),
-                    attenuation: attenuation.map(number),
+                    attenuation: attenuation.cast(number),
                 })
                 .collect(),
             material: Material {

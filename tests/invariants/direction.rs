@@ -1,7 +1,7 @@
 //! R and H.
 
 use proptest::prelude::*;
-use shading::{Vec3, blinn, half_vector, reflection};
+use shading::{Vec3, half_vector, reflection, term};
 
 use crate::check::{check, equal, near, same, to_f64, within};
 use crate::exact::{determinant, dot, dot_difference, length, square_excess, sum_of_products};
@@ -121,7 +121,7 @@ fn mirrored_eye_sees_the_full_highlight<T: Number>() {
         let turned = 8.0 * T::U / cosine;
         let tolerance = 4.0 * T::U + 0.5 * turned * turned;
         within(1.0 - dot(to_f64(n), to_f64(h)), tolerance)?;
-        let highlight = blinn(n, h, m).to_f64();
+        let highlight = term::blinn(n, h, m).to_f64();
         prop_assert!(highlight <= 1.0);
         within(
             1.0 - highlight,

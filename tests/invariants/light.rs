@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use proptest::prelude::*;
 use shading::{
-    Attenuation, DirectionalLight, Light, PointLight, Rgb, SpotLight, Vec3, attenuation, lambert,
+    Attenuation, DirectionalLight, Light, PointLight, Rgb, SpotLight, Vec3, attenuation, term,
 };
 
 use crate::check::{check, near, same, to_f64, within};
@@ -277,7 +277,7 @@ fn only_lights_that_add_nothing_are_left_out<T: Number>() {
             same(lit.l, all.l)?;
             same(lit.intensity, all.intensity)
         } else {
-            let is_behind = lambert(n, all.l) == T::ZERO;
+            let is_behind = term::lambert(n, all.l) == T::ZERO;
             prop_assert!(is_behind || all.intensity == Rgb::BLACK);
             Ok(())
         }
@@ -349,7 +349,7 @@ fn lamp_is_seen_where_it_is<T: Number>() {
 /// A light in `f32` numbers is the same light in `f64`.
 fn lights_keep_their_numbers_in_another_type<T: Number>() {
     check((light::<T, _>(point()), point()), |(light, p)| {
-        let (wide, narrow) = (light.map(T::to_f64).map(T::of).at(p), light.at(p));
+        let (wide, narrow) = (light.cast(T::to_f64).cast(T::of).at(p), light.at(p));
         same(wide.l, narrow.l)?;
         same(wide.intensity, narrow.intensity)
     });

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_4, TAU};
 
 use proptest::prelude::*;
-use shading::{Exponent, UnitVec3, Vec3, blinn, half_vector, phong, reflection};
+use shading::{Exponent, UnitVec3, Vec3, half_vector, reflection, term};
 
 use crate::check::{at_least, check, same, to_f64, within};
 use crate::exact::{determinant, dot};
@@ -83,7 +83,10 @@ fn coplanar<T: Number>() -> impl Strategy<Value = [UnitVec3<T>; 3]> {
 fn blinn_with_fourfold_shininess_covers_phong_in_a_plane<T: Number>() {
     check((coplanar::<T>(), 1..=500_u32), |([n, l, v], m)| {
         let h = half_vector(l, v).expect("within a right angle");
-        let (blinn, phong) = (blinn(n, h, 4 * m), phong(reflection(n, l), v, m));
+        let (blinn, phong) = (
+            term::blinn(n, h, 4 * m),
+            term::phong(reflection(n, l), v, m),
+        );
         // cosines that are off by 5u and by 11u, to the powers 4m and m, with as many roundings
         let tolerance = f64::from(4 * m) * 6.0 + f64::from(m) * 12.0;
         at_least(blinn.to_f64(), phong.to_f64(), tolerance * T::U)
@@ -100,7 +103,7 @@ fn blinn_may_be_smaller_than_phong<T: Number>() {
         let l = rounded([radius, 0.0, height]);
         let v = rounded([radius * cos, radius * sin, height]);
         let h = half_vector(l, v).expect("120° apart");
-        prop_assert!(blinn(n, h, m) < phong(reflection(n, l), v, m));
+        prop_assert!(term::blinn(n, h, m) < term::phong(reflection(n, l), v, m));
         Ok(())
     });
 }
@@ -109,7 +112,7 @@ fn blinn_may_be_smaller_than_phong<T: Number>() {
 fn blinn_is_symmetric<T: Number>() {
     check((triple::<T>(), shine(1000)), |([n, l, v], m)| {
         if let (Some(lv), Some(vl)) = (half_vector(l, v), half_vector(v, l)) {
-            same([blinn(n, lv, m); 3], [blinn(n, vl, m); 3])?;
+            same([term::blinn(n, lv, m); 3], [term::blinn(n, vl, m); 3])?;
         }
         Ok(())
     });
@@ -120,7 +123,10 @@ fn blinn_is_symmetric<T: Number>() {
 fn phong_is_symmetric<T: Number>() {
     check((triple::<T>(), shine(1000)), |([n, l, v], m)| {
         prop_assume!(m.m >= 1.0);
-        let (lv, vl) = (phong(reflection(n, l), v, m), phong(reflection(n, v), l, m));
+        let (lv, vl) = (
+            term::phong(reflection(n, l), v, m),
+            term::phong(reflection(n, v), l, m),
+        );
         within(
             lv.to_f64() - vl.to_f64(),
             (8.0 * m.m + 2.0 * m.error::<T>()) * T::U,
@@ -132,9 +138,9 @@ fn phong_is_symmetric<T: Number>() {
 fn highlight<T: Number>(cosine: T, m: Shine) -> T {
     // next to the z axis only z counts
     let direction = UnitVec3::<T>::assume_unit(Vec3::new(T::ZERO, T::ZERO, cosine));
-    let highlight = blinn(UnitVec3::Z, direction, m);
+    let highlight = term::blinn(UnitVec3::Z, direction, m);
     assert!(
-        highlight == phong(UnitVec3::Z, direction, m),
+        highlight == term::phong(UnitVec3::Z, direction, m),
         "one cosine, two highlights"
     );
     highlight

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use proptest::prelude::*;
 use shading::{
     Attenuation, DirectionalLight, IncidentLight, Light, PointLight, Rgb, SpotLight, UnitVec3,
-    Vec3, lambert,
+    Vec3, term,
 };
 
 use crate::check::{at_least, check, near, same, to_f64};
@@ -26,7 +26,7 @@ fn tilting_the_light_to_the_normal_brightens<T: Number>() {
         let apart = exact::dot_difference([to_f64(n), to_f64(a)], [to_f64(n), to_f64(b)]);
         prop_assume!(apart.abs() >= 4.0 * T::U);
         let (brighter, darker) = if apart > 0.0 { (a, b) } else { (b, a) };
-        prop_assert!(lambert(n, brighter) >= lambert(n, darker));
+        prop_assert!(term::lambert(n, brighter) >= term::lambert(n, darker));
         Ok(())
     });
 }

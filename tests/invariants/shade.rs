@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use proptest::sample::Index;
-use shading::{IncidentLight, Material, Rgb, Shaded, lambert};
+use shading::{IncidentLight, Material, Rgb, Shaded, term};
 
 use crate::check::{at_least, check, nearly, same, to_f64};
 use crate::generators::{
@@ -258,7 +258,7 @@ fn diffuse_light_does_not_depend_on_the_eye<T: Number>() {
 /// (12) Turning N and L over changes nothing.
 fn lambert_of_both_reversed_is_the_same<T: Number>() {
     check(pair::<T>(), |[n, l]| {
-        same([lambert(-n, -l); 3], [lambert(n, l); 3])
+        same([term::lambert(-n, -l); 3], [term::lambert(n, l); 3])
     });
 }
 

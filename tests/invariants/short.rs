@@ -70,6 +70,7 @@ impl Neg for Short {
 impl Real for Short {
     const ZERO: Self = Self(0.0);
     const ONE: Self = Self(1.0);
+    const NEG_ONE: Self = Self(-1.0);
     const MAX: Self = Self(f64::from_bits(f64::MAX.to_bits() >> DROPPED << DROPPED));
     const RESCALE: Self = Self(f64::RESCALE);
 

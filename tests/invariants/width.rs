@@ -2,7 +2,7 @@
 //! (Lanes agree with their scalar bit for bit; that has a test of its own.)
 
 use proptest::prelude::*;
-use shading::{IncidentLight, Material, UnitVec3, half_vector, lambert, reflection};
+use shading::{IncidentLight, Material, UnitVec3, half_vector, reflection, term};
 
 use crate::check::{check, near, same, to_f64, within};
 use crate::exact::square_excess;
@@ -10,7 +10,7 @@ use crate::generators::{Scene, adversarial_signed, model, pair, scene};
 use crate::number::Number;
 
 fn wide<T: Number>(n: UnitVec3<T>) -> UnitVec3<f64> {
-    n.map(T::to_f64)
+    n.cast(T::to_f64)
 }
 
 /// A vector of R is off by 7u, one of H by 3u, and a cosine by 2.5u: one of its products
@@ -25,7 +25,7 @@ fn directions_agree_with_double<T: Number>() {
             7.0 * (T::U + own),
         )?;
         within(
-            lambert(n, l).to_f64() - lambert(wide_n, wide_l),
+            term::lambert(n, l).to_f64() - term::lambert(wide_n, wide_l),
             2.5 * (T::U + own),
         )?;
         if let (Some(h), Some(wide_h)) = (half_vector(n, l), half_vector(wide_n, wide_l)) {
@@ -121,7 +121,7 @@ fn widened<T: Number>(scene: &Scene<T>) -> Scene<f64> {
         n: wide(scene.n),
         v: wide(scene.v),
         material: Material {
-            ..scene.material.map(T::to_f64)
+            ..scene.material.cast(T::to_f64)
         },
         i_a: scene.i_a.map(T::to_f64),
         lights: lights.collect(),

@@ -5,7 +5,7 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 use shading::{
     Elementary, Exponent, IncidentLight, Material, PointLight, Real, Rgb, Shaded, UnitVec3, Vec3,
-    attenuation, blinn, half_vector, lambert, normal, phong, reflection, shade,
+    attenuation, half_vector, normal, reflection, shade, term,
 };
 
 use crate::many_digits::{self as exact, Number, Vector, number, vector};
@@ -48,27 +48,27 @@ pub fn rows<T: Float>() -> Vec<Row> {
         row(
             "`phong`, m = 1",
             OF_ONE,
-            highlights::<T, _>(phong, 1_u32, 1.0),
+            highlights::<T, _>(term::phong, 1_u32, 1.0),
         ),
         row(
             "`phong`, m = 32",
             OF_ONE,
-            highlights::<T, _>(phong, 32_u32, 32.0),
+            highlights::<T, _>(term::phong, 32_u32, 32.0),
         ),
         row(
             "`phong`, m = 32.5",
             OF_ONE,
-            highlights::<T, _>(phong, T::of(32.5), 32.5),
+            highlights::<T, _>(term::phong, T::of(32.5), 32.5),
         ),
         row(
             "`blinn`, m = 128",
             OF_ONE,
-            highlights::<T, _>(blinn, 128_u32, 128.0),
+            highlights::<T, _>(term::blinn, 128_u32, 128.0),
         ),
         row(
             "`blinn`, m = 128.5",
             OF_ONE,
-            highlights::<T, _>(blinn, T::of(128.5), 128.5),
+            highlights::<T, _>(term::blinn, T::of(128.5), 128.5),
         ),
         row(
             "`Exponent::raise`, m = 32",
@@ -245,7 +245,7 @@ fn half<T: Float>() -> f64 {
 fn diffuse<T: Float>() -> f64 {
     largest([direction::<T>(), direction()], |[n, l]| {
         let cosine = exact::positive_part(exact::dot(&vector(n), &vector(l)));
-        error(lambert(n, l), &cosine, &number(1.0))
+        error(term::lambert(n, l), &cosine, &number(1.0))
     })
 }
 

@@ -4,8 +4,8 @@
 
 use shading::{
     Attenuation, DirectionalLight, Dual, Elementary, IncidentLight, Light, Material, PointLight,
-    Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, ambient, attenuation, blinn, half_vector,
-    lambert, normal, phong, reflection, shade,
+    Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection,
+    shade, term,
 };
 
 use super::number::Float;
@@ -119,7 +119,7 @@ fn vectors<T: Float>(numbers: &mut Numbers<T>) {
     let _ = (a + b, a - b, a * s, -a, a.dot(b), a.cross(b));
     assert_unit_if_any(a.unit());
     assert_unit(a.unit_or(UnitVec3::Z));
-    assert_unit_if_any(T::known(a.x, a.y, a.z));
+    assert_unit_if_any(T::direction(a.x, a.y, a.z));
     let [u, v] = [a, b].map(UnitVec3::assume_unit);
     let _ = (-u, *reflection(u, v));
     assert_unit_if_any(half_vector(u, v));
@@ -154,10 +154,13 @@ fn normals<T: Float>(numbers: &mut Numbers<T>) {
 fn terms<T: Float>(numbers: &mut Numbers<T>) {
     let [r, v] = [(); 2].map(|()| UnitVec3::assume_unit(numbers.vector()));
     let m = numbers.number();
-    let _ = ambient(numbers.rgb(), numbers.rgb());
-    assert!(lambert(r, v) >= T::ZERO);
-    assert!(within_0_and_1(phong(r, v, numbers.m)) && within_0_and_1(blinn(r, v, numbers.m)));
-    assert!(within_0_and_1(phong(r, v, m)) && within_0_and_1(blinn(r, v, m)));
+    let _ = term::ambient(numbers.rgb(), numbers.rgb());
+    assert!(term::lambert(r, v) >= T::ZERO);
+    assert!(
+        within_0_and_1(term::phong(r, v, numbers.m))
+            && within_0_and_1(term::blinn(r, v, numbers.m))
+    );
+    assert!(within_0_and_1(term::phong(r, v, m)) && within_0_and_1(term::blinn(r, v, m)));
 
     let [a, b, c, q] = [(); 4].map(|()| numbers.number());
     let _ = (
@@ -221,9 +224,9 @@ fn duals<T: Float>(numbers: &mut Numbers<T>) {
     let _ = (v.unit(), v.unit_or(UnitVec3::X), v.cross(v), v.dot(v));
     let u = UnitVec3::assume_unit(v);
     let _ = (
-        phong(u, u, numbers.m),
-        blinn(u, u, numbers.m),
-        lambert(u, u),
+        term::phong(u, u, numbers.m),
+        term::blinn(u, u, numbers.m),
+        term::lambert(u, u),
     );
 }
 
@@ -286,7 +289,7 @@ fn directions<T: Float>(n: UnitVec3<T>, v: UnitVec3<T>, l: UnitVec3<T>, [m, q]: 
     let square = r.dot(*r).to_f64();
     assert!((square - 1.0).abs() <= 30.0 * T::U, "|R|² = {square}");
     assert_unit_if_any(half_vector(l, v));
-    assert!(within_0_and_1(phong(r, v, m)) && within_0_and_1(blinn(n, v, m)));
+    assert!(within_0_and_1(term::phong(r, v, m)) && within_0_and_1(term::blinn(n, v, m)));
     let factor = Attenuation::NONE.at(q);
     assert_eq!(factor, T::ONE);
 }
@@ -313,11 +316,11 @@ fn dual_values<T: Float>(
 ) {
     let plain = shade_all(n, v, material, i_a, lights, p);
     let dual = shade_all(
-        n.map(Dual::constant),
-        v.map(Dual::constant),
-        &material.map(Dual::constant),
+        n.cast(Dual::constant),
+        v.cast(Dual::constant),
+        &material.cast(Dual::constant),
         i_a.map(Dual::constant),
-        &lights.map(|light| light.map(Dual::constant)),
+        &lights.map(|light| light.cast(Dual::constant)),
         Dual::point(p),
     );
     for (plain, dual) in plain.into_iter().zip(dual) {

@@ -413,13 +413,13 @@ pub fn coefficients<T: Number>() -> impl Strategy<Value = Attenuation<T>> {
 /// The checked coefficients nearest to these.
 pub fn coefficients_of<T: Number>(abc: [f64; 3]) -> Option<Attenuation<T>> {
     let [a, b, c] = abc.map(|k| T::of(k).to_f64());
-    Some(Attenuation::<f64>::new(a, b, c)?.map(T::of))
+    Some(Attenuation::<f64>::new(a, b, c)?.cast(T::of))
 }
 
 /// A cone by its cosine; the narrowest that contains its axis in spite of rounding.
 pub fn cone<T: Number>(cosine: f64) -> Cone<T> {
     let cone = Cone::<f64>::from_cosine(cosine.min(1.0 - 8.0 * T::U));
-    cone.expect("a cosine").map(T::of)
+    cone.expect("a cosine").cast(T::of)
 }
 
 /// Any light, in one of the places given.

@@ -32,7 +32,7 @@ pub trait Float: Number + Display + LowerExp + Debug + Default + 'static {
     fn new_attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>>;
     fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>>;
     fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>>;
-    fn known(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>>;
+    fn direction(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>>;
 
     fn is_finite(self) -> bool {
         self.to_f64().is_finite()
@@ -98,8 +98,8 @@ macro_rules! float {
                 Cone::<$float>::from_cosine(cosine)
             }
 
-            fn known(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>> {
-                UnitVec3::<$float>::known(x, y, z)
+            fn direction(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>> {
+                UnitVec3::<$float>::new(x, y, z)
             }
         }
     };

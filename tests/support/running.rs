@@ -150,6 +150,10 @@ impl<const BITS: u32> Real for Running<BITS> {
         value: 1.0,
         error: 0.0,
     };
+    const NEG_ONE: Self = Self {
+        value: -1.0,
+        error: 0.0,
+    };
     const MAX: Self = Self {
         value: if Self::IS_F32 {
             f32::MAX as f64
@@ -251,10 +255,10 @@ impl<const BITS: u32> Exponent<Self> for Running<BITS> {
 impl<const BITS: u32> Number for Running<BITS> {
     fn attenuation(coefficients: [f64; 3]) -> Option<Attenuation<Self>> {
         let [a, b, c] = coefficients;
-        Attenuation::<f64>::new(a, b, c).map(|checked| checked.map(Self::of))
+        Attenuation::<f64>::new(a, b, c).map(|checked| checked.cast(Self::of))
     }
 
     fn cone(degrees: f64) -> Option<Cone<Self>> {
-        Cone::<f64>::from_half_angle(degrees.to_radians()).map(|cone| cone.map(Self::of))
+        Cone::<f64>::from_half_angle(degrees.to_radians()).map(|cone| cone.cast(Self::of))
     }
 }

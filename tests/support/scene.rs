@@ -3,7 +3,7 @@
 
 use shading::{
     DirectionalLight, IncidentLight, Light, Material, PointLight, Rgb, SpotLight, UnitVec3, Vec3,
-    ambient, lambert, shade,
+    shade, term,
 };
 
 use super::number::{Bounded, Number, direction, vector};
@@ -146,7 +146,7 @@ impl Scene {
             return incident;
         };
         let white = lamp.arriving::<f64>(self.p, [1.0; 3]);
-        let received = lambert(self.normal(), white.l) * white.intensity.r;
+        let received = term::lambert(self.normal(), white.l) * white.intensity.r;
         let intensity = if received > threshold {
             rgb(lamp.specular)
         } else {
@@ -166,10 +166,9 @@ impl Scene {
             .unit()
             .expect("a view");
 
-        let of_lamps = self
-            .lamps
-            .iter()
-            .map(|lamp| ambient(rgb(self.k_a), lamp.arriving(self.p, lamp.ambient).intensity));
+        let of_lamps = self.lamps.iter().map(|lamp| {
+            term::ambient(rgb(self.k_a), lamp.arriving(self.p, lamp.ambient).intensity)
+        });
         let diffuse_lights = self
             .lamps
             .iter()

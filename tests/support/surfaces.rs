@@ -12,7 +12,7 @@ pub fn implicit<T: Number>(row: &Row, p: Vec3<Dual<T>>) -> Dual<T> {
     let scaled = |x: Dual<T>, name| square(x / number(name));
     match row.text("surface") {
         "sphere" => {
-            let center = Vec3::new("cx", "cy", "cz").map(number);
+            let center = Vec3::from(["cx", "cy", "cz"]).map(number);
             (p - center).dot(p - center) - square(number("r"))
         }
         "ellipsoid" => scaled(p.x, "a") + scaled(p.y, "b") + scaled(p.z, "c") - T::ONE,

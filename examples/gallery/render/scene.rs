@@ -1,6 +1,6 @@
 //! What a picture shows, and the light that reaches the eye: here the crate is called.
 
-use shading::{IncidentLight, Light, Material, Rgb, Shaded, Vec3, lambert, shade};
+use shading::{IncidentLight, Light, Material, Rgb, Shaded, Vec3, shade, term};
 
 use super::film::View;
 use super::ray::{Camera, Hit, Ray, Surface};
@@ -129,7 +129,7 @@ impl Scene {
             .lights
             .iter()
             .map(|light| (light, light.at(hit.p)))
-            .filter(|(_, incident)| lambert(hit.n, incident.l) > 0.0)
+            .filter(|(_, incident)| term::lambert(hit.n, incident.l) > 0.0)
             .filter(|(light, incident)| !self.in_shadow(hit, light, incident))
             .map(|(_, incident)| incident);
         match self.model {

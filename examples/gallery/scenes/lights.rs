@@ -52,7 +52,7 @@ const SPOT: SpotLight<f32> = SpotLight {
         intensity: WARM,
         attenuation: Attenuation::NONE,
     },
-    axis: UnitVec3::<f32>::known(0.6, -0.8, 0.0).unwrap(),
+    axis: UnitVec3::<f32>::new(0.6, -0.8, 0.0).unwrap(),
     cone: Cone::<f32>::from_half_angle(PI / 7.0).unwrap(),
 };
 

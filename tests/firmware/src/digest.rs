@@ -8,7 +8,7 @@ use cases::{DISTANCES, Numbers, REAL, WHOLE};
 pub use fnv::Fnv;
 use shading::{
     Attenuation, Dual, Elementary, Exponent, Light, PointLight, Real, Rgb, UnitVec3, Vec3,
-    attenuation, blinn, half_vector, lambert, normal, phong, reflection, shade,
+    attenuation, half_vector, normal, reflection, shade, term,
 };
 
 use crate::scene::{AMBIENT, LIGHTS, brass};
@@ -151,14 +151,14 @@ fn terms(digest: &mut Fnv) {
         let [n, l, v] = [(); 3].map(|()| numbers.vector(1.0).unit_or(UnitVec3::Z));
         let r = reflection(n, l);
         digest.absorb(r);
-        digest.absorb(lambert(n, l));
-        digest.absorb(phong(r, v, whole));
-        digest.absorb(phong(r, v, real));
+        digest.absorb(term::lambert(n, l));
+        digest.absorb(term::phong(r, v, whole));
+        digest.absorb(term::phong(r, v, real));
         digest.absorb(half_vector(l, v));
         digest.absorb(half_vector(l, -l));
         let h = half_vector(l, v).unwrap_or(v);
-        digest.absorb(blinn(n, h, whole));
-        digest.absorb(blinn(n, h, real));
+        digest.absorb(term::blinn(n, h, whole));
+        digest.absorb(term::blinn(n, h, real));
         let c = numbers.vector(1.0);
         digest.absorb(attenuation(c.x * c.x, c.y * c.y, c.z * c.z, real));
     }

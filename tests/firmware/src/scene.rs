@@ -22,7 +22,7 @@ pub const fn brass<M: Copy>(m: M) -> Material<f32, M> {
 /// One light of each kind, and one whose attenuation is clamped.
 pub static LIGHTS: [Light<f32>; 4] = [
     Light::Directional(DirectionalLight {
-        l: UnitVec3::<f32>::known(0.48, 0.6, 0.64).unwrap(),
+        l: UnitVec3::<f32>::new(0.48, 0.6, 0.64).unwrap(),
         intensity: Rgb::new(0.9, 0.85, 0.7),
     }),
     Light::Point(PointLight {
@@ -36,7 +36,7 @@ pub static LIGHTS: [Light<f32>; 4] = [
             intensity: Rgb::new(4.0, 4.0, 6.0),
             attenuation: Attenuation::<f32>::new(0.0, 0.0, 1.0).unwrap(),
         },
-        axis: UnitVec3::<f32>::known(0.0, -0.8, -0.6).unwrap(),
+        axis: UnitVec3::<f32>::new(0.0, -0.8, -0.6).unwrap(),
         cone: Cone::<f32>::from_half_angle(0.9).unwrap(),
     }),
     Light::Point(PointLight {
@@ -65,12 +65,12 @@ const fn lamp(x: f32, y: f32, z: f32) -> PointLight<f32> {
 /// Eight points of the unit sphere, each its own normal, around the pole that faces the
 /// [`LAMPS`] and the eye at (0, 0, ∞).
 pub static CAP: [UnitVec3<f32>; 8] = [
-    UnitVec3::<f32>::known(0.0, 0.0, 1.0).unwrap(),
-    UnitVec3::<f32>::known(0.28, 0.0, 0.96).unwrap(),
-    UnitVec3::<f32>::known(-0.28, 0.0, 0.96).unwrap(),
-    UnitVec3::<f32>::known(0.0, 0.28, 0.96).unwrap(),
-    UnitVec3::<f32>::known(0.0, -0.28, 0.96).unwrap(),
-    UnitVec3::<f32>::known(0.168, 0.224, 0.96).unwrap(),
-    UnitVec3::<f32>::known(-0.224, 0.168, 0.96).unwrap(),
-    UnitVec3::<f32>::known(0.224, -0.168, 0.96).unwrap(),
+    UnitVec3::<f32>::new(0.0, 0.0, 1.0).unwrap(),
+    UnitVec3::<f32>::new(0.28, 0.0, 0.96).unwrap(),
+    UnitVec3::<f32>::new(-0.28, 0.0, 0.96).unwrap(),
+    UnitVec3::<f32>::new(0.0, 0.28, 0.96).unwrap(),
+    UnitVec3::<f32>::new(0.0, -0.28, 0.96).unwrap(),
+    UnitVec3::<f32>::new(0.168, 0.224, 0.96).unwrap(),
+    UnitVec3::<f32>::new(-0.224, 0.168, 0.96).unwrap(),
+    UnitVec3::<f32>::new(0.224, -0.168, 0.96).unwrap(),
 ];

@@ -10,8 +10,8 @@ use core::sync::atomic::AtomicU32;
 use firmware::{board, broken};
 use shading::{
     Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight,
-    Real, Rgb, SpotLight, UnitVec3, Vec3, ambient, attenuation, blinn, half_vector, lambert,
-    normal, phong, reflection, shade,
+    Real, Rgb, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade,
+    term,
 };
 
 type V = Vec3<f32>;
@@ -86,14 +86,14 @@ fn measured(given: &Given) {
         "nothing" => keep(()),
         "Vec3::unit" => keep(p.unit()),
         "Vec3::unit_or" => keep(p.unit_or(n)),
-        "UnitVec3::known" => keep(N::known(p.x, p.y, p.z)),
+        "UnitVec3::new" => keep(N::new(p.x, p.y, p.z)),
         "Rgb::clamped" => keep(i_a.clamped()),
-        "ambient" => keep(ambient(i_a, i_a)),
-        "lambert" => keep(lambert(n, l)),
-        "phong, whole m" => keep(phong(n, v, whole.m)),
-        "phong, real m" => keep(phong(n, v, real.m)),
-        "blinn, whole m" => keep(blinn(n, v, whole.m)),
-        "blinn, real m" => keep(blinn(n, v, real.m)),
+        "ambient" => keep(term::ambient(i_a, i_a)),
+        "lambert" => keep(term::lambert(n, l)),
+        "phong, whole m" => keep(term::phong(n, v, whole.m)),
+        "phong, real m" => keep(term::phong(n, v, real.m)),
+        "blinn, whole m" => keep(term::blinn(n, v, whole.m)),
+        "blinn, real m" => keep(term::blinn(n, v, real.m)),
         "reflection" => keep(reflection(n, l)),
         "half_vector" => keep(half_vector(l, v)),
         "attenuation" => keep(attenuation(a.x, a.y, a.z, p.x)),

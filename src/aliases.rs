@@ -1,0 +1,47 @@
+//! The types of a scene in one number type, so that constants need not name it.
+
+macro_rules! aliases {
+    ($float:ident) => {
+        #[doc = concat!("The types of a scene in `", stringify!($float), "`.")]
+        ///
+        /// A constructor that works in constants exists once for `f32` and once for `f64`, so the
+        /// compiler cannot infer which one `Attenuation::new` means. Import the types from this module
+        /// and it need not:
+        ///
+        /// ```
+        #[doc = concat!("use shading::", stringify!($float), "::{Attenuation, Cone, Material, PointLight, Rgb, SpotLight, UnitVec3, Vec3};")]
+        ///
+        /// static SPOT: SpotLight = SpotLight {
+        ///     point: PointLight {
+        ///         position: Vec3::new(0.0, 3.0, 0.0),
+        ///         intensity: Rgb::WHITE,
+        ///         attenuation: Attenuation::new(1.0, 0.0, 0.25).unwrap(),
+        ///     },
+        ///     axis: UnitVec3::normalized(0.1, -1.0, 0.0).unwrap(),
+        ///     cone: Cone::from_half_angle(0.5).unwrap(),
+        /// };
+        /// static CLAY: Material =
+        ///     Material { k_a: Rgb::gray(0.1), k_d: Rgb::gray(0.6), k_s: Rgb::gray(0.3), m: 32 };
+        /// # assert!(SPOT.at(Vec3::ZERO).intensity.r > 0.0 && CLAY.m == 32);
+        /// ```
+        #[allow(missing_docs)] // each is documented where it is defined
+        pub mod $float {
+            pub type Vec3 = crate::Vec3<$float>;
+            pub type UnitVec3 = crate::UnitVec3<$float>;
+            pub type Rgb = crate::Rgb<$float>;
+            pub type Dual = crate::Dual<$float>;
+            pub type Attenuation = crate::Attenuation<$float>;
+            pub type Cone = crate::Cone<$float>;
+            pub type IncidentLight = crate::IncidentLight<$float>;
+            pub type DirectionalLight = crate::DirectionalLight<$float>;
+            pub type PointLight = crate::PointLight<$float>;
+            pub type SpotLight = crate::SpotLight<$float>;
+            pub type Light = crate::Light<$float>;
+            pub type Material<M = u32> = crate::Material<$float, M>;
+            pub type Shaded = crate::Shaded<$float>;
+        }
+    };
+}
+
+aliases!(f32);
+aliases!(f64);

@@ -1,0 +1,238 @@
+//! Floor 1: lengths, and vectors whose length was proved to be 1.
+
+use core::ops::{Deref, Neg};
+
+use crate::real::Real;
+use crate::rescale::{extreme_difference, is_extreme, tame_difference};
+use crate::root;
+use crate::vector::Vec3;
+
+impl<T: Real> Vec3<T> {
+    /// The length |v| = √(v·v), right from the smallest subnormal to the largest finite number.
+    /// Infinite where it overflows or a component is infinite.
+    ///
+    /// ```
+    /// use shading::Vec3;
+    /// assert_eq!(Vec3::new(2.0_f32, 3.0, 6.0).length(), 7.0);
+    /// assert_eq!(Vec3::new(0.0_f32, 3e30, 4e30).length(), 5e30);
+    /// ```
+    #[doc(alias = "magnitude")]
+    #[doc(alias = "norm")]
+    #[inline]
+    #[must_use]
+    pub fn length(self) -> T {
+        let square = self.dot(self);
+        if is_extreme(square) {
+            let (tame, scale) = extreme_difference(self, Self::ZERO, square);
+            tame.dot(tame).sqrt() / scale
+        } else {
+            square.sqrt()
+        }
+    }
+
+    /// The vector of length 1 in the same direction, v/|v|, right from the smallest subnormal to
+    /// the largest finite number. `None` for the zero vector and where a component is infinite or
+    /// not a number.
+    ///
+    /// ```
+    /// use shading::Vec3;
+    ///
+    /// let n = Vec3::new(0.0_f32, 3e38, 0.0).unit();
+    /// assert_eq!(n, Vec3::new(0.0, 1e-45, 0.0).unit());
+    /// assert_eq!(Vec3::<f32>::ZERO.unit(), None);
+    /// ```
+    #[doc(alias = "normalize")]
+    #[doc(alias = "try_normalize")]
+    #[inline]
+    #[must_use]
+    pub fn unit(self) -> Option<UnitVec3<T>>
+    where
+        T: PartialOrd,
+    {
+        let tame = tame_difference(self, Self::ZERO);
+        let length = tame.dot(tame).sqrt();
+        (length > T::ZERO && length <= T::MAX).then(|| UnitVec3(tame / length))
+    }
+
+    /// [`unit`](Vec3::unit), or `fallback` where that is `None`. It has no branches and works in SIMD
+    /// lanes too.
+    ///
+    /// ```
+    /// use shading::{UnitVec3, Vec3};
+    /// assert_eq!(Vec3::new(0.0_f32, 0.0, 5.0).unit_or(UnitVec3::X), UnitVec3::Z);
+    /// assert_eq!(Vec3::<f32>::ZERO.unit_or(UnitVec3::X), UnitVec3::X);
+    /// ```
+    #[doc(alias = "normalize_or")]
+    #[inline]
+    #[must_use]
+    pub fn unit_or(self, fallback: UnitVec3<T>) -> UnitVec3<T> {
+        let tame = tame_difference(self, Self::ZERO);
+        let length = tame.dot(tame).sqrt();
+        // positive for a length that is neither zero nor infinite nor NaN
+        let valid = length.if_positive(T::MAX / length, T::ZERO);
+        let unit = tame / valid.if_positive(length, T::ONE);
+        let or = |a, b| valid.if_positive(a, b);
+        UnitVec3(Self::new(
+            or(unit.x, fallback.x),
+            or(unit.y, fallback.y),
+            or(unit.z, fallback.z),
+        ))
+    }
+}
+
+/// A vector of length 1: a direction.
+///
+/// **It dereferences to its [`Vec3`]**, so all fields and methods of that work: `n.dot(l)`, `n.x`,
+/// `*n * 2.0`.
+///
+/// All directions in this crate are of this type, and all of them point **away** from the surface.
+/// The field is private, so that the length is proved once, where the direction is made:
+///
+/// - [`Vec3::unit`] divides a vector by its length;
+/// - [`UnitVec3::new`] checks coordinates that you know, also in a constant;
+/// - [`UnitVec3::normalized`] divides literals by their length, also in a constant;
+/// - [`UnitVec3::assume_unit`] trusts you.
+#[doc(alias = "direction")]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(transparent)]
+pub struct UnitVec3<T = f32>(Vec3<T>);
+
+impl<T> UnitVec3<T> {
+    /// Trusts the caller that the length is 1, to rounding: for a normal read from a file, or a
+    /// direction that another library normalized. If it is not, colors are wrong, but nothing panics.
+    ///
+    /// ```
+    /// use shading::{UnitVec3, Vec3};
+    /// assert_eq!(UnitVec3::assume_unit(Vec3::new(0.0_f32, 0.0, 1.0)), UnitVec3::Z);
+    /// ```
+    #[doc(alias = "new_unchecked")]
+    #[inline]
+    #[must_use]
+    pub const fn assume_unit(v: Vec3<T>) -> Self {
+        Self(v)
+    }
+
+    /// The same direction in another number type: `f` converts each number, and may do no more
+    /// than round it.
+    ///
+    /// ```
+    /// use shading::UnitVec3;
+    /// assert_eq!(UnitVec3::<f32>::Z.cast(f64::from), UnitVec3::Z);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn cast<U>(self, f: impl FnMut(T) -> U) -> UnitVec3<U> {
+        UnitVec3(self.0.map(f))
+    }
+}
+
+impl<T: Real> UnitVec3<T> {
+    /// The direction of the first axis.
+    pub const X: Self = Self(Vec3::new(T::ONE, T::ZERO, T::ZERO));
+    /// The direction of the second axis.
+    pub const Y: Self = Self(Vec3::new(T::ZERO, T::ONE, T::ZERO));
+    /// The direction of the third axis.
+    pub const Z: Self = Self(Vec3::new(T::ZERO, T::ZERO, T::ONE));
+    /// Against the first axis.
+    pub const NEG_X: Self = Self(Vec3::new(T::NEG_ONE, T::ZERO, T::ZERO));
+    /// Against the second axis.
+    pub const NEG_Y: Self = Self(Vec3::new(T::ZERO, T::NEG_ONE, T::ZERO));
+    /// Against the third axis.
+    pub const NEG_Z: Self = Self(Vec3::new(T::ZERO, T::ZERO, T::NEG_ONE));
+}
+
+macro_rules! literals {
+    ($float:ident, $sqrt:path) => {
+        impl UnitVec3<$float> {
+            /// The direction (x, y, z), if its length is 1 to rounding (|v|² within 4ε of 1), else
+            /// `None`. For a vector of any length see [`normalized`](Self::normalized).
+            ///
+            /// In a constant, a vector of another length fails the build:
+            ///
+            /// ```
+            #[doc = concat!("use shading::", stringify!($float), "::UnitVec3;")]
+            /// const UP_AND_RIGHT: UnitVec3 = UnitVec3::new(0.6, 0.0, 0.8).unwrap();
+            /// ```
+            /// ```compile_fail
+            #[doc = concat!("# use shading::", stringify!($float), "::UnitVec3;")]
+            /// const TOO_LONG: UnitVec3 = UnitVec3::new(1.0, 0.0, 1.0).unwrap();
+            /// ```
+            #[inline]
+            #[must_use]
+            pub const fn new(x: $float, y: $float, z: $float) -> Option<Self> {
+                // rounded literals are off by 1 epsilon and the sum by 2 more
+                let excess = x * x + y * y + z * z - 1.0;
+                if -4.0 * $float::EPSILON <= excess && excess <= 4.0 * $float::EPSILON {
+                    Some(Self(Vec3::new(x, y, z)))
+                } else {
+                    None
+                }
+            }
+
+            /// The direction of (x, y, z), divided by its length: for literals, in a constant. It
+            /// has the bits of [`Vec3::unit`], and is `None` where that is; at run time `unit` is
+            /// faster.
+            ///
+            /// ```
+            #[doc = concat!("use shading::", stringify!($float), "::{UnitVec3, Vec3};")]
+            ///
+            /// const DOWN_AND_ASIDE: UnitVec3 = UnitVec3::normalized(1.0, -3.0, 0.5).unwrap();
+            /// assert_eq!(Some(DOWN_AND_ASIDE), Vec3::new(1.0, -3.0, 0.5).unit());
+            /// ```
+            #[doc(alias = "normalize")]
+            #[must_use]
+            pub const fn normalized(x: $float, y: $float, z: $float) -> Option<Self> {
+                const LARGE: $float = <$float as Real>::RESCALE;
+                let square = x * x + y * y + z * z;
+                let scale = if square > LARGE {
+                    1.0 / LARGE
+                } else if square < 1.0 / LARGE {
+                    LARGE
+                } else {
+                    1.0
+                };
+                let (x, y, z) = (x * scale, y * scale, z * scale);
+                let square = x * x + y * y + z * z;
+                if square > 0.0 && square <= $float::MAX {
+                    let length = $sqrt(square);
+                    Some(Self(Vec3::new(x / length, y / length, z / length)))
+                } else {
+                    None
+                }
+            }
+        }
+    };
+}
+
+literals!(f32, root::const_sqrtf);
+literals!(f64, root::const_sqrt);
+
+impl<T> Deref for UnitVec3<T> {
+    type Target = Vec3<T>;
+    #[inline]
+    fn deref(&self) -> &Vec3<T> {
+        &self.0
+    }
+}
+
+impl<T> From<UnitVec3<T>> for Vec3<T> {
+    #[inline]
+    fn from(unit: UnitVec3<T>) -> Self {
+        unit.0
+    }
+}
+
+impl<T> From<UnitVec3<T>> for [T; 3] {
+    #[inline]
+    fn from(unit: UnitVec3<T>) -> Self {
+        unit.0.into()
+    }
+}
+
+impl<T: Real> Neg for UnitVec3<T> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
