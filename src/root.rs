@@ -91,7 +91,7 @@ pub(crate) const fn const_sqrtf(x: f32) -> f32 {
 )]
 pub(crate) const fn const_sqrt(x: f64) -> f64 {
     let exponent = (x.to_bits() >> 52) as i64 - 1023 - 52 - 59;
-    let n = ((x.to_bits() & (1 << 52) - 1 | 1 << 52) as u128) << (59 + (exponent & 1));
+    let n = ((x.to_bits() & ((1 << 52) - 1) | 1 << 52) as u128) << (59 + (exponent & 1));
     let root = n.isqrt();
     let sticky = (root * root != n) as u128;
     (root | sticky) as f64 * f64::from_bits(((1023 + (exponent >> 1)) as u64) << 52)

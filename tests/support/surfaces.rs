@@ -90,7 +90,7 @@ fn blend<T: Number, const N: usize>(
     let mut sum = Vec3::ZERO;
     for (i, row) in rows.into_iter().enumerate() {
         for (j, column) in columns.into_iter().enumerate() {
-            sum = sum + point(i, j) * (row * column);
+            sum += point(i, j) * (row * column);
         }
     }
     sum

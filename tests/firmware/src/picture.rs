@@ -1,6 +1,6 @@
 //! The picture of the example on a display, drawn on the chip by the same code.
 
-#[path = "../../../examples/display/ball.rs"]
+#[path = "../../../examples/display/src/ball.rs"]
 pub mod ball;
 
 use core::convert::Infallible;

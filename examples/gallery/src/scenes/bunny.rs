@@ -7,7 +7,7 @@ use crate::model::Model;
 use crate::render::ray::{Camera, Surface};
 use crate::render::scene::{Object, Scene};
 
-const DATA: &str = include_str!("../data/bunny.obj");
+const DATA: &str = include_str!("../../data/bunny.obj");
 
 pub fn pictures() -> Vec<Picture> {
     let bunny = Model::parse(DATA).expect("the gallery's own model is in order");

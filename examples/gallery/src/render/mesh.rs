@@ -101,7 +101,7 @@ impl Mesh {
             let [v1, v2, v3] = self.corners(triangle);
             let weighted = (v2 - v1).cross(v3 - v1);
             for &corner in corners {
-                normals[corner] = normals[corner] + weighted;
+                normals[corner] += weighted;
             }
         }
         normals

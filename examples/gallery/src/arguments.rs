@@ -8,7 +8,7 @@ use lexopt::prelude::{Long, Short, Value};
 pub const HELP: &str = "\
 Draws the gallery of the crate `shading`: pictures that show each formula at work.
 
-Usage: cargo run --release --example gallery -- [OPTIONS] [FOLDER]
+Usage: cargo run --release -p gallery -- [OPTIONS] [FOLDER]
 
   FOLDER               where the pictures go; without it, target/gallery of the crate
 

@@ -2,7 +2,7 @@
 //! simulated one that writes a picture for each frame.
 //!
 //! ```text
-//! cargo run --example display -- [FOLDER]
+//! cargo run -p display -- [FOLDER]
 //! ```
 //!
 //! `ball.rs` is all that a firmware needs besides the driver of its display: `tests/firmware`

@@ -2,7 +2,7 @@
 //! the Stanford bunny.
 //!
 //! ```text
-//! cargo run --release --example gallery
+//! cargo run --release -p gallery
 //! ```
 //!
 //! `scenes` says what is drawn and is the place to start; `render` is a small ray tracer.
@@ -57,7 +57,7 @@ fn draw(subject: &Subject, folder: Option<PathBuf>) -> Result<(), String> {
         Subject::Thumbnails => (scenes::of_readme(), "docs/pictures", THUMBNAIL),
         Subject::Model(path) => (scenes::model(&Model::read(path)?), "target/gallery", 1),
     };
-    let folder = folder.unwrap_or_else(|| in_the_crate(default));
+    let folder = folder.unwrap_or_else(|| in_the_workspace(default));
     fs::create_dir_all(&folder)
         .map_err(|error| format!("cannot make the folder {}: {error}", folder.display()))?;
     for picture in pictures {
@@ -70,9 +70,10 @@ fn draw(subject: &Subject, folder: Option<PathBuf>) -> Result<(), String> {
     Ok(())
 }
 
-/// A folder of the crate, as seen from here.
-fn in_the_crate(folder: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+/// A folder of the workspace, as seen from here.
+fn in_the_workspace(folder: &str) -> PathBuf {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2);
+    let folder = root.unwrap_or(Path::new("")).join(folder);
     env::current_dir()
         .ok()
         .and_then(|here| Some(folder.strip_prefix(here).ok()?.to_path_buf()))

@@ -10,7 +10,7 @@ use crate::render::mesh::{Mesh, MeshHit};
 use crate::render::ray::{Camera, Hit, Ray, Surface};
 use crate::render::scene::{Finish, Object, Scene};
 
-const DATA: &str = include_str!("../data/teapot.bezier");
+const DATA: &str = include_str!("../../data/teapot.bezier");
 
 pub fn pictures() -> Vec<Picture> {
     let copper = glossy(Rgb::new(0.5, 0.17, 0.07), 0.5, 60);
@@ -63,7 +63,7 @@ impl Patch {
         let mut p = Vec3::ZERO;
         for (row, b_u) in self.0.iter().zip(b_u) {
             for (control, b_v) in row.iter().zip(b_v) {
-                p = p + control.map(|c| T::of(c.into())) * (b_u * b_v);
+                p += control.map(|c| T::of(c.into())) * (b_u * b_v);
             }
         }
         p
