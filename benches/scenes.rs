@@ -36,9 +36,9 @@ fn teapot(criterion: &mut Criterion) {
             ))
         })
         .collect();
-    shading(&mut group, "f32, whole m", &surface, 50, |x| x);
+    shading(&mut group, "f32, integer m", &surface, 50, |x| x);
     shading(&mut group, "f32, real m", &surface, 50.5_f32, |x| x);
-    shading(&mut group, "f64, whole m", &surface, 50, f64::from);
+    shading(&mut group, "f64, integer m", &surface, 50, f64::from);
     shading(&mut group, "f64, real m", &surface, 50.5_f64, f64::from);
 }
 

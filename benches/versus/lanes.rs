@@ -45,7 +45,7 @@ pub fn contest() {
                 black_box(&mut eight).shade_lanes();
             }),
             Contestant::new("ours, real m", || black_box(&mut real).shade_lanes()),
-            Contestant::new("ours, whole m", || black_box(&mut whole).shade_lanes()),
+            Contestant::new("ours, integer m", || black_box(&mut whole).shade_lanes()),
             Contestant::new("wide by hand, powf", || black_box(&mut by_hand).shade()),
             #[cfg(c_peers)]
             Contestant::new("C -Ofast -march=native", || black_box(&mut c).shade()),
@@ -58,7 +58,7 @@ pub fn contest() {
     );
     results.ratio(
         "lanes-whole/c-native",
-        "ours, whole m",
+        "ours, integer m",
         "C -Ofast -march=native",
     );
     results.ratio("lanes-real/wide", "ours, real m", "wide by hand, powf");

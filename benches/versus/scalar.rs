@@ -36,7 +36,7 @@ pub fn contest() {
         POINTS * LIGHTS,
         vec![
             Contestant::in_turn("ours, real m", &mut real, Ours::shade),
-            Contestant::in_turn("ours, whole m", &mut whole, Ours::shade),
+            Contestant::in_turn("ours, integer m", &mut whole, Ours::shade),
             Contestant::in_turn("glam, powf", &mut powf, |scene| scene.shade(f32::powf)),
             Contestant::in_turn("glam, powi", &mut powi, |scene| scene.shade(f32::powi)),
             #[cfg(c_peers)]
@@ -44,7 +44,7 @@ pub fn contest() {
         ],
     );
     results.ratio("scalar-real/glam", "ours, real m", "glam, powf");
-    results.ratio("scalar-whole/glam", "ours, whole m", "glam, powi");
+    results.ratio("scalar-whole/glam", "ours, integer m", "glam, powi");
     results.ratio("scalar-real/c", "ours, real m", "C -O2, powf");
 
     for i in 0..scenes.len() {

@@ -61,14 +61,14 @@ for target in $chip_targets; do
     instructions_of[$target]=$(instructions "$target")
     echo "$target at opt-level s: $(instructions "$target" small)"
 done
-# what C takes with a whole m; 0.6 and 0.7 of what it takes with powf. Measured with gcc 12.2 and newlib 3.3
+# what C takes with an integer m; 0.6 and 0.7 of what it takes with powf. Measured with gcc 12.2 and newlib 3.3
 budgets() {
     local target=$1 whole_budget=$2 real_budget=$3 percent=$4 whole real c_whole c_real
     read -r whole real <<<"${instructions_of[$target]}"
     read -r c_whole c_real <<<"$(instructions_of_c "$target")"
     echo "$target C: $c_whole $c_real, Rust: $whole $real"
-    within "$target instructions, whole m" "$whole" "$whole_budget"
-    within "$target instructions, whole m, beside C" "$whole" "$c_whole"
+    within "$target instructions, integer m" "$whole" "$whole_budget"
+    within "$target instructions, integer m, beside C" "$whole" "$c_whole"
     within "$target instructions, real m" "$real" "$real_budget"
     within "$target instructions, real m, beside C" "$real" $((c_real * percent / 100))
 }
@@ -78,11 +78,11 @@ budgets $m0 7500 11060 70
 echo "== flash at opt-level s, over an empty program"
 declare -A flash_of
 for target in $chip_targets; do
-    flash_of[$target]=$(flash "$target" "shade::blinn_phong, whole m")
+    flash_of[$target]=$(flash "$target" "shade::blinn_phong, integer m")
 done
 real=$(flash $m4f "shade::blinn_phong, real m")
 kilobyte_and_tenth=1126 # 1.1 × 1024
-within "$m4f flash, whole m" "${flash_of[$m4f]}" $kilobyte_and_tenth
+within "$m4f flash, integer m" "${flash_of[$m4f]}" $kilobyte_and_tenth
 within "$m4f flash, real m" "$real" $((${flash_of[$m4f]} + kilobyte_and_tenth))
 
 echo "== stack below the caller, each model, whole and real m, all lights and those in front, opt-level 3 and s"
@@ -102,7 +102,7 @@ broken() {
 }
 same_bits() { [ "$(digest $m0 release)" = "$expected" ]; }
 few_instructions() { [ "$(instructions $m4f | cut -d' ' -f1)" -le 121 ]; }
-little_flash() { [ "$(flash $m4f "shade::blinn_phong, whole m")" -le $kilobyte_and_tenth ]; }
+little_flash() { [ "$(flash $m4f "shade::blinn_phong, integer m")" -le $kilobyte_and_tenth ]; }
 little_stack() { [ "$(stack $m0 release | cut -d' ' -f1)" -le 256 ]; }
 broken bits same_bits
 broken panic cannot_panic $m4f release
