@@ -1,18 +1,18 @@
-//! Local illumination as pure functions: what light a point of a surface sends to the eye.
+//! Local illumination as pure functions: Lambert, Phong and Blinn–Phong shading of one point.
 //!
-//! A renderer hands this crate a point, a normal, a direction to the eye and some lights, and gets
-//! light back: Lambert's, Phong's and Blinn's reflection, attenuated point lights, spots, and the
-//! exact normals of surfaces. It draws nothing, owns no scene and knows no screen. Take it for a ray
-//! tracer, a rasteriser, a display on a microcontroller, or to check a shader against.
+//! Pass in a point, a normal, the direction to the eye and some lights; get the reflected light back,
+//! part by part. The crate draws nothing, owns no scene and knows no screen. Use it in a ray tracer, a
+//! rasterizer, on a display of a microcontroller, or to check a shader.
 //!
 //! ```
-//! use shading::*;
+//! use shading::f32::{Attenuation, DirectionalLight, Material, PointLight, Rgb, UnitVec3, Vec3};
+//! use shading::{normal, shade};
 //!
-//! static SUN: DirectionalLight<f32> = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
-//! static LAMP: PointLight<f32> = PointLight {
+//! static SUN: DirectionalLight = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
+//! static LAMP: PointLight = PointLight {
 //!     position: Vec3::new(2.0, 0.0, 2.0),
 //!     intensity: Rgb::new(1.0, 0.8, 0.6),
-//!     attenuation: Attenuation::<f32>::new(1.0, 0.0, 0.25).unwrap(), // 1/(1 + q²/4)
+//!     attenuation: Attenuation::new(1.0, 0.0, 0.25).unwrap(), // 1/(1 + q²/4)
 //! };
 //! let clay = Material { k_a: Rgb::gray(0.1), k_d: Rgb::gray(0.6), k_s: Rgb::gray(0.3), m: 32 };
 //!
@@ -23,60 +23,66 @@
 //! assert!(shaded.total().r > shaded.total().b);
 //! ```
 //!
-//! # Why this one
+//! # Where to find what
 //!
-//! 1. **One formula, every number.** Each formula is written once, over [`Real`]: `f32`, `f64`,
-//!    the dual number [`Dual`] that differentiates itself, SIMD lanes (feature `wide`), or a type of
-//!    your own.
-//! 2. **Total.** Every function is defined for every input of its types: no panic, no NaN from
-//!    finite input, no negative light from lights and materials that are not negative. What has no
-//!    answer is an `Option`.
+//! | you have | you want | use |
+//! |---|---|---|
+//! | a surface | its normal | [`mod@normal`] |
+//! | a light and a point | L, I and the distance there | [`DirectionalLight`], [`PointLight`], [`SpotLight`], [`Light`] |
+//! | N, V, a [`Material`], lights | the reflected light | [`shade::lambert`], [`shade::phong`], [`shade::blinn_phong`] |
+//! | N, L, V | R or H | [`reflection`], [`half_vector`] |
+//! | directions | one factor of the formula | [`mod@term`] |
+//! | a distance | the falloff | [`attenuation()`], [`Attenuation`] |
+//! | a scene in one number type | short type names | [`mod@f32`], [`mod@f64`] |
+//! | a number type of your own | all of this for it | [`Real`] |
+//!
+//! # What it promises
+//!
+//! 1. **One formula, every number.** Each formula is written once, over [`Real`]: for `f32`, `f64`, the
+//!    dual number [`Dual`], SIMD lanes (feature `wide`), or a type of your own.
+//! 2. **Total.** Every function is defined for every input of its types. Nothing panics. Lights and
+//!    materials that are not negative never give negative light. What has no answer is an `Option`.
+//!    Finite input gives no NaN, except where an intermediate result overflows: [`guide::totality`] lists
+//!    the cases.
 //! 3. **The same bits everywhere.** Only + − × ÷ √ in a fixed order: an `f32` result is the same on
-//!    x86-64, Arm Cortex-M0 and M4F, RISC-V and wasm, and in every SIMD lane.
+//!    x86-64, Arm, RISC-V and WebAssembly, and in every SIMD lane. It takes IEEE 754 arithmetic: not the
+//!    x87 of x86 without SSE2, nor a mode that flushes subnormal numbers.
 //! 4. **Small and fast.** One dependency, `libm`; no allocation, no `std`; no double precision in an
 //!    `f32` path (`sin` and `cos` of [`Elementary`] aside).
-//! 5. **Traceable.** Every formula's page gives formula, convention, degenerate case and source.
+//! 5. **Traceable.** Every formula's page gives the formula, convention, degenerate cases and source.
 //!
 //! # Conventions
 //!
 //! - **All directions point away from the surface** and are [`UnitVec3`]: N, L to the light, V to
 //!   the eye, R, H. [`reflection`] takes L; GLSL's `reflect` takes −L.
-//! - **Colours are linear** and not limited to 1. Decode sRGB before; clamp and encode once, after.
-//! - **q is the distance**, not its square, in [`attenuation`]. Directional lights have none.
+//! - **Colors are linear** and not limited to 1. Decode sRGB before; clamp and encode once, after.
+//! - **q is the distance**, not its square, in [`attenuation()`]. Directional lights have none.
 //! - **A spot's angle is the half-angle**, in radians, and its edge is inside.
-//! - **Lambert has no 1/π**, the highlights are not normalised: the formulas are the books'.
-//! - **No highlight on a face turned from the light**: the sums in [`mod@shade`] see to it. The
-//!   factors of [`mod@term`] alone do not.
-//! - **m = 0 or not, a cosine ≤ 0 gives no highlight.**
-//!
-//! # More to read
-//!
-//! - Firmware, from an empty project to a lit pixel, and what each function costs: [`mod@embedded`].
-//! - How fast it is, beside the same formulas by hand: [`mod@performance`].
-//! - What each function gives where its formula has no answer: [`mod@totality`].
-//! - How far each function is from its formula: [`mod@precision`].
-//! - How to try the invariants of illumination on a number type of your own: [`mod@invariants`].
-//!
-//! # The floors
-//!
-//! Each file uses only files on floors below it.
-//!
-//! | floor | holds |
-//! |---|---|
-//! | 5 the model | [`mod@shade`]: [`lambert`](shade::lambert), [`phong`](shade::phong), [`blinn_phong`](shade::blinn_phong), the sums over lights |
-//! | 4 scenes | [`DirectionalLight`], [`PointLight`], [`SpotLight`], [`Light`], [`IncidentLight`]; [`Material`] |
-//! | 3 formulas | [`normal`]; [`reflection`], [`half_vector`]; [`mod@term`]; [`attenuation`], [`Attenuation`], [`Cone`] |
-//! | 2 differentiation | [`Dual`] |
-//! | 1 vectors, colours | [`Vec3`], [`UnitVec3`]; [`Rgb`] |
-//! | 0 numbers | [`Real`], [`Elementary`]; [`Exponent`] |
+//! - **Lambert has no 1/π**, and the highlights are not normalized: the formulas are the books'.
+//! - **A face turned away from a light has no highlight.** The sums in [`mod@shade`] ensure it; the
+//!   factors in [`mod@term`] alone do not.
+//! - **A cosine ≤ 0 gives no highlight**, for every m, m = 0 included.
 //!
 //! # Features
 //!
 //! - `approx`: `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`] and [`Rgb`].
-//! - `wide`: [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`. A scene in scalars
-//!   goes into lanes by `cast`: `light.cast(f32x8::splat)`.
+//! - `wide`: [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`. `cast` takes a scene in
+//!   scalars into lanes: `light.cast(f32x8::splat)`.
 //!
 //! No feature is on by default.
+//!
+//! # The floors
+//!
+//! Each file uses only files on floors below it, and those to its left on its own floor.
+//!
+//! | floor | files |
+//! |---|---|
+//! | 5 the model | `shade` |
+//! | 4 scenes | `light`, `material` |
+//! | 3 formulas | `direction`, `term`, `normal`, `attenuation`, `cone` |
+//! | 2 differentiation | `dual` |
+//! | 1 vectors, colors | `componentwise`, `vector`, `rescale`, `unit`, `rgb` |
+//! | 0 numbers | `real`, `root`, `power`, `elementary`, `exponent` |
 #![no_std]
 #![deny(unsafe_code)]
 #![cfg_attr(
@@ -136,22 +142,24 @@ pub use vector::Vec3;
 mod aliases;
 pub use aliases::{f32, f64};
 
-// pages of the documentation, without code
+/// Pages on one topic each, beside the pages of the functions.
 #[cfg(doc)]
-#[doc = include_str!("../docs/embedded.md")]
-pub mod embedded {}
-#[cfg(doc)]
-#[doc = include_str!("../docs/invariants.md")]
-pub mod invariants {}
-#[cfg(doc)]
-#[doc = include_str!("../docs/performance.md")]
-pub mod performance {}
-#[cfg(doc)]
-#[doc = include_str!("../docs/precision.md")]
-pub mod precision {}
-#[cfg(doc)]
-#[doc = include_str!("../docs/totality.md")]
-pub mod totality {}
+pub mod guide {
+    #[doc = include_str!("../docs/architecture.md")]
+    pub mod architecture {}
+    #[doc = include_str!("../docs/embedded.md")]
+    pub mod embedded {}
+    #[doc = include_str!("../docs/invariants.md")]
+    pub mod invariants {}
+    #[doc = include_str!("../docs/performance.md")]
+    pub mod performance {}
+    #[doc = include_str!("../docs/precision.md")]
+    pub mod precision {}
+    #[doc = include_str!("../docs/totality.md")]
+    pub mod totality {}
+    #[doc = include_str!("../docs/vectors.md")]
+    pub mod vectors {}
+}
 
 /// The README's code blocks, compiled as doc-tests.
 #[cfg(doctest)]

@@ -4,7 +4,7 @@
 use cortex_m_rt::entry;
 
 use shading::f32::{Attenuation, Material, PointLight, Rgb, UnitVec3, Vec3};
-use shading::shade;
+use shading::{Real, shade};
 
 static LAMPS: [PointLight; 2] = [
     PointLight {
