@@ -1,6 +1,6 @@
-//! This crate against the same formulas by hand: Blinn–Phong, RGB, attenuation, 4 lights, 4,096
-//! points; then the power alone against two `powf`. Prints nanoseconds, and lines
-//! `ratio <case> <ours/theirs>`.
+//! This crate against the same formulas written by hand: Blinn–Phong, RGB, attenuation, 4 lights, 4,096
+//! points; then the power alone against two `powf`. Prints nanoseconds, and the lines
+//! `ratio <case> <ours/theirs>` of the least times and `ratio-of-medians <case> <ours/theirs>`.
 //!
 //! `cargo bench --bench versus` runs the scalar parts as they are built by default, then builds
 //! itself again for this very processor and runs the part in lanes.

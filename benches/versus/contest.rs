@@ -8,8 +8,8 @@ const REPETITIONS: usize = 2000;
 pub struct Contestant<'a> {
     name: &'static str,
     work: Box<dyn FnMut(usize) + 'a>,
-    /// The least time of each scene.
-    least: Vec<f64>,
+    /// The times of each scene, in seconds.
+    times: Vec<Vec<f64>>,
 }
 
 impl<'a> Contestant<'a> {
@@ -18,12 +18,12 @@ impl<'a> Contestant<'a> {
         Self {
             name,
             work: Box::new(move |_| work()),
-            least: vec![f64::INFINITY],
+            times: vec![Vec::new()],
         }
     }
 
-    /// Shades another of the scenes each time: of one and the same, the processor would learn by
-    /// heart which lights are in front, and nobody would pay for a branch foretold wrongly.
+    /// Shades another scene each time. Given a single scene, the processor memorizes which lights are
+    /// in front, and nobody pays for a mispredicted branch.
     pub fn in_turn<S>(
         name: &'static str,
         scenes: &'a mut [S],
@@ -31,33 +31,48 @@ impl<'a> Contestant<'a> {
     ) -> Self {
         Self {
             name,
-            least: vec![f64::INFINITY; scenes.len()],
+            times: vec![Vec::new(); scenes.len()],
             work: Box::new(move |scene| shade(black_box(&mut scenes[scene]))),
         }
     }
 
     fn perform(&mut self, repetition: usize) {
-        let scene = repetition % self.least.len();
+        let scene = repetition % self.times.len();
         let start = Instant::now();
         (self.work)(scene);
-        self.least[scene] = self.least[scene].min(start.elapsed().as_secs_f64());
+        self.times[scene].push(start.elapsed().as_secs_f64());
     }
 
-    fn mean(&self) -> f64 {
+    /// The mean over the scenes of the least and of the median time.
+    fn time(mut self) -> Time {
+        let mut sum = Time::default();
+        for times in &mut self.times {
+            times.sort_by(f64::total_cmp);
+            sum.least += times[0];
+            sum.median += times[times.len() / 2];
+        }
         #[allow(clippy::cast_precision_loss)]
-        let scenes = self.least.len() as f64;
-        self.least.iter().sum::<f64>() / scenes
+        let scenes = self.times.len() as f64;
+        Time {
+            least: sum.least / scenes,
+            median: sum.median / scenes,
+        }
     }
 }
 
+#[derive(Default)]
+struct Time {
+    least: f64,
+    median: f64,
+}
+
 /// What each contestant takes.
-pub struct Results(Vec<(&'static str, f64)>);
+pub struct Results(Vec<(&'static str, Time)>);
 
 impl Results {
-    /// Runs all contestants and prints what each takes for each of the `count` units of its work: the
-    /// mean over the scenes of the least of many times. What else the machine does adds to a time, and
-    /// more to that of one contestant than of another; as they take turns, all have the same quiet
-    /// moments.
+    /// Runs all contestants and prints the time of each for one of the `count` units of its work: least
+    /// and median. Whatever else the machine does adds to a time, and more to one contestant than to
+    /// another. They take turns, so all of them meet the same quiet moments, which the least times show.
     pub fn of(unit: &str, count: usize, mut contestants: Vec<Contestant>) -> Self {
         for repetition in 0..REPETITIONS {
             for contestant in &mut contestants {
@@ -66,25 +81,30 @@ impl Results {
         }
         #[allow(clippy::cast_precision_loss)]
         let per_unit = 1e9 / count as f64;
-        let means = contestants.iter().map(|c| (c.name, c.mean() * per_unit));
-        let results = Self(means.collect());
-        for (name, nanoseconds) in &results.0 {
-            println!("{name:28} {nanoseconds:6.2} ns per {unit}");
+        let times = contestants.into_iter().map(|c| (c.name, c.time()));
+        let results = Self(times.collect());
+        for (name, time) in &results.0 {
+            let (least, median) = (time.least * per_unit, time.median * per_unit);
+            println!("{name:28} {least:6.2} ns per {unit}, median {median:6.2}");
         }
         results
     }
 
-    /// Prints ours/theirs, where both took part.
+    /// Prints ours/theirs, if both took part.
     pub fn ratio(&self, case: &str, ours: &str, theirs: &str) {
         let find = |wanted| self.0.iter().find(|(name, _)| *name == wanted);
         match (find(ours), find(theirs)) {
-            (Some((_, ours)), Some((_, theirs))) => println!("ratio {case} {:.3}", ours / theirs),
-            _ => println!("no ratio {case}: no C compiler was found"),
+            (Some((_, ours)), Some((_, theirs))) => {
+                let (least, median) = (ours.least / theirs.least, ours.median / theirs.median);
+                println!("ratio {case} {least:.3}");
+                println!("ratio-of-medians {case} {median:.3}");
+            }
+            _ => println!("no ratio {case}: there is no C compiler"),
         }
     }
 }
 
-/// The images show the same: their formulas are the same, only the rounding differs.
+/// Checks that both images show the same. Their formulas agree; only the rounding differs.
 ///
 /// # Panics
 ///

@@ -50,7 +50,7 @@ impl<T: Real, M: Exponent<T>> Ours<T, M> {
         }
     }
 
-    /// One point at a time: which lights are in front of it cannot be foretold.
+    /// One point at a time: which lights are in front is unpredictable.
     #[inline(never)]
     pub fn shade(&mut self) {
         self.each(|scene, p, n, v| {

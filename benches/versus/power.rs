@@ -8,7 +8,7 @@ use shading::Exponent;
 use crate::contest::{Contestant, Results};
 use crate::scene::REAL_M;
 
-/// So many that the processor does not learn by heart for which of them a `powf` takes a branch.
+/// Too many for the processor to memorize for which of them a `powf` takes a branch.
 const COSINES: usize = 1 << 14;
 
 pub fn contest() {
