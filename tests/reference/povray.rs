@@ -1,11 +1,9 @@
 //! The sum over lights against POV-Ray (`tests/data/README.md`).
 
-mod support;
-
+use crate::support::number::{Float, for_f32_and_f64};
+use crate::support::reference::{Tally, read};
+use crate::support::scene::{Lamp, Scene, Source, Spot, minus};
 use serde_json::Value;
-use support::number::{Float, for_f32_and_f64};
-use support::reference::{Tally, read};
-use support::scene::{Lamp, Scene, Source, Spot, minus};
 
 for_f32_and_f64!(povray);
 

@@ -1,12 +1,10 @@
 //! Normals that the dual numbers differentiate against normals from gradients and tangents
 //! derived by hand, at every point of the reference files.
 
-mod support;
-
+use crate::support::number::{Bounded, Float, Number, for_f32_and_f64, vector};
+use crate::support::reference::{Row, Tally, rows};
+use crate::support::surfaces;
 use shading::{UnitVec3, Vec3, normal};
-use support::number::{Bounded, Float, Number, for_f32_and_f64, vector};
-use support::reference::{Row, Tally, rows};
-use support::surfaces;
 
 for_f32_and_f64!(gradients_by_hand, tangents_by_hand);
 
