@@ -1,8 +1,11 @@
 //! Values that others computed (`tests/data/README.md`), a module for each source.
 
-#[path = "../support/mod.rs"]
-mod support;
-
+// what the comparisons share
+mod running;
+mod scene;
+mod surfaces;
+mod table;
+// the sources
 mod gradients;
 mod normals;
 mod opengl;

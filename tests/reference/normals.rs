@@ -3,10 +3,12 @@
 
 use std::collections::BTreeMap;
 
-use crate::support::number::{Bounded, Float, Number, for_f32_and_f64, vector};
-use crate::support::reference::{Row, Tally, rows};
-use crate::support::surfaces;
 use shading::{UnitVec3, normal};
+use support::number::{Number, for_f32_and_f64, vector};
+
+use crate::running::{Bounded, Float};
+use crate::surfaces;
+use crate::table::{Row, Tally, rows};
 
 for_f32_and_f64!(planes, triangles, implicit_surfaces, parametric_surfaces);
 
