@@ -1,8 +1,6 @@
 //! What every function gives where its formula has no answer: each cell of the table in
 //! `docs/totality.md` is a test here, or in `conventions.rs`.
 
-mod support;
-
 use shading::{
     DirectionalLight, Dual, Elementary, IncidentLight, Material, PointLight, Real, Rgb, SpotLight,
     UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
