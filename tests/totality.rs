@@ -20,6 +20,8 @@ for_f32_and_f64!(
     sphere_has_no_normal_at_its_center,
     gradient_and_tangents_that_are_not_finite_give_none,
     tangents_of_any_length_give_the_normal,
+    poles_and_collapsed_edges_have_no_normal,
+    tangents_above_the_noise_give_the_normal,
     lambert_of_nan_is_zero,
     highlight_of_a_nan_cosine_is_zero,
     highlight_with_m_zero_is_one_up_to_the_horizon,
@@ -167,6 +169,124 @@ fn tangents_of_any_length_give_the_normal<T: Float>() {
             normal::from_tangents(s_u, *UnitVec3::X * b),
             None,
             "{a:e}, {b:e}"
+        );
+    }
+}
+
+/// A bicubic Bézier patch as a sum over Bernstein's polynomials: along a collapsed edge the control
+/// points are equal, and their weights, whose sum is 1, have derivatives whose sum is 0 but for
+/// rounding.
+fn bezier<T: Real>(control: &[Vec3<f64>], u: T, v: T) -> Vec3<T> {
+    let bernstein = |t: T| {
+        let (s, three) = (T::ONE - t, T::of(3.0));
+        [s * s * s, three * s * s * t, three * s * t * t, t * t * t]
+    };
+    let (along_u, along_v) = (bernstein(u), bernstein(v));
+    control
+        .iter()
+        .enumerate()
+        .fold(Vec3::ZERO, |sum, (i, &point)| {
+            sum + point.map(T::of) * (along_u[i % 4] * along_v[i / 4])
+        })
+}
+
+/// The same patch by de Casteljau's algorithm: from point to point by their differences.
+fn casteljau<T: Real>(control: &[Vec3<f64>], far: f64, u: T, v: T) -> Vec3<T> {
+    let line = |points: [Vec3<T>; 4], t| {
+        let mut points = points;
+        for count in [3, 2, 1] {
+            for i in 0..count {
+                points[i] = points[i] + (points[i + 1] - points[i]) * t;
+            }
+        }
+        points[0]
+    };
+    let point = |i: usize| control[i].map(|c| T::of(c + far));
+    let rows = [0, 4, 8, 12].map(|i| line([i, i + 1, i + 2, i + 3].map(point), u));
+    line(rows, v)
+}
+
+/// The control points of the teapot's patches, row by row.
+fn teapot() -> Vec<Vec<Vec3<f64>>> {
+    let file = include_str!("../examples/gallery/data/teapot.bezier");
+    let lines = |kind| file.lines().filter_map(move |line| line.strip_prefix(kind));
+    let point = |line: &str| {
+        let numbers = line.split(' ').map(|x| x.parse().expect("a number"));
+        let xyz: Vec<f64> = numbers.collect();
+        Vec3::new(xyz[0], xyz[1], xyz[2])
+    };
+    let points: Vec<Vec3<f64>> = lines("v ").map(point).collect();
+    let patch = |line: &str| {
+        let numbers = line
+            .split(' ')
+            .map(|i| i.parse::<usize>().expect("a number"));
+        numbers.map(|i| points[i]).collect()
+    };
+    lines("p ").map(patch).collect()
+}
+
+fn poles_and_collapsed_edges_have_no_normal<T: Float>() {
+    // of each edge: its control points, where it begins, and which way it goes
+    let edges = [
+        ([0, 1, 2, 3], [0.0, 0.0], [1.0, 0.0]),
+        ([12, 13, 14, 15], [0.0, 1.0], [1.0, 0.0]),
+        ([0, 4, 8, 12], [0.0, 0.0], [0.0, 1.0]),
+        ([3, 7, 11, 15], [1.0, 0.0], [0.0, 1.0]),
+    ];
+    let mut tried = 0;
+    for patch in teapot() {
+        for (edge, start, along) in edges {
+            if edge.iter().any(|&i| patch[i] != patch[edge[0]]) {
+                continue;
+            }
+            for steps in [12, 997] {
+                for k in 0..=steps {
+                    let t = f64::from(k) / f64::from(steps);
+                    let [u, v] = [0, 1].map(|i| T::of(start[i] + t * along[i]));
+                    let n = normal::parametric(|u, v| bezier(&patch, u, v), u, v);
+                    assert_eq!(n, None, "({u}, {v}) of {patch:?}");
+                    let n = normal::parametric(|u, v| casteljau(&patch, 1e3, u, v), u, v);
+                    assert_eq!(n, None, "({u}, {v}) of {patch:?}, far out");
+                    tried += 1;
+                }
+            }
+        }
+    }
+    // the bottom and the lid are four patches each
+    assert_eq!(tried, 8 * (13 + 998));
+
+    // sin π is not 0 but what π was rounded by, at most 2u
+    let sphere = |u: Dual<T>, v: Dual<T>| Vec3::new(u.cos() * v.sin(), u.sin() * v.sin(), v.cos());
+    for pole in [0.0, std::f64::consts::PI] {
+        assert_eq!(normal::parametric(sphere, T::ONE, T::of(pole)), None);
+    }
+}
+
+fn tangents_above_the_noise_give_the_normal<T: Float>() {
+    // (k u, v, 0), with tangents in the ratio k: down to 32 u there is none, from there on Z
+    let plane = |k: f64, size: T| {
+        let s =
+            |u: Dual<T>, v: Dual<T>| Vec3::new(u * T::of(k) * size, v * size, Dual::from(T::ZERO));
+        let turned = |v, u| s(u, v);
+        let [n, opposite] = [
+            normal::parametric(s, T::ONE, T::ONE),
+            normal::parametric(turned, T::ONE, T::ONE),
+        ];
+        assert_eq!(n, opposite.map(|n| -n));
+        n
+    };
+    for size in [T::of(1e-30), T::ONE, T::of(1e30)] {
+        for halvings in 0.. {
+            let k = 0.5_f64.powi(halvings);
+            if k <= 32.0 * T::U {
+                assert_eq!(plane(k, size), None, "{k:e}");
+                break;
+            }
+            assert_eq!(plane(k, size), Some(UnitVec3::Z), "{k:e}");
+        }
+        assert_eq!(
+            plane(32.0 * T::U * (1.0 + 2.0 * T::U), size),
+            Some(UnitVec3::Z)
         );
     }
 }
@@ -472,5 +592,5 @@ fn every_row_of_the_table_names_a_test() {
         let is_there = tests.iter().any(|text| text.contains(&definition));
         assert!(is_there, "no test {name}");
     }
-    assert_eq!(cited.len(), 53, "rows");
+    assert_eq!(cited.len(), 55, "rows");
 }
