@@ -47,6 +47,8 @@ for_f32_and_f64!(
     dual_logarithm_at_zero_has_no_finite_gradient,
     dual_quotient_by_zero_has_no_finite_gradient,
     dual_absolute_value_at_zero_is_flat,
+    dual_absolute_value_of_nan_is_nan,
+    dual_root_and_logarithm_below_zero_have_no_gradient,
     dual_power_of_zero_is_one_and_flat,
 );
 
@@ -566,6 +568,27 @@ fn dual_absolute_value_at_zero_is_flat<T: Float>() {
     assert_eq!((zero.value, zero.gradient), (T::ZERO, Vec3::ZERO));
 }
 
+fn dual_absolute_value_of_nan_is_nan<T: Float>() {
+    let nan = (-variable::<T>(1.0)).sqrt().abs();
+    assert!(nan.value.to_f64().is_nan());
+    assert!(!nan.gradient.x.is_finite(), "{nan:?}");
+    assert!(Dual::constant(T::NAN).abs().value.to_f64().is_nan());
+}
+
+fn dual_root_and_logarithm_below_zero_have_no_gradient<T: Float>() {
+    for below in [T::TINIEST, 1.0, T::MAX.to_f64()].map(|x| -variable::<T>(x)) {
+        for dual in [below.sqrt(), below.ln()] {
+            assert!(dual.value.to_f64().is_nan());
+            assert!(!dual.gradient.x.is_finite(), "{dual:?}");
+        }
+    }
+    // of a function that is not defined there is no normal
+    let f = |p: Vec3<Dual<T>>| p.x.ln() + p.z;
+    assert_eq!(normal::implicit(f, at_x(-T::ONE)), None);
+    let f = |p: Vec3<Dual<T>>| p.x.ln().abs() + p.z;
+    assert_eq!(normal::implicit(f, at_x(-T::ONE)), None);
+}
+
 fn dual_power_of_zero_is_one_and_flat<T: Float>() {
     let x = variable::<T>(0.0).powi(0);
     assert_eq!((x.value, x.gradient), (T::ONE, Vec3::ZERO));
@@ -592,5 +615,5 @@ fn every_row_of_the_table_names_a_test() {
         let is_there = tests.iter().any(|text| text.contains(&definition));
         assert!(is_there, "no test {name}");
     }
-    assert_eq!(cited.len(), 55, "rows");
+    assert_eq!(cited.len(), 57, "rows");
 }
