@@ -4,12 +4,17 @@
 mod support;
 
 use shading::{
-    DirectionalLight, Dual, Elementary, IncidentLight, Material, PointLight, Real, Rgb, SpotLight,
-    UnitVec3, Vec3, attenuation, blinn, half_vector, lambert, normal, phong, reflection, shade,
+    Attenuation, DirectionalLight, Dual, Elementary, IncidentLight, Material, PointLight, Real,
+    Rgb, SpotLight, UnitVec3, Vec3, attenuation, blinn, half_vector, lambert, normal, phong,
+    reflection, shade,
 };
+use support::flushing::Flushing;
 use support::number::{Float, direction, for_f32_and_f64, vector};
 
 for_f32_and_f64!(
+    dot_and_cross_overflow_as_their_formulas,
+    root_and_logarithm_below_zero_are_nan,
+    flushed_subnormals_count_as_zero,
     unit_of_no_direction_is_none,
     unit_or_gives_the_fallback,
     half_vector_of_nan_is_none,
@@ -28,6 +33,7 @@ for_f32_and_f64!(
     highlight_with_a_huge_m_is_zero_beside_the_mirror,
     highlight_with_an_invalid_m_takes_it_as_zero,
     attenuation_without_a_denominator_is_infinite,
+    attenuation_with_a_denominator_of_negative_zero_is_negative,
     attenuation_with_an_overflowing_denominator_is_zero,
     checked_attenuation_is_never_infinite,
     cone_of_an_invalid_angle_is_none,
@@ -79,7 +85,52 @@ fn lamp<T: Float>(position: Vec3<T>, coefficients: [f64; 3]) -> PointLight<T> {
     }
 }
 
+// numbers
+
+fn root_and_logarithm_below_zero_are_nan<T: Float>() {
+    for below in [-T::of(T::TINIEST), -T::ONE, -T::INFINITY] {
+        assert!(below.sqrt().to_f64().is_nan(), "√{below:e}");
+        assert!(below.ln().to_f64().is_nan(), "ln {below:e}");
+    }
+}
+
+fn flushed_subnormals_count_as_zero<T: Float>() {
+    // a vector of subnormal numbers is zero, and the smallest normal ones have their direction
+    let [subnormal, normal] = [0.5, 1.0].map(|k| Flushing(T::of(k * T::MIN_POSITIVE)));
+    assert_eq!(
+        (at_x(subnormal) - at_x(normal)).unit(),
+        (-at_x(normal)).unit()
+    );
+    assert_eq!(at_x(subnormal).unit(), None);
+    assert_eq!(at_x(normal).unit(), Some(UnitVec3::X));
+    let light_from = |q| {
+        let lamp = PointLight {
+            position: at_x(q),
+            intensity: Rgb::WHITE,
+            attenuation: Attenuation::NONE,
+        };
+        lamp.at(Vec3::ZERO).intensity
+    };
+    assert_eq!(light_from(subnormal), Rgb::BLACK);
+    assert_eq!(light_from(normal), Rgb::WHITE);
+}
+
 // vectors
+
+fn dot_and_cross_overflow_as_their_formulas<T: Float>() {
+    let root = T::MAX.sqrt() * T::of(2.0);
+    let [a, b] = [[1.0, 1.0, 0.0], [1.0, -1.0, 0.0]].map(|v| vector::<T>(v) * root);
+    // ∞ + ∞ and ∞ − ∞
+    assert_eq!(a.dot(a), T::INFINITY);
+    assert!(a.dot(b).to_f64().is_nan());
+    assert!(a.cross(a).z.to_f64().is_nan());
+    assert_eq!(a.cross(b).z, -T::INFINITY);
+    // as long as no product overflows, a × a is exactly 0, and what needs them has its answer
+    let c = vector::<T>([1.0, 2.0, 3.0]) * T::of(0.1) * T::MAX.sqrt();
+    assert_eq!(c.cross(c), Vec3::ZERO);
+    assert_eq!(normal::from_tangents(a, b), Some(-UnitVec3::Z));
+    assert_eq!(normal::from_tangents(a, a), None);
+}
 
 fn unit_of_no_direction_is_none<T: Float>() {
     assert_eq!(Vec3::<T>::ZERO.unit(), None);
@@ -356,6 +407,17 @@ fn attenuation_without_a_denominator_is_infinite<T: Float>() {
     assert_eq!(attenuation(zero, one, one, zero), T::INFINITY);
 }
 
+fn attenuation_with_a_denominator_of_negative_zero_is_negative<T: Float>() {
+    let [zero, one] = [T::ZERO, T::ONE];
+    // −0 + −0(0 + 1·−0) = −0
+    assert_eq!(attenuation(-zero, zero, one, -zero), -T::INFINITY);
+    // and 0 as soon as a or q is
+    assert_eq!(attenuation(zero, zero, one, -zero), T::INFINITY);
+    assert_eq!(attenuation(-zero, zero, one, zero), T::INFINITY);
+    let checked = T::new_attenuation(-zero, zero, one).expect("coefficients");
+    assert_eq!(checked.at(-zero), T::MAX);
+}
+
 fn attenuation_with_an_overflowing_denominator_is_zero<T: Float>() {
     let [zero, one] = [T::ZERO, T::ONE];
     assert_eq!(attenuation(zero, zero, one, T::MAX), zero);
@@ -615,5 +677,5 @@ fn every_row_of_the_table_names_a_test() {
         let is_there = tests.iter().any(|text| text.contains(&definition));
         assert!(is_there, "no test {name}");
     }
-    assert_eq!(cited.len(), 57, "rows");
+    assert_eq!(cited.len(), 61, "rows");
 }

@@ -3,6 +3,7 @@
 #![allow(clippy::float_cmp)] // where floats are compared, the very bits are meant
 
 pub mod everything;
+pub mod flushing;
 pub mod number;
 pub mod reference;
 pub mod running;
