@@ -4,4 +4,5 @@
 #![allow(clippy::missing_panics_doc, clippy::must_use_candidate)] // for users; a panic is a failed test
 
 pub mod everything;
+pub mod flushing;
 pub mod number;
