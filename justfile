@@ -26,7 +26,7 @@ bench:
 # the gallery into target/gallery, and the README's pictures
 pictures:
     cargo run --release -p gallery
-    cargo run --release -p gallery -- --thumbnails
+    cargo run --release -p gallery -- --readme
 
 # the documentation, in a browser
 doc:

@@ -10,7 +10,8 @@ use crate::real::Real;
 ///
 /// q ≥ 0 is the **distance**, not its square; a, b, c ≥ 0 are the constant, linear and quadratic
 /// coefficients. Not limited to 1. Evaluated as a + q(b + cq), so that it never rises with q, a,
-/// b or c, to the bit. Infinite where the denominator is 0; [`Attenuation`] is never.
+/// b or c, to the bit. Infinite where the denominator is 0 (−∞ where that is −0, which takes an a of
+/// −0); [`Attenuation`] is never.
 ///
 /// Source: Foley, van Dam et al. §16.1.2; OpenGL 2.1 §2.14.1.
 ///

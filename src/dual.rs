@@ -13,7 +13,7 @@ use crate::vector::Vec3;
 /// [`normal::implicit`](crate::normal::implicit) and
 /// [`normal::parametric`](crate::normal::parametric) hand such numbers to your function. Plain
 /// numbers mix with them: `p.dot(p) - 1.0`, `2.0 * p.x`. Comparisons look at the value alone.
-/// Where the derivative does not exist (√ at 0), the gradient is not finite.
+/// Where the derivative does not exist (√ at 0, ln below 0), the gradient is not finite.
 ///
 /// ```
 /// use shading::{Dual, Elementary, Vec3};
@@ -289,6 +289,9 @@ impl<T: Elementary> Elementary for Dual<T> {
 
     #[inline]
     fn ln(self) -> Self {
-        self.chain(self.value.ln(), T::ONE / self.value)
+        let ln = self.value.ln();
+        // 1/x has a value below 0, the logarithm has none
+        let slope = (-self.value).if_positive(ln, T::ONE / self.value);
+        self.chain(ln, slope)
     }
 }

@@ -155,6 +155,8 @@ pub mod guide {
     pub mod performance {}
     #[doc = include_str!("../docs/precision.md")]
     pub mod precision {}
+    #[doc = include_str!("../docs/recipes.md")]
+    pub mod recipes {}
     #[doc = include_str!("../docs/totality.md")]
     pub mod totality {}
     #[doc = include_str!("../docs/vectors.md")]

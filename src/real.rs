@@ -81,7 +81,8 @@ pub trait Real:
     #[inline]
     #[must_use]
     fn abs(self) -> Self {
-        self.if_positive(self, (-self).if_positive(-self, Self::ZERO))
+        // neither above nor below 0 are 0, −0 and NaN, which stays
+        self.if_positive(self, (-self).if_positive(-self, self + -self))
     }
 
     /// max(0, self), and 0 for NaN.

@@ -1,8 +1,6 @@
 //! No function panics, for any bits; none makes NaN or negative light of finite valid input.
 //! `fuzz/` runs the same for as long as one likes.
 
-mod support;
-
 use proptest::prelude::*;
 use support::everything::{Numbers, any_bits, finite_and_valid};
 use support::number::{Float, for_f32_and_f64};

@@ -1,7 +1,5 @@
 //! The conventions that trip people, each with the test that holds it.
 
-mod support;
-
 use shading::{
     Attenuation, Dual, Exponent, IncidentLight, Light, Material, PointLight, Real, Rgb, SpotLight,
     UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,

@@ -1,7 +1,5 @@
 //! Points and angles at the ends of the range of the numbers.
 
-mod support;
-
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use shading::{Attenuation, PointLight, Rgb, UnitVec3, Vec3, normal};

@@ -1,8 +1,6 @@
 //! Every formula against a value derived by hand. The derivation stands beside it; the tolerances
 //! count the roundings, in units u of the largest number on the way.
 
-mod support;
-
 use shading::{
     DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight, Real, Rgb, Shaded,
     SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,

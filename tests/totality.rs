@@ -1,15 +1,17 @@
 //! What every function gives where its formula has no answer: each cell of the table in
 //! `docs/totality.md` is a test here, or in `conventions.rs`.
 
-mod support;
-
 use shading::{
-    DirectionalLight, Dual, Elementary, IncidentLight, Material, PointLight, Real, Rgb, SpotLight,
-    UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
+    Attenuation, DirectionalLight, Dual, Elementary, IncidentLight, Material, PointLight, Real,
+    Rgb, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
+use support::flushing::Flushing;
 use support::number::{Float, direction, for_f32_and_f64, vector};
 
 for_f32_and_f64!(
+    dot_and_cross_overflow_as_their_formulas,
+    root_and_logarithm_below_zero_are_nan,
+    flushed_subnormals_count_as_zero,
     unit_of_no_direction_is_none,
     unit_or_gives_the_fallback,
     half_vector_of_nan_is_none,
@@ -20,12 +22,15 @@ for_f32_and_f64!(
     sphere_has_no_normal_at_its_center,
     gradient_and_tangents_that_are_not_finite_give_none,
     tangents_of_any_length_give_the_normal,
+    poles_and_collapsed_edges_have_no_normal,
+    tangents_above_the_noise_give_the_normal,
     lambert_of_nan_is_zero,
     highlight_of_a_nan_cosine_is_zero,
     highlight_with_m_zero_is_one_up_to_the_horizon,
     highlight_with_a_huge_m_is_zero_beside_the_mirror,
     highlight_with_an_invalid_m_takes_it_as_zero,
     attenuation_without_a_denominator_is_infinite,
+    attenuation_with_a_denominator_of_negative_zero_is_negative,
     attenuation_with_an_overflowing_denominator_is_zero,
     checked_attenuation_is_never_infinite,
     cone_of_an_invalid_angle_is_none,
@@ -45,6 +50,8 @@ for_f32_and_f64!(
     dual_logarithm_at_zero_has_no_finite_gradient,
     dual_quotient_by_zero_has_no_finite_gradient,
     dual_absolute_value_at_zero_is_flat,
+    dual_absolute_value_of_nan_is_nan,
+    dual_root_and_logarithm_below_zero_have_no_gradient,
     dual_power_of_zero_is_one_and_flat,
 );
 
@@ -75,7 +82,52 @@ fn lamp<T: Float>(position: Vec3<T>, coefficients: [f64; 3]) -> PointLight<T> {
     }
 }
 
+// numbers
+
+fn root_and_logarithm_below_zero_are_nan<T: Float>() {
+    for below in [-T::of(T::TINIEST), -T::ONE, -T::INFINITY] {
+        assert!(below.sqrt().to_f64().is_nan(), "√{below:e}");
+        assert!(below.ln().to_f64().is_nan(), "ln {below:e}");
+    }
+}
+
+fn flushed_subnormals_count_as_zero<T: Float>() {
+    // a vector of subnormal numbers is zero, and the smallest normal ones have their direction
+    let [subnormal, normal] = [0.5, 1.0].map(|k| Flushing(T::of(k * T::MIN_POSITIVE)));
+    assert_eq!(
+        (at_x(subnormal) - at_x(normal)).unit(),
+        (-at_x(normal)).unit()
+    );
+    assert_eq!(at_x(subnormal).unit(), None);
+    assert_eq!(at_x(normal).unit(), Some(UnitVec3::X));
+    let light_from = |q| {
+        let lamp = PointLight {
+            position: at_x(q),
+            intensity: Rgb::WHITE,
+            attenuation: Attenuation::NONE,
+        };
+        lamp.at(Vec3::ZERO).intensity
+    };
+    assert_eq!(light_from(subnormal), Rgb::BLACK);
+    assert_eq!(light_from(normal), Rgb::WHITE);
+}
+
 // vectors
+
+fn dot_and_cross_overflow_as_their_formulas<T: Float>() {
+    let root = T::MAX.sqrt() * T::of(2.0);
+    let [a, b] = [[1.0, 1.0, 0.0], [1.0, -1.0, 0.0]].map(|v| vector::<T>(v) * root);
+    // ∞ + ∞ and ∞ − ∞
+    assert_eq!(a.dot(a), T::INFINITY);
+    assert!(a.dot(b).to_f64().is_nan());
+    assert!(a.cross(a).z.to_f64().is_nan());
+    assert_eq!(a.cross(b).z, -T::INFINITY);
+    // as long as no product overflows, a × a is exactly 0, and what needs them has its answer
+    let c = vector::<T>([1.0, 2.0, 3.0]) * T::of(0.1) * T::MAX.sqrt();
+    assert_eq!(c.cross(c), Vec3::ZERO);
+    assert_eq!(normal::from_tangents(a, b), Some(-UnitVec3::Z));
+    assert_eq!(normal::from_tangents(a, a), None);
+}
 
 fn unit_of_no_direction_is_none<T: Float>() {
     assert_eq!(Vec3::<T>::ZERO.unit(), None);
@@ -171,6 +223,124 @@ fn tangents_of_any_length_give_the_normal<T: Float>() {
     }
 }
 
+/// A bicubic Bézier patch as a sum over Bernstein's polynomials: along a collapsed edge the control
+/// points are equal, and their weights, whose sum is 1, have derivatives whose sum is 0 but for
+/// rounding.
+fn bezier<T: Real>(control: &[Vec3<f64>], u: T, v: T) -> Vec3<T> {
+    let bernstein = |t: T| {
+        let (s, three) = (T::ONE - t, T::of(3.0));
+        [s * s * s, three * s * s * t, three * s * t * t, t * t * t]
+    };
+    let (along_u, along_v) = (bernstein(u), bernstein(v));
+    control
+        .iter()
+        .enumerate()
+        .fold(Vec3::ZERO, |sum, (i, &point)| {
+            sum + point.map(T::of) * (along_u[i % 4] * along_v[i / 4])
+        })
+}
+
+/// The same patch by de Casteljau's algorithm: from point to point by their differences.
+fn casteljau<T: Real>(control: &[Vec3<f64>], far: f64, u: T, v: T) -> Vec3<T> {
+    let line = |points: [Vec3<T>; 4], t| {
+        let mut points = points;
+        for count in [3, 2, 1] {
+            for i in 0..count {
+                points[i] = points[i] + (points[i + 1] - points[i]) * t;
+            }
+        }
+        points[0]
+    };
+    let point = |i: usize| control[i].map(|c| T::of(c + far));
+    let rows = [0, 4, 8, 12].map(|i| line([i, i + 1, i + 2, i + 3].map(point), u));
+    line(rows, v)
+}
+
+/// The control points of the teapot's patches, row by row.
+fn teapot() -> Vec<Vec<Vec3<f64>>> {
+    let file = include_str!("../examples/gallery/data/teapot.bezier");
+    let lines = |kind| file.lines().filter_map(move |line| line.strip_prefix(kind));
+    let point = |line: &str| {
+        let numbers = line.split(' ').map(|x| x.parse().expect("a number"));
+        let xyz: Vec<f64> = numbers.collect();
+        Vec3::new(xyz[0], xyz[1], xyz[2])
+    };
+    let points: Vec<Vec3<f64>> = lines("v ").map(point).collect();
+    let patch = |line: &str| {
+        let numbers = line
+            .split(' ')
+            .map(|i| i.parse::<usize>().expect("a number"));
+        numbers.map(|i| points[i]).collect()
+    };
+    lines("p ").map(patch).collect()
+}
+
+fn poles_and_collapsed_edges_have_no_normal<T: Float>() {
+    // of each edge: its control points, where it begins, and which way it goes
+    let edges = [
+        ([0, 1, 2, 3], [0.0, 0.0], [1.0, 0.0]),
+        ([12, 13, 14, 15], [0.0, 1.0], [1.0, 0.0]),
+        ([0, 4, 8, 12], [0.0, 0.0], [0.0, 1.0]),
+        ([3, 7, 11, 15], [1.0, 0.0], [0.0, 1.0]),
+    ];
+    let mut tried = 0;
+    for patch in teapot() {
+        for (edge, start, along) in edges {
+            if edge.iter().any(|&i| patch[i] != patch[edge[0]]) {
+                continue;
+            }
+            for steps in [12, 997] {
+                for k in 0..=steps {
+                    let t = f64::from(k) / f64::from(steps);
+                    let [u, v] = [0, 1].map(|i| T::of(start[i] + t * along[i]));
+                    let n = normal::parametric(|u, v| bezier(&patch, u, v), u, v);
+                    assert_eq!(n, None, "({u}, {v}) of {patch:?}");
+                    let n = normal::parametric(|u, v| casteljau(&patch, 1e3, u, v), u, v);
+                    assert_eq!(n, None, "({u}, {v}) of {patch:?}, far out");
+                    tried += 1;
+                }
+            }
+        }
+    }
+    // the bottom and the lid are four patches each
+    assert_eq!(tried, 8 * (13 + 998));
+
+    // sin π is not 0 but what π was rounded by, at most 2u
+    let sphere = |u: Dual<T>, v: Dual<T>| Vec3::new(u.cos() * v.sin(), u.sin() * v.sin(), v.cos());
+    for pole in [0.0, std::f64::consts::PI] {
+        assert_eq!(normal::parametric(sphere, T::ONE, T::of(pole)), None);
+    }
+}
+
+fn tangents_above_the_noise_give_the_normal<T: Float>() {
+    // (k u, v, 0), with tangents in the ratio k: down to 32 u there is none, from there on Z
+    let plane = |k: f64, size: T| {
+        let s =
+            |u: Dual<T>, v: Dual<T>| Vec3::new(u * T::of(k) * size, v * size, Dual::from(T::ZERO));
+        let turned = |v, u| s(u, v);
+        let [n, opposite] = [
+            normal::parametric(s, T::ONE, T::ONE),
+            normal::parametric(turned, T::ONE, T::ONE),
+        ];
+        assert_eq!(n, opposite.map(|n| -n));
+        n
+    };
+    for size in [T::of(1e-30), T::ONE, T::of(1e30)] {
+        for halvings in 0.. {
+            let k = 0.5_f64.powi(halvings);
+            if k <= 32.0 * T::U {
+                assert_eq!(plane(k, size), None, "{k:e}");
+                break;
+            }
+            assert_eq!(plane(k, size), Some(UnitVec3::Z), "{k:e}");
+        }
+        assert_eq!(
+            plane(32.0 * T::U * (1.0 + 2.0 * T::U), size),
+            Some(UnitVec3::Z)
+        );
+    }
+}
+
 // terms
 
 fn lambert_of_nan_is_zero<T: Float>() {
@@ -236,6 +406,17 @@ fn attenuation_without_a_denominator_is_infinite<T: Float>() {
     let [zero, one] = [T::ZERO, T::ONE];
     assert_eq!(attenuation(zero, zero, zero, one), T::INFINITY);
     assert_eq!(attenuation(zero, one, one, zero), T::INFINITY);
+}
+
+fn attenuation_with_a_denominator_of_negative_zero_is_negative<T: Float>() {
+    let [zero, one] = [T::ZERO, T::ONE];
+    // −0 + −0(0 + 1·−0) = −0
+    assert_eq!(attenuation(-zero, zero, one, -zero), -T::INFINITY);
+    // and 0 as soon as a or q is
+    assert_eq!(attenuation(zero, zero, one, -zero), T::INFINITY);
+    assert_eq!(attenuation(-zero, zero, one, zero), T::INFINITY);
+    let checked = T::new_attenuation(-zero, zero, one).expect("coefficients");
+    assert_eq!(checked.at(-zero), T::MAX);
 }
 
 fn attenuation_with_an_overflowing_denominator_is_zero<T: Float>() {
@@ -450,6 +631,27 @@ fn dual_absolute_value_at_zero_is_flat<T: Float>() {
     assert_eq!((zero.value, zero.gradient), (T::ZERO, Vec3::ZERO));
 }
 
+fn dual_absolute_value_of_nan_is_nan<T: Float>() {
+    let nan = (-variable::<T>(1.0)).sqrt().abs();
+    assert!(nan.value.to_f64().is_nan());
+    assert!(!nan.gradient.x.is_finite(), "{nan:?}");
+    assert!(Dual::constant(T::NAN).abs().value.to_f64().is_nan());
+}
+
+fn dual_root_and_logarithm_below_zero_have_no_gradient<T: Float>() {
+    for below in [T::TINIEST, 1.0, T::MAX.to_f64()].map(|x| -variable::<T>(x)) {
+        for dual in [below.sqrt(), below.ln()] {
+            assert!(dual.value.to_f64().is_nan());
+            assert!(!dual.gradient.x.is_finite(), "{dual:?}");
+        }
+    }
+    // of a function that is not defined there is no normal
+    let f = |p: Vec3<Dual<T>>| p.x.ln() + p.z;
+    assert_eq!(normal::implicit(f, at_x(-T::ONE)), None);
+    let f = |p: Vec3<Dual<T>>| p.x.ln().abs() + p.z;
+    assert_eq!(normal::implicit(f, at_x(-T::ONE)), None);
+}
+
 fn dual_power_of_zero_is_one_and_flat<T: Float>() {
     let x = variable::<T>(0.0).powi(0);
     assert_eq!((x.value, x.gradient), (T::ONE, Vec3::ZERO));
@@ -476,5 +678,5 @@ fn every_row_of_the_table_names_a_test() {
         let is_there = tests.iter().any(|text| text.contains(&definition));
         assert!(is_there, "no test {name}");
     }
-    assert_eq!(cited.len(), 53, "rows");
+    assert_eq!(cited.len(), 61, "rows");
 }

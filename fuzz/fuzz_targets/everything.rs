@@ -1,18 +1,10 @@
 //! Every public function, with numbers of the fuzzer's bits, in `f32` and in `f64`: nothing panics,
 //! and finite valid input gives neither NaN nor negative light.
 #![no_main]
-#![allow(dead_code, unused_imports, unused_macros)] // the tests use more of what they share
 
-#[path = "../../tests/support/everything.rs"]
-mod everything;
-#[path = "../../tests/support/number.rs"]
-mod number;
-#[path = "../../tests/support/running.rs"]
-mod running;
-
-use everything::{Numbers, any_bits, finite_and_valid};
 use libfuzzer_sys::fuzz_target;
-use number::Float;
+use support::everything::{Numbers, any_bits, finite_and_valid};
+use support::number::Float;
 
 fuzz_target!(|data: &[u8]| {
     let Some((m, bytes)) = data.split_first_chunk() else {

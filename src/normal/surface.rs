@@ -98,8 +98,10 @@ pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitV
 /// assert_eq!(cone, None);
 /// ```
 ///
-/// The same function for finding the surface and for its normal is one generic over
-/// [`Real`] or [`Elementary`](crate::Elementary):
+/// A function over `f32` alone does not fit. Converted with `.into()` its result compiles, but it is
+/// a constant, whose gradient is 0, and the normal is always `None`. Write the function generic over
+/// [`Real`] or [`Elementary`](crate::Elementary): it finds the surface with `f32` and its normal with
+/// `Dual<f32>`.
 ///
 /// ```
 /// use shading::{Real, UnitVec3, Vec3, normal};
@@ -111,6 +113,9 @@ pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitV
 /// let p = Vec3::new(2.5_f32, 0.0, 0.0);
 /// assert_eq!(torus(p), 0.0);
 /// assert_eq!(normal::implicit(torus, p), Some(UnitVec3::X));
+///
+/// // the mistake: of the values alone nothing can be differentiated
+/// assert_eq!(normal::implicit(|p| torus(p.map(|c| c.value)).into(), p), None);
 /// ```
 #[doc(alias = "gradient")]
 #[inline]
@@ -141,15 +146,32 @@ pub fn from_gradient<T: Real + PartialOrd>(gradient: Vec3<T>) -> Option<UnitVec3
 /// N = (∂s/∂u × ∂s/∂v) / |∂s/∂u × ∂s/∂v|
 /// ```
 ///
-/// The tangents are exact: s computes with [`Dual`] numbers. Which side N points to is up to the
-/// order of u and v. `None` where the tangents are parallel, one is 0 or one does not exist, as
-/// at the pole of a sphere.
+/// The tangents are exact but for rounding: s computes with [`Dual`] numbers. Which side N points
+/// to is up to the order of u and v.
+///
+/// `None` where the tangents are parallel, one is 0 or one does not exist, as at the pole of a
+/// sphere. There, and where the edge of a patch collapses to a point, a tangent is a sum of terms
+/// that cancel, and rounding leaves a little of it, in any direction. So there is no normal either
+/// where one tangent is at most 32u times as long as the other: 2⁻¹⁹ for `f32`, 2⁻⁴⁸ for `f64` (u is
+/// the unit roundoff, and a length that of the largest component).
+///
+/// - Tangents whose lengths are as 1 to 10⁵ have their normal. Where they differ by more in `f32`,
+///   choose other units for u and v, or pass the tangents to [`from_tangents`], which refuses no
+///   length.
+/// - Far from the origin the terms are longer than the tangents, and what rounding leaves may be more
+///   than 32u. Describe a patch from one of its own points, or by differences of its control points
+///   as in de Casteljau's algorithm: those of equal points are exactly 0.
 ///
 /// ```
 /// use shading::{Elementary, UnitVec3, Vec3, normal};
 ///
 /// let cylinder = |u: shading::Dual<f64>, v| Vec3::new(u.cos(), u.sin(), v);
 /// assert_eq!(normal::parametric(cylinder, 0.0, 5.0), Some(UnitVec3::X));
+///
+/// // the south pole of a sphere: sin π is not 0 in floats, but 10⁻¹⁶
+/// let sphere = |u: shading::Dual<f64>, v: shading::Dual<f64>|
+///     Vec3::new(u.cos() * v.sin(), u.sin() * v.sin(), v.cos());
+/// assert_eq!(normal::parametric(sphere, 1.0, core::f64::consts::PI), None);
 /// ```
 #[doc(alias = "tangent")]
 #[inline]
@@ -161,7 +183,26 @@ pub fn parametric<T: Real + PartialOrd>(
 ) -> Option<UnitVec3<T>> {
     let parameters = Dual::point(Vec3::new(u, v, T::ZERO));
     let s = s(parameters.x, parameters.y);
-    from_tangents(s.map(|s| s.gradient.x), s.map(|s| s.gradient.y))
+    let (s_u, s_v) = (s.map(|s| s.gradient.x), s.map(|s| s.gradient.y));
+    if is_one_noise(s_u, s_v) {
+        None
+    } else {
+        from_tangents(s_u, s_v)
+    }
+}
+
+/// Whether one tangent is so short beside the other that rounding may have made it: two roundings
+/// for each of the 16 control points of a bicubic patch. On the teapot they leave up to 14u.
+#[inline]
+fn is_one_noise<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> bool {
+    // 4/3 is rounded by a third of ε, which is 2u, in any binary float (Kahan)
+    let three = T::ONE + T::ONE + T::ONE;
+    let epsilon = (three * ((T::ONE + three) / three - T::ONE) - T::ONE).abs();
+    let noise = (T::ONE + three) * (T::ONE + three) * epsilon;
+
+    let largest = |t: Vec3<T>| t.x.abs().at_least(t.y.abs()).at_least(t.z.abs());
+    let (u, v) = (largest(s_u), largest(s_v));
+    u.at_most(v) <= u.at_least(v) * noise
 }
 
 /// The normal of a parametric surface whose two tangents you have already: s_u × s_v/|s_u × s_v|,

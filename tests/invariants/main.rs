@@ -12,11 +12,9 @@
 
 mod check;
 mod exact;
+mod generators;
 mod number;
 mod short;
-
-#[path = "../support/generators.rs"]
-mod generators;
 
 /// Makes a test of each property for each number type.
 macro_rules! invariants {

@@ -8,9 +8,6 @@
 mod many_digits;
 mod measure;
 
-#[path = "../support/mod.rs"]
-mod support;
-
 use std::fmt::Write;
 
 use measure::{Row, rows};

@@ -5,7 +5,7 @@ use std::array::from_fn;
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 
-use crate::support::number::Float;
+use support::number::Float;
 
 /// A number of 150 bits, the result of each operation rounded.
 pub type Number = FBig<HalfEven, 2>;

@@ -9,7 +9,7 @@ use shading::{
 };
 
 use crate::many_digits::{self as exact, Number, Vector, number, vector};
-use crate::support::number::Float;
+use support::number::Float;
 
 /// A line of the table.
 pub struct Row {

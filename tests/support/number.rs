@@ -4,8 +4,6 @@ use std::fmt::{Debug, Display, LowerExp};
 
 use shading::{Attenuation, Cone, Elementary, Exponent, UnitVec3, Vec3};
 
-use super::running::Running;
-
 /// A number that a test computes with: a float, or one that carries its error bound.
 pub trait Number: Elementary + PartialOrd + Exponent<Self> + Debug {
     /// The coefficients a, b, c of a light.
@@ -25,8 +23,6 @@ pub trait Float: Number + Display + LowerExp + Debug + Default + 'static {
     const MIN_POSITIVE: f64;
     const INFINITY: Self;
     const NAN: Self;
-    /// The same number with a bound of its error.
-    type Running: Number + Bounded;
 
     fn to_f64(self) -> f64;
     fn new_attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>>;
@@ -47,14 +43,8 @@ pub trait Float: Number + Display + LowerExp + Debug + Default + 'static {
     }
 }
 
-/// A number that knows how far the float in its place may be from it.
-pub trait Bounded {
-    fn value(self) -> f64;
-    fn error(self) -> f64;
-}
-
 macro_rules! float {
-    ($float:ident, $bits:literal) => {
+    ($float:ident) => {
         impl Number for $float {
             #[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
             fn attenuation([a, b, c]: [f64; 3]) -> Option<Attenuation<Self>> {
@@ -79,7 +69,6 @@ macro_rules! float {
             const MIN_POSITIVE: f64 = $float::MIN_POSITIVE as f64;
             const INFINITY: Self = $float::INFINITY;
             const NAN: Self = $float::NAN;
-            type Running = Running<$bits>;
 
             #[allow(clippy::cast_lossless)]
             fn to_f64(self) -> f64 {
@@ -105,8 +94,8 @@ macro_rules! float {
     };
 }
 
-float!(f32, 24);
-float!(f64, 53);
+float!(f32);
+float!(f64);
 
 /// The vector of the numbers nearest to these.
 pub fn vector<T: Number>(xyz: [f64; 3]) -> Vec3<T> {
@@ -119,10 +108,11 @@ pub fn direction<T: Number>(xyz: [f64; 3]) -> UnitVec3<T> {
 }
 
 /// Runs each generic test, by name, for `f32` and for `f64`.
+#[macro_export]
 macro_rules! for_f32_and_f64 {
     ($($(#[$attribute:meta])* $test:ident),+ $(,)?) => {
         mod f32 { $(#[test] $(#[$attribute])* fn $test() { super::$test::<f32>(); })+ }
         mod f64 { $(#[test] $(#[$attribute])* fn $test() { super::$test::<f64>(); })+ }
     };
 }
-pub(crate) use for_f32_and_f64;
+pub use for_f32_and_f64;

@@ -8,6 +8,7 @@
 //! `scenes` says what is drawn and is the place to start; `render` is a small ray tracer.
 #![allow(
     clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
     clippy::cast_precision_loss,
     clippy::cast_sign_loss,
     reason = "pixels are counted with whole numbers and placed with floating-point ones"
@@ -21,17 +22,14 @@ mod scenes;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::Instant;
 use std::{env, fs};
 
-use arguments::{Command, Subject};
+use arguments::{Command, Request, Subject};
+use indicatif::{ProgressBar, ProgressStyle};
 use model::Model;
 use render::film::Film;
-use render::png;
-
-const WIDTH: usize = 800;
-const HEIGHT: usize = 600;
-/// How many times smaller the pictures of the README are.
-const THUMBNAIL: usize = 2;
+use render::{label, png};
 
 fn main() -> ExitCode {
     match run() {
@@ -46,27 +44,45 @@ fn main() -> ExitCode {
 fn run() -> Result<(), String> {
     match arguments::parse(env::args_os().skip(1)) {
         Ok(Command::Help) => say(arguments::HELP.trim_end()),
-        Ok(Command::Draw(subject, folder)) => draw(&subject, folder),
-        Err(error) => Err(format!("{error}; --help shows what can be asked for")),
+        Ok(Command::Draw(request)) => draw(request),
+        Err(error) => Err(format!("{error}; --help shows the options")),
     }
 }
 
-fn draw(subject: &Subject, folder: Option<PathBuf>) -> Result<(), String> {
-    let (pictures, default, smaller) = match subject {
-        Subject::Gallery => (scenes::all(), "target/gallery", 1),
-        Subject::Thumbnails => (scenes::of_readme(), "docs/pictures", THUMBNAIL),
-        Subject::Model(path) => (scenes::model(&Model::read(path)?), "target/gallery", 1),
+fn draw(request: Request) -> Result<(), String> {
+    let (mut pictures, default) = match &request.subject {
+        Subject::Gallery => (scenes::all(), "target/gallery"),
+        Subject::Readme => (scenes::of_readme(), "docs/pictures"),
+        Subject::Model(path) => (scenes::model(&Model::read(path)?), "target/gallery"),
     };
-    let folder = folder.unwrap_or_else(|| in_the_workspace(default));
+    if let Some(only) = &request.only {
+        pictures.retain(|picture| picture.name.contains(only.as_str()));
+        if pictures.is_empty() {
+            return Err(format!("no picture has a name that contains {only}"));
+        }
+    }
+    let folder = request.folder.unwrap_or_else(|| in_the_workspace(default));
     fs::create_dir_all(&folder)
         .map_err(|error| format!("cannot make the folder {}: {error}", folder.display()))?;
+
+    // hidden where standard error is not a terminal
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");
+    let bar = ProgressBar::new(pictures.len() as u64)
+        .with_style(style.map_err(|error| error.to_string())?);
     for picture in pictures {
-        let film = Film::of(&*picture.view, WIDTH, HEIGHT).reduced(smaller);
+        bar.set_message(picture.name);
+        let start = Instant::now();
+        let (width, height) = picture.size(request.size);
+        let mut film = Film::of(&*picture.view, width, height);
+        label::write(&mut film, picture.labels);
         let path = folder.join(format!("{}.png", picture.name));
         png::write(&film, &path)
             .map_err(|error| format!("cannot write {}: {error}", path.display()))?;
-        say(&path.display().to_string())?;
+        let seconds = start.elapsed().as_secs_f32();
+        bar.suspend(|| say(&format!("{}  {seconds:.1} s", path.display())))?;
+        bar.inc(1);
     }
+    bar.finish_and_clear();
     Ok(())
 }
 

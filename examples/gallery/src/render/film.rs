@@ -98,16 +98,6 @@ impl Film {
             })
         })
     }
-
-    /// The same picture smaller by a whole factor: the mean of so many pixels each way.
-    pub fn reduced(&self, factor: usize) -> Self {
-        let share = 1.0 / (factor * factor) as f32;
-        Self::filled(self.width / factor, self.height / factor, |column, row| {
-            let block = (0..factor * factor)
-                .map(|i| self.at(column * factor + i % factor, row * factor + i / factor));
-            block.sum::<Rgb<f32>>() * share
-        })
-    }
 }
 
 /// A power of two of points spread over the unit square, no two of them in the same row or column:

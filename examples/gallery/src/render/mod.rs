@@ -4,6 +4,7 @@
 mod bvh;
 pub mod film;
 pub mod implicit;
+pub mod label;
 pub mod mesh;
 pub mod png;
 pub mod ray;

@@ -8,7 +8,11 @@ use crate::render::scene::{Backdrop, Grid, Object, Scene};
 use crate::render::shape::{Plane, Sphere};
 
 pub fn pictures() -> Vec<Picture> {
-    vec![Picture::new("15_attenuation", strips())]
+    vec![Picture::new(
+        "15_attenuation",
+        &["from the top: 1, 1/(0.5 q), 1/(0.25 q\u{b2})"],
+        strips(),
+    )]
 }
 
 /// One lamp and three attenuations: from above constant, linear, quadratic; the same at a distance

@@ -12,16 +12,32 @@ const DATA: &str = include_str!("../../data/bunny.obj");
 pub fn pictures() -> Vec<Picture> {
     let bunny = Model::parse(DATA).expect("the gallery's own model is in order");
     vec![
-        Picture::new("21_bunny_flat", shown(bunny.flat(), bunny.height)),
-        Picture::new("22_bunny_smooth", shown(bunny.smooth(), bunny.height)),
+        Picture::new(
+            "21_bunny_flat",
+            &["a normal for each triangle"],
+            shown(bunny.flat(), bunny.height),
+        ),
+        Picture::new(
+            "22_bunny_smooth",
+            &["a normal for each vertex"],
+            shown(bunny.smooth(), bunny.height),
+        ),
     ]
 }
 
 /// A model of the user's.
 pub fn model(model: &Model) -> Vec<Picture> {
     vec![
-        Picture::new("model_flat", shown(model.flat(), model.height)),
-        Picture::new("model_smooth", shown(model.smooth(), model.height)),
+        Picture::new(
+            "model_flat",
+            &["a normal for each triangle"],
+            shown(model.flat(), model.height),
+        ),
+        Picture::new(
+            "model_smooth",
+            &["a normal for each vertex"],
+            shown(model.smooth(), model.height),
+        ),
     ]
 }
 

@@ -12,11 +12,29 @@ const PURPLE: Rgb<f32> = Rgb::new(0.22, 0.06, 0.3);
 
 pub fn pictures() -> Vec<Picture> {
     vec![
-        Picture::new("05_ks_and_m", strength_and_sharpness()).for_readme(),
-        Picture::new("06_m_1_5_10", sharpness()),
-        Picture::new("07_phong_beside_blinn_at_equal_m", pair(20, 20)),
-        Picture::new("08_phong_beside_blinn_at_4m", pair(20, 80)),
-        Picture::new("09_phong_beside_blinn_at_sunset", sunset()),
+        Picture::new(
+            "05_ks_and_m",
+            &["m = 4", "m = 20", "m = 120"],
+            strength_and_sharpness(),
+        )
+        .for_readme(),
+        Picture::new("06_m_1_5_10", &["m = 1", "m = 5", "m = 10"], sharpness()),
+        Picture::new(
+            "07_phong_beside_blinn_at_equal_m",
+            &["Phong, m = 20", "Blinn-Phong, m = 20"],
+            pair(20, 20),
+        ),
+        Picture::new(
+            "08_phong_beside_blinn_at_4m",
+            &["Phong, m = 20", "Blinn-Phong, m = 80"],
+            pair(20, 80),
+        ),
+        Picture::new(
+            "09_phong_beside_blinn_at_sunset",
+            &["Phong", "Blinn-Phong"],
+            sunset(),
+        )
+        .for_readme(),
     ]
 }
 

@@ -9,9 +9,17 @@ use crate::render::scene::{Object, Scene};
 
 pub fn pictures() -> Vec<Picture> {
     vec![
-        Picture::new("18_sphere_and_torus", sphere_and_torus()),
-        Picture::new("19_gyroid", gyroid()).for_readme(),
-        Picture::new("20_metaballs", metaballs()),
+        Picture::new(
+            "18_sphere_and_torus",
+            &["normals from grad f"],
+            sphere_and_torus(),
+        ),
+        Picture::new("19_gyroid", &["gyroid: normals by dual numbers"], gyroid()).for_readme(),
+        Picture::new(
+            "20_metaballs",
+            &["metaballs: normals by dual numbers"],
+            metaballs(),
+        ),
     ]
 }
 

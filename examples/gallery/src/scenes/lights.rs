@@ -16,14 +16,32 @@ use crate::render::shape::Sphere;
 
 pub fn pictures() -> Vec<Picture> {
     vec![
-        Picture::new("10_directional_light", pins(directional(), None)),
-        Picture::new("11_point_light", pins(point(), Some(POINT.position))),
+        Picture::new(
+            "10_directional_light",
+            &["directional light"],
+            pins(directional(), None),
+        ),
+        Picture::new(
+            "11_point_light",
+            &["point light"],
+            pins(point(), Some(POINT.position)),
+        ),
         Picture::new(
             "12_spot_light",
+            &["spot light"],
             pins(Light::Spot(SPOT), Some(SPOT.point.position)),
         ),
-        Picture::new("13_area_light", balls_under_a_square()),
-        Picture::new("14_three_colors_make_white", three_colors()).for_readme(),
+        Picture::new(
+            "13_area_light",
+            &["area light: many point lights"],
+            balls_under_a_square(),
+        ),
+        Picture::new(
+            "14_three_colors_make_white",
+            &["red + green + blue = white"],
+            three_colors(),
+        )
+        .for_readme(),
     ]
 }
 

@@ -21,15 +21,21 @@ pub use bunny::model;
 pub struct Picture {
     /// The name of its file, without the ending.
     pub name: &'static str,
+    /// What it shows, from left to right.
+    pub labels: &'static [&'static str],
     pub view: Box<dyn View>,
+    /// Four square views side by side, twice as wide as other pictures.
+    is_strip: bool,
     in_readme: bool,
 }
 
 impl Picture {
-    fn new(name: &'static str, view: impl View + 'static) -> Self {
+    fn new(name: &'static str, labels: &'static [&'static str], view: impl View + 'static) -> Self {
         Self {
             name,
+            labels,
             view: Box::new(view),
+            is_strip: false,
             in_readme: false,
         }
     }
@@ -39,6 +45,23 @@ impl Picture {
         Self {
             in_readme: true,
             ..self
+        }
+    }
+
+    /// Four square views side by side.
+    fn strip(self) -> Self {
+        Self {
+            is_strip: true,
+            ..self
+        }
+    }
+
+    /// Its width and height where others have `size`.
+    pub fn size(&self, (width, height): (usize, usize)) -> (usize, usize) {
+        if self.is_strip {
+            (2 * width, width.div_ceil(2))
+        } else {
+            (width, height)
         }
     }
 }

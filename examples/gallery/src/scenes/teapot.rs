@@ -15,8 +15,17 @@ const DATA: &str = include_str!("../../data/teapot.bezier");
 pub fn pictures() -> Vec<Picture> {
     let copper = glossy(Rgb::new(0.5, 0.17, 0.07), 0.5, 60);
     vec![
-        Picture::new("16_teapot", table(move |_| copper)).for_readme(),
-        Picture::new("17_teapot_patches", table(|hit| patchwork(hit.part))),
+        Picture::new(
+            "16_teapot",
+            &["the Utah teapot, from its B\u{e9}zier patches"],
+            table(move |_| copper),
+        )
+        .for_readme(),
+        Picture::new(
+            "17_teapot_patches",
+            &["its 32 patches"],
+            table(|hit| patchwork(hit.part)),
+        ),
     ]
 }
 
@@ -33,7 +42,7 @@ fn table(paint: impl Fn(&Hit) -> Finish + Sync + 'static) -> Scene {
                 intensity: Rgb::new(0.95, 0.9, 0.82),
             }),
             Light::Directional(DirectionalLight {
-                l: towards(0.8, 1.0, -1.0),
+                l: towards(0.9, 0.5, 0.6),
                 intensity: Rgb::new(0.14, 0.18, 0.25),
             }),
         ],

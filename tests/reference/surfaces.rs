@@ -2,8 +2,9 @@
 
 use shading::{Dual, Elementary, Real, Vec3};
 
-use super::number::Number;
-use super::reference::Row;
+use support::number::Number;
+
+use crate::table::Row;
 
 /// f(p) of the implicit surface that a row names; its parameters are constants.
 pub fn implicit<T: Number>(row: &Row, p: Vec3<Dual<T>>) -> Dual<T> {

@@ -13,7 +13,25 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use shading::{Attenuation, Cone, Elementary, Exponent, Real};
 
-use super::number::{Bounded, Number};
+use support::number::{self, Number};
+
+/// `f32` or `f64`, with a number that bounds its error.
+pub trait Float: number::Float {
+    type Running: Number + Bounded;
+}
+
+impl Float for f32 {
+    type Running = Running<24>;
+}
+
+impl Float for f64 {
+    type Running = Running<53>;
+}
+
+/// A number that knows how far the float in its place may be from it.
+pub trait Bounded {
+    fn error(self) -> f64;
+}
 
 /// A value, and how far a float with this many BITS of precision may be from it: 24 for `f32`, 53
 /// for `f64`. The value is computed in `f64`; for 53 bits that doubles the error, which is counted
@@ -78,10 +96,6 @@ impl<const BITS: u32> Running<BITS> {
 }
 
 impl<const BITS: u32> Bounded for Running<BITS> {
-    fn value(self) -> f64 {
-        self.value
-    }
-
     fn error(self) -> f64 {
         self.error
     }

@@ -1,11 +1,11 @@
 //! The sum over lights against OpenGL's fixed function, as Mesa's two software renderers compute
 //! it (`tests/data/README.md`).
 
-mod support;
+use support::number::for_f32_and_f64;
 
-use support::number::{Float, for_f32_and_f64};
-use support::reference::{Row, Tally, bits, rows};
-use support::scene::{Lamp, Scene, Source, Spot};
+use crate::running::Float;
+use crate::scene::{Lamp, Scene, Source, Spot};
+use crate::table::{Row, Tally, bits, rows};
 
 for_f32_and_f64!(single_light, multi_light);
 

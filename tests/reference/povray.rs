@@ -1,11 +1,11 @@
 //! The sum over lights against POV-Ray (`tests/data/README.md`).
 
-mod support;
-
 use serde_json::Value;
-use support::number::{Float, for_f32_and_f64};
-use support::reference::{Tally, read};
-use support::scene::{Lamp, Scene, Source, Spot, minus};
+use support::number::for_f32_and_f64;
+
+use crate::running::Float;
+use crate::scene::{Lamp, Scene, Source, Spot, minus};
+use crate::table::{Tally, read};
 
 for_f32_and_f64!(povray);
 

@@ -1,14 +1,14 @@
 //! Normals of planes, triangles, implicit and parametric surfaces against 60-digit arithmetic
 //! (`tests/data/README.md`).
 
-mod support;
-
 use std::collections::BTreeMap;
 
 use shading::{UnitVec3, normal};
-use support::number::{Bounded, Float, Number, for_f32_and_f64, vector};
-use support::reference::{Row, Tally, rows};
-use support::surfaces;
+use support::number::{Number, for_f32_and_f64, vector};
+
+use crate::running::{Bounded, Float};
+use crate::surfaces;
+use crate::table::{Row, Tally, rows};
 
 for_f32_and_f64!(planes, triangles, implicit_surfaces, parametric_surfaces);
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::path::PathBuf;
 
-use super::number::Float;
+use support::number::Float;
 
 /// The text of a file of `tests/data`.
 pub fn read(file: &str) -> String {
@@ -116,7 +116,8 @@ impl Tally {
         self.compared += 1;
         for i in 0..N {
             let (error, tolerance) = ((actual[i] - expected[i]).abs(), tolerance[i]);
-            let equal = actual[i] == expected[i]; // infinite, both
+            #[allow(clippy::float_cmp)] // infinite, both
+            let equal = actual[i] == expected[i];
             assert!(
                 equal || error <= tolerance,
                 "{}, {row}: {actual:?} instead of {expected:?}, off by {error:e} in [{i}] where {tolerance:e} is tolerated",

@@ -1,12 +1,12 @@
 //! Normals that the dual numbers differentiate against normals from gradients and tangents
 //! derived by hand, at every point of the reference files.
 
-mod support;
-
 use shading::{UnitVec3, Vec3, normal};
-use support::number::{Bounded, Float, Number, for_f32_and_f64, vector};
-use support::reference::{Row, Tally, rows};
-use support::surfaces;
+use support::number::{Number, for_f32_and_f64, vector};
+
+use crate::running::{Bounded, Float};
+use crate::surfaces;
+use crate::table::{Row, Tally, rows};
 
 for_f32_and_f64!(gradients_by_hand, tangents_by_hand);
 

@@ -1,11 +1,11 @@
 //! The sum over lights against the ray tracer Tachyon (`tests/data/README.md`).
 
-mod support;
-
 use serde_json::Value;
-use support::number::{Float, for_f32_and_f64};
-use support::reference::{Tally, read};
-use support::scene::{Lamp, Scene, Source, Spot};
+use support::number::for_f32_and_f64;
+
+use crate::running::Float;
+use crate::scene::{Lamp, Scene, Source, Spot};
+use crate::table::{Tally, read};
 
 for_f32_and_f64!(tachyon);
 

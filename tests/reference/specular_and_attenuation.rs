@@ -1,13 +1,13 @@
 //! R, H, both highlights and the attenuation against 60-digit arithmetic (`tests/data/README.md`).
 
-mod support;
-
 use shading::{
     DirectionalLight, Material, Real, Rgb, UnitVec3, Vec3, attenuation, half_vector, reflection,
     shade, term,
 };
-use support::number::{Bounded, Float, Number, for_f32_and_f64, vector};
-use support::reference::{Row, Tally, rows};
+use support::number::{Number, for_f32_and_f64, vector};
+
+use crate::running::{Bounded, Float};
+use crate::table::{Row, Tally, rows};
 
 for_f32_and_f64!(
     reflections,

@@ -2,11 +2,12 @@
 //! each part of the reflection, shaded by this crate in any number type.
 
 use shading::{
-    DirectionalLight, IncidentLight, Light, Material, PointLight, Rgb, SpotLight, UnitVec3, Vec3,
-    shade, term,
+    DirectionalLight, IncidentLight, Light, Material, PointLight, Rgb, SpotLight, UnitVec3, shade,
+    term,
 };
+use support::number::{Number, direction, vector};
 
-use super::number::{Bounded, Number, direction, vector};
+use crate::running::Bounded;
 
 /// One reference case, in the numbers of its file.
 pub struct Scene {

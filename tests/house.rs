@@ -1,0 +1,124 @@
+//! The house is as its tables say.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The Rust files in a folder and in the folders in it, or the one file.
+fn rust_files(path: &Path) -> Vec<PathBuf> {
+    if path.is_file() {
+        let is_rust = path.extension().is_some_and(|extension| extension == "rs");
+        return is_rust.then(|| path.to_owned()).into_iter().collect();
+    }
+    let entries = fs::read_dir(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    paths.flat_map(|path| rust_files(&path)).collect()
+}
+
+fn at_root(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+fn read(path: impl AsRef<Path>) -> String {
+    let path = path.as_ref();
+    fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+}
+
+/// The cells of a Markdown table whose title contains `title`, row by row.
+fn table<'a>(page: &'a str, title: &str) -> Vec<Vec<&'a str>> {
+    let lines = page.lines().map(|line| line.trim_start_matches("//! "));
+    let from_title = lines.skip_while(|line| !(line.starts_with('|') && line.contains(title)));
+    let rows = from_title.skip(2).take_while(|line| line.starts_with('|'));
+    rows.map(|row| row.trim_matches('|').split('|').map(str::trim).collect())
+        .collect()
+}
+
+/// What stands in backticks.
+fn names(cell: &str) -> impl Iterator<Item = &str> {
+    cell.split('`').skip(1).step_by(2)
+}
+
+/// A file without its comments, in one line.
+fn code(source: &str) -> String {
+    let lines = source.lines().map(str::trim);
+    let lines: Vec<_> = lines.filter(|line| !line.starts_with("//")).collect();
+    lines.join(" ")
+}
+
+/// Each invariant has a number and a row, and each property is in a row.
+#[test]
+fn table_of_invariants_is_complete() {
+    let readme = read(at_root("tests/README.md"));
+    let rows = table(&readme, "| invariant |");
+    let rows: Vec<_> = rows
+        .iter()
+        .filter(|cells| !cells[1].starts_with("**"))
+        .collect();
+    let numbers = rows.iter().map(|cells| cells[0].parse().ok());
+    assert!(
+        numbers.eq((1..=rows.len()).map(Some)),
+        "a number is missing"
+    );
+
+    let named = rows.iter().flat_map(|cells| names(cells[cells.len() - 1]));
+    let is_file = |name: &String| Path::new(name).extension().is_some();
+    let (files, named): (BTreeSet<_>, BTreeSet<_>) = named.map(str::to_owned).partition(is_file);
+    let folders = ["tests/invariants", "tests"].map(at_root);
+    for file in files {
+        assert!(
+            folders.iter().any(|folder| folder.join(&file).exists()),
+            "{file}"
+        );
+    }
+    assert_same(&named, &properties());
+}
+
+/// The names in the lists `invariants! { … }`.
+fn properties() -> BTreeSet<String> {
+    let mut properties = BTreeSet::new();
+    for path in rust_files(&at_root("tests/invariants")) {
+        let code = code(&read(path));
+        for list in code.split("invariants! {").skip(1) {
+            let list = list.split('}').next().unwrap_or_default();
+            let list = list.rsplit(':').next().unwrap_or_default(); // of numbers with real powers:
+            let names = list
+                .split(',')
+                .map(str::trim)
+                .filter(|name| !name.is_empty());
+            properties.extend(names.map(str::to_owned));
+        }
+    }
+    properties
+}
+
+/// Each program of the tests is in the table, and nothing else.
+#[test]
+fn table_of_tests_is_complete() {
+    let readme = read(at_root("tests/README.md"));
+    let rows = table(&readme, "| test |");
+    let named = rows.iter().flat_map(|cells| names(cells[0]));
+    let named = named
+        .map(|name| name.trim_end_matches('/').to_owned())
+        .collect();
+
+    let entries = fs::read_dir(at_root("tests")).expect("a folder");
+    let entries = entries.map(|entry| entry.expect("an entry").path());
+    let is_test = |path: &PathBuf| {
+        let programs = ["main.rs", "run.sh"].map(|name| path.join(name));
+        path.extension().is_some_and(|e| e == "rs") || programs.iter().any(|path| path.exists())
+    };
+    let name = |path: PathBuf| {
+        path.file_stem()
+            .map(|name| name.to_string_lossy().into_owned())
+    };
+    assert_same(&named, &entries.filter(is_test).filter_map(name).collect());
+}
+
+fn assert_same(table: &BTreeSet<String>, there: &BTreeSet<String>) {
+    let too_many: Vec<_> = table.difference(there).collect();
+    let missing: Vec<_> = there.difference(table).collect();
+    assert!(
+        too_many.is_empty() && missing.is_empty(),
+        "the table has {too_many:?} and lacks {missing:?}"
+    );
+}
