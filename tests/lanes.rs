@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use proptest::prelude::*;
 use shading::{
     Attenuation, Cone, Exponent, Light, Material, PointLight, Real, Rgb, Shaded, SpotLight,
-    UnitVec3, Vec3, reflection, shade, term,
+    UnitVec3, Vec3, normal, reflection, shade, term,
 };
 use wide::{f32x4, f32x8, f32x16, f64x4, f64x8};
 
@@ -143,6 +143,8 @@ fn everything<T: Real, M: Exponent<T>>(
         term::blinn(n, v, m),
     ];
     let mut colour = |c: Rgb<T>| all.extend(<[T; 3]>::from(c));
+    colour(<[T; 3]>::from(normal::facing(n, v)).into());
+    colour(<[T; 3]>::from(normal::corner(p, *n, *v)).into());
     for light in lights.iter().map(|light| light.at(p)) {
         colour(light.intensity);
         colour(<[T; 3]>::from(light.l).into());
