@@ -101,13 +101,21 @@ pub struct SpotLight<T = f32> {
 /// Any of the three, for scenes that mix them.
 ///
 /// ```
-/// use shading::{DirectionalLight, Light, Rgb, UnitVec3, Vec3};
+/// use shading::f32::{Attenuation, DirectionalLight, Light, PointLight, Rgb, UnitVec3, Vec3};
 ///
-/// static LIGHTS: [Light<f32>; 1] =
-///     [Light::Directional(DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE })];
-/// let incident = LIGHTS.iter().map(|light| light.at(Vec3::ZERO));
-/// assert_eq!(incident.count(), 1);
+/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
+/// let lamp = PointLight {
+///     position: Vec3::new(2.0, 0.0, 2.0),
+///     intensity: Rgb::new(1.0, 0.8, 0.6),
+///     attenuation: Attenuation::NONE,
+/// };
+/// let lights: [Light; 2] = [sun.into(), lamp.into()];
+///
+/// let arriving: Rgb = lights.iter().map(|light| light.at(Vec3::ZERO).intensity).sum();
+/// assert_eq!(arriving, sun.intensity + lamp.intensity);
 /// ```
+///
+/// A `static` names the kind: `static LIGHTS: [Light; 1] = [Light::Directional(SUN)];`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light<T = f32> {
     /// From one direction.
@@ -415,5 +423,26 @@ impl<T: Real> Light<T> {
             Self::Point(light) => Light::Point(light.cast(f)),
             Self::Spot(light) => Light::Spot(light.cast(f)),
         }
+    }
+}
+
+impl<T> From<DirectionalLight<T>> for Light<T> {
+    #[inline]
+    fn from(light: DirectionalLight<T>) -> Self {
+        Self::Directional(light)
+    }
+}
+
+impl<T> From<PointLight<T>> for Light<T> {
+    #[inline]
+    fn from(light: PointLight<T>) -> Self {
+        Self::Point(light)
+    }
+}
+
+impl<T> From<SpotLight<T>> for Light<T> {
+    #[inline]
+    fn from(light: SpotLight<T>) -> Self {
+        Self::Spot(light)
     }
 }
