@@ -43,6 +43,8 @@
 //!   the eye, R, H. [`reflection`] takes L; GLSL's `reflect` takes −L.
 //! - **Colours are linear** and not limited to 1. Decode sRGB before; clamp and encode once, after.
 //! - **q is the distance**, not its square, in [`attenuation`]. Directional lights have none.
+//! - **A shadow ray ends at the light**: [`IncidentLight`] has its distance. What stands behind a
+//!   lamp casts no shadow.
 //! - **A spot's angle is the half-angle**, in radians, and its edge is inside.
 //! - **Lambert has no 1/π**, the highlights are not normalised: the formulas are the books'.
 //! - **No highlight on a face turned from the light**: the sums in [`mod@shade`] see to it. The
