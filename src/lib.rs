@@ -57,6 +57,8 @@
 //!   the eye, R, H. [`reflection`] takes L; GLSL's `reflect` takes −L.
 //! - **Colors are linear** and not limited to 1. Decode sRGB before; clamp and encode once, after.
 //! - **q is the distance**, not its square, in [`attenuation()`]. Directional lights have none.
+//! - **A shadow ray ends at the light**: [`IncidentLight`] gives its distance. A wall behind a lamp casts
+//!   no shadow.
 //! - **A spot's angle is the half-angle**, in radians, and its edge is inside.
 //! - **Lambert has no 1/π**, and the highlights are not normalized: the formulas are the books'.
 //! - **A face turned away from a light has no highlight.** The sums in [`mod@shade`] ensure it; the
