@@ -122,9 +122,8 @@ mod material;
 // floor 5: the model
 pub mod shade;
 
-mod interop;
-#[cfg(feature = "wide")]
-mod lanes;
+// the optional features
+mod features;
 
 pub use attenuation::{Attenuation, attenuation};
 pub use cone::Cone;
