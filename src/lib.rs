@@ -97,6 +97,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 // floor 0: numbers
+mod elementary;
 mod exponent;
 mod filter;
 mod power;
@@ -129,10 +130,11 @@ pub use attenuation::{Attenuation, attenuation};
 pub use cone::Cone;
 pub use direction::{half_vector, reflection};
 pub use dual::Dual;
+pub use elementary::Elementary;
 pub use exponent::Exponent;
 pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
 pub use material::Material;
-pub use real::{Elementary, Real};
+pub use real::Real;
 pub use rgb::Rgb;
 pub use shade::Shaded;
 
