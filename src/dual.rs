@@ -3,7 +3,8 @@
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::real::{Elementary, Real};
+use crate::elementary::Elementary;
+use crate::real::Real;
 use crate::vector::Vec3;
 
 /// A dual number: a value and its gradient, ∇ = (∂/∂x, ∂/∂y, ∂/∂z). Arithmetic on it is

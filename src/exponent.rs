@@ -1,6 +1,6 @@
 //! Floor 0: the shininess m, and the power of a cosine.
 
-use crate::power::{four_powers, power};
+use crate::power::{four_powers, power, whole_power};
 use crate::real::Real;
 
 /// The shininess m of a highlight: a whole number (`u32`) or a real one (`f32`, `f64`).
@@ -56,7 +56,7 @@ pub trait Exponent<T>: Copy {
 impl<T: Real> Exponent<T> for u32 {
     #[inline]
     fn raise(self, cosine: T) -> T {
-        power_of(self)(cosine)
+        whole_power(self)(cosine)
     }
 
     #[inline]
@@ -67,7 +67,7 @@ impl<T: Real> Exponent<T> for u32 {
     #[inline]
     fn root_power(self) -> impl Fn(T) -> T {
         let is_even = self % 2 == 0;
-        let power = power_of(if is_even { self / 2 } else { self });
+        let power = whole_power(if is_even { self / 2 } else { self });
         #[inline(always)]
         move |square: T| power(if is_even { square } else { square.sqrt() })
     }
@@ -107,66 +107,4 @@ impl Exponent<f64> for f64 {
     fn raise_root(self, square: f64) -> f64 {
         (0.5 * self).raise(square)
     }
-}
-
-/// The bits of 1 in single precision, and those from a power of two to the next.
-const ONE: u32 = 0x3F80_0000;
-const OCTAVE: u32 = 0x0080_0000;
-
-/// The m-th power of a cosine. A cosine counts as 0 where its power would be subnormal in single
-/// precision: squaring would lead through subnormal numbers, which cost processors up to a hundred
-/// times as much as others. Numbers with the range of `f64` hardly ever come to theirs and keep
-/// every power.
-#[inline]
-fn power_of<T: Real>(m: u32) -> impl Fn(T) -> T {
-    let has_range_of_f64 = T::of(1e-300).any_positive();
-    let least = if has_range_of_f64 {
-        T::ZERO
-    } else {
-        T::of(f64::from(least_normal_base(m)))
-    };
-    move |cosine: T| {
-        if m == 0 {
-            cosine.if_positive(T::ONE, T::ZERO)
-        } else {
-            by_squaring(cosine.if_above(least, cosine, T::ZERO), m)
-        }
-    }
-}
-
-/// 2^(−126/m), whose power m ≥ 1 is the least normal number: never more, and its power not below
-/// 2⁻¹³⁰ up to m = 10⁴.
-#[inline]
-fn least_normal_base(m: u32) -> f32 {
-    // the bits of a float are its logarithm, but for the significand 1 + x, of which
-    // log₂(1 + x) ≈ x + 0.39 x(1 − x)
-    let linear = ONE - 126 * OCTAVE / m.max(1);
-    let x = (linear >> 12) & 0x7FF;
-    f32::from_bits(linear - x * (0x800 - x) / 32 * 25 - 1600)
-}
-
-/// baseᵐ by squaring, from the highest bit of m down; the zeros at its end are squares of the base.
-#[inline]
-pub(crate) fn by_squaring<T: Real>(mut base: T, m: u32) -> T {
-    if m == 0 {
-        return T::ONE;
-    }
-    // one bit comes down past these zeros; a loop over their number compilers would unroll, and
-    // small chips lack the registers for that
-    let mut bit = (m & m.wrapping_neg()) >> 1;
-    while bit != 0 {
-        base = base * base;
-        bit >>= 1;
-    }
-    let mut power = base;
-    // the bits of m below its highest one, leftmost first, down to its last one
-    let mut bits = m << m.leading_zeros() << 1;
-    while bits != 0 {
-        power = power * power;
-        if bits >> 31 == 1 {
-            power = power * base;
-        }
-        bits <<= 1;
-    }
-    power
 }

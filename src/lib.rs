@@ -57,6 +57,8 @@
 //!   the eye, R, H. [`reflection`] takes L; GLSL's `reflect` takes −L.
 //! - **Colors are linear** and not limited to 1. Decode sRGB before; clamp and encode once, after.
 //! - **q is the distance**, not its square, in [`attenuation()`]. Directional lights have none.
+//! - **A shadow ray ends at the light**: [`IncidentLight`] gives its distance. A wall behind a lamp casts
+//!   no shadow.
 //! - **A spot's angle is the half-angle**, in radians, and its edge is inside.
 //! - **Lambert has no 1/π**, and the highlights are not normalized: the formulas are the books'.
 //! - **A face turned away from a light has no highlight.** The sums in [`mod@shade`] ensure it; the
@@ -95,6 +97,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 // floor 0: numbers
+mod elementary;
 mod exponent;
 mod filter;
 mod power;
@@ -120,18 +123,18 @@ mod material;
 // floor 5: the model
 pub mod shade;
 
-mod interop;
-#[cfg(feature = "wide")]
-mod lanes;
+// the optional features
+mod features;
 
 pub use attenuation::{Attenuation, attenuation};
 pub use cone::Cone;
 pub use direction::{half_vector, reflection};
 pub use dual::Dual;
+pub use elementary::Elementary;
 pub use exponent::Exponent;
 pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
 pub use material::Material;
-pub use real::{Elementary, Real};
+pub use real::Real;
 pub use rgb::Rgb;
 pub use shade::Shaded;
 

@@ -24,6 +24,12 @@ pub struct IncidentLight<T = f32> {
     pub l: UnitVec3<T>,
     /// I, as it arrives: attenuated, and zero outside a spot's cone.
     pub intensity: Rgb<T>,
+    /// q, the distance to the light, at which a shadow ray ends: what is farther away casts no
+    /// shadow.
+    ///
+    /// Always finite: [`MAX`](Real::MAX) where the light has no place, as the sun; where q
+    /// overflows; and where there is no direction to the light and it is black.
+    pub distance: T,
 }
 
 /// A light so far away that its direction is the same everywhere, and not attenuated: the sun.
@@ -101,13 +107,21 @@ pub struct SpotLight<T = f32> {
 /// Any of the three, for scenes that mix them.
 ///
 /// ```
-/// use shading::{DirectionalLight, Light, Rgb, UnitVec3, Vec3};
+/// use shading::f32::{Attenuation, DirectionalLight, Light, PointLight, Rgb, UnitVec3, Vec3};
 ///
-/// static LIGHTS: [Light<f32>; 1] =
-///     [Light::Directional(DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE })];
-/// let incident = LIGHTS.iter().map(|light| light.at(Vec3::ZERO));
-/// assert_eq!(incident.count(), 1);
+/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
+/// let lamp = PointLight {
+///     position: Vec3::new(2.0, 0.0, 2.0),
+///     intensity: Rgb::new(1.0, 0.8, 0.6),
+///     attenuation: Attenuation::NONE,
+/// };
+/// let lights: [Light; 2] = [sun.into(), lamp.into()];
+///
+/// let arriving: Rgb = lights.iter().map(|light| light.at(Vec3::ZERO).intensity).sum();
+/// assert_eq!(arriving, sun.intensity + lamp.intensity);
 /// ```
+///
+/// A `static` names the kind: `static LIGHTS: [Light; 1] = [Light::Directional(SUN)];`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light<T = f32> {
     /// From one direction.
@@ -126,6 +140,7 @@ impl<T: Real> DirectionalLight<T> {
         IncidentLight {
             l: self.l,
             intensity: self.intensity,
+            distance: T::MAX,
         }
     }
 
@@ -254,11 +269,11 @@ impl<T: Real> PointLight<T> {
     #[inline(always)]
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>) -> IncidentLight<T> {
         let square = to_light.dot(to_light);
-        let (l, q) = if is_extreme(square) {
+        let (l, q, distance) = if is_extreme(square) {
             self.extreme_way(p.into(), square)
         } else {
             let q = square.sqrt();
-            (UnitVec3::assume_unit(to_light * (T::ONE / q)), q)
+            (UnitVec3::assume_unit(to_light * (T::ONE / q)), q, q)
         };
         let factor = self.attenuation.unlimited(q);
         // neither the limit nor an overflow is in reach of a factor up to 1
@@ -268,17 +283,22 @@ impl<T: Real> PointLight<T> {
         } else {
             self.intensity * factor
         };
-        IncidentLight { l, intensity }
+        IncidentLight {
+            l,
+            intensity,
+            distance,
+        }
     }
 
-    /// L and q where q² is out of range. A light without a direction is infinitely far away.
+    /// L, q and the distance where q² is out of range. A light without a direction counts as infinitely
+    /// far away, which makes it black; its distance is the largest number all the same.
     ///
     /// It takes the point as an array: that is made only here, where a vector at hand would be written
     /// to memory for every light, also where this is not called. For firmware it is in line: the call
     /// would take more flash and more stack.
     #[cfg_attr(target_os = "none", inline(always))]
     #[cfg_attr(not(target_os = "none"), cold, inline(never))]
-    fn extreme_way(&self, p: [T; 3], square: T) -> (UnitVec3<T>, T) {
+    fn extreme_way(&self, p: [T; 3], square: T) -> (UnitVec3<T>, T, T) {
         let p = Vec3::from(p);
         let (way, scale) = extreme_difference(self.position, p, square);
         let q = way.dot(way).sqrt();
@@ -292,7 +312,8 @@ impl<T: Real> PointLight<T> {
             component(way.z, T::ONE),
         ));
         let infinity = T::ONE / T::ZERO;
-        (l, valid.if_positive((q / scale).at_most(T::MAX), infinity))
+        let q_or = |otherwise| valid.if_positive((q / scale).at_most(T::MAX), otherwise);
+        (l, q_or(infinity), q_or(T::MAX))
     }
 
     /// The same light in another number type: `f` converts each number, and may do no more
@@ -415,5 +436,26 @@ impl<T: Real> Light<T> {
             Self::Point(light) => Light::Point(light.cast(f)),
             Self::Spot(light) => Light::Spot(light.cast(f)),
         }
+    }
+}
+
+impl<T> From<DirectionalLight<T>> for Light<T> {
+    #[inline]
+    fn from(light: DirectionalLight<T>) -> Self {
+        Self::Directional(light)
+    }
+}
+
+impl<T> From<PointLight<T>> for Light<T> {
+    #[inline]
+    fn from(light: PointLight<T>) -> Self {
+        Self::Point(light)
+    }
+}
+
+impl<T> From<SpotLight<T>> for Light<T> {
+    #[inline]
+    fn from(light: SpotLight<T>) -> Self {
+        Self::Spot(light)
     }
 }

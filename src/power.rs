@@ -1,4 +1,7 @@
-//! Floor 0: the power of a cosine by a real m in single precision, for `f32` and for lanes of it.
+//! Floor 0: powers of a cosine, by a whole m in any number, and by a real m in single precision, for
+//! `f32` and for lanes of it.
+//!
+//! A whole power is taken by squaring. A real one is
 //!
 //! ```text
 //! cᵐ = 2^(m log₂ c)
@@ -23,6 +26,68 @@
 //! `benches/minimax.py` finds the polynomials, `tests/exhaustive.rs` tries every c.
 
 use crate::real::Real;
+
+/// The bits of 1 in single precision, and those from a power of two to the next.
+const ONE: u32 = 0x3F80_0000;
+const OCTAVE: u32 = 0x0080_0000;
+
+/// The m-th power of a cosine. A cosine counts as 0 where its power would be subnormal in single
+/// precision: squaring would lead through subnormal numbers, which cost processors up to a hundred
+/// times as much as others. Numbers with the range of `f64` hardly ever come to theirs and keep
+/// every power.
+#[inline]
+pub(crate) fn whole_power<T: Real>(m: u32) -> impl Fn(T) -> T {
+    let has_range_of_f64 = T::of(1e-300).any_positive();
+    let least = if has_range_of_f64 {
+        T::ZERO
+    } else {
+        T::of(f64::from(least_normal_base(m)))
+    };
+    move |cosine: T| {
+        if m == 0 {
+            cosine.if_positive(T::ONE, T::ZERO)
+        } else {
+            by_squaring(cosine.if_above(least, cosine, T::ZERO), m)
+        }
+    }
+}
+
+/// 2^(−126/m), whose power m ≥ 1 is the least normal number: never more, and its power not below
+/// 2⁻¹³⁰ up to m = 10⁴.
+#[inline]
+fn least_normal_base(m: u32) -> f32 {
+    // the bits of a float are its logarithm, but for the significand 1 + x, of which
+    // log₂(1 + x) ≈ x + 0.39 x(1 − x)
+    let linear = ONE - 126 * OCTAVE / m.max(1);
+    let x = (linear >> 12) & 0x7FF;
+    f32::from_bits(linear - x * (0x800 - x) / 32 * 25 - 1600)
+}
+
+/// baseᵐ by squaring, from the highest bit of m down; the zeros at its end are squares of the base.
+#[inline]
+pub(crate) fn by_squaring<T: Real>(mut base: T, m: u32) -> T {
+    if m == 0 {
+        return T::ONE;
+    }
+    // one bit comes down past these zeros; a loop over their number compilers would unroll, and
+    // small chips lack the registers for that
+    let mut bit = (m & m.wrapping_neg()) >> 1;
+    while bit != 0 {
+        base = base * base;
+        bit >>= 1;
+    }
+    let mut power = base;
+    // the bits of m below its highest one, leftmost first, down to its last one
+    let mut bits = m << m.leading_zeros() << 1;
+    while bits != 0 {
+        power = power * power;
+        if bits >> 31 == 1 {
+            power = power * base;
+        }
+        bits <<= 1;
+    }
+    power
+}
 
 /// What [`power`] does to the bits of a number in single precision, in every lane.
 pub(crate) trait Binary32: Real {

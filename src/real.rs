@@ -107,51 +107,8 @@ pub trait Real:
     }
 }
 
-/// The functions that surfaces are written with, beyond those of [`Real`]. The formulas of
-/// illumination use none of them; [`normal::implicit`](crate::normal::implicit) and
-/// [`normal::parametric`](crate::normal::parametric) differentiate through all of them.
-///
-/// For `f32` and `f64` they come from `libm`, so they have the same bits on every machine; its
-/// `sinf` and `cosf` compute in double precision inside.
-///
-/// ```
-/// use shading::{Elementary, Vec3};
-///
-/// /// The gyroid: write it once, march rays with `f32`, take normals with `Dual<f32>`.
-/// fn gyroid<T: Elementary>(p: Vec3<T>) -> T {
-///     p.x.sin() * p.y.cos() + p.y.sin() * p.z.cos() + p.z.sin() * p.x.cos()
-/// }
-/// assert_eq!(gyroid(Vec3::new(0.0_f32, 0.0, 0.0)), 0.0);
-/// ```
-pub trait Elementary: Real {
-    /// The sine of an angle in radians.
-    #[must_use]
-    fn sin(self) -> Self;
-    /// The cosine of an angle in radians.
-    #[must_use]
-    fn cos(self) -> Self;
-    /// e to the power of self.
-    #[must_use]
-    fn exp(self) -> Self;
-    /// The natural logarithm; −∞ at 0 and not a number below.
-    #[must_use]
-    fn ln(self) -> Self;
-
-    /// A whole power, by squaring; a negative one is 1 over the positive.
-    #[inline]
-    #[must_use]
-    fn powi(self, exponent: i32) -> Self {
-        let power = crate::exponent::by_squaring(self, exponent.unsigned_abs());
-        if exponent < 0 {
-            Self::ONE / power
-        } else {
-            power
-        }
-    }
-}
-
 macro_rules! float {
-    ($float:ident, $rescale:expr, $sqrt:path, $sin:path, $cos:path, $exp:path, $ln:path) => {
+    ($float:ident, $rescale:expr, $sqrt:path) => {
         impl Real for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
@@ -200,47 +157,9 @@ macro_rules! float {
                 if self > threshold { then } else { otherwise }
             }
         }
-
-        impl Elementary for $float {
-            #[inline]
-            fn sin(self) -> Self {
-                $sin(self)
-            }
-
-            #[inline]
-            fn cos(self) -> Self {
-                $cos(self)
-            }
-
-            #[inline]
-            fn exp(self) -> Self {
-                $exp(self)
-            }
-
-            #[inline]
-            fn ln(self) -> Self {
-                $ln(self)
-            }
-        }
     };
 }
 
 // 2^100 and 2^720, as their bits
-float!(
-    f32,
-    f32::from_bits((127 + 100) << 23),
-    crate::root::sqrtf,
-    libm::sinf,
-    libm::cosf,
-    libm::expf,
-    libm::logf
-);
-float!(
-    f64,
-    f64::from_bits((1023 + 720) << 52),
-    crate::root::sqrt,
-    libm::sin,
-    libm::cos,
-    libm::exp,
-    libm::log
-);
+float!(f32, f32::from_bits((127 + 100) << 23), crate::root::sqrtf);
+float!(f64, f64::from_bits((1023 + 720) << 52), crate::root::sqrt);

@@ -12,18 +12,30 @@ pub(crate) fn is_extreme<T: Real>(square: T) -> bool {
     square.any_outside(T::ONE / T::RESCALE, T::RESCALE)
 }
 
+/// v, tamed.
+#[inline]
+pub(crate) fn tame<T: Real>(v: Vec3<T>) -> Vec3<T> {
+    #[cold]
+    #[inline(never)]
+    fn cold<T: Real>(v: Vec3<T>) -> T {
+        let [shrink, grow] = scales(v.dot(v));
+        shrink * grow
+    }
+    if is_extreme(v.dot(v)) { v * cold(v) } else { v }
+}
+
 /// `to` − `from`, tamed.
 #[inline]
 pub(crate) fn tame_difference<T: Real>(to: Vec3<T>, from: Vec3<T>) -> Vec3<T> {
     #[cold]
     #[inline(never)]
-    fn cold<T: Real>(to: Vec3<T>, from: Vec3<T>, square: T) -> Vec3<T> {
-        extreme_difference(to, from, square).0
+    fn cold<T: Real>(to: Vec3<T>, from: Vec3<T>) -> Vec3<T> {
+        let difference = to - from;
+        extreme_difference(to, from, difference.dot(difference)).0
     }
     let difference = to - from;
-    let square = difference.dot(difference);
-    if is_extreme(square) {
-        cold(to, from, square)
+    if is_extreme(difference.dot(difference)) {
+        cold(to, from)
     } else {
         difference
     }
@@ -34,7 +46,15 @@ pub(crate) fn tame_difference<T: Real>(to: Vec3<T>, from: Vec3<T>) -> Vec3<T> {
 /// the points may be far out.
 #[inline]
 pub(crate) fn extreme_difference<T: Real>(to: Vec3<T>, from: Vec3<T>, square: T) -> (Vec3<T>, T) {
-    let shrink = T::RESCALE.if_above(square, T::ONE, T::ONE / T::RESCALE);
-    let grow = (T::ONE / T::RESCALE).if_above(square, T::RESCALE, T::ONE);
+    let [shrink, grow] = scales(square);
     ((to * shrink - from * shrink) * grow, shrink * grow)
+}
+
+/// The power of two that tames a vector of that |v|², as a factor of at most 1 and one of at least 1.
+#[inline]
+fn scales<T: Real>(square: T) -> [T; 2] {
+    [
+        T::RESCALE.if_above(square, T::ONE, T::ONE / T::RESCALE),
+        (T::ONE / T::RESCALE).if_above(square, T::RESCALE, T::ONE),
+    ]
 }

@@ -9,31 +9,51 @@
 //! it adds nothing, not even a highlight, as in OpenGL.
 //!
 //! The lights are anything that iterates over [`IncidentLight`]. Shadows, culling and area lights
-//! are adaptors of your own:
+//! are adaptors of your own.
+//!
+//! **A shadow** is a light left out. The ray from the surface ends at the light, at its
+//! [`distance`](IncidentLight::distance): a wall behind a lamp casts no shadow.
 //!
 //! ```
-//! use shading::*;
-//! # let (n, v) = (UnitVec3::<f32>::Z, UnitVec3::<f32>::Z);
-//! # let p = Vec3::ZERO;
-//! # let material = Material { k_a: Rgb::WHITE, k_d: Rgb::WHITE, k_s: Rgb::WHITE, m: 8 };
-//! # let dim = Rgb::gray(0.1);
-//! # let lamp = PointLight {
-//! #     position: Vec3::new(0.0, 0.0, 2.0), intensity: Rgb::WHITE, attenuation: Attenuation::NONE };
-//! # let lights = [Light::Point(lamp)];
-//! # fn is_shadowed(from: Vec3<f32>, towards: UnitVec3<f32>) -> bool { towards.z > from.z }
-//! // shadows: leave out the lights that something stands before
-//! let lit = lights.iter().map(|light| light.at(p)).filter(|light| !is_shadowed(p, light.l));
-//! let shaded = shade::blinn_phong(n, v, &material, dim, lit);
-//! # assert_eq!(shaded.diffuse, Rgb::BLACK);
+//! use shading::f32::{Attenuation, IncidentLight, Material, PointLight, Rgb, UnitVec3, Vec3};
+//! use shading::shade;
 //!
-//! // an area light: sixteen point lights with a sixteenth of the light each
-//! let square = (0..16).map(|i| {
-//!     let (x, y) = ((i % 4) as f32 * 0.1, (i / 4) as f32 * 0.1);
-//!     let position = lamp.position + Vec3::new(x, y, 0.0);
-//!     PointLight { position, intensity: lamp.intensity * (1.0 / 16.0), ..lamp }.at(p)
-//! });
-//! let soft = shade::blinn_phong(n, v, &material, dim, square);
-//! # assert!(soft.diffuse.r > 0.98 && soft.diffuse.r < 1.0);
+//! /// Whether the ceiling z = 3 stands between p and the light.
+//! fn is_blocked(p: Vec3, light: &IncidentLight) -> bool {
+//!     let t = (3.0 - p.z) / light.l.z;
+//!     0.0 < t && t < light.distance
+//! }
+//!
+//! let lamp = |height| PointLight {
+//!     position: Vec3::new(0.0, 0.0, height),
+//!     intensity: Rgb::WHITE,
+//!     attenuation: Attenuation::NONE,
+//! };
+//! let lights = [lamp(2.0), lamp(5.0)]; // below the ceiling and above it
+//! let clay = Material { k_a: Rgb::WHITE, k_d: Rgb::WHITE, k_s: Rgb::BLACK, m: 1 };
+//!
+//! let (p, n, v) = (Vec3::ZERO, UnitVec3::Z, UnitVec3::Z);
+//! let lit = lights.iter().filter_map(|light| light.in_front(p, n)).filter(|light| !is_blocked(p, light));
+//! let shaded = shade::blinn_phong(n, v, &clay, Rgb::BLACK, lit);
+//! assert_eq!(shaded.diffuse, Rgb::WHITE); // of one lamp
+//! ```
+//!
+//! **An area light** is many point lights, each with a share of the light:
+//!
+//! ```
+//! use shading::f32::{Attenuation, Material, PointLight, Rgb, UnitVec3, Vec3};
+//! use shading::shade;
+//!
+//! let lamp = |i| PointLight {
+//!     position: Vec3::new((i % 4) as f32 * 0.1, (i / 4) as f32 * 0.1, 2.0),
+//!     intensity: Rgb::gray(1.0 / 16.0),
+//!     attenuation: Attenuation::NONE,
+//! };
+//! let clay = Material { k_a: Rgb::WHITE, k_d: Rgb::WHITE, k_s: Rgb::BLACK, m: 1 };
+//!
+//! let square = (0..16).map(|i| lamp(i).at(Vec3::ZERO));
+//! let soft = shade::lambert(UnitVec3::Z, &clay, Rgb::BLACK, square);
+//! assert!(soft.diffuse.r > 0.98 && soft.diffuse.r < 1.0); // a little aside, a little less
 //! ```
 //!
 //! The directions N and V and all L point away from the surface. With lights and reflectances
@@ -234,7 +254,7 @@ fn sum<T: Real, M>(
         specular: Rgb::BLACK,
     };
     let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
-    for IncidentLight { l, intensity } in lights {
+    for IncidentLight { l, intensity, .. } in lights {
         let n_dot_l = term::lambert(n, l);
         if n_dot_l.any_positive() {
             let highlight = n_dot_l.if_positive(highlight(l), T::ZERO);
@@ -264,7 +284,7 @@ fn sum_by_fours<T: Real, M: Exponent<T>>(
     let mut lights = lights.into_iter();
     loop {
         let next = lights.next();
-        if let Some(IncidentLight { l, intensity }) = next {
+        if let Some(IncidentLight { l, intensity, .. }) = next {
             let n_dot_l = term::lambert(n, l);
             if n_dot_l.any_positive() {
                 diffuse += intensity * n_dot_l;

@@ -3,7 +3,7 @@
 use core::ops::{Deref, Neg};
 
 use crate::real::Real;
-use crate::rescale::{extreme_difference, is_extreme, tame_difference};
+use crate::rescale::{extreme_difference, is_extreme, tame};
 use crate::root;
 use crate::vector::Vec3;
 
@@ -49,7 +49,7 @@ impl<T: Real> Vec3<T> {
     where
         T: PartialOrd,
     {
-        let tame = tame_difference(self, Self::ZERO);
+        let tame = tame(self);
         let length = tame.dot(tame).sqrt();
         (length > T::ZERO && length <= T::MAX).then(|| UnitVec3(tame / length))
     }
@@ -66,7 +66,7 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn unit_or(self, fallback: UnitVec3<T>) -> UnitVec3<T> {
-        let tame = tame_difference(self, Self::ZERO);
+        let tame = tame(self);
         let length = tame.dot(tame).sqrt();
         // positive for a length that is neither zero nor infinite nor NaN
         let valid = length.if_positive(T::MAX / length, T::ZERO);

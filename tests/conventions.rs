@@ -52,6 +52,7 @@ fn from<T: Real>(l: UnitVec3<T>) -> IncidentLight<T> {
     IncidentLight {
         l,
         intensity: Rgb::WHITE,
+        distance: T::MAX,
     }
 }
 

@@ -37,7 +37,11 @@ proptest! {
         let one = Material { k_a, k_d, k_s, m: OneByOne(m) };
         let lights = lights
             .into_iter()
-            .map(|(l, intensity)| IncidentLight { l, intensity: Rgb::from(intensity) });
+            .map(|(l, intensity)| IncidentLight {
+                l,
+                intensity: Rgb::from(intensity),
+                distance: f32::MAX,
+            });
         prop_assert_eq!(
             shade::blinn_phong(n, v, &four, Rgb::WHITE, lights.clone()),
             shade::blinn_phong(n, v, &one, Rgb::WHITE, lights.clone())

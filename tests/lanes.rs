@@ -147,6 +147,7 @@ fn everything<T: Real, M: Exponent<T>>(
     colour(<[T; 3]>::from(normal::corner(p, *n, *v)).into());
     for light in lights.iter().map(|light| light.at(p)) {
         colour(light.intensity);
+        colour(Rgb::gray(light.distance));
         colour(<[T; 3]>::from(light.l).into());
         colour(light.intensity.clamped());
         colour(<[T; 3]>::from(reflection(n, light.l)).into());

@@ -679,6 +679,7 @@ fn incident_light_of_a_nan_direction_adds_nothing<T: Float>() {
     let light = IncidentLight {
         l,
         intensity: Rgb::WHITE,
+        distance: T::MAX,
     };
     let n = UnitVec3::X;
     for shaded in [
@@ -703,6 +704,7 @@ fn overflowing<T: Float>() -> [IncidentLight<T>; 2] {
     [IncidentLight {
         l: UnitVec3::Z,
         intensity: Rgb::gray(T::MAX),
+        distance: T::MAX,
     }; 2]
 }
 
@@ -794,8 +796,8 @@ fn dual_power_of_zero_is_one_and_flat<T: Float>() {
 fn every_row_of_the_table_names_a_test() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
     let read = |file: &str| std::fs::read_to_string(root.join(file)).expect(file);
-    let tests =
-        ["totality", "conventions", "extremes"].map(|name| read(&format!("tests/{name}.rs")));
+    let tests = ["totality", "conventions", "extremes", "shadows"]
+        .map(|name| read(&format!("tests/{name}.rs")));
     let table = read("docs/totality.md");
     let cited = table
         .lines()
@@ -810,5 +812,5 @@ fn every_row_of_the_table_names_a_test() {
         let is_there = tests.iter().any(|text| text.contains(&definition));
         assert!(is_there, "no test {name}");
     }
-    assert_eq!(cited.len(), 61, "rows");
+    assert_eq!(cited.len(), 62, "rows");
 }

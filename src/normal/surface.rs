@@ -2,7 +2,7 @@
 
 use crate::dual::Dual;
 use crate::real::Real;
-use crate::rescale::tame_difference;
+use crate::rescale::{tame, tame_difference};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -221,6 +221,5 @@ fn is_one_noise<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> bool {
 #[inline]
 #[must_use]
 pub fn from_tangents<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<UnitVec3<T>> {
-    let tame = |tangent| tame_difference(tangent, Vec3::ZERO);
     tame(s_u).cross(tame(s_v)).unit()
 }

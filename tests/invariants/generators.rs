@@ -357,6 +357,7 @@ where
             let incident = |(relation, intensity): (Relation, _)| IncidentLight {
                 l: rounded(relation.to(n)),
                 intensity,
+                distance: T::MAX,
             };
             Scene {
                 n: rounded(n),

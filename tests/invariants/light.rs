@@ -157,6 +157,7 @@ fn lamp_follows_its_formula<T: Number>() {
         for (l, expected) in to_f64(incident.l).into_iter().zip(to_light) {
             within(l - expected / q, 6.0 * T::U + own_error)?;
         }
+        within(incident.distance.to_f64() - q, (4.0 * T::U + own_error) * q)?;
         let factor = f64::min(1.0 / (a + b * q + c * q * q), limit);
         for (arriving, i) in to_f64(incident.intensity)
             .into_iter()
@@ -275,6 +276,7 @@ fn only_lights_that_add_nothing_are_left_out<T: Number>() {
         let all = light.at(p);
         if let Some(lit) = light.in_front(p, n) {
             same(lit.l, all.l)?;
+            prop_assert_eq!(lit.distance, all.distance);
             same(lit.intensity, all.intensity)
         } else {
             let is_behind = term::lambert(n, all.l) == T::ZERO;

@@ -105,6 +105,7 @@ fn black_light_changes_nothing<T: Number>() {
         let black = IncidentLight {
             l,
             intensity: Rgb::BLACK,
+            distance: T::MAX,
         };
         lights.insert(place.index(lights.len() + 1), black);
         identical(scene.shade(model), scene.lit_by(model, &lights))

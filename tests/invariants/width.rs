@@ -116,6 +116,7 @@ fn widened<T: Number>(scene: &Scene<T>) -> Scene<f64> {
     let lights = lights.map(|light| IncidentLight {
         l: wide(light.l),
         intensity: light.intensity.map(T::to_f64),
+        distance: light.distance.to_f64(),
     });
     Scene {
         n: wide(scene.n),

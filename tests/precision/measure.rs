@@ -396,6 +396,7 @@ fn shaded<T: Float>(model: Model) -> f64 {
             let incident = lights.clone().map(|(l, i)| IncidentLight {
                 l,
                 intensity: Rgb::gray(i),
+                distance: T::MAX,
             });
             let computed: Shaded<T> = match model {
                 Model::Lambert => shade::lambert(n, &material, ambient, incident),

@@ -303,13 +303,18 @@ fn directions<T: Float>(n: UnitVec3<T>, v: UnitVec3<T>, l: UnitVec3<T>, [m, q]: 
 
 /// What arrives is light, finite, from a direction.
 fn incident<T: Float>(light: Light<T>, p: Vec3<T>) {
-    let IncidentLight { l, intensity } = light.at(p);
+    let IncidentLight {
+        l,
+        intensity,
+        distance,
+    } = light.at(p);
     assert_unit(l);
     assert_light("arriving", intensity);
     assert!(
         <[T; 3]>::from(intensity).into_iter().all(T::is_finite),
         "{intensity:?}"
     );
+    assert!(distance >= T::ZERO && distance <= T::MAX, "{distance:?}");
 }
 
 /// A dual number computes the value that its plain number computes, to the bit.

@@ -1,6 +1,6 @@
 //! What a picture shows, and the light that reaches the eye: here the crate is called.
 
-use shading::{IncidentLight, Light, Material, Rgb, Shaded, Vec3, shade, term};
+use shading::{IncidentLight, Light, Material, Rgb, Shaded, Vec3, shade};
 
 use super::film::View;
 use super::ray::{Camera, Hit, Ray, Surface};
@@ -78,7 +78,7 @@ impl Object {
     /// How much of the backdrop covers it at a point.
     fn faded(&self, p: Vec3<f32>) -> f32 {
         self.fade
-            .map_or(0.0, |[near, far]| (length(p) - near) / (far - near))
+            .map_or(0.0, |[near, far]| (p.length() - near) / (far - near))
     }
 }
 
@@ -124,40 +124,26 @@ impl Scene {
 
     fn shaded(&self, ray: &Ray, hit: &Hit, material: &Finish) -> Shaded<f32> {
         let v = -ray.direction;
-        // shadows are left out of the sum, and so are lights behind the surface, to save the ray
-        let incident = self
-            .lights
-            .iter()
-            .map(|light| (light, light.at(hit.p)))
-            .filter(|(_, incident)| term::lambert(hit.n, incident.l) > 0.0)
-            .filter(|(light, incident)| !self.in_shadow(hit, light, incident))
-            .map(|(_, incident)| incident);
+        // no ray is sent to a light behind the surface
+        let lit = Light::all_in_front(&self.lights, hit.p, hit.n)
+            .filter(|light| !self.in_shadow(hit, light));
         match self.model {
-            Model::Phong => shade::phong(hit.n, v, material, self.ambient, incident),
-            Model::BlinnPhong => shade::blinn_phong(hit.n, v, material, self.ambient, incident),
+            Model::Phong => shade::phong(hit.n, v, material, self.ambient, lit),
+            Model::BlinnPhong => shade::blinn_phong(hit.n, v, material, self.ambient, lit),
         }
     }
 
     /// Whether an object stands between a point and a light.
-    fn in_shadow(&self, hit: &Hit, light: &Light<f32>, incident: &IncidentLight<f32>) -> bool {
+    fn in_shadow(&self, hit: &Hit, light: &IncidentLight<f32>) -> bool {
         let ray = Ray {
             origin: hit.lifted,
-            direction: incident.l,
-        };
-        let distance = match light {
-            Light::Directional(_) => f32::INFINITY,
-            Light::Point(point) => length(point.position - hit.lifted),
-            Light::Spot(spot) => length(spot.point.position - hit.lifted),
+            direction: light.l,
         };
         self.objects
             .iter()
             .filter(|object| matches!(object.look, Look::Painted(_)))
-            .any(|object| object.surface.blocks(&ray, distance))
+            .any(|object| object.surface.blocks(&ray, light.distance))
     }
-}
-
-fn length(v: Vec3<f32>) -> f32 {
-    v.dot(v).sqrt()
 }
 
 impl View for Scene {

@@ -57,6 +57,7 @@ impl Absorb for IncidentLight<f32> {
     fn absorb_into(self, digest: &mut Fnv) {
         digest.absorb(self.l);
         digest.absorb(self.intensity);
+        digest.absorb(self.distance);
     }
 }
 

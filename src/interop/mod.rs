@@ -1,4 +1,0 @@
-//! Other crates' traits for this crate's types, one file a crate.
-
-#[cfg(feature = "approx")]
-mod approx;
