@@ -99,12 +99,11 @@ fn by_cofactors_of_any_size<T: Real + PartialOrd>(
     columns: [Vec3<T>; 3],
 ) -> Vec3<T> {
     let [a, b, c] = columns.map(|column| tame_power(column, 0));
-    let product = |n: T, (b, of_b): (Vec3<T>, i32), (c, of_c): (Vec3<T>, i32)| {
+    let products = [(n.x, b, c), (n.y, c, a), (n.z, a, b)].map(|(n, (b, of_b), (c, of_c))| {
         let (cross, power) = tame_power(b.cross(c), of_b + of_c);
         let (n, power) = tame_power(Vec3::new(n, T::ZERO, T::ZERO), power);
         (cross * n.x, power)
-    };
-    let products = [product(n.x, b, c), product(n.y, c, a), product(n.z, a, b)];
+    });
     let mut highest = i32::MIN;
     for (product, power) in products {
         if product != Vec3::ZERO && power > highest {
@@ -123,7 +122,7 @@ fn by_cofactors_of_any_size<T: Real + PartialOrd>(
 }
 
 /// A vector times a `power` of [`RESCALE`](Real::RESCALE), as a tame vector times a power.
-#[inline]
+#[inline(never)]
 fn tame_power<T: Real + PartialOrd>(v: Vec3<T>, power: i32) -> (Vec3<T>, i32) {
     let (tame, scale) = extreme_difference(v, Vec3::ZERO, v.dot(v));
     let grown = i32::from(scale > T::ONE) - i32::from(scale < T::ONE);

@@ -32,6 +32,7 @@ pub fn single_precision() -> u64 {
     degenerate_points(&mut digest);
     terms(&mut digest);
     powers(&mut digest);
+    derived_normals(&mut digest);
     digest.absorb(broken::promise(0.0));
     digest.0
 }
@@ -178,6 +179,21 @@ fn powers(digest: &mut Fnv) {
                 digest.absorb(real.raise_root(cosine));
             }
         }
+    }
+}
+
+/// What is done with normals: also with vectors that are tiny, huge, or not there.
+fn derived_normals(digest: &mut Fnv) {
+    let mut numbers = Numbers(4);
+    for size in DISTANCES.into_iter().cycle().take(256) {
+        let [n, v] = [(); 2].map(|()| numbers.vector(1.0).unit_or(UnitVec3::Z));
+        let [a, b, c] = [(); 3].map(|()| numbers.vector(1.0));
+        digest.absorb(normal::facing(n, v));
+        digest.absorb(normal::transformed(n, [a, b, c]));
+        digest.absorb(normal::transformed(n, [a, b * size, c]));
+        digest.absorb(<[f32; 3]>::from(normal::corner(a, b, c)));
+        digest.absorb(<[f32; 3]>::from(normal::corner(a * size, b * size, c)));
+        digest.absorb(normal::mapped(n, a * size, b.x, c));
     }
 }
 
