@@ -68,8 +68,10 @@
 //! # Features
 //!
 //! - `approx`: `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`] and [`Rgb`].
-//! - `wide`: [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`. `cast` takes a scene in
-//!   scalars into lanes: `light.cast(f32x8::splat)`.
+//! - `wide`: [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`, each lane with the bits
+//!   of the scalar. Not so on 32-bit Arm with NEON, where compilers vectorize lanes of `f32` with
+//!   instructions that take subnormal numbers for 0; on x86 without SSE2 the feature does not build.
+//!   `cast` takes a scene in scalars into lanes: `light.cast(f32x8::splat)`.
 //!
 //! No feature is on by default.
 //!
