@@ -27,6 +27,9 @@ for_f32_and_f64!(
     the_parts_are_apart_and_total_adds_them,
     lights_are_anything_that_iterates,
     a_triangle_is_counter_clockwise,
+    facing_turns_to_the_viewer_and_glsl_takes_minus_v,
+    transformed_follows_the_vertices_and_the_inverse_transpose_the_inside,
+    a_normal_map_is_decoded_by_the_caller,
     a_degenerate_triangle_has_no_normal,
     unit_is_right_from_the_smallest_to_the_largest_number,
     new_takes_unit_vectors_only,
@@ -320,6 +323,54 @@ fn a_triangle_is_counter_clockwise<T: Float>() {
         assert_eq!(normal::triangle(v1, v2, v3), Some(expected));
         assert_eq!(normal::triangle(v2, v3, v1), Some(expected));
     }
+}
+
+fn facing_turns_to_the_viewer_and_glsl_takes_minus_v<T: Float>() {
+    // GLSL: faceforward(N, I, N_ref) = N where N_ref·I < 0, else −N
+    let glsl = |n: UnitVec3<T>, i: UnitVec3<T>| if n.dot(i) < T::ZERO { n } else { -n };
+    let (v, n) = (UnitVec3::Z, direction::<T>([3.0, 0.0, 4.0]));
+    assert_eq!((normal::facing(n, v), glsl(n, -v)), (n, n));
+    assert_eq!((normal::facing(-n, v), glsl(-n, -v)), (n, n));
+    // edge-on they differ
+    let aside = UnitVec3::X;
+    assert_eq!((normal::facing(aside, v), glsl(aside, -v)), (aside, -aside));
+    assert_eq!(normal::facing(-aside, v), -aside);
+}
+
+fn transformed_follows_the_vertices_and_the_inverse_transpose_the_inside<T: Float>() {
+    // mirrored in x = 0: the triangle in the plane x = 0 stays where it is, and so does its normal
+    let columns = [-*UnitVec3::X, *UnitVec3::Y, *UnitVec3::Z];
+    assert_eq!(
+        normal::transformed(UnitVec3::<T>::X, columns),
+        Some(UnitVec3::X)
+    );
+    // the inverse transpose is the same matrix and turns it
+    let inverse_transpose = |n: UnitVec3<T>| columns[0] * n.x + columns[1] * n.y + columns[2] * n.z;
+    assert_eq!(inverse_transpose(UnitVec3::X), -*UnitVec3::X);
+    // the slope of a roof that is mirrored leans the other way, and is seen from below
+    let roof = direction::<T>([3.0, 0.0, 4.0]);
+    let mirrored = normal::transformed(roof, columns).expect("a normal");
+    assert_eq!(*mirrored, Vec3::new(roof.x, T::ZERO, -roof.z));
+}
+
+fn a_normal_map_is_decoded_by_the_caller<T: Float>() {
+    let (n, tangent) = (UnitVec3::<T>::Z, *UnitVec3::X);
+    let mapped = |h: T, x, y, z| normal::mapped(n, tangent, h, vector([x, y, z]));
+    // x along the tangent, y along N × T = Y, or against it
+    assert_eq!(mapped(T::ONE, 1.0, 0.0, 0.0), Some(UnitVec3::X));
+    assert_eq!(mapped(T::ONE, 0.0, 1.0, 0.0), Some(UnitVec3::Y));
+    assert_eq!(mapped(-T::ONE, 0.0, 1.0, 0.0), Some(-UnitVec3::Y));
+    assert_eq!(mapped(T::ONE, 0.0, 0.0, 1.0), Some(UnitVec3::Z));
+    // only the sign of the handedness counts, and no sign is a negative one
+    assert_eq!(mapped(T::of(0.1), 0.0, 1.0, 0.0), Some(UnitVec3::Y));
+    assert_eq!(mapped(T::ZERO, 0.0, 1.0, 0.0), Some(-UnitVec3::Y));
+    assert_eq!(mapped(T::NAN, 0.0, 1.0, 0.0), Some(-UnitVec3::Y));
+    // T need not be perpendicular: its part along N does not count
+    let slanted = normal::mapped(n, vector([1.0, 0.0, 5.0]), T::ONE, vector([3.0, 0.0, 4.0]));
+    assert_eq!(slanted, Some(direction([3.0, 0.0, 4.0])));
+    // a sample that points below the surface is taken at its word
+    let black = mapped(T::ONE, -1.0, -1.0, -1.0).expect("a direction");
+    assert_eq!(black, direction([-1.0, -1.0, -1.0]));
 }
 
 fn a_degenerate_triangle_has_no_normal<T: Float>() {

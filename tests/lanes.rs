@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use proptest::prelude::*;
 use shading::{
     Attenuation, Cone, DirectionalLight, Exponent, Light, Material, PointLight, Real, Rgb, Shaded,
-    SpotLight, UnitVec3, Vec3, reflection, shade, term,
+    SpotLight, UnitVec3, Vec3, normal, reflection, shade, term,
 };
 
 /// The most lanes of all the types.
@@ -190,6 +190,8 @@ fn everything<T: Real, M: Exponent<T>>(
         term::blinn(n, v, m),
     ];
     let mut colour = |c: Rgb<T>| all.extend(<[T; 3]>::from(c));
+    colour(<[T; 3]>::from(normal::facing(n, v)).into());
+    colour(<[T; 3]>::from(normal::corner(p, *n, *v)).into());
     for light in lights.iter().map(|light| light.at(p)) {
         colour(light.intensity);
         colour(Rgb::gray(light.distance));

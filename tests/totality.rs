@@ -24,6 +24,12 @@ for_f32_and_f64!(
     tangents_of_any_length_give_the_normal,
     poles_and_collapsed_edges_have_no_normal,
     tangents_above_the_noise_give_the_normal,
+    facing_edge_on_or_nan_stays,
+    what_is_flattened_to_a_line_has_no_normal,
+    columns_of_any_size_transform_normals,
+    a_degenerate_triangle_has_no_share,
+    shares_of_tiny_and_huge_triangles_are_angles,
+    a_map_without_a_frame_or_a_sample_has_no_normal,
     lambert_of_nan_is_zero,
     highlight_of_a_nan_cosine_is_zero,
     highlight_with_m_zero_is_one_up_to_the_horizon,
@@ -338,6 +344,132 @@ fn tangents_above_the_noise_give_the_normal<T: Float>() {
             plane(32.0 * T::U * (1.0 + 2.0 * T::U), size),
             Some(UnitVec3::Z)
         );
+    }
+}
+
+fn facing_edge_on_or_nan_stays<T: Float>() {
+    for n in [UnitVec3::<T>::X, -UnitVec3::X] {
+        assert_eq!(normal::facing(n, UnitVec3::Z), n);
+        assert_eq!(normal::facing(n, UnitVec3::assume_unit(at_x(T::NAN))), n);
+    }
+}
+
+fn what_is_flattened_to_a_line_has_no_normal<T: Float>() {
+    let [x, y, z] = [UnitVec3::<T>::X, UnitVec3::Y, UnitVec3::Z];
+    // onto the plane z = 0: that plane stays, and a wall becomes a line
+    let flat = [*x, *y, Vec3::ZERO];
+    assert_eq!(normal::transformed(z, flat), Some(z));
+    assert_eq!(normal::transformed(x, flat), None);
+    // onto a line, and onto a point
+    for columns in [[*x, *x * T::of(2.0), -*x], [Vec3::ZERO; 3]] {
+        assert!(
+            [x, y, z]
+                .iter()
+                .all(|&n| normal::transformed(n, columns).is_none())
+        );
+    }
+    for bad in not_finite::<T>() {
+        for i in 0..3 {
+            let mut columns = [*x, *y, *z];
+            columns[i].y = bad;
+            let transformed = [x, y, z].map(|n| normal::transformed(n, columns));
+            assert_eq!(transformed, [None; 3], "{columns:?}");
+            // also beside columns of any other size
+            for size in [T::of(T::TINIEST), T::MAX] {
+                let columns = [0, 1, 2].map(|j| columns[j] * if i == j { T::ONE } else { size });
+                let transformed = [x, y, z].map(|n| normal::transformed(n, columns));
+                assert_eq!(transformed, [None; 3], "{columns:?}");
+            }
+        }
+    }
+}
+
+fn columns_of_any_size_transform_normals<T: Float>() {
+    let sizes = [T::of(T::TINIEST), T::of(T::MIN_POSITIVE), T::ONE, T::MAX];
+    for a in sizes {
+        for (b, c) in sizes.into_iter().flat_map(|b| sizes.map(|c| (b, c))) {
+            let columns = [*UnitVec3::X * a, *UnitVec3::Y * b, *UnitVec3::Z * c];
+            for n in [UnitVec3::X, UnitVec3::Y, UnitVec3::Z] {
+                assert_eq!(
+                    normal::transformed(n, columns),
+                    Some(n),
+                    "{a:e} {b:e} {c:e}"
+                );
+            }
+        }
+        // (1, 1, 0) stretched by a and a along x and y, by whatever along z
+        let diagonal = direction::<T>([1.0, 1.0, 0.0]);
+        for c in sizes {
+            let columns = [*UnitVec3::X * a, *UnitVec3::Y * a, *UnitVec3::Z * c];
+            let transformed = normal::transformed(diagonal, columns);
+            assert_eq!(transformed, Some(diagonal), "{a:e} {c:e}");
+        }
+    }
+}
+
+fn a_degenerate_triangle_has_no_share<T: Float>() {
+    let [a, b, between] = [[1.0, 2.0, 3.0], [4.0, 6.0, 8.0], [2.5, 4.0, 5.5]].map(vector::<T>);
+    for [v1, v2, v3] in [
+        [a, a, a],
+        [a, a, b],
+        [a, b, a],
+        [a, b, b],
+        [a, between, b],
+        [between, a, b],
+    ] {
+        assert_eq!(normal::corner(v1, v2, v3), Vec3::ZERO);
+    }
+    let c = vector([0.0, 1.0, 0.0]);
+    for bad in not_finite::<T>().map(at_x) {
+        for [v1, v2, v3] in [[bad, b, c], [a, bad, c], [a, b, bad], [bad, bad, bad]] {
+            assert_eq!(normal::corner(v1, v2, v3), Vec3::ZERO);
+        }
+    }
+}
+
+fn shares_of_tiny_and_huge_triangles_are_angles<T: Float>() {
+    // 90° and 45°; the edges of the largest overflow
+    let sizes = [
+        T::TINIEST,
+        T::MIN_POSITIVE,
+        1e-20,
+        1.0,
+        1e20,
+        T::MAX.to_f64(),
+    ];
+    for size in sizes.map(T::of) {
+        let [a, b, c] =
+            [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [-1.0, 1.0, 0.0]].map(|v| vector::<T>(v) * size);
+        for ([v1, v2, v3], angle) in [([a, b, c], 2.0), ([b, c, a], 4.0), ([c, a, b], 4.0)] {
+            let share = normal::corner(v1, v2, v3);
+            let expected = core::f64::consts::PI / angle;
+            assert!(
+                (share.z.to_f64() - expected).abs() <= 8.0 * T::U * expected,
+                "{size:e}"
+            );
+            assert_eq!(normal::corner(v1, v3, v2), -share);
+        }
+    }
+}
+
+fn a_map_without_a_frame_or_a_sample_has_no_normal<T: Float>() {
+    let (n, tangent) = (UnitVec3::<T>::Z, *UnitVec3::X);
+    let sample = vector([0.5, 0.0, 1.0]);
+    let mapped = |tangent, sample| normal::mapped(n, tangent, T::ONE, sample);
+    assert!(mapped(tangent, sample).is_some());
+    for parallel in [*n, -*n, *n * T::MAX, *n * T::of(T::TINIEST), Vec3::ZERO] {
+        assert_eq!(mapped(parallel, sample), None);
+    }
+    assert_eq!(mapped(tangent, Vec3::ZERO), None);
+    for bad in not_finite::<T>() {
+        assert_eq!(mapped(at_x(bad), sample), None);
+        assert_eq!(mapped(tangent, at_x(bad)), None);
+    }
+    // their lengths do not matter
+    for size in [T::of(T::TINIEST), T::MAX] {
+        let aside = vector::<T>([1.0, 0.0, 0.0]) * size;
+        assert_eq!(mapped(aside, aside), Some(UnitVec3::X));
+        assert_eq!(mapped(aside, *n * size), Some(n));
     }
 }
 

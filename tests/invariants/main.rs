@@ -42,6 +42,7 @@ macro_rules! invariants {
 }
 
 // in the order of the list
+mod derived;
 mod direction;
 mod dual;
 mod light;

@@ -5,6 +5,7 @@
 //! each run, and are made of correctly rounded operations alone, so that a table that says more or
 //! less than what is measured is wrong, on every machine.
 
+mod any_size;
 mod many_digits;
 mod measure;
 

@@ -3,6 +3,7 @@
 use std::array::from_fn;
 
 use dashu_float::FBig;
+use dashu_float::ops::Abs;
 use dashu_float::round::mode::HalfEven;
 
 use support::number::Float;
@@ -83,4 +84,45 @@ pub fn highlight(cosine: Number, m: f64) -> Number {
 /// 1/(a + bq + cq²)
 pub fn attenuation([a, b, c]: &[Number; 3], q: &Number) -> Number {
     number(1.0) / (a + b * q + c * q * q)
+}
+
+/// cof(M) N, for the columns of M: n_x (b × c) + n_y (c × a) + n_z (a × b).
+pub fn cofactors([a, b, c]: &[Vector; 3], n: &Vector) -> Vector {
+    let products = [cross(b, c), cross(c, a), cross(a, b)];
+    from_fn(|i| (0..3).fold(number(0.0), |sum, j| sum + &n[j] * &products[j][i]))
+}
+
+/// By how much rounding is magnified in cof(M) N: the lengths of its terms' factors over its own.
+pub fn conditioning(columns: &[Vector; 3], n: &Vector) -> f64 {
+    let [a, b, c] = columns.each_ref().map(length);
+    let sizes = [&b * &c, &c * &a, &a * &b];
+    let all = dot(&n.clone().map(Number::abs), &sizes);
+    (all / length(&cofactors(columns, n))).to_f64().value()
+}
+
+/// M v, for the columns of M.
+pub fn product(columns: &[Vector; 3], v: &Vector) -> Vector {
+    from_fn(|i| (0..3).fold(number(0.0), |sum, j| sum + &columns[j][i] * &v[j]))
+}
+
+/// The angle between two vectors: its tangent halved until it is the angle.
+pub fn angle(a: &Vector, b: &Vector) -> Number {
+    const HALVINGS: i32 = 30;
+    let one = number(1.0);
+    let mut tangent = length(&cross(a, b)) / (length(a) * length(b) + dot(a, b));
+    for _ in 0..HALVINGS {
+        tangent = &tangent / (&one + (&one + &tangent * &tangent).sqrt());
+    }
+    let square = &tangent * &tangent;
+    let series = &one - &square / number(3.0) + &square * &square / number(5.0);
+    tangent * series * number(f64::from(HALVINGS + 1).exp2())
+}
+
+/// The sample (x, y, z) in the frame of a normal and a tangent, x t + y b + z N.
+pub fn mapped(n: &Vector, tangent: &Vector, handedness: &Number, sample: &Vector) -> Vector {
+    let along = scale(n, &(dot(n, tangent) / dot(n, n)));
+    let t = unit(&subtract(tangent, &along));
+    let b = scale(&cross(&unit(n), &t), handedness);
+    let [x, y, z] = sample;
+    add(&add(&scale(&t, x), &scale(&b, y)), &scale(&unit(n), z))
 }

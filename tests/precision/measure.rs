@@ -24,6 +24,7 @@ const INPUTS: usize = 3000;
 const OF_RESULT: &str = "of the result";
 const OF_ONE: &str = "of 1";
 const CONDITIONED: &str = "of 1, times the conditioning";
+const OF_ANGLE: &str = "of its angle, times the conditioning";
 const OF_LIGHT: &str = "of all the light";
 
 pub fn rows<T: Float>() -> Vec<Row> {
@@ -42,6 +43,9 @@ pub fn rows<T: Float>() -> Vec<Row> {
             OF_ONE,
             parametric::<T>(),
         ),
+        row("`normal::transformed`", CONDITIONED, transformed::<T>()),
+        row("`normal::corner`", OF_ANGLE, corner::<T>()),
+        row("`normal::mapped`", CONDITIONED, mapped::<T>()),
         row("`reflection`", OF_ONE, mirrored::<T>()),
         row("`half_vector`", OF_RESULT, half::<T>()),
         row("`lambert`", OF_ONE, diffuse::<T>()),
@@ -226,6 +230,52 @@ fn parametric<T: Float>() -> f64 {
         let across = [-(&u + &u + &v), -(&u + &v + &v), number(1.0)];
         let n = normal::parametric(paraboloid, p.x, p.y).expect("smooth");
         of_one(n, &exact::unit(&across))
+    })
+}
+
+fn transformed<T: Float>() -> f64 {
+    largest(
+        (direction::<T>(), [point::<T>(), point(), point()]),
+        |(n, columns)| {
+            let transformed = normal::transformed(n, columns).expect("regular");
+            let (n, columns) = (vector(n), columns.map(vector));
+            let expected = exact::unit(&exact::cofactors(&columns, &n));
+            of_one(transformed, &expected) / exact::conditioning(&columns, &n)
+        },
+    )
+}
+
+/// The share of a triangle, whose length is the angle.
+fn corner<T: Float>() -> f64 {
+    largest([point::<T>(), point(), point()], |[a, b, c]| {
+        let [ab, ac] = [b, c].map(|p| exact::subtract(&vector(p), &vector(a)));
+        let (cross, angle) = (exact::cross(&ab, &ac), exact::angle(&ab, &ac));
+        let conditioning = exact::length(&ab) * exact::length(&ac) / exact::length(&cross);
+        let share = exact::scale(&exact::unit(&cross), &angle);
+        let error = <[T; 3]>::from(normal::corner(a, b, c))
+            .into_iter()
+            .zip(&share)
+            .map(|(c, exact)| error(c, exact, &angle))
+            .fold(0.0, f64::max);
+        error / conditioning.to_f64().value()
+    })
+}
+
+/// The conditioning is |N||T|/|N × T|.
+fn mapped<T: Float>() -> f64 {
+    let inputs = (
+        direction::<T>(),
+        point::<T>(),
+        direction::<T>(),
+        any::<bool>(),
+    );
+    largest(inputs, |(n, tangent, sample, right)| {
+        let h = if right { T::ONE } else { -T::ONE };
+        let mapped = normal::mapped(n, tangent, h, *sample).expect("a frame");
+        let [n, tangent, sample] = [*n, tangent, *sample].map(vector);
+        let conditioning = exact::length(&tangent) / exact::length(&exact::cross(&n, &tangent));
+        let expected = exact::mapped(&n, &tangent, &number(h.to_f64()), &sample);
+        of_one(mapped, &exact::unit(&expected)) / conditioning.to_f64().value()
     })
 }
 

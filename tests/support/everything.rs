@@ -149,6 +149,13 @@ fn normals<T: Float>(numbers: &mut Numbers<T>) {
     assert_unit_if_any(normal::implicit(|p| (p.x / p.y).sqrt() + p.z.ln().sin(), c));
     let s = |u: Dual<T>, v: Dual<T>| Vec3::new(u * v, u.exp() / v, (u - v).abs());
     assert_unit_if_any(normal::parametric(s, c.x, c.y));
+    let [n, v] = [a, b].map(UnitVec3::assume_unit);
+    let facing = normal::facing(n, v);
+    assert!(facing == n || facing == -n || n != n); // NaN is not itself
+    assert_unit_if_any(normal::transformed(n, [a, b, c]));
+    assert_unit_if_any(normal::mapped(n, b, c.x, c));
+    let share = normal::corner(a, b, c).length();
+    assert!(share.to_f64() <= std::f64::consts::PI * (1.0 + 8.0 * T::U));
 }
 
 fn terms<T: Float>(numbers: &mut Numbers<T>) {

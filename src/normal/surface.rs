@@ -1,7 +1,4 @@
-//! Floor 3: normals of planes, triangles, spheres, implicit and parametric surfaces.
-//!
-//! All of them have length 1, and are `None` where the surface has no normal. Whether a normal
-//! points outside follows from what you pass in; turn it with `-n`.
+//! Normals of planes, triangles, spheres, implicit and parametric surfaces.
 
 use crate::dual::Dual;
 use crate::real::Real;

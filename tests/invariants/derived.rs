@@ -1,0 +1,414 @@
+//! What is done with normals: turned to the eye, transformed, averaged over a mesh, mapped.
+
+use std::f64::consts::PI;
+
+use proptest::collection::vec;
+use proptest::prelude::*;
+use proptest::sample::select;
+use shading::{UnitVec3, Vec3, normal};
+
+use crate::check::{check, equal, near, same, to_f64, within};
+use crate::exact::{cross, dot, length};
+use crate::generators::{adversarial_vector, direction, dyadic_point, pair, point, rounded, unit};
+use crate::number::Number;
+
+type Matrix<T> = [Vec3<T>; 3];
+
+/// (57) N·V is not negative, turning twice is turning once, and it is N or −N.
+fn facing_normals_face_the_viewer<T: Number>() {
+    check(pair::<T>(), |[n, v]| {
+        let facing = normal::facing(n, v);
+        prop_assert!(facing.dot(v) >= T::ZERO);
+        same(normal::facing(facing, v), facing)?;
+        same(facing, if n.dot(v) < T::ZERO { -n } else { n })?;
+        // and the same for both sides, edge-on aside
+        if n.dot(v) != T::ZERO {
+            same(normal::facing(-n, v), facing)?;
+        }
+        Ok(())
+    });
+}
+
+fn matrix<T: Number>() -> impl Strategy<Value = Matrix<T>> {
+    let usual = [point(), point(), point()];
+    let grid = [dyadic_point(), dyadic_point(), dyadic_point()];
+    // each column of another size
+    let stretched =
+        (usual, [-20..20, -20..20, -20..20]).prop_map(|(columns, k): (Matrix<T>, [i32; 3])| {
+            let scale = k.map(|k| T::of(f64::from(k).exp2()));
+            [0, 1, 2].map(|i| columns[i] * scale[i])
+        });
+    prop_oneof![grid, stretched]
+}
+
+/// M v.
+fn times<T: Number>(columns: Matrix<T>, v: [f64; 3]) -> [f64; 3] {
+    let columns = columns.map(to_f64);
+    [0, 1, 2].map(|i| dot([0, 1, 2].map(|j| columns[j][i]), v))
+}
+
+/// cof(M) N, and the conditioning of its sum.
+fn cofactors<T: Number>(columns: Matrix<T>, n: UnitVec3<T>) -> ([f64; 3], f64) {
+    let ([a, b, c], n) = (columns.map(to_f64), to_f64(n));
+    let terms = [cross(b, c), cross(c, a), cross(a, b)];
+    let sum = [0, 1, 2].map(|i| dot(n, [0, 1, 2].map(|j| terms[j][i])));
+    let sizes = [
+        length(b) * length(c),
+        length(c) * length(a),
+        length(a) * length(b),
+    ];
+    (sum, dot(n.map(f64::abs), sizes) / length(sum))
+}
+
+/// The error of a transformed normal: the products of a cofactor and their difference are off by 2u
+/// of the product of two lengths, the factor by 1u and the two sums by 2u; the unit vector by 4u. The
+/// expected one is computed in `f64` and off by as much.
+fn transformed_tolerance<T: Number>(conditioning: f64) -> f64 {
+    (5.0 * conditioning + 4.0) * (T::U + f64::EPSILON)
+}
+
+/// (58) The transformed normal is perpendicular to the transformed tangents, on the side of cof(M) N.
+fn transformed_normal_is_perpendicular_to_transformed_tangents<T: Number>() {
+    check((matrix::<T>(), direction()), |(columns, n)| {
+        let n = rounded::<T>(n);
+        let (expected, conditioning) = cofactors(columns, n);
+        prop_assume!(conditioning < 0.01 / T::U);
+        let transformed = to_f64(normal::transformed(n, columns).expect("a normal"));
+        let tolerance = transformed_tolerance::<T>(conditioning);
+        let size = length(expected);
+        for (c, expected) in transformed.into_iter().zip(expected) {
+            within(c - expected / size, tolerance)?;
+        }
+        let n = to_f64(n);
+        for axis in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
+            let tangent = cross(n, axis);
+            let moved = times(columns, tangent);
+            // the tangent is made in `f64`
+            let moving = columns.map(to_f64).map(length).into_iter().sum::<f64>();
+            within(
+                dot(transformed, moved),
+                2.0 * tolerance * length(moved) + 8.0 * f64::EPSILON * moving,
+            )?;
+        }
+        Ok(())
+    });
+}
+
+/// (58) It is the normal of the transformed triangle, also where the matrix mirrors: on a grid, where
+/// the transformed vertices are exact.
+fn transformed_normal_is_that_of_the_transformed_triangle<T: Number>() {
+    let grid = || [dyadic_point::<T>(), dyadic_point(), dyadic_point()];
+    check((grid(), grid()), |(vertices, columns)| {
+        let scale = T::of(8.0); // to whole numbers up to 16; the transformed vertices are up to 768
+        let coarse = |v: Vec3<T>| v.map(|c| T::of((c * scale).to_f64().trunc()));
+        let (vertices, columns) = (vertices.map(coarse), columns.map(coarse));
+        let moved = vertices.map(|v| Vec3::from(times(columns, to_f64(v)).map(T::of)));
+        let [[a, b, c], [p, q, r]] = [vertices, moved];
+        let Some(n) = normal::triangle(a, b, c) else {
+            return Ok(());
+        };
+        // the whole numbers of the triangle's plane, not rounded
+        let plane = cross(to_f64(b - a), to_f64(c - a)).map(T::of);
+        let plane = UnitVec3::assume_unit(Vec3::from(plane));
+        let (_, conditioning) = cofactors(columns, plane);
+        match (
+            normal::transformed(plane, columns),
+            normal::triangle(p, q, r),
+        ) {
+            (Some(by_matrix), Some(by_vertices)) => {
+                // two normals, each to its own error: a triangle's conditioning is no larger
+                let tolerance = 2.0 * transformed_tolerance::<T>(conditioning);
+                near(by_matrix, by_vertices, tolerance)?;
+                let by_unit = normal::transformed(n, columns).expect("a normal");
+                // n itself is off by 4u
+                near(by_unit, by_vertices, tolerance + 4.0 * T::U * conditioning)
+            }
+            (by_matrix, by_vertices) => {
+                prop_assert!(by_matrix.is_none() && by_vertices.is_none());
+                Ok(())
+            }
+        }
+    });
+}
+
+/// (58) A rotation transforms a normal as a vector: its columns are off by 1u each and the normal by
+/// 5u of √3.
+fn rotation_transforms_a_normal_as_a_vector<T: Number>() {
+    check((direction(), direction(), direction()), |(x, aside, n)| {
+        let z = cross(x, aside);
+        prop_assume!(length(z) > 0.01);
+        let z = z.map(|c| c / length(z));
+        let columns = [x, cross(z, x), z].map(|column| *rounded::<T>(column));
+        let n = rounded::<T>(n);
+        let expected = times(columns, to_f64(n));
+        let transformed = to_f64(normal::transformed(n, columns).expect("a rotation"));
+        for (c, expected) in transformed.into_iter().zip(expected) {
+            within(c - expected, 24.0 * T::U)?;
+        }
+        Ok(())
+    });
+}
+
+/// (58) A matrix 2^k times as large gives the same normal, and so does one of opposite sign.
+fn scaling_the_matrix_by_a_power_of_two_is_exact<T: Number>() {
+    check((matrix::<T>(), unit::<T>(), -30..=30), |(columns, n, k)| {
+        let scale = T::of(f64::from(k).exp2());
+        let transformed = |factor: T| normal::transformed(n, columns.map(|c| c * factor));
+        optionally(transformed(scale), transformed(T::ONE))?;
+        optionally(transformed(-scale), transformed(T::ONE))
+    });
+}
+
+/// (58) What is flattened to a line or a point has no normal, and only that: with two columns the same
+/// (here a multiple by a power of two), the plane that they leave has.
+fn only_what_becomes_a_line_has_no_transformed_normal<T: Number>() {
+    check(
+        (point::<T>(), point(), 0..3_usize, -8..=8),
+        |(a, b, i, k)| {
+            prop_assume!(length(cross(to_f64(a), to_f64(b))) > 0.01);
+            let [j, l] = [(i + 1) % 3, (i + 2) % 3];
+            let mut columns = [a; 3];
+            columns[j] = b;
+            columns[l] = b * T::of(f64::from(k).exp2());
+            // the direction that is crushed is j − l/2^k: a plane that contains it becomes a line
+            let axes = [UnitVec3::<T>::X, UnitVec3::Y, UnitVec3::Z];
+            prop_assert!(normal::transformed(axes[i], columns).is_none());
+            let expected = a.cross(b).unit().expect("not parallel");
+            near(
+                normal::transformed(axes[l], columns).expect("a plane"),
+                expected,
+                transformed_tolerance::<T>(300.0), // |a||b| is at most 3
+            )?;
+            prop_assert!(normal::transformed(axes[j], [a, a * T::of(2.0), a]).is_none());
+            prop_assert!(normal::transformed(axes[j], [Vec3::ZERO; 3]).is_none());
+            Ok(())
+        },
+    );
+}
+
+fn optionally<T: Number>(
+    a: Option<UnitVec3<T>>,
+    b: Option<UnitVec3<T>>,
+) -> Result<(), TestCaseError> {
+    match (a, b) {
+        (Some(a), Some(b)) => same(a, b),
+        (a, b) => {
+            prop_assert!(a.is_none() && b.is_none(), "{a:?} is not {b:?}");
+            Ok(())
+        }
+    }
+}
+
+/// The normal at a vertex with the neighbors around it, in order.
+fn vertex_normal<T: Number>(vertex: Vec3<T>, around: &[Vec3<T>]) -> Vec3<T> {
+    let next = around.iter().cycle().skip(1);
+    around
+        .iter()
+        .zip(next)
+        .map(|(&a, &b)| normal::corner(vertex, a, b))
+        .sum()
+}
+
+/// (59) A share has the direction of the triangle's normal and the length of its angle, below π; and
+/// the three angles of a triangle are π. The unit vector is off by 4u, the sine and the cosine by 8u,
+/// the angle by 16u; and by the conditioning of the triangle, 4u of the cross product.
+fn shares_are_angles<T: Number>() {
+    check([point::<T>(), point(), point()], |[a, b, c]| {
+        let [ab, ac] = [b - a, c - a].map(to_f64);
+        let sine = length(cross(ab, ac)) / (length(ab) * length(ac));
+        prop_assume!(sine > 1e-2);
+        let n = normal::triangle(a, b, c).expect("a triangle");
+        let shares = [[a, b, c], [b, c, a], [c, a, b]].map(|[a, b, c]| normal::corner(a, b, c));
+        let angles = shares.map(|share| length(to_f64(share)));
+        near(shares[0], *n * T::of(angles[0]), 40.0 * T::U / sine)?;
+        within(
+            angles[0] - sine.atan2(dot(ab, ac) / (length(ab) * length(ac))),
+            40.0 * T::U,
+        )?;
+        within(angles.into_iter().sum::<f64>() - PI, 120.0 * T::U)
+    });
+}
+
+/// (59) The order of the triangles does not matter, beyond the rounding of a sum.
+fn order_of_the_triangles_does_not_matter<T: Number>() {
+    check(
+        (point::<T>(), vec(point::<T>(), 3..9)),
+        |(vertex, around)| {
+            let sum = vertex_normal(vertex, &around);
+            let mut turned = around.clone();
+            turned.rotate_left(around.len() / 2);
+            let n = around.len() as f64;
+            near(sum, vertex_normal(vertex, &turned), 2.0 * n * n * PI * T::U)
+        },
+    );
+}
+
+/// (59) To split a flat polygon otherwise changes nothing: the angle of two triangles side by side is
+/// the sum of theirs. On a grid, so that the polygon is flat.
+fn splitting_a_flat_polygon_otherwise_changes_nothing<T: Number>() {
+    let grid = dyadic_point::<T>;
+    let inputs = ([grid(), grid(), grid()], [-4..=4_i8, -4..=4]);
+    check(inputs, |([a, b, c], [k, l])| {
+        // a fourth corner in the plane, between b and c as seen from a
+        let d = b + c - a + (b - a) * T::of(k.abs().into()) + (c - a) * T::of(l.abs().into());
+        let [ab, ac, ad] = [b - a, c - a, d - a].map(to_f64);
+        prop_assume!(length(cross(ab, ac)) > 0.01);
+        let whole = normal::corner(a, b, c);
+        let split = normal::corner(a, b, d) + normal::corner(a, d, c);
+        // the normals of slivers of the grid are right, but for the unit vector
+        let thinnest = [[ab, ad], [ad, ac], [ab, ac]]
+            .map(|[e, f]| length(cross(e, f)) / (length(e) * length(f)))
+            .into_iter()
+            .fold(1.0, f64::min);
+        near(whole, split, 80.0 * T::U / thinnest)
+    });
+}
+
+/// (59) The corners of a cube get its diagonals, however its faces are split.
+fn corner_of_a_cube_gets_its_diagonal<T: Number>() {
+    let side = select(&[1.0, 3.0, 1e-20, 1e20][..]);
+    check(
+        (side, [any::<bool>(); 3], dyadic_point::<T>()),
+        |(side, split, offset)| {
+            let side = T::of(side);
+            let corner = if side == T::ONE { offset } else { Vec3::ZERO };
+            let at = |x: i8, y: i8, z: i8| {
+                corner + Vec3::from([x, y, z].map(|c| T::of(c.into()))) * side
+            };
+            let (edges, faces) = (
+                [at(1, 0, 0), at(0, 1, 0), at(0, 0, 1)],
+                [at(1, 1, 0), at(0, 1, 1), at(1, 0, 1)],
+            );
+            let mut around = Vec::new();
+            for i in 0..3 {
+                around.push(edges[i]);
+                if split[i] {
+                    around.push(faces[i]);
+                }
+            }
+            let n = vertex_normal(corner, &around).unit().expect("a normal");
+            let expected = UnitVec3::assume_unit(Vec3::from([T::of(1.0 / 3.0_f64.sqrt()); 3]));
+            near(n, expected, 40.0 * T::U)
+        },
+    );
+}
+
+/// The size of a triangle does not matter for its share: exactly for a power of two.
+fn size_of_a_triangle_does_not_matter_for_its_share<T: Number>() {
+    check(
+        ([point::<T>(), point(), point()], -0.9..0.9_f64),
+        |(triangle, size)| {
+            let share = |scale: T| {
+                let [a, b, c] = triangle.map(|p| p * scale);
+                normal::corner(a, b, c)
+            };
+            let scale = T::of((size * T::MAX.to_f64().log2()).floor().exp2());
+            let [ab, ac] = [triangle[1] - triangle[0], triangle[2] - triangle[0]].map(to_f64);
+            let sine = length(cross(ab, ac)) / (length(ab) * length(ac));
+            prop_assume!(sine > 1e-2);
+            same(share(T::of(0.125)), share(T::ONE))?;
+            // down to where the coordinates lose bits
+            near(share(scale), share(T::ONE), 80.0 * T::U / sine)
+        },
+    );
+}
+
+/// Whatever the vertices: a share is finite, and no longer than π.
+fn shares_are_finite<T: Number>() {
+    let any = adversarial_vector::<T>;
+    check([any(), any(), any()], |[a, b, c]| {
+        within(
+            length(to_f64(normal::corner(a, b, c))),
+            PI * (1.0 + 8.0 * T::U),
+        )
+    });
+}
+
+/// A tangent, at least a hundredth of a radian off N.
+fn frame<T: Number>() -> impl Strategy<Value = (UnitVec3<T>, Vec3<T>)> {
+    (unit::<T>(), point::<T>()).prop_filter("parallel", |(n, t)| {
+        let (n, t) = (to_f64(*n), to_f64(*t));
+        length(cross(n, t)) > 0.01 * length(t)
+    })
+}
+
+/// In the frame, the mapped normal has the coordinates of the sample. N × T is off by 4u of |T|, a
+/// hundred times as much of its length; the axes that are made of it by 8u more.
+fn mapped_normal_has_the_coordinates_of_the_sample<T: Number>() {
+    check(
+        (frame::<T>(), unit::<T>(), any::<bool>()),
+        |((n, tangent), sample, right)| {
+            let h = if right { T::ONE } else { -T::ONE };
+            let mapped = to_f64(normal::mapped(n, tangent, h, *sample).expect("a frame"));
+            let (n, tangent, sample) = (to_f64(n), to_f64(tangent), to_f64(sample));
+            let side = cross(n, tangent);
+            let along = [dot(mapped, cross(side, n)), h.to_f64() * dot(mapped, side)]
+                .map(|c| c / length(side));
+            let tolerance = 500.0 * T::U;
+            within(along[0] - sample[0], tolerance)?;
+            within(along[1] - sample[1], tolerance)?;
+            within(dot(mapped, n) - sample[2], 16.0 * T::U)
+        },
+    );
+}
+
+/// A flat sample gives N. The length of sample and tangent does not matter, exactly for a power of
+/// two, nor any length of the handedness; the other handedness turns y over.
+fn length_of_sample_and_tangent_do_not_matter<T: Number>() {
+    let inputs = (frame::<T>(), point::<T>(), -20..=20, 0.1..10.0);
+    check(inputs, |((n, tangent), sample, k, h)| {
+        let scale = T::of(f64::from(k).exp2());
+        let (h, up) = (T::of(h), Vec3::new(T::ZERO, T::ZERO, scale));
+        near(
+            normal::mapped(n, tangent, h, up).expect("a frame"),
+            n,
+            4.0 * T::U,
+        )?;
+        let mapped = normal::mapped(n, tangent, T::ONE, sample);
+        optionally(
+            normal::mapped(n, tangent * scale, h, sample * scale),
+            mapped,
+        )?;
+        let mirrored = Vec3::new(sample.x, -sample.y, sample.z);
+        match (normal::mapped(n, tangent, -h, mirrored), mapped) {
+            (Some(a), Some(b)) => equal(a, b),
+            (a, b) => {
+                prop_assert!(a.is_none() && b.is_none());
+                Ok(())
+            }
+        }
+    });
+}
+
+/// Whatever the numbers: a unit vector or none.
+fn derived_normals_have_length_one_or_are_none<T: Number>() {
+    let any = adversarial_vector::<T>;
+    check((unit::<T>(), [any(), any(), any()]), |(n, [a, b, c])| {
+        let normals = [
+            normal::transformed(n, [a, b, c]),
+            normal::mapped(n, a, b.x, c),
+        ];
+        for n in normals.into_iter().flatten() {
+            within(crate::exact::square_excess(to_f64(n)), 8.0 * T::U)?;
+        }
+        Ok(())
+    });
+}
+
+invariants! {
+    facing_normals_face_the_viewer,
+    transformed_normal_is_perpendicular_to_transformed_tangents,
+    transformed_normal_is_that_of_the_transformed_triangle,
+    rotation_transforms_a_normal_as_a_vector,
+    scaling_the_matrix_by_a_power_of_two_is_exact,
+    only_what_becomes_a_line_has_no_transformed_normal,
+    shares_are_angles,
+    order_of_the_triangles_does_not_matter,
+    splitting_a_flat_polygon_otherwise_changes_nothing,
+    corner_of_a_cube_gets_its_diagonal,
+    size_of_a_triangle_does_not_matter_for_its_share,
+    shares_are_finite,
+    mapped_normal_has_the_coordinates_of_the_sample,
+    length_of_sample_and_tangent_do_not_matter,
+    derived_normals_have_length_one_or_are_none,
+}
