@@ -68,6 +68,8 @@
 //! # Features
 //!
 //! - `approx`: `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`] and [`Rgb`].
+//! - `mint`: [`Vec3`] to and from `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to `Vector3`: so to
+//!   and from the vectors of glam, nalgebra, cgmath, euclid and vek, whatever their version.
 //! - `wide`: [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`. `cast` takes a scene in
 //!   scalars into lanes: `light.cast(f32x8::splat)`.
 //!

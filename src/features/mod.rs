@@ -2,5 +2,7 @@
 
 #[cfg(feature = "approx")]
 mod approx;
+#[cfg(feature = "mint")]
+mod mint;
 #[cfg(feature = "wide")]
 mod wide;
