@@ -70,6 +70,8 @@
 //! - `approx`: `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`] and [`Rgb`].
 //! - `mint`: [`Vec3`] to and from `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to `Vector3`: so to
 //!   and from the vectors of glam, nalgebra, cgmath, euclid and vek, whatever their version.
+//! - `serde`: lights, materials and what they are made of, in files: [`guide::schema`] gives the forms. What
+//!   a constructor refuses is refused with the field's name and the reason.
 //! - `wide`: [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`. `cast` takes a scene in
 //!   scalars into lanes: `light.cast(f32x8::splat)`.
 //!
@@ -162,6 +164,9 @@ pub mod guide {
     pub mod precision {}
     #[doc = include_str!("../docs/recipes.md")]
     pub mod recipes {}
+    #[cfg(not(doctest))] // it needs more crates: `tests/features` runs its examples
+    #[doc = include_str!("../docs/schema.md")]
+    pub mod schema {}
     #[doc = include_str!("../docs/totality.md")]
     pub mod totality {}
     #[doc = include_str!("../docs/vectors.md")]

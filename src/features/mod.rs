@@ -4,5 +4,7 @@
 mod approx;
 #[cfg(feature = "mint")]
 mod mint;
+#[cfg(feature = "serde")]
+mod serde;
 #[cfg(feature = "wide")]
 mod wide;
