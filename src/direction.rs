@@ -1,4 +1,4 @@
-//! Floor 3: the directions R and H, made of N, L and V.
+//! Floor 3: the reflection vector R and the half vector H.
 
 use crate::real::Real;
 use crate::unit::UnitVec3;
@@ -10,17 +10,19 @@ use crate::vector::Vec3;
 /// R = 2(N·L)N − L
 /// ```
 ///
-/// L points away from the surface, and so does R. GLSL's `reflect(I, N)` takes the incident
-/// direction, which is −L: `reflect(-L, N)` is this function. N and −N give the same R. For an L
-/// below the surface R is below it too; the terms and the sums see to it that it lights nothing.
+/// N is the normal, L the direction to the light; L and R point away from the surface. GLSL's
+/// `reflect(I, N)` takes the incident direction −L, so `reflect(-L, N)` is this function. N and −N give
+/// the same R. If L is below the surface, so is R; the sums over lights make sure that it adds nothing.
 ///
-/// Source: Phong 1975; Foley, van Dam et al., *Computer Graphics*, §16.1.4.
+/// Source: Bui Tuong Phong, "Illumination for Computer Generated Pictures", 1975; Foley, van Dam et al.,
+/// *Computer Graphics: Principles and Practice*, 2nd ed., §16.1.4.
 ///
 /// ```
-/// use shading::{UnitVec3, Vec3, reflection};
+/// use shading::f32::{UnitVec3, Vec3};
+/// use shading::reflection;
 ///
-/// let l = UnitVec3::<f32>::new(0.6, 0.0, 0.8).unwrap();
-/// let r = reflection(UnitVec3::<f32>::Z, l);
+/// let l = UnitVec3::new(0.6, 0.0, 0.8).unwrap();
+/// let r = reflection(UnitVec3::Z, l);
 /// assert_eq!(*r, Vec3::new(-0.6, 0.0, 0.8));
 /// ```
 #[doc(alias = "reflect")]
@@ -31,16 +33,16 @@ pub fn reflection<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> UnitVec3<T> {
     UnitVec3::assume_unit(*n * (n_dot_l + n_dot_l) - *l)
 }
 
-/// The half vector: the direction half-way between L and V.
+/// The half vector: the direction halfway between L and V.
 ///
 /// ```text
 /// H = (L + V) / |L + V|
 /// ```
 ///
-/// L and V point away from the surface. `None` where they are opposite, L = −V: there is no
-/// direction half-way. The order of L and V does not matter, to the bit.
+/// L is the direction to the light, V the direction to the eye. `None` if they are opposite, L = −V:
+/// then no direction is halfway. Swapping L and V gives the same bits.
 ///
-/// Source: Blinn 1977.
+/// Source: James Blinn, "Models of Light Reflection for Computer Synthesized Pictures", 1977.
 ///
 /// ```
 /// use shading::{UnitVec3, half_vector};
@@ -57,7 +59,7 @@ pub fn half_vector<T: Real + PartialOrd>(l: UnitVec3<T>, v: UnitVec3<T>) -> Opti
     between(l, v).unit()
 }
 
-/// L + V: the half vector before it is normalised.
+/// L + V: the half vector before it is normalized.
 #[inline]
 pub(crate) fn between<T: Real>(l: UnitVec3<T>, v: UnitVec3<T>) -> Vec3<T> {
     *l + *v

@@ -1,4 +1,4 @@
-//! Floor 2: numbers that differentiate themselves.
+//! Floor 2: dual numbers, which carry their own derivatives.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -7,13 +7,14 @@ use crate::elementary::Elementary;
 use crate::real::Real;
 use crate::vector::Vec3;
 
-/// A dual number: a value and its gradient, ∇ = (∂/∂x, ∂/∂y, ∂/∂z). Arithmetic on it is
-/// forward-mode differentiation: exact derivatives of the function as it is written, without
-/// hand-derived partials and without a step size.
+/// A dual number: a value and its gradient, ∇ = (∂/∂x, ∂/∂y, ∂/∂z).
+///
+/// Arithmetic on dual numbers is forward-mode automatic differentiation: it gives the exact derivatives of
+/// a function as written, with no partial derivatives by hand and no step size.
 ///
 /// [`normal::implicit`](crate::normal::implicit) and
-/// [`normal::parametric`](crate::normal::parametric) hand such numbers to your function. Plain
-/// numbers mix with them: `p.dot(p) - 1.0`, `2.0 * p.x`. Comparisons look at the value alone.
+/// [`normal::parametric`](crate::normal::parametric) pass such numbers to your function. They mix with
+/// plain numbers: `p.dot(p) - 1.0`, `2.0 * p.x`. Comparisons compare the values only.
 /// Where the derivative does not exist (√ at 0, ln below 0), the gradient is not finite.
 ///
 /// ```
@@ -25,18 +26,24 @@ use crate::vector::Vec3;
 /// assert_eq!(f.gradient, Vec3::new(12.0, 0.0, 9.0)); // (2xz, −sin y, x²)
 /// ```
 ///
-/// Source: Clifford 1873; Griewank and Walther, *Evaluating Derivatives*.
+/// Source: W. K. Clifford, "Preliminary Sketch of Biquaternions", 1873; A. Griewank and A. Walther,
+/// *Evaluating Derivatives*, 2nd ed., 2008.
 #[doc(alias = "autodiff")]
 #[derive(Clone, Copy, Debug)]
 pub struct Dual<T = f32> {
     /// The value.
     pub value: T,
-    /// Its derivatives by the three variables.
+    /// Its partial derivatives with respect to the three variables.
     pub gradient: Vec3<T>,
 }
 
 impl<T: Real> Dual<T> {
-    /// A number that depends on no variable.
+    /// A constant: its gradient is 0.
+    ///
+    /// ```
+    /// use shading::{Dual, Vec3};
+    /// assert_eq!(Dual::constant(2.0_f32).gradient, Vec3::ZERO);
+    /// ```
     #[inline]
     #[must_use]
     pub const fn constant(value: T) -> Self {
@@ -46,7 +53,13 @@ impl<T: Real> Dual<T> {
         }
     }
 
-    /// The three coordinates of a point as the variables by which is differentiated.
+    /// The coordinates of a point as the three independent variables.
+    ///
+    /// ```
+    /// use shading::{Dual, UnitVec3, Vec3};
+    /// let p = Dual::point(Vec3::new(1.0_f32, 2.0, 3.0));
+    /// assert_eq!((p.y.value, p.y.gradient), (2.0, *UnitVec3::Y));
+    /// ```
     #[inline]
     #[must_use]
     pub const fn point(p: Vec3<T>) -> Vec3<Self>
@@ -70,8 +83,8 @@ impl<T: Real> Dual<T> {
         )
     }
 
-    /// The chain rule: lifts any function g, given its value g(x) and its slope g′(x) at this
-    /// number's value x.
+    /// The chain rule: applies any function g to this number, given its value g(x) and its slope g′(x) at
+    /// x, the value of this number.
     ///
     /// ```text
     /// ∇ g(f) = g′(f) ∇f

@@ -68,8 +68,14 @@
 //! # Features
 //!
 //! - `approx`: `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`] and [`Rgb`].
-//! - `wide`: [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`. `cast` takes a scene in
-//!   scalars into lanes: `light.cast(f32x8::splat)`.
+//! - `mint`: [`Vec3`] from and to `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to `Vector3`. Through
+//!   them it converts to the vectors of glam, nalgebra, cgmath, euclid and vek, in any version.
+//! - `serde`: reads and writes lights, materials and their parts. [`guide::schema`] gives the format. Input
+//!   that a constructor would refuse is an error with the field's name and the reason.
+//! - `wide`: [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`; each lane has the bits of
+//!   the scalar. The exception is 32-bit Arm with NEON, whose `f32` instructions flush subnormal numbers;
+//!   on x86 without SSE2 the feature does not build. `cast` takes a scene in scalars into lanes:
+//!   `light.cast(f32x8::splat)`.
 //!
 //! No feature is on by default.
 //!
@@ -160,6 +166,9 @@ pub mod guide {
     pub mod precision {}
     #[doc = include_str!("../docs/recipes.md")]
     pub mod recipes {}
+    #[cfg(not(doctest))] // it needs more crates: `tests/features` runs its examples
+    #[doc = include_str!("../docs/schema.md")]
+    pub mod schema {}
     #[doc = include_str!("../docs/totality.md")]
     pub mod totality {}
     #[doc = include_str!("../docs/vectors.md")]

@@ -1,16 +1,16 @@
-//! Floor 4: what a surface returns of the light that falls on it.
+//! Floor 4: the material of a surface.
 
 use crate::rgb::Rgb;
 
-/// The material of a surface: its reflectances channel by channel, and its shininess.
+/// The material of a surface: three reflectances per channel, and the shininess.
 ///
-/// The reflectances are not negative; 1 returns all the light. `M` is the type of the shininess, an
-/// [`Exponent`](crate::Exponent): a `u32` takes the faster path.
+/// A reflectance is at least 0; at 1 the surface returns all the light. `M` is the type of the shininess,
+/// an [`Exponent`](crate::Exponent); a `u32` is faster than a float.
 ///
 /// ```
-/// use shading::{Material, Rgb};
+/// use shading::f32::{Material, Rgb};
 ///
-/// static BRASS: Material<f32, u32> = Material {
+/// static BRASS: Material = Material {
 ///     k_a: Rgb::new(0.33, 0.22, 0.03),
 ///     k_d: Rgb::new(0.78, 0.57, 0.11),
 ///     k_s: Rgb::new(0.99, 0.94, 0.81),
@@ -19,19 +19,25 @@ use crate::rgb::Rgb;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material<T = f32, M = u32> {
-    /// k_a, the share of the ambient light that is returned.
+    /// k_a, the reflectance for ambient light.
     pub k_a: Rgb<T>,
-    /// k_d, the share of a light that is returned diffusely.
+    /// k_d, the diffuse reflectance.
     pub k_d: Rgb<T>,
-    /// k_s, the share of a light that is returned in the highlight.
+    /// k_s, the reflectance of the highlight.
     pub k_s: Rgb<T>,
-    /// m ≥ 0, the shininess: the larger, the smaller the highlight.
+    /// m ≥ 0, the shininess: the larger it is, the smaller the highlight.
     pub m: M,
 }
 
 impl<T, M> Material<T, M> {
     /// The same material in another number type: `f` converts each number, and may do no more
     /// than round it. The shininess stays as it is.
+    ///
+    /// ```
+    /// use shading::f32::{Material, Rgb};
+    /// let wax = Material { k_a: Rgb::BLACK, k_d: Rgb::gray(0.5), k_s: Rgb::gray(0.25), m: 10 };
+    /// assert_eq!(wax.cast(f64::from).k_d, shading::f64::Rgb::gray(0.5));
+    /// ```
     #[inline]
     #[must_use]
     pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> Material<U, M> {

@@ -1,4 +1,4 @@
-//! Floor 1: colour.
+//! Floor 1: color.
 
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub, SubAssign};
@@ -6,19 +6,18 @@ use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub, SubAssign};
 use crate::componentwise::componentwise;
 use crate::real::Real;
 
-/// Linear light, or the share of it that a material returns, channel by channel.
+/// Linear light, or the reflectance of a material, in three channels.
 ///
-/// The numbers are proportional to power: never encoded (sRGB bytes must be decoded before and
-/// encoded after) and not limited to 1. Clamp once, after the sum, with
-/// [`clamped`](Rgb::clamped).
+/// The numbers are proportional to power. They are never encoded: decode sRGB before shading, encode
+/// after. They are not limited to 1: clamp once, after the sum, with [`clamped`](Rgb::clamped).
 ///
 /// ```
 /// use shading::Rgb;
 ///
 /// let lamp = Rgb::new(1.0_f32, 0.9, 0.7);
 /// let brick = Rgb::new(0.6, 0.2, 0.1);
-/// let returned = lamp * brick; // channel by channel
-/// assert_eq!(returned, Rgb::from([0.6, 0.9 * 0.2, 0.7 * 0.1]));
+/// let reflected = lamp * brick; // channel by channel
+/// assert_eq!(reflected, Rgb::from([0.6, 0.9 * 0.2, 0.7 * 0.1]));
 /// ```
 #[doc(alias = "color")]
 #[doc(alias = "colour")]
@@ -42,13 +41,19 @@ impl<T: Real> Rgb<T> {
     pub const WHITE: Self = Self::gray(T::ONE);
 
     /// The same value in each channel.
+    ///
+    /// ```
+    /// use shading::Rgb;
+    /// assert_eq!(Rgb::gray(0.5_f32), Rgb::new(0.5, 0.5, 0.5));
+    /// ```
+    #[doc(alias = "splat")]
     #[inline]
     #[must_use]
     pub const fn gray(value: T) -> Self {
         Self::new(value, value, value)
     }
 
-    /// Each channel within [0, 1], as a display takes it; NaN becomes 0.
+    /// Each channel limited to [0, 1], for a display; NaN becomes 0.
     ///
     /// ```
     /// use shading::Rgb;
@@ -61,8 +66,8 @@ impl<T: Real> Rgb<T> {
         self.map(|channel| channel.positive_part().at_most(T::ONE))
     }
 
-    /// The product with a reflectance. A channel of light that overflowed to infinity counts as
-    /// the largest number, so that one that reflects nothing stays 0.
+    /// The product with a reflectance. A channel that overflowed to infinity counts as the largest
+    /// number, so that its product with a reflectance of 0 is 0.
     #[inline]
     pub(crate) fn reflected(self, k: Self) -> Self {
         self.map(|channel| channel.at_most(T::MAX)) * k

@@ -4,16 +4,17 @@ use std::fmt::Debug;
 
 use proptest::prelude::*;
 use shading::{
-    Attenuation, Cone, Exponent, Light, Material, PointLight, Real, Rgb, Shaded, SpotLight,
-    UnitVec3, Vec3, normal, reflection, shade, term,
+    Attenuation, Cone, DirectionalLight, Exponent, Light, Material, PointLight, Real, Rgb, Shaded,
+    SpotLight, UnitVec3, Vec3, normal, reflection, shade, term,
 };
-use wide::{f32x4, f32x8, f32x16, f64x4, f64x8};
 
 /// The most lanes of all the types.
 const LANES: usize = 16;
 
 /// `f32` or `f64`, as the lanes hold it.
 trait Scalar: Real + Exponent<Self> + Debug {
+    /// Zeros of both signs, subnormal and ordinary numbers, the ends of the range, infinities, NaN.
+    const EDGES: [Self; 18];
     fn bits(self) -> u64;
     fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>>;
     fn cone(cosine: Self) -> Option<Cone<Self>>;
@@ -30,6 +31,17 @@ trait Lanes: Real {
 macro_rules! lanes {
     ($float:ident: $($lanes:ident * $count:literal),*) => {
         impl Scalar for $float {
+            const EDGES: [Self; 18] = {
+                const TINY: $float = $float::from_bits(1);
+                const ROUGH: $float = $float::from_bits(0x2D_4B1D); // subnormal, its root irrational
+                const LEAST: $float = $float::MIN_POSITIVE;
+                const MAX: $float = $float::MAX;
+                const INFINITY: $float = $float::INFINITY;
+                [
+                    0.0, -0.0, TINY, -TINY, ROUGH, -ROUGH, LEAST, -LEAST, 0.5, -0.7, 1.0, -1.0,
+                    2.0, MAX, -MAX, INFINITY, -INFINITY, $float::NAN,
+                ]
+            };
             fn bits(self) -> u64 {
                 // any NaN is as good as another
                 if self.is_nan() { u64::MAX } else { self.to_bits().into() }
@@ -42,7 +54,7 @@ macro_rules! lanes {
             }
         }
         $(
-            impl Lanes for $lanes {
+            impl Lanes for wide::$lanes {
                 type Scalar = $float;
                 const COUNT: usize = $count;
                 fn gather(lane: impl FnMut(usize) -> $float) -> Self {
@@ -53,10 +65,39 @@ macro_rules! lanes {
                 }
             }
 
-            proptest! {
+            mod $lanes {
+                use super::*;
+
                 #[test]
-                fn $lanes(surfaces in surfaces(), lights in lights(), m in 0.0..300.0_f64) {
-                    agree::<$lanes>(&surfaces, &lights, m);
+                fn every_operation_agrees_at_the_edges() {
+                    operations_agree::<wide::$lanes>();
+                }
+
+                #[test]
+                fn every_m_raises_every_cosine_as_a_scalar() {
+                    powers_agree::<wide::$lanes>();
+                }
+
+                #[test]
+                fn m_below_0_or_not_a_number_counts_as_0() {
+                    no_shininess::<wide::$lanes>();
+                }
+
+                #[test]
+                fn infinite_m_leaves_the_mirrored_direction_alone() {
+                    endless_shininess::<wide::$lanes>();
+                }
+
+                #[test]
+                fn no_highlight_without_a_half_vector_or_a_cosine() {
+                    no_highlight::<wide::$lanes>();
+                }
+
+                proptest! {
+                    #[test]
+                    fn everything_agrees(surfaces in surfaces(), lights in lights(), m in shininess()) {
+                        agree::<wide::$lanes>(&surfaces, &lights, m);
+                    }
                 }
             }
         )*
@@ -100,6 +141,12 @@ fn lights() -> impl Strategy<Value = Vec<Lamp>> {
     prop::collection::vec((vector(), light(), light(), vector(), -1.0..1.0), 1..4)
 }
 
+/// A sensible m mostly; or any other.
+fn shininess() -> impl Strategy<Value = f64> {
+    let others = [-0.0, -1.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
+    prop_oneof![8 => 0.0..300.0, 1 => prop::sample::select(others.to_vec())]
+}
+
 fn vec3<L: Lanes>(v: impl Fn(usize) -> [f64; 3]) -> Vec3<L> {
     let of = |k| L::gather(|i| L::Scalar::of(v(i)[k]));
     Vec3::new(of(0), of(1), of(2))
@@ -116,7 +163,7 @@ fn lamp<S: Scalar>((position, intensity, [a, b, c], axis, cosine): &Lamp) -> [Li
     };
     [
         Light::Point(point),
-        Light::Directional(shading::DirectionalLight {
+        Light::Directional(DirectionalLight {
             l: axis,
             intensity: point.intensity,
         }),
@@ -205,4 +252,153 @@ fn agree_for<L: Lanes, M: Exponent<L> + Exponent<L::Scalar>>(
             assert!(equal, "lane {i}, number {k}: {lane:?} instead of {alone:?}");
         }
     }
+}
+
+/// Each operation of the number, on each two of the edges.
+fn operations_agree<L: Lanes>() {
+    let edges = L::Scalar::EDGES;
+    let from = |first: usize, lane: usize| edges[(first + lane) % edges.len()];
+    for (j, k) in (0..edges.len()).flat_map(|j| (0..edges.len()).map(move |k| (j, k))) {
+        let [a, b] = [j, k].map(|first| L::gather(|i| from(first, i)));
+        let lanes = operations(a, b);
+        for i in 0..L::COUNT {
+            let (a, b) = (from(j, i), from(k, i));
+            for ((what, lanes), (_, alone)) in lanes.iter().zip(operations(a, b)) {
+                let lane = lanes.lane(i);
+                let equal = lane.bits() == alone.bits();
+                assert!(
+                    equal,
+                    "{what} of {a:?} and {b:?}: {lane:?} instead of {alone:?}"
+                );
+            }
+        }
+        // all lanes but the first are not positive
+        let (a, b) = (edges[j], edges[k]);
+        let first_is_b = L::gather(|i| if i == 0 { b } else { a });
+        let any = a.any_positive() || b.any_positive();
+        assert_eq!(
+            first_is_b.any_positive(),
+            any,
+            "{a:?}, the first lane {b:?}"
+        );
+    }
+}
+
+fn operations<T: Real>(a: T, b: T) -> [(&'static str, T); 11] {
+    [
+        ("sum", a + b),
+        ("difference", a - b),
+        ("product", a * b),
+        ("quotient", a / b),
+        ("opposite", -a),
+        ("root", a.sqrt()),
+        ("if_positive", a.if_positive(b, T::ONE)),
+        ("if_above", a.if_above(b, T::ONE, b)),
+        ("abs", a.abs()),
+        ("at_least", a.at_least(b)),
+        ("at_most", a.at_most(b)),
+    ]
+}
+
+/// A direction with a cosine of c to Z; its length does not matter here.
+fn tilted<T: Real>(c: T) -> UnitVec3<T> {
+    UnitVec3::assume_unit(Vec3::new(T::ZERO, T::ZERO, c))
+}
+
+fn powers_agree<L: Lanes>() {
+    for m in L::Scalar::EDGES {
+        powers_agree_for::<L, L::Scalar>(m);
+    }
+    for m in [0, 1, 2, 3, 100, u32::MAX] {
+        powers_agree_for::<L, u32>(m);
+    }
+}
+
+fn powers_agree_for<L: Lanes, M: Exponent<L> + Exponent<L::Scalar> + Debug>(m: M) {
+    let edges = L::Scalar::EDGES;
+    for first in 0..edges.len() {
+        let cosine = |i: usize| edges[(first + i) % edges.len()];
+        let lanes = term::phong(UnitVec3::Z, tilted(L::gather(cosine)), m);
+        for i in 0..L::COUNT {
+            let (lane, alone) = (
+                lanes.lane(i),
+                term::phong(UnitVec3::Z, tilted(cosine(i)), m),
+            );
+            let equal = lane.bits() == alone.bits();
+            let c = cosine(i);
+            assert!(
+                equal,
+                "{c:?} to the power of {m:?}: {lane:?} instead of {alone:?}"
+            );
+        }
+    }
+}
+
+/// The highlights after Phong and after Blinn of a white mirror, seen from V.
+fn highlights<L: Lanes, M: Exponent<L>>(l: UnitVec3<L>, v: UnitVec3<L>, m: M) -> [L; 2] {
+    let material = Material {
+        k_a: Rgb::BLACK,
+        k_d: Rgb::BLACK,
+        k_s: Rgb::WHITE,
+        m,
+    };
+    let sun = DirectionalLight {
+        l,
+        intensity: Rgb::WHITE,
+    };
+    let light = || [sun.at(Vec3::ZERO)];
+    let phong = shade::phong(UnitVec3::Z, v, &material, Rgb::BLACK, light());
+    let blinn = shade::blinn_phong(UnitVec3::Z, v, &material, Rgb::BLACK, light());
+    [phong, blinn].map(|shaded| shaded.specular.g)
+}
+
+/// (0.6, 0, 0.8).
+fn aslant<L: Lanes>() -> UnitVec3<L> {
+    let [x, z] = [0.6, 0.8].map(L::of);
+    UnitVec3::assume_unit(Vec3::new(x, L::ZERO, z))
+}
+
+fn assert_all<L: Lanes>(lanes: L, expected: f64) {
+    for i in 0..L::COUNT {
+        let (lane, expected) = (lanes.lane(i), L::Scalar::of(expected));
+        let equal = lane.bits() == expected.bits();
+        assert!(equal, "lane {i}: {lane:?} instead of {expected:?}");
+    }
+}
+
+/// c⁰ = 1.
+fn no_shininess<L: Lanes>() {
+    for m in [-1.0, -0.0, f64::NEG_INFINITY, f64::NAN].map(L::Scalar::of) {
+        for highlight in highlights::<L, _>(UnitVec3::Z, aslant(), m) {
+            assert_all(highlight, 1.0);
+        }
+    }
+}
+
+/// 1^∞ = 1, and c^∞ = 0 for c < 1.
+fn endless_shininess<L: Lanes>() {
+    let m = L::Scalar::of(f64::INFINITY);
+    for highlight in highlights::<L, _>(UnitVec3::Z, UnitVec3::Z, m) {
+        assert_all(highlight, 1.0);
+    }
+    for highlight in highlights::<L, _>(UnitVec3::Z, aslant(), m) {
+        assert_all(highlight, 0.0);
+    }
+}
+
+/// Where L = −V, H is 0/0; a cosine that is not a number is no cosine.
+fn no_highlight<L: Lanes>() {
+    let nan = tilted(L::of(f64::NAN));
+    for [phong, blinn] in [
+        highlights::<L, u32>(aslant(), -aslant(), 8),
+        highlights(aslant(), -aslant(), L::Scalar::of(8.0)),
+        highlights::<L, u32>(aslant(), nan, 8),
+        highlights(aslant(), nan, L::Scalar::of(8.0)),
+    ] {
+        assert_all(phong, 0.0);
+        assert_all(blinn, 0.0);
+    }
+    // behind the surface: N·L is −0
+    assert_all(term::lambert(UnitVec3::<L>::Z, -UnitVec3::X), 0.0);
+    assert_all(Rgb::gray(L::of(-0.0)).clamped().g, 0.0);
 }

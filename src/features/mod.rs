@@ -2,5 +2,9 @@
 
 #[cfg(feature = "approx")]
 mod approx;
+#[cfg(feature = "mint")]
+mod mint;
+#[cfg(feature = "serde")]
+mod serde;
 #[cfg(feature = "wide")]
 mod wide;

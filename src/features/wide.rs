@@ -1,5 +1,8 @@
 //! SIMD lanes: [`Real`] and [`Exponent`] for the types of the crate `wide`. Each lane has the bits
 //! that the scalar would have.
+//!
+//! The bounds are taken by comparison: the maximum and minimum of `wide` choose between zeros, and
+//! between a number and NaN, as the processor does.
 
 use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x4, f64x8, i32x4, i32x8, i32x16};
@@ -7,6 +10,25 @@ use wide::{f32x4, f32x8, f32x16, f64x4, f64x8, i32x4, i32x8, i32x16};
 use crate::exponent::Exponent;
 use crate::power::{Binary32, EXPONENT, LEAST, power};
 use crate::real::Real;
+
+// x87 rounds a number that stays in a register otherwise than one in memory.
+#[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
+compile_error!(
+    "feature `wide`: without SSE2 a SIMD lane would not have the bits of the scalar. Enable SSE2, or \
+     compute with `f32` and `f64`: lanes are no faster there"
+);
+
+/// Whether lanes are registers of SSE2. The second operand of its maximum and its minimum is the
+/// result wherever the first is neither greater nor less: exactly a comparison and a choice.
+const SSE2: bool = cfg!(target_feature = "sse2");
+
+/// Whether there is an instruction for the root. Elsewhere `wide` takes it in software, which is
+/// wrong for subnormal numbers.
+const HAS_ROOT: bool = cfg!(any(
+    target_feature = "sse2",
+    target_feature = "simd128",
+    all(target_arch = "aarch64", target_feature = "neon")
+));
 
 macro_rules! real {
     ($lanes:ident of $float:ident) => {
@@ -24,7 +46,11 @@ macro_rules! real {
 
             #[inline]
             fn sqrt(self) -> Self {
-                self.sqrt()
+                if HAS_ROOT {
+                    self.sqrt()
+                } else {
+                    Self::new(self.to_array().map(<$float as Real>::sqrt))
+                }
             }
 
             #[inline]
@@ -54,12 +80,20 @@ macro_rules! real {
 
             #[inline]
             fn at_least(self, floor: Self) -> Self {
-                self.max(floor)
+                if SSE2 {
+                    self.fast_max(floor)
+                } else {
+                    self.if_above(floor, self, floor)
+                }
             }
 
             #[inline]
             fn at_most(self, limit: Self) -> Self {
-                limit.fast_min(self)
+                if SSE2 {
+                    limit.fast_min(self)
+                } else {
+                    self.if_above(limit, limit, self)
+                }
             }
         }
     };

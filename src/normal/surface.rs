@@ -12,9 +12,9 @@ use crate::vector::Vec3;
 /// N = (a, b, c) / |(a, b, c)|
 /// ```
 ///
-/// It points to where ax + by + cz + d > 0. `None` where a = b = c = 0.
+/// It points to the side where ax + by + cz + d > 0. `None` if a = b = c = 0.
 ///
-/// Source: Foley, van Dam et al. §11.1.3.
+/// Source: Foley, van Dam et al., *Computer Graphics: Principles and Practice*, 2nd ed., §11.1.3.
 ///
 /// ```
 /// use shading::{UnitVec3, normal};
@@ -33,9 +33,9 @@ pub fn plane<T: Real + PartialOrd>(a: T, b: T, c: T) -> Option<UnitVec3<T>> {
 /// N = (v₂ − v₁) × (v₃ − v₁) / |(v₂ − v₁) × (v₃ − v₁)|
 /// ```
 ///
-/// It points to where the vertices are seen counter-clockwise. `None` where the triangle is a line
-/// or a point. The error is a few u times the conditioning |e₁||e₂|/|e₁×e₂| of the two edges (u the
-/// unit roundoff), whatever the size of the triangle: 10⁻³⁷ and 10³⁷ are as good as 1.
+/// It points to the side from which the vertices appear counter-clockwise. `None` if the triangle is a
+/// line or a point. The error is a few u times the conditioning |e₁||e₂|/|e₁×e₂| of the two edges, where u
+/// is the unit roundoff. The size of the triangle does not matter: 10⁻³⁷ and 10³⁷ are as good as 1.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -58,13 +58,13 @@ pub fn triangle<T: Real + PartialOrd>(
         .unit()
 }
 
-/// The outward normal of a sphere at a point of it.
+/// The outward normal of a sphere at a point p on it.
 ///
 /// ```text
 /// N = (p − center) / |p − center|
 /// ```
 ///
-/// `None` where the point is the center.
+/// `None` if p is the center.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -79,14 +79,14 @@ pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitV
     tame_difference(p, center).unit()
 }
 
-/// The normal of the implicit surface f(x, y, z) = 0 at a point of it, from f itself.
+/// The normal of the implicit surface f(x, y, z) = 0 at a point p on it, from f itself.
 ///
 /// ```text
 /// N = ∇f / |∇f|
 /// ```
 ///
-/// It points to where f > 0. The gradient is exact: f computes with [`Dual`] numbers. `None` where
-/// ∇f = 0 or does not exist, as at the apex of a cone.
+/// It points to the side where f > 0. The gradient is exact: f computes with [`Dual`] numbers. `None`
+/// where ∇f is 0 or does not exist, as at the apex of a cone.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -98,10 +98,10 @@ pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitV
 /// assert_eq!(cone, None);
 /// ```
 ///
-/// A function over `f32` alone does not fit. Converted with `.into()` its result compiles, but it is
-/// a constant, whose gradient is 0, and the normal is always `None`. Write the function generic over
-/// [`Real`] or [`Elementary`](crate::Elementary): it finds the surface with `f32` and its normal with
-/// `Dual<f32>`.
+/// **A trap.** A function that takes `f32` does not fit here. If you convert its result with `.into()`, it
+/// compiles, but that result is a constant: its gradient is 0, and the normal is always `None`. Make the
+/// function generic over [`Real`] or [`Elementary`](crate::Elementary). Then the same function finds the
+/// surface with `f32` and the normal with `Dual<f32>`.
 ///
 /// ```
 /// use shading::{Real, UnitVec3, Vec3, normal};
@@ -114,7 +114,7 @@ pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitV
 /// assert_eq!(torus(p), 0.0);
 /// assert_eq!(normal::implicit(torus, p), Some(UnitVec3::X));
 ///
-/// // the mistake: of the values alone nothing can be differentiated
+/// // the mistake: the plain values carry no derivatives
 /// assert_eq!(normal::implicit(|p| torus(p.map(|c| c.value)).into(), p), None);
 /// ```
 #[doc(alias = "gradient")]
@@ -127,8 +127,7 @@ pub fn implicit<T: Real + PartialOrd>(
     from_gradient(f(Dual::point(p)).gradient)
 }
 
-/// The normal of an implicit surface whose gradient ∇f you have already: ∇f/|∇f|, `None` where it
-/// is 0 or not finite.
+/// The normal of an implicit surface from its gradient: ∇f/|∇f|. `None` if ∇f is 0 or not finite.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -146,21 +145,21 @@ pub fn from_gradient<T: Real + PartialOrd>(gradient: Vec3<T>) -> Option<UnitVec3
 /// N = (∂s/∂u × ∂s/∂v) / |∂s/∂u × ∂s/∂v|
 /// ```
 ///
-/// The tangents are exact but for rounding: s computes with [`Dual`] numbers. Which side N points
-/// to is up to the order of u and v.
+/// The tangents are exact up to rounding: s computes with [`Dual`] numbers. The order of u and v decides
+/// to which side N points.
 ///
-/// `None` where the tangents are parallel, one is 0 or one does not exist, as at the pole of a
-/// sphere. There, and where the edge of a patch collapses to a point, a tangent is a sum of terms
-/// that cancel, and rounding leaves a little of it, in any direction. So there is no normal either
-/// where one tangent is at most 32u times as long as the other: 2⁻¹⁹ for `f32`, 2⁻⁴⁸ for `f64` (u is
-/// the unit roundoff, and a length that of the largest component).
+/// `None` where the tangents are parallel, or one is 0 or does not exist, as at the pole of a sphere.
+/// There, and where the edge of a patch collapses to a point, a tangent is a sum of terms that cancel,
+/// and rounding leaves noise instead of 0. So the result is also `None` if one tangent is at most 32u
+/// times as long as the other: 2⁻¹⁹ for `f32`, 2⁻⁴⁸ for `f64` (u is the unit roundoff; the length is
+/// that of the largest component).
 ///
-/// - Tangents whose lengths are as 1 to 10⁵ have their normal. Where they differ by more in `f32`,
-///   choose other units for u and v, or pass the tangents to [`from_tangents`], which refuses no
+/// - Tangents whose lengths differ by a factor of up to 10⁵ have a normal. If yours differ by more in
+///   `f32`, choose other units for u and v, or pass the tangents to [`from_tangents`], which accepts any
 ///   length.
-/// - Far from the origin the terms are longer than the tangents, and what rounding leaves may be more
-///   than 32u. Describe a patch from one of its own points, or by differences of its control points
-///   as in de Casteljau's algorithm: those of equal points are exactly 0.
+/// - Far from the origin the terms are longer than the tangents, and the noise may exceed 32u. Describe a
+///   patch relative to one of its own points, or by differences of its control points as in de
+///   Casteljau's algorithm: the difference of equal points is exactly 0.
 ///
 /// ```
 /// use shading::{Elementary, UnitVec3, Vec3, normal};
@@ -168,7 +167,7 @@ pub fn from_gradient<T: Real + PartialOrd>(gradient: Vec3<T>) -> Option<UnitVec3
 /// let cylinder = |u: shading::Dual<f64>, v| Vec3::new(u.cos(), u.sin(), v);
 /// assert_eq!(normal::parametric(cylinder, 0.0, 5.0), Some(UnitVec3::X));
 ///
-/// // the south pole of a sphere: sin π is not 0 in floats, but 10⁻¹⁶
+/// // the south pole of a sphere: in floats, sin π is 10⁻¹⁶ and not 0
 /// let sphere = |u: shading::Dual<f64>, v: shading::Dual<f64>|
 ///     Vec3::new(u.cos() * v.sin(), u.sin() * v.sin(), v.cos());
 /// assert_eq!(normal::parametric(sphere, 1.0, core::f64::consts::PI), None);
@@ -191,8 +190,8 @@ pub fn parametric<T: Real + PartialOrd>(
     }
 }
 
-/// Whether one tangent is so short beside the other that rounding may have made it: two roundings
-/// for each of the 16 control points of a bicubic patch. On the teapot they leave up to 14u.
+/// Whether one tangent is so short beside the other that it may be rounding noise: two roundings for
+/// each of the 16 control points of a bicubic patch. On the teapot the noise reaches 14u.
 #[inline]
 fn is_one_noise<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> bool {
     // 4/3 is rounded by a third of ε, which is 2u, in any binary float (Kahan)
@@ -205,11 +204,11 @@ fn is_one_noise<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> bool {
     u.at_most(v) <= u.at_least(v) * noise
 }
 
-/// The normal of a parametric surface whose two tangents you have already: s_u × s_v/|s_u × s_v|,
-/// `None` where they are parallel, 0 or not finite.
+/// The normal of a parametric surface from its two tangents: s_u × s_v/|s_u × s_v|. `None` if they are
+/// parallel, 0 or not finite.
 ///
-/// Each tangent is brought to a size near 1 before the product and the product before its length
-/// is taken, so that neither overflows nor vanishes.
+/// The tangents are scaled to about 1 before they are multiplied, and so is the product before its length
+/// is taken, so that nothing overflows or vanishes.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};

@@ -26,13 +26,17 @@ emulate() {
     timeout 120 $machine -nographic -semihosting-config enable=on,target=native "$@" -kernel "$program" </dev/null
 }
 
-# The digest for a target, or `host`, under a profile.
+# The digests for a target, or `host`, under a profile: SINGLE-DOUBLE.
 digest() {
     local target=$1 profile=$2 program
     case $target in
     host) cargo run --quiet --profile "$profile" --features "$features" --bin host ;;
     wasm32-*) program=$(build "$target" "$profile" wasm) && node wasm.mjs "$program.wasm" ;;
-    *) program=$(build "$target" "$profile" digest) && emulate "$target" "$program" ;;
+    *)
+        for program in single double; do
+            program=$(build "$target" "$profile" "$program") && emulate "$target" "$program" || return
+        done | paste -sd -
+        ;;
     esac
 }
 

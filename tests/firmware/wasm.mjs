@@ -1,6 +1,7 @@
-// Prints the digest that a WebAssembly module computes: node wasm.mjs FILE
+// Prints the digests that a WebAssembly module computes: node wasm.mjs FILE
 import { readFile } from "node:fs/promises";
 
-const module = await WebAssembly.instantiate(await readFile(process.argv[2]));
-const digest = BigInt.asUintN(64, module.instance.exports.digest());
-console.log(digest.toString(16).padStart(16, "0"));
+const { instance } = await WebAssembly.instantiate(await readFile(process.argv[2]));
+const { single, double } = instance.exports;
+const hex = (digest) => BigInt.asUintN(64, digest()).toString(16).padStart(16, "0");
+console.log(`${hex(single)}-${hex(double)}`);

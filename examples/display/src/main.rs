@@ -1,9 +1,13 @@
-//! A turning ball on a display of 160 × 128 pixels, as hobbyists have it; here the display is a
-//! simulated one that writes a picture for each frame.
+//! A turning ball on a display of 160 × 128 pixels, as hobbyists have it. Here the display is a
+//! simulated one that writes a picture for each frame, and an animation of them.
 //!
 //! ```text
 //! cargo run -p display -- [FOLDER]
+//! cargo run -p display -- --beside FRAME.txt PICTURE.png
 //! ```
+//!
+//! The second form shows a frame that a chip has drawn (`tests/firmware/frame.sh`) beside the same frame
+//! drawn here, with their difference.
 //!
 //! `ball.rs` is all that a firmware needs besides the driver of its display: `tests/firmware`
 //! compiles the same file for a Cortex-M0.
@@ -16,25 +20,34 @@
 )]
 
 mod ball;
+mod beside;
 
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs};
 
-use embedded_graphics::pixelcolor::Rgb565;
-use embedded_graphics::prelude::Size;
-use embedded_graphics_simulator::{OutputSettingsBuilder, SimulatorDisplay};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::prelude::{OriginDimensions, Size};
+use embedded_graphics_simulator::{OutputImage, OutputSettingsBuilder, SimulatorDisplay};
+use png::{BitDepth, ColorType, Encoder};
 
-const FRAMES: usize = 12;
+const SIZE: Size = Size::new(160, 128);
+const FRAMES: u32 = 12;
+
+type Frame = OutputImage<Rgb888>;
 
 fn main() -> ExitCode {
-    let mut arguments = env::args_os().skip(1);
-    let folder = arguments
-        .next()
-        .map_or_else(|| "target/display".into(), PathBuf::from);
-    let result = match arguments.next() {
-        None => write_frames(&folder),
-        Some(extra) => Err(format!("{}: one folder is enough", extra.to_string_lossy())),
+    let arguments: Vec<PathBuf> = env::args_os().skip(1).map(PathBuf::from).collect();
+    let result = match &arguments[..] {
+        [] => write_frames(Path::new("target/display")),
+        [option, frame, picture] if option.as_os_str() == "--beside" => {
+            beside::write(frame, picture)
+        }
+        [folder] if !folder.as_os_str().as_encoded_bytes().starts_with(b"-") => {
+            write_frames(folder)
+        }
+        _ => Err("usage: display [FOLDER], or display --beside FRAME.txt PICTURE.png".into()),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -45,20 +58,53 @@ fn main() -> ExitCode {
     }
 }
 
+fn about(path: &Path, error: &dyn Display) -> String {
+    format!("{}: {error}", path.display())
+}
+
 fn write_frames(folder: &Path) -> Result<(), String> {
-    let about = |path: &Path, error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
     fs::create_dir_all(folder).map_err(|error| about(folder, &error))?;
-    let settings = OutputSettingsBuilder::new().scale(2).build();
     let mut turn = ball::Turn::NONE;
-    for frame in 0..FRAMES {
-        let mut display = SimulatorDisplay::<Rgb565>::new(Size::new(160, 128));
-        let Ok(()) = ball::draw(&mut display, turn);
-        let path = folder.join(format!("ball-{frame:02}.png"));
-        let picture = display.to_rgb_output_image(&settings);
-        picture
+    let mut frames = Vec::new();
+    for number in 0..FRAMES {
+        let frame = enlarged(&drawn(turn));
+        let path = folder.join(format!("ball-{number:02}.png"));
+        frame
             .save_png(&path)
             .map_err(|error| about(&path, &error))?;
+        frames.push(frame);
         turn = turn.next();
     }
+    let path = folder.join("ball.png");
+    let animation = animated(&frames).map_err(|error| about(&path, &error))?;
+    fs::write(&path, animation).map_err(|error| about(&path, &error))?;
+    println!("{FRAMES} frames and their animation, {}", path.display());
     Ok(())
+}
+
+fn drawn(turn: ball::Turn) -> SimulatorDisplay<Rgb565> {
+    let mut display = SimulatorDisplay::new(SIZE);
+    let Ok(()) = ball::draw(&mut display, turn);
+    display
+}
+
+fn enlarged(display: &SimulatorDisplay<Rgb565>) -> Frame {
+    display.to_rgb_output_image(&OutputSettingsBuilder::new().scale(2).build())
+}
+
+/// All frames in one file, over and over, eight a second.
+fn animated(frames: &[Frame]) -> Result<Vec<u8>, png::EncodingError> {
+    let mut file = Vec::new();
+    let Size { width, height } = frames[0].size();
+    let mut encoder = Encoder::new(&mut file, width, height);
+    encoder.set_color(ColorType::Rgb);
+    encoder.set_depth(BitDepth::Eight);
+    encoder.set_animated(frames.len() as u32, 0)?;
+    encoder.set_frame_delay(1, 8)?;
+    let mut writer = encoder.write_header()?;
+    for frame in frames {
+        writer.write_image_data(frame.as_image_buffer().as_raw())?;
+    }
+    writer.finish()?;
+    Ok(file)
 }

@@ -30,7 +30,7 @@ impl DrawTarget for Display<'_> {
         pixels: I,
     ) -> Result<(), Infallible> {
         for Pixel(_, color) in pixels {
-            self.0.bits(RawU16::from(color).into_inner().into());
+            self.0.bytes(RawU16::from(color).into_inner().to_le_bytes());
         }
         Ok(())
     }

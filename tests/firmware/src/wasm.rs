@@ -1,9 +1,16 @@
-//! The digest as a function of a WebAssembly module.
+//! The digests as functions of a WebAssembly module.
 #![no_std]
 
+use firmware::digest;
+
 #[unsafe(no_mangle)]
-extern "C" fn digest() -> u64 {
-    firmware::digest::everything()
+extern "C" fn single() -> u64 {
+    digest::single()
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn double() -> u64 {
+    digest::double()
 }
 
 #[cfg(target_family = "wasm")]

@@ -1,5 +1,7 @@
-//! Prints the digest, on the machine that builds it.
+//! Prints the digests, on the machine that builds it.
+
+use firmware::digest;
 
 fn main() {
-    println!("{:016x}", firmware::digest::everything());
+    println!("{:016x}-{:016x}", digest::single(), digest::double());
 }

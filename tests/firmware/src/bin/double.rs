@@ -1,4 +1,4 @@
-//! Prints the digest.
+//! Prints the digest in double precision, in a program of its own: unoptimized, both do not fit in 256 KiB.
 #![no_std]
 #![no_main]
 
@@ -6,7 +6,7 @@ use firmware::{board, digest};
 
 #[board::entry]
 fn main() -> ! {
-    board::println!("{:016x}", digest::everything());
+    board::println!("{:016x}", digest::double());
     board::done()
 }
 

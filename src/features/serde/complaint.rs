@@ -1,0 +1,44 @@
+//! Why a value may not stand in a file.
+
+use core::fmt::{self, Display, Formatter};
+
+use super::Number;
+use crate::Vec3;
+
+/// The name of a field, and what is wrong with its value.
+pub struct Complaint<T>(pub &'static str, pub Problem<T>);
+
+pub enum Problem<T> {
+    /// With which one of three numbers it is.
+    NotFinite(&'static str, T),
+    Negative(&'static str, T),
+    AllZero,
+    NotUnit([T; 3]),
+    NotHalfAngle(T),
+    NotCosine(T),
+}
+
+impl<T: Number> Display for Complaint<T> {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let Self(name, problem) = self;
+        write!(f, "{name}: ")?;
+        match problem {
+            Problem::NotFinite(letter, x) => write!(f, "{letter}{x:?} is not finite"),
+            Problem::Negative(letter, x) => write!(f, "{letter}{x:?} is negative"),
+            Problem::AllZero => write!(f, "all are 0; write [1, 0, 0] for no attenuation"),
+            Problem::NotUnit(list) => {
+                let v = Vec3::from(*list);
+                write!(f, "{list:?} has length {:?}, not 1", v.length())?;
+                match v.unit() {
+                    Some(unit) => write!(f, "; write {:?}", <[T; 3]>::from(unit)),
+                    None => Ok(()),
+                }
+            }
+            Problem::NotHalfAngle(x) => write!(
+                f,
+                "{x:?} is not from 0 to π; it is half of the opening, in radians"
+            ),
+            Problem::NotCosine(x) => write!(f, "{x:?} is not from -1 to 1"),
+        }
+    }
+}

@@ -1,0 +1,255 @@
+//! What the functions are given: exact numbers, the same on every machine.
+
+use shading::{
+    Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, IncidentLight, Light,
+    Material, PointLight, Rgb, Shaded, SpotLight, UnitVec3, Vec3, shade,
+};
+
+use super::fnv::Absorb;
+
+/// `f32` or `f64`, with what exists once for each.
+pub trait Float: Elementary + PartialOrd + Exponent<Self> + Absorb + From<f32> + 'static {
+    const EPSILON: Self;
+    /// Sizes from nothing to the largest number, by way of subnormal ones.
+    const SIZES: [Self; 10];
+    const CONE: Cone<Self>;
+
+    /// A number within [−1, 1), of all the digits that it may have.
+    fn draw(numbers: &mut Numbers) -> Self;
+    /// A number of any size, but finite.
+    fn draw_any(numbers: &mut Numbers) -> Self;
+
+    fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>>;
+    fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>>;
+    fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>>;
+    fn unit_vector(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
+    fn normalized(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
+
+    fn times_vector(self, v: Vec3<Self>) -> Vec3<Self>;
+    fn times_rgb(self, rgb: Rgb<Self>) -> Rgb<Self>;
+    /// self + dual, self − dual, self · dual and self / dual.
+    fn before(self, dual: Dual<Self>) -> [Dual<Self>; 4];
+}
+
+macro_rules! float {
+    ($float:ident, $sizes:expr, $draw:expr, $any_bits:expr) => {
+        impl Float for $float {
+            const EPSILON: Self = $float::EPSILON;
+            const SIZES: [Self; 10] = $sizes;
+            const CONE: Cone<Self> = Cone::<$float>::from_half_angle(0.9).unwrap();
+
+            #[allow(clippy::cast_precision_loss)] // there is none: as many bits are drawn as fit
+            fn draw(numbers: &mut Numbers) -> Self {
+                $draw(numbers)
+            }
+
+            fn draw_any(numbers: &mut Numbers) -> Self {
+                let any = Self::from_bits($any_bits(numbers));
+                if any.is_finite() { any } else { Self::MAX }
+            }
+
+            fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>> {
+                Attenuation::<$float>::new(a, b, c)
+            }
+
+            fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>> {
+                Cone::<$float>::from_half_angle(radians)
+            }
+
+            fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>> {
+                Cone::<$float>::from_cosine(cosine)
+            }
+
+            fn unit_vector(v: Vec3<Self>) -> Option<UnitVec3<Self>> {
+                UnitVec3::<$float>::new(v.x, v.y, v.z)
+            }
+
+            fn normalized(v: Vec3<Self>) -> Option<UnitVec3<Self>> {
+                UnitVec3::<$float>::normalized(v.x, v.y, v.z)
+            }
+
+            fn times_vector(self, v: Vec3<Self>) -> Vec3<Self> {
+                self * v
+            }
+
+            fn times_rgb(self, rgb: Rgb<Self>) -> Rgb<Self> {
+                self * rgb
+            }
+
+            fn before(self, dual: Dual<Self>) -> [Dual<Self>; 4] {
+                [self + dual, self - dual, self * dual, self / dual]
+            }
+        }
+    };
+}
+
+float!(
+    f32,
+    [
+        0.0, 1e-45, 1e-38, 1e-20, 1e-8, 1.0, 4096.0, 1e15, 1e20, 3e38
+    ],
+    |numbers: &mut Numbers| (numbers.next() >> 8) as f32 / 8_388_608.0 - 1.0,
+    |numbers: &mut Numbers| numbers.next()
+);
+float!(
+    f64,
+    [
+        0.0, 5e-324, 1e-308, 1e-160, 1e-16, 1.0, 4096.0, 1e120, 1e160, 1.7e308
+    ],
+    |numbers: &mut Numbers| (numbers.next_u64() >> 11) as f64 / 4_503_599_627_370_496.0 - 1.0,
+    |numbers: &mut Numbers| numbers.next_u64()
+);
+
+/// A linear congruential generator (Knuth's constants, as in *Numerical Recipes*).
+pub struct Numbers(u32);
+
+impl Numbers {
+    fn next(&mut self) -> u32 {
+        self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        self.0
+    }
+
+    fn next_u64(&mut self) -> u64 {
+        u64::from(self.next()) << 32 | u64::from(self.next())
+    }
+
+    /// One of the choices.
+    fn choose<T: Copy, const N: usize>(&mut self, choices: [T; N]) -> T {
+        const { assert!(N > 0) }
+        // the upper bits: those of a linear congruential generator are the better ones
+        choices[(self.next() >> 8) as usize % N]
+    }
+
+    /// Each coordinate within [−1, 1).
+    fn vector<T: Float>(&mut self) -> Vec3<T> {
+        Vec3::new(T::draw(self), T::draw(self), T::draw(self))
+    }
+
+    fn along_an_axis<T: Float>(&mut self) -> Vec3<T> {
+        let [x, y, z] = [UnitVec3::X, UnitVec3::Y, UnitVec3::Z];
+        *self.choose([x, y, z, -x, -z]) * self.choose(T::SIZES)
+    }
+}
+
+/// How many places the functions are tried at.
+const PLACES: u32 = 1024;
+
+/// Most places are usual. An eighth of them have vectors of any size, an eighth vectors of numbers of any
+/// size, and an eighth vectors and directions along the axes, which often are the same or opposite.
+pub fn places<T: Float>() -> impl Iterator<Item = Given<T>> {
+    let mut numbers = Numbers(1);
+    (0..PLACES).map(move |i| {
+        let vector: fn(&mut Numbers) -> Vec3<T> = match i % 8 {
+            5 => |numbers| numbers.vector() * T::draw_any(numbers),
+            6 => |numbers| Vec3::from([(); 3].map(|()| T::draw_any(numbers))),
+            7 => Numbers::along_an_axis,
+            _ => |numbers| numbers.vector() * T::from(4.0),
+        };
+        Given::new(&mut numbers, vector)
+    })
+}
+
+/// What the functions may want, at one place.
+pub struct Given<T> {
+    pub p: Vec3<T>,
+    pub a: Vec3<T>,
+    pub b: Vec3<T>,
+    pub n: UnitVec3<T>,
+    pub l: UnitVec3<T>,
+    pub v: UnitVec3<T>,
+    pub x: T,
+    pub y: T,
+    /// Of [0, 1], and often next to an end.
+    pub cosine: T,
+    pub f: Dual<T>,
+    pub h: Dual<T>,
+    pub rgb: Rgb<T>,
+    pub k_a: Rgb<T>,
+    pub k_d: Rgb<T>,
+    pub k_s: Rgb<T>,
+    pub attenuation: Attenuation<T>,
+    pub sun: DirectionalLight<T>,
+    /// One whose attenuation is clamped, and one whose is not.
+    pub lamps: [PointLight<T>; 2],
+    pub spot: SpotLight<T>,
+}
+
+impl<T: Float> Given<T> {
+    fn new(numbers: &mut Numbers, vector: fn(&mut Numbers) -> Vec3<T>) -> Self {
+        let [p, a, b, c] = [(); 4].map(|()| vector(numbers));
+        let [n, l, v, axis] = [(); 4].map(|()| vector(numbers).unit_or(UnitVec3::Z));
+        let [k_a, k_d, k_s, rgb, intensity] =
+            [(); 5].map(|()| Rgb::from(<[T; 3]>::from(vector(numbers))).map(T::abs));
+        let Vec3 { x, y, z } = vector(numbers);
+
+        let share = T::draw(numbers).abs();
+        let near_one = T::ONE - share * T::from(64.0) * T::EPSILON;
+        let any = T::draw_any(numbers).abs().at_most(T::ONE);
+        let cosine = numbers.choose([share, share, near_one, any]);
+
+        let attenuation = T::attenuation(x.abs(), y.abs(), z.abs()).unwrap_or(Attenuation::NONE);
+        let lamp = |position, attenuation| PointLight {
+            position,
+            intensity,
+            attenuation,
+        };
+        let cone = T::cone_from_cosine(T::draw(numbers)).unwrap_or(T::CONE);
+        Self {
+            p,
+            a,
+            b,
+            n,
+            l,
+            v,
+            x,
+            y,
+            cosine,
+            f: Dual {
+                value: x,
+                gradient: a,
+            },
+            h: Dual {
+                value: y,
+                gradient: b,
+            },
+            rgb,
+            k_a,
+            k_d,
+            k_s,
+            attenuation,
+            sun: DirectionalLight { l, intensity },
+            lamps: [lamp(a, attenuation), lamp(b, attenuation.clamped())],
+            spot: SpotLight {
+                point: lamp(c, attenuation),
+                axis,
+                cone,
+            },
+        }
+    }
+
+    /// The material with a shininess.
+    pub fn material<M>(&self, m: M) -> Material<T, M> {
+        let &Self { k_a, k_d, k_s, .. } = self;
+        Material { k_a, k_d, k_s, m }
+    }
+
+    pub fn lights(&self) -> [Light<T>; 4] {
+        let [lamp, clamped] = self.lamps.map(Light::Point);
+        [
+            Light::Directional(self.sun),
+            lamp,
+            Light::Spot(self.spot),
+            clamped,
+        ]
+    }
+
+    /// What arrives of each light, twice: more than four in front of the surface.
+    pub fn arriving(&self) -> impl Iterator<Item = IncidentLight<T>> {
+        let lights = self.lights().map(|light| light.at(self.p));
+        lights.into_iter().chain(lights)
+    }
+
+    pub fn shaded(&self) -> Shaded<T> {
+        shade::blinn_phong(self.n, self.v, &self.material(2), self.rgb, self.arriving())
+    }
+}

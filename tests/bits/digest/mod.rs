@@ -1,0 +1,182 @@
+//! Everything that the crate computes, at the same places on every machine.
+
+mod fnv;
+mod given;
+
+use shading::{
+    Attenuation, Cone, Dual, Elementary, Exponent, Light, PointLight, Real, Rgb, UnitVec3, Vec3,
+    attenuation, half_vector, normal, reflection, shade, term,
+};
+
+use fnv::Each;
+pub use fnv::Fnv;
+pub use given::Float;
+use given::{Given, places};
+
+/// A function by name, and what digests its results at a place.
+pub type Function<T> = (&'static str, fn(&Given<T>, &mut Fnv));
+
+/// Digests the results of functions at all places.
+pub fn absorb<T: Float>(functions: &[Function<T>], digest: &mut Fnv) {
+    for given in places() {
+        for (_, absorb_results) in functions {
+            absorb_results(&given, digest);
+        }
+    }
+}
+
+/// The shininess, as an integer and as a real number.
+const INTEGER: [u32; 8] = [0, 1, 2, 5, 32, 33, 1000, u32::MAX];
+const REAL: [f32; 8] = [0.0, 0.5, 1.0, 10.25, 32.0, 100.5, 1e4, f32::MAX];
+
+/// The functions in one number type.
+pub struct Of<T>(T);
+
+macro_rules! functions {
+    ($($(#[$doc:meta])* $list:ident { $($name:literal: |$given:ident| $results:expr;)* })*) => {
+        impl<T: Float> Of<T> {
+            $($(#[$doc])* pub const $list: &[Function<T>] =
+                &[$(($name, |$given, digest| digest.absorb($results))),*];)*
+        }
+    };
+}
+
+functions! {
+    /// A line a function.
+    FUNCTIONS {
+        // numbers
+        "Real::sqrt": |g| g.x.abs().sqrt();
+        "Real::abs": |g| g.x.abs();
+        "Real::if_positive": |g| g.x.if_positive(g.y, g.cosine);
+        "Real::if_above": |g| g.x.if_above(g.y, g.cosine, g.x);
+        "Real::at_least": |g| g.x.at_least(g.y);
+        "Real::at_most": |g| g.x.at_most(g.y);
+        "Real::any_positive": |g| g.x.any_positive();
+        "Elementary::powi": |g| [-3, -1, 0, 1, 2, 7, 100].map(|i| g.x.powi(i));
+        "Elementary::exp": |g| g.x.exp();
+        "Elementary::ln": |g| g.x.abs().ln();
+        "Exponent::raise, integer m": |g| INTEGER.map(|m| m.raise(g.cosine));
+        "Exponent::raise, real m": |g| REAL.map(|m| T::from(m).raise(g.cosine));
+
+        // vectors and colors
+        "Vec3, operators": |g| [g.a + g.b, g.a - g.b, g.a * g.x, g.x.times_vector(g.a), g.a / g.x, -g.a];
+        "Vec3, assigned": |g| { let mut v = g.a; v += g.b; v *= g.x; v -= g.p; v };
+        "Vec3::sum": |g| [[g.p, g.a, g.b].iter().sum::<Vec3<T>>(), [g.b, g.a, g.p].into_iter().sum()];
+        "Vec3::dot": |g| [g.a.dot(g.b), g.a.dot(g.n)];
+        "Vec3::cross": |g| [g.a.cross(g.b), g.a.cross(g.n)];
+        "Vec3::length": |g| g.a.length();
+        "Vec3::unit": |g| g.a.unit();
+        "Vec3::unit_or": |g| g.a.unit_or(g.n);
+        "UnitVec3::assume_unit": |g| -UnitVec3::assume_unit(g.a);
+        "UnitVec3::new": |g| T::unit_vector(*g.n);
+        "UnitVec3::normalized": |g| T::normalized(g.a);
+        "Rgb, operators": |g| [g.rgb + g.k_a, g.rgb - g.k_a, g.rgb * g.k_a, g.rgb * g.x, g.x.times_rgb(g.rgb), g.rgb / g.x];
+        "Rgb, assigned": |g| { let mut c = g.rgb; c += g.k_a; c *= g.x; c -= g.k_d; c };
+        "Rgb::sum": |g| [[g.rgb, g.k_a, g.k_d].iter().sum::<Rgb<T>>(), [g.k_d, g.rgb, g.k_a].into_iter().sum()];
+        "Rgb::gray": |g| Rgb::gray(g.x);
+        "Rgb::clamped": |g| (g.rgb - g.k_a).clamped();
+
+        // dual numbers
+        "Dual, operators": |g| [g.f + g.h, g.f - g.h, g.f * g.h, g.f / g.h, -g.f];
+        "Dual, with a number": |g| [g.f + g.y, g.f - g.y, g.f * g.y, g.f / g.y];
+        "Dual, after a number": |g| g.y.before(g.f);
+        "Dual::chain": |g| g.f.chain(g.y, g.x);
+        "Dual::sqrt": |g| g.f.abs().sqrt();
+        "Dual::powi": |g| [-3, -1, 0, 1, 2, 7].map(|i| g.f.powi(i));
+        "Dual::exp": |g| g.f.exp();
+        "Dual::ln": |g| g.f.abs().ln();
+
+        // normals
+        "normal::plane": |g| normal::plane(g.a.x, g.a.y, g.a.z);
+        "normal::triangle": |g| normal::triangle(g.p, g.a, g.b);
+        "normal::triangle, slivers": |g| normal::triangle(g.p, g.p + g.a, g.p + g.a * g.cosine);
+        "normal::sphere": |g| normal::sphere(g.a, g.p);
+        "normal::implicit": |g| [normal::implicit(torus, g.p), normal::implicit(blobs, g.p)];
+        "normal::from_gradient": |g| normal::from_gradient(g.a);
+        "normal::parametric": |g| normal::parametric(saddle, g.x, g.y);
+        "normal::from_tangents": |g| normal::from_tangents(g.a, g.b);
+        "normal::facing": |g| normal::facing(g.n, g.v);
+        "normal::transformed": |g| normal::transformed(g.n, [g.p, g.a, g.b]);
+        "normal::transformed, columns of any size": |g| T::SIZES.map(|size| normal::transformed(g.n, [g.p, g.a * size, g.b]));
+        "normal::corner": |g| [normal::corner(g.p, g.a, g.b), normal::corner(g.a, g.b, g.a + g.b)];
+        "normal::mapped": |g| normal::mapped(g.n, g.a, g.x, g.b);
+
+        // directions, terms, attenuation, cone
+        "reflection": |g| reflection(g.n, g.l);
+        "half_vector": |g| half_vector(g.l, g.v);
+        "term::ambient": |g| term::ambient(g.k_a, g.rgb);
+        "term::lambert": |g| term::lambert(g.n, g.l);
+        "term::phong, integer m": |g| INTEGER.map(|m| term::phong(g.l, g.v, m));
+        "term::phong, real m": |g| REAL.map(|m| term::phong(g.l, g.v, T::from(m)));
+        "term::blinn, integer m": |g| INTEGER.map(|m| term::blinn(g.n, g.v, m));
+        "term::blinn, real m": |g| REAL.map(|m| term::blinn(g.n, g.v, T::from(m)));
+        "attenuation": |g| attenuation(g.a.x, g.a.y, g.a.z, g.x);
+        "Attenuation::new": |g| T::attenuation(g.x, g.y, g.cosine).map(Attenuation::coefficients);
+        "Attenuation::is_clamped": |g| g.lamps.map(|lamp| lamp.attenuation.is_clamped());
+        "Attenuation::at": |g| g.attenuation.at(g.x.abs());
+        "Attenuation::clamped": |g| g.attenuation.clamped().at(g.x.abs());
+        "Cone::from_half_angle": |g| T::cone_from_half_angle(g.cosine * T::from(3.25)).map(Cone::cosine);
+        "Cone::from_cosine": |g| T::cone_from_cosine(g.cosine + g.cosine - T::ONE).map(Cone::cosine);
+        "Cone::factor": |g| T::cone_from_cosine(g.cosine).map(|cone| cone.factor(g.n, g.l));
+
+        // lights
+        "DirectionalLight::at": |g| g.sun.at(g.p);
+        "DirectionalLight::in_front": |g| g.sun.in_front(g.p, g.n);
+        "PointLight::at": |g| g.lamps.map(|lamp| lamp.at(g.p));
+        "PointLight::in_front": |g| g.lamps.map(|lamp| lamp.in_front(g.p, g.n));
+        "PointLight::all_in_front": |g| Each(PointLight::all_in_front(&g.lamps, g.p, g.n));
+        "SpotLight::at": |g| g.spot.at(g.p);
+        "SpotLight::in_front": |g| g.spot.in_front(g.p, g.n);
+        "Light::at": |g| g.lights().map(|light| light.at(g.p));
+        "Light::in_front": |g| g.lights().map(|light| light.in_front(g.p, g.n));
+        "Light::all_in_front": |g| Each(Light::all_in_front(&g.lights(), g.p, g.n));
+
+        // sums over lights
+        "shade::lambert": |g| shade::lambert(g.n, &g.material(0), g.rgb, g.arriving());
+        "shade::phong, integer m": |g| shade::phong(g.n, g.v, &g.material(32), g.rgb, g.arriving());
+        "shade::phong, real m": |g| shade::phong(g.n, g.v, &g.material(T::from(32.5)), g.rgb, g.arriving());
+        "shade::blinn_phong, even m": |g| shade::blinn_phong(g.n, g.v, &g.material(32), g.rgb, g.arriving());
+        "shade::blinn_phong, odd m": |g| shade::blinn_phong(g.n, g.v, &g.material(33), g.rgb, g.arriving());
+        "shade::blinn_phong, real m": |g| shade::blinn_phong(g.n, g.v, &g.material(T::from(32.5)), g.rgb, g.arriving());
+        "Shaded, operators": |g| [g.shaded() + g.shaded() * g.x, [g.shaded(), g.shaded()].into_iter().sum()];
+        "Shaded::total": |g| g.shaded().total();
+
+        // in another number type
+        "PointLight::cast": |g| g.lamps[0].cast(Dual::constant).at(Dual::point(g.p));
+    }
+
+    /// What `libm` computes in doubles inside.
+    ANGLES {
+        "Elementary::sin": |g| g.x.sin();
+        "Elementary::cos": |g| g.x.cos();
+        "Dual::sin": |g| g.f.sin();
+        "Dual::cos": |g| g.f.cos();
+        "normal::implicit, with angles": |g| normal::implicit(gyroid, g.p);
+        "normal::parametric, with angles": |g| normal::parametric(globe, g.x, g.y);
+    }
+}
+
+fn torus<T: Real>(p: Vec3<T>) -> T {
+    let ring = (p.x * p.x + p.y * p.y).sqrt() - T::of(2.0);
+    ring * ring + p.z * p.z - T::of(0.25)
+}
+
+fn blobs<T: Elementary>(p: Vec3<T>) -> T {
+    let blob = |x: T| {
+        let offset = p - Vec3::new(x, T::ZERO, T::ONE);
+        (-offset.dot(offset)).exp()
+    };
+    blob(-T::ONE) + blob(T::ONE) + (p.z.abs() + T::ONE).ln() - p.x.powi(3)
+}
+
+fn saddle<T: Real>(u: T, v: T) -> Vec3<T> {
+    Vec3::new(u, v, u * u - v * v)
+}
+
+fn gyroid<T: Elementary>(p: Vec3<T>) -> T {
+    p.x.sin() * p.y.cos() + p.y.sin() * p.z.cos() + p.z.sin() * p.x.cos()
+}
+
+fn globe<T: Elementary>(u: T, v: T) -> Vec3<T> {
+    Vec3::new(u.cos() * v.cos(), u.sin() * v.cos(), v.sin())
+}

@@ -1,0 +1,46 @@
+//! Vectors come and go by way of `mint`, each coordinate to its place.
+
+use shading::{UnitVec3, Vec3};
+
+const V: Vec3<f32> = Vec3::<f32>::new(1.0, 2.0, 3.0);
+
+fn to_mint<V: mint::IntoMint>(vector: V) -> V::MintType {
+    vector.into()
+}
+
+#[test]
+fn each_coordinate_keeps_its_place() {
+    assert_eq!(mint::Vector3::from(V), mint::Vector3::from([1.0, 2.0, 3.0]));
+    assert_eq!(mint::Point3::from(V), mint::Point3::from([1.0, 2.0, 3.0]));
+    assert_eq!(Vec3::from(mint::Vector3::from(V)), V);
+    assert_eq!(Vec3::from(mint::Point3::from(V)), V);
+}
+
+#[test]
+fn a_vector_is_a_vector_of_mint() {
+    assert_eq!(to_mint(V), mint::Vector3::from([1.0, 2.0, 3.0]));
+    assert_eq!(to_mint(UnitVec3::Y), mint::Vector3::from([0.0, 1.0, 0.0]));
+}
+
+#[test]
+fn vectors_of_glam_come_and_go() {
+    let there: glam::Vec3 = mint::Vector3::from(V).into();
+    assert_eq!(there, glam::vec3(1.0, 2.0, 3.0));
+    assert_eq!(Vec3::from(mint::Point3::from(there)), V);
+
+    let n = mint::Vector3::from(UnitVec3::<f64>::NEG_Z);
+    assert_eq!(glam::DVec3::from(n), glam::DVec3::NEG_Z);
+}
+
+#[test]
+fn vectors_and_points_of_nalgebra_come_and_go() {
+    let vector: nalgebra::Vector3<f32> = mint::Vector3::from(V).into();
+    assert_eq!(vector, nalgebra::Vector3::new(1.0, 2.0, 3.0));
+    let back: mint::Vector3<f32> = vector.into();
+    assert_eq!(Vec3::from(back), V);
+
+    let point: nalgebra::Point3<f32> = mint::Point3::from(V).into();
+    assert_eq!(point, nalgebra::Point3::new(1.0, 2.0, 3.0));
+    let back: mint::Point3<f32> = point.into();
+    assert_eq!(Vec3::from(back), V);
+}
