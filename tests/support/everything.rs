@@ -134,7 +134,8 @@ fn vectors<T: Float>(numbers: &mut Numbers<T>) {
     );
     assert!(<[T; 3]>::from(x.clamped()).into_iter().all(within_0_and_1));
     let _ = (s.sqrt(), s.abs(), s.sin(), s.cos(), s.exp(), s.ln());
-    assert!(s.positive_part() >= T::ZERO);
+    // a signaling NaN, which no operation gives, may be its own positive part
+    assert!((s + T::ZERO).positive_part() >= T::ZERO);
     let _ = [i32::MIN, -1, 0, 1, i32::MAX].map(|power| s.powi(power));
 }
 
