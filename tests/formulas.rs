@@ -20,6 +20,9 @@ for_f32_and_f64!(
     attenuation_is_a_third,
     normals_of_the_box_with_diagonal_seven,
     normal_of_the_saddle,
+    roof_of_a_house_half_as_wide,
+    shares_of_half_an_equilateral_triangle,
+    sample_of_a_normal_map_on_a_slanted_surface,
     two_lights_after_lambert,
     two_lights_after_phong,
     two_lights_after_blinn,
@@ -188,6 +191,51 @@ fn normal_of_the_saddle<T: Float>() {
     let saddle = |u: Dual<T>, v: Dual<T>| Vec3::new(u, v, u * v);
     let n = normal::parametric(saddle, T::of(2.0), T::of(2.0)).expect("a normal");
     assert_near(*n, [-2.0 / 3.0, -2.0 / 3.0, 1.0 / 3.0], 3.5);
+}
+
+fn roof_of_a_house_half_as_wide<T: Float>() {
+    // the cofactors of diag(½, 1, 1) are diag(1, ½, ½): of (3, 0, 4)/5 they make (3, 0, 2)/√13;
+    // off by 3u for the slant, 5u for the cofactors and 3.5u for the length
+    let columns = [[0.5, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(vector::<T>);
+    let n = normal::transformed(slanted(), columns).expect("a normal");
+    let root = 13.0_f64.sqrt();
+    assert_near(*n, [3.0 / root, 0.0, 2.0 / root], 12.0);
+}
+
+fn shares_of_half_an_equilateral_triangle<T: Float>() {
+    // 30°, 60° and 90°, seen from above; each angle off by 8 roundings
+    let [a, b, c] = [[0.0, 0.0, 0.0], [3.0_f64.sqrt(), 0.0, 0.0], [0.0, 1.0, 0.0]].map(vector::<T>);
+    for ([v1, v2, v3], parts) in [([b, c, a], 6.0), ([c, a, b], 3.0), ([a, b, c], 2.0)] {
+        let share = normal::corner(v1, v2, v3);
+        assert_near(share, [0.0, 0.0, std::f64::consts::PI / parts], 16.0);
+    }
+}
+
+fn sample_of_a_normal_map_on_a_slanted_surface<T: Float>() {
+    // N = (3, 0, 4)/5 and T = (2, 0, 1), whose part along N is 2 N: t = (4, 0, −3)/5, N × t = (0, 1, 0).
+    // The sample (1, 2, 2)/3 gives (t + 2(0, 1, 0) + 2N)/3 = (2, 2, 1)/3
+    let n = normal::mapped(
+        slanted(),
+        vector([2.0, 0.0, 1.0]),
+        T::ONE,
+        vector([1.0, 2.0, 2.0]),
+    );
+    assert_near(
+        *n.expect("a normal"),
+        [2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0],
+        24.0,
+    );
+    let n = normal::mapped(
+        slanted(),
+        vector([2.0, 0.0, 1.0]),
+        -T::ONE,
+        vector([1.0, 2.0, 2.0]),
+    );
+    assert_near(
+        *n.expect("a normal"),
+        [2.0 / 3.0, -2.0 / 3.0, 1.0 / 3.0],
+        24.0,
+    );
 }
 
 /// A lamp two above the origin with ¼ of (1, ½, 0) left there, and the slanted sun of ½; the eye

@@ -397,12 +397,16 @@ fn columns_of_any_size_transform_normals<T: Float>() {
                 );
             }
         }
-        // (1, 1, 0) stretched by a and a along x and y, by whatever along z
+        // (1, 1, 0) stretched by a and a along x and y, by whatever along z; off by the unit vectors
         let diagonal = direction::<T>([1.0, 1.0, 0.0]);
         for c in sizes {
             let columns = [*UnitVec3::X * a, *UnitVec3::Y * a, *UnitVec3::Z * c];
-            let transformed = normal::transformed(diagonal, columns);
-            assert_eq!(transformed, Some(diagonal), "{a:e} {c:e}");
+            let transformed = normal::transformed(diagonal, columns).expect("a normal");
+            let off = (transformed.x - diagonal.x).to_f64().abs();
+            assert!(
+                off <= 4.0 * T::U && transformed.y == transformed.x,
+                "{a:e} {c:e}"
+            );
         }
     }
 }
@@ -812,5 +816,5 @@ fn every_row_of_the_table_names_a_test() {
         let is_there = tests.iter().any(|text| text.contains(&definition));
         assert!(is_there, "no test {name}");
     }
-    assert_eq!(cited.len(), 62, "rows");
+    assert_eq!(cited.len(), 68, "rows");
 }

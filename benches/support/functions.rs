@@ -101,6 +101,10 @@ functions! {
     normal_from_gradient: |s| normal::from_gradient(s.p);
     normal_parametric: |s| normal::parametric(paraboloid, s.p.x, s.p.y);
     normal_from_tangents: |s| normal::from_tangents(s.p, s.a);
+    normal_facing: |s| normal::facing(s.n, s.v);
+    normal_transformed: |s| normal::transformed(s.n, [s.p, s.a, *s.l]);
+    normal_corner: |s| normal::corner(s.p, s.a, *s.v);
+    normal_mapped: |s| normal::mapped(s.n, s.p, s.x, s.a);
     dual_sine: |s| Dual::point(s.p).x.sin();
     sum_lambert: |s| shade::lambert(s.n, black_box(&REAL), Rgb::WHITE, at(s));
     sum_phong_whole: |s| shade::phong(s.n, s.v, black_box(&WHOLE), Rgb::WHITE, at(s));

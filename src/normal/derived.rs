@@ -2,7 +2,7 @@
 
 use super::surface::from_tangents;
 use crate::real::Real;
-use crate::rescale::{extreme_difference, is_extreme, tame_difference};
+use crate::rescale::{extreme_difference, is_extreme, tame, tame_difference};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -98,13 +98,12 @@ fn by_cofactors_of_any_size<T: Real + PartialOrd>(
     n: UnitVec3<T>,
     columns: [Vec3<T>; 3],
 ) -> Vec3<T> {
-    let [a, b, c] = columns.map(|column| tame(column, 0));
-    let product = |n: T, (b, of_b): (Vec3<T>, i32), (c, of_c): (Vec3<T>, i32)| {
-        let (cross, power) = tame(b.cross(c), of_b + of_c);
-        let (n, power) = tame(Vec3::new(n, T::ZERO, T::ZERO), power);
+    let [a, b, c] = columns.map(|column| tame_power(column, 0));
+    let products = [(n.x, b, c), (n.y, c, a), (n.z, a, b)].map(|(n, (b, of_b), (c, of_c))| {
+        let (cross, power) = tame_power(b.cross(c), of_b + of_c);
+        let (n, power) = tame_power(Vec3::new(n, T::ZERO, T::ZERO), power);
         (cross * n.x, power)
-    };
-    let products = [product(n.x, b, c), product(n.y, c, a), product(n.z, a, b)];
+    });
     let mut highest = i32::MIN;
     for (product, power) in products {
         if product != Vec3::ZERO && power > highest {
@@ -122,9 +121,9 @@ fn by_cofactors_of_any_size<T: Real + PartialOrd>(
     sum
 }
 
-/// A tame vector, and the power of [`RESCALE`](Real::RESCALE) that brings it back.
-#[inline]
-fn tame<T: Real + PartialOrd>(v: Vec3<T>, power: i32) -> (Vec3<T>, i32) {
+/// A vector times a `power` of [`RESCALE`](Real::RESCALE), as a tame vector times a power.
+#[inline(never)]
+fn tame_power<T: Real + PartialOrd>(v: Vec3<T>, power: i32) -> (Vec3<T>, i32) {
     let (tame, scale) = extreme_difference(v, Vec3::ZERO, v.dot(v));
     let grown = i32::from(scale > T::ONE) - i32::from(scale < T::ONE);
     (tame, power - grown)
@@ -143,8 +142,23 @@ fn tame<T: Real + PartialOrd>(v: Vec3<T>, power: i32) -> (Vec3<T>, i32) {
 /// zero vector. Neither has one with a vertex that is not finite. The size of a triangle does not
 /// matter: 10⁻²⁰ and 10²⁰ are as good as 1, also side by side.
 ///
-/// Source: Thürmer and Wüthrich, *Computing Vertex Normals from Polygonal Facets*, Journal of
-/// Graphics Tools 3(1), 1998.
+/// The angle is the one weight under which it does not matter how a flat face is split into
+/// triangles. The mean error of vertex normals, against the exact normals of the surface that the
+/// mesh lies on (`tests/weights.rs`):
+///
+/// | mesh | angle | Max | area |
+/// |---|---|---|---|
+/// | the teapot, all squares split alike | 0.38° | 0.67° | 0.26° |
+/// | the teapot, each square split either way | 0.39° | 0.71° | 0.76° |
+/// | the same, its vertices out of line | 0.84° | 1.09° | 1.41° |
+/// | the bunny | 2.25° | 2.72° | 2.02° |
+/// | a sphere, as irregular | 1.05° | 0.00° | 2.78° |
+///
+/// Max's weights are exact on a sphere and need no angle: `e1.cross(e2)` over |e₁|²|e₂|². Areas are
+/// the shortest to write, `e1.cross(e2)`, and best where a mesh is regular.
+///
+/// Source: Thürmer and Wüthrich, *Computing Vertex Normals from Polygonal Facets*, 1998; Max,
+/// *Weights for Computing Vertex Normals from Facet Normals*, 1999.
 ///
 /// A mesh is smoothed in one pass, without allocation:
 ///
@@ -265,6 +279,6 @@ pub fn mapped<T: Real + PartialOrd>(
         side.cross(n),
         *side * handedness.if_positive(T::ONE, T::NEG_ONE),
     );
-    let sample = tame_difference(sample, Vec3::ZERO);
+    let sample = tame(sample);
     (t * sample.x + b * sample.y + *n * sample.z).unit()
 }

@@ -95,6 +95,10 @@ functions! {
         "normal::from_gradient": |g| normal::from_gradient(g.a);
         "normal::parametric": |g| normal::parametric(saddle, g.x, g.y);
         "normal::from_tangents": |g| normal::from_tangents(g.a, g.b);
+        "normal::facing": |g| normal::facing(g.n, g.v);
+        "normal::transformed": |g| normal::transformed(g.n, [g.p, g.a, g.b]);
+        "normal::corner": |g| normal::corner(g.p, g.a, g.b);
+        "normal::mapped": |g| normal::mapped(g.n, g.a, g.cosine, g.b);
 
         // directions, terms, attenuation, cone
         "reflection": |g| reflection(g.n, g.l);
