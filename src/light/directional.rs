@@ -65,7 +65,7 @@ impl<T: Real> DirectionalLight<T> {
     #[inline]
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
-        n.dot(self.l).any_positive().then(|| self.at(p))
+        self.at(p).in_front(n)
     }
 
     /// The same light in another number type: `f` converts each number, and may do no more

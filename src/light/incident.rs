@@ -1,5 +1,6 @@
 //! What arrives of a light at a point.
 
+use crate::real::Real;
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 
@@ -10,7 +11,7 @@ use crate::unit::UnitVec3;
 /// yourself: a light of your own is a function from a point to what arrives there.
 ///
 /// ```
-/// use shading::f32::{Attenuation, IncidentLight, PointLight, Rgb, Vec3};
+/// use shading::f32::{Attenuation, IncidentLight, PointLight, Rgb, UnitVec3, Vec3};
 ///
 /// /// A lamp that fades out toward its range.
 /// struct Lantern {
@@ -33,8 +34,8 @@ use crate::unit::UnitVec3;
 /// };
 /// let lanterns = [Lantern { lamp, range: 8.0 }, Lantern { lamp, range: 1.0 }];
 ///
-/// let p = Vec3::ZERO;
-/// let lit = lanterns.iter().map(|lantern| lantern.at(p));
+/// let (p, n) = (Vec3::ZERO, UnitVec3::Z);
+/// let lit = lanterns.iter().filter_map(|lantern| lantern.at(p).in_front(n));
 /// assert!(lit.map(|light| light.intensity).eq([Rgb::gray(0.75), Rgb::BLACK]));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +47,35 @@ pub struct IncidentLight<T = f32> {
     /// q, the distance to the light, at which a shadow ray ends: what is farther away casts no
     /// shadow.
     ///
-    /// Always finite: [`MAX`](crate::Real::MAX) where the light has no place, as the sun; where q
+    /// Always finite: [`MAX`](Real::MAX) where the light has no place, as the sun; where q
     /// overflows; and where there is no direction to the light and it is black.
     pub distance: T,
+}
+
+impl<T: Real> IncidentLight<T> {
+    /// This light, or `None` if it comes from behind a surface with the normal N and so adds nothing
+    /// to a sum; in lanes, if it does in all of them.
+    ///
+    /// ```text
+    /// N·L > 0
+    /// ```
+    ///
+    /// `None` if N·L is not a number.
+    ///
+    /// The sums test it themselves. Test it earlier to save what you do with each light before: a
+    /// shadow ray, for example. A [`PointLight`](crate::PointLight) has an
+    /// [`in_front`](crate::PointLight::in_front) of its own that saves the square root too.
+    ///
+    /// ```
+    /// use shading::f32::{IncidentLight, Rgb, UnitVec3};
+    ///
+    /// let light = IncidentLight { l: UnitVec3::Z, intensity: Rgb::WHITE, distance: f32::MAX };
+    /// assert_eq!(light.in_front(UnitVec3::Z), Some(light));
+    /// assert_eq!(light.in_front(UnitVec3::X), None); // it only grazes the surface
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn in_front(self, n: UnitVec3<T>) -> Option<Self> {
+        n.dot(self.l).any_positive().then_some(self)
+    }
 }
