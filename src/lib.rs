@@ -105,7 +105,6 @@
 // floor 0: numbers
 mod elementary;
 mod exponent;
-mod filter;
 mod power;
 mod real;
 mod root;

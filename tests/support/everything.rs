@@ -209,7 +209,13 @@ fn shade_all<T: Real, M: shading::Exponent<T>>(
     let twice = || lights.iter().chain(lights).map(|light| light.at(p));
     [
         shade::lambert(n, material, i_a, twice()),
-        shade::phong(n, v, material, i_a, twice()),
+        shade::phong(
+            n,
+            v,
+            material,
+            i_a,
+            twice().filter_map(|light| light.in_front(n)),
+        ),
         shade::blinn_phong(n, v, material, i_a, twice()),
         shade::blinn_phong(n, v, material, i_a, Light::all_in_front(lights, p, n)),
     ]

@@ -119,6 +119,7 @@ functions! {
         "Cone::factor": |g| T::cone_from_cosine(g.cosine).map(|cone| cone.factor(g.n, g.l));
 
         // lights
+        "IncidentLight::in_front": |g| g.lamps.map(|lamp| lamp.at(g.p).in_front(g.n));
         "DirectionalLight::at": |g| g.sun.at(g.p);
         "DirectionalLight::in_front": |g| g.sun.in_front(g.p, g.n);
         "PointLight::at": |g| g.lamps.map(|lamp| lamp.at(g.p));
