@@ -67,7 +67,10 @@
 //!
 //! # Features
 //!
-//! - `approx`: `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`] and [`Rgb`].
+//! - `approx`: `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`], [`Rgb`], [`IncidentLight`] and
+//!   [`Shaded`].
+//! - `bytemuck`: `Pod` for [`Vec3`] and [`Rgb`], `NoUninit` for [`UnitVec3`]; [`guide::buffers`] fills uniform
+//!   buffers with them.
 //! - `mint`: [`Vec3`] to and from `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to `Vector3`: so to
 //!   and from the vectors of glam, nalgebra, cgmath, euclid and vek, whatever their version.
 //! - `serde`: lights, materials and what they are made of, in files: [`guide::schema`] gives the forms. What
@@ -93,6 +96,7 @@
 #![deny(unsafe_code)]
 #![cfg_attr(
     not(any(
+        feature = "bytemuck",
         all(target_arch = "x86_64", target_feature = "sse2"),
         all(target_arch = "arm", target_abi = "eabihf")
     )),
@@ -154,6 +158,9 @@ pub use aliases::{f32, f64};
 pub mod guide {
     #[doc = include_str!("../docs/architecture.md")]
     pub mod architecture {}
+    #[cfg(not(doctest))] // it needs more crates: `tests/features` runs its examples
+    #[doc = include_str!("../docs/buffers.md")]
+    pub mod buffers {}
     #[doc = include_str!("../docs/embedded.md")]
     pub mod embedded {}
     #[doc = include_str!("../docs/invariants.md")]
