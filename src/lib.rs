@@ -71,6 +71,7 @@
 //!   [`Shaded`].
 //! - `bytemuck`: `Pod` for [`Vec3`] and [`Rgb`], `NoUninit` for [`UnitVec3`]; [`guide::buffers`] fills uniform
 //!   buffers with them.
+//! - `defmt`: `Format` for all types, to log them on a microcontroller.
 //! - `mint`: [`Vec3`] to and from `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to `Vector3`: so to
 //!   and from the vectors of glam, nalgebra, cgmath, euclid and vek, whatever their version.
 //! - `serde`: lights, materials and what they are made of, in files: [`guide::schema`] gives the forms. What
