@@ -67,7 +67,11 @@
 //!
 //! # Features
 //!
-//! - `approx`: `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`] and [`Rgb`].
+//! - `approx`: `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`], [`Rgb`],
+//!   [`IncidentLight`] and [`Shaded`].
+//! - `bytemuck`: `Pod` for [`Vec3`] and [`Rgb`], `NoUninit` for [`UnitVec3`]. [`guide::buffers`] shows how
+//!   to fill uniform buffers with them.
+//! - `defmt`: `Format` for all types, to log them on a microcontroller.
 //! - `mint`: [`Vec3`] from and to `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to `Vector3`. Through
 //!   them it converts to the vectors of glam, nalgebra, cgmath, euclid and vek, in any version.
 //! - `serde`: reads and writes lights, materials and their parts. [`guide::schema`] gives the format. Input
@@ -95,6 +99,7 @@
 #![deny(unsafe_code)]
 #![cfg_attr(
     not(any(
+        feature = "bytemuck",
         all(target_arch = "x86_64", target_feature = "sse2"),
         all(target_arch = "arm", target_abi = "eabihf")
     )),
@@ -155,6 +160,9 @@ pub use aliases::{f32, f64};
 pub mod guide {
     #[doc = include_str!("../docs/architecture.md")]
     pub mod architecture {}
+    #[cfg(not(doctest))] // it needs more crates: `tests/features` runs its examples
+    #[doc = include_str!("../docs/buffers.md")]
+    pub mod buffers {}
     #[doc = include_str!("../docs/embedded.md")]
     pub mod embedded {}
     #[doc = include_str!("../docs/invariants.md")]
