@@ -94,7 +94,7 @@
 //! | 3 formulas | `direction`, `term`, `normal`, `attenuation`, `cone` |
 //! | 2 differentiation | `dual` |
 //! | 1 vectors, colors | `componentwise`, `vector`, `rescale`, `unit`, `rgb` |
-//! | 0 numbers | `real`, `root`, `power`, `elementary`, `exponent` |
+//! | 0 numbers | `root`, `real`, `power`, `elementary`, `exponent` |
 #![no_std]
 #![deny(unsafe_code)]
 #![cfg_attr(
