@@ -99,7 +99,12 @@ impl Exponent<f32> for f32 {
 impl Exponent<f64> for f64 {
     #[inline]
     fn raise(self, cosine: f64) -> f64 {
-        let power = libm::pow(cosine.positive_part(), self.positive_part());
+        // not `positive_part`, which may leave a signaling NaN as it is
+        let power = if self > 0.0 {
+            libm::pow(cosine.positive_part(), self)
+        } else {
+            1.0
+        };
         cosine.if_positive(power, 0.0)
     }
 

@@ -67,7 +67,11 @@
 //!
 //! # Features
 //!
-//! - `approx`: `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`] and [`Rgb`].
+//! - `approx`: `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`], [`Rgb`],
+//!   [`IncidentLight`] and [`Shaded`].
+//! - `bytemuck`: `Pod` for [`Vec3`] and [`Rgb`], `NoUninit` for [`UnitVec3`]. [`guide::buffers`] shows how
+//!   to fill uniform buffers with them.
+//! - `defmt`: `Format` for all types, to log them on a microcontroller.
 //! - `mint`: [`Vec3`] from and to `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to `Vector3`. Through
 //!   them it converts to the vectors of glam, nalgebra, cgmath, euclid and vek, in any version.
 //! - `serde`: reads and writes lights, materials and their parts. [`guide::schema`] gives the format. Input
@@ -90,11 +94,12 @@
 //! | 3 formulas | `direction`, `term`, `normal`, `attenuation`, `cone` |
 //! | 2 differentiation | `dual` |
 //! | 1 vectors, colors | `componentwise`, `vector`, `rescale`, `unit`, `rgb` |
-//! | 0 numbers | `real`, `root`, `power`, `elementary`, `exponent` |
+//! | 0 numbers | `root`, `real`, `power`, `elementary`, `exponent` |
 #![no_std]
 #![deny(unsafe_code)]
 #![cfg_attr(
     not(any(
+        feature = "bytemuck",
         all(target_arch = "x86_64", target_feature = "sse2"),
         all(target_arch = "arm", target_abi = "eabihf")
     )),
@@ -105,7 +110,6 @@
 // floor 0: numbers
 mod elementary;
 mod exponent;
-mod filter;
 mod power;
 mod real;
 mod root;
@@ -156,6 +160,9 @@ pub use aliases::{f32, f64};
 pub mod guide {
     #[doc = include_str!("../docs/architecture.md")]
     pub mod architecture {}
+    #[cfg(not(doctest))] // it needs more crates: `tests/features` runs its examples
+    #[doc = include_str!("../docs/buffers.md")]
+    pub mod buffers {}
     #[doc = include_str!("../docs/embedded.md")]
     pub mod embedded {}
     #[doc = include_str!("../docs/invariants.md")]

@@ -92,7 +92,8 @@ pub trait Real:
         self.at_least(Self::ZERO)
     }
 
-    /// max(self, floor), and the floor for NaN.
+    /// max(self, floor), and the floor for NaN. A signaling NaN, which no operation produces, may stay
+    /// NaN on AArch64 and POWER.
     #[inline]
     #[must_use]
     fn at_least(self, floor: Self) -> Self {

@@ -63,7 +63,8 @@ impl<T: Real> Rgb<T> {
     #[inline]
     #[must_use]
     pub fn clamped(self) -> Self {
-        self.map(|channel| channel.positive_part().at_most(T::ONE))
+        // not `positive_part`, which may leave a signaling NaN as it is
+        self.map(|channel| channel.if_positive(channel.at_most(T::ONE), T::ZERO))
     }
 
     /// The product with a reflectance. A channel that overflowed to infinity counts as the largest

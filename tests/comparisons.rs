@@ -2,7 +2,7 @@
 //! defaults what they mean for floats.
 
 use approx::{AbsDiffEq, RelativeEq, UlpsEq};
-use shading::{Rgb, UnitVec3, Vec3};
+use shading::{IncidentLight, Rgb, Shaded, UnitVec3, Vec3};
 
 #[test]
 fn vectors_are_compared_in_every_coordinate() {
@@ -19,14 +19,32 @@ fn colours_are_compared_in_every_channel() {
     looks_at_every_component(Rgb::from);
 }
 
-fn looks_at_every_component<V>(value: impl Fn([f64; 3]) -> V)
+#[test]
+fn incident_lights_are_compared_in_every_number() {
+    looks_at_every_component(|[x, y, z, r, g, b, distance]| IncidentLight {
+        l: UnitVec3::assume_unit(Vec3::new(x, y, z)),
+        intensity: Rgb::new(r, g, b),
+        distance,
+    });
+}
+
+#[test]
+fn results_are_compared_in_every_part() {
+    looks_at_every_component(|[a, b, c, d, e, f, g, h, i]| Shaded {
+        ambient: Rgb::new(a, b, c),
+        diffuse: Rgb::new(d, e, f),
+        specular: Rgb::new(g, h, i),
+    });
+}
+
+fn looks_at_every_component<V, const N: usize>(value: impl Fn([f64; N]) -> V)
 where
     V: AbsDiffEq<Epsilon = f64> + RelativeEq + UlpsEq,
 {
-    let one = value([1.0; 3]);
-    for i in 0..3 {
+    let one = value([1.0; N]);
+    for i in 0..N {
         let with = |component: f64| {
-            let mut components = [1.0; 3];
+            let mut components = [1.0; N];
             components[i] = component;
             value(components)
         };

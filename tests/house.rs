@@ -1,6 +1,6 @@
 //! The house is as its tables say.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -38,11 +38,87 @@ fn names(cell: &str) -> impl Iterator<Item = &str> {
     cell.split('`').skip(1).step_by(2)
 }
 
+/// A file uses only what stands below it, or to its left on its own floor, in the table of
+/// `src/lib.rs`. What is not in the table, as the optional features, stands above all of it.
+#[test]
+fn no_file_uses_one_above_it() {
+    let lib = read(at_root("src/lib.rs"));
+    let rows = table(&lib, "| floor |");
+    let upward = rows.iter().rev().flat_map(|cells| names(cells[1]));
+    let upward: Vec<&str> = upward.collect();
+    let place = |module: &str| upward.iter().position(|name| *name == module);
+    let place = |module: &str| place(module).unwrap_or(upward.len());
+    let reexported = reexported(&lib);
+
+    let mut modules = BTreeSet::new();
+    let mut wrong = Vec::new();
+    for path in rust_files(&at_root("src")) {
+        let own = module(&path);
+        for used in used_modules(&read(&path)) {
+            let used = reexported.get(&used).unwrap_or(&used);
+            if own != "lib" && *used != own && place(used) >= place(&own) {
+                wrong.push(format!("{own} uses {used}"));
+            }
+        }
+        modules.insert(own);
+    }
+    wrong.extend(
+        upward
+            .iter()
+            .filter(|name| !modules.contains(**name))
+            .map(|name| format!("{name} is missing")),
+    );
+    assert!(wrong.is_empty(), "{wrong:?}, of the floors {upward:?}");
+}
+
+/// The module that a file of `src` is, or is a part of.
+fn module(path: &Path) -> String {
+    let path = path.strip_prefix(at_root("src")).expect("a file of src");
+    let path = path.with_extension("");
+    let first = path.iter().next().expect("a name");
+    first.to_string_lossy().into_owned()
+}
+
+/// The names that `lib.rs` re-exports, each with the module that it comes from.
+fn reexported(lib: &str) -> BTreeMap<String, String> {
+    let code = code(lib);
+    let uses = code.split("pub use ").skip(1);
+    let paths = uses.filter_map(|path| path.split_once("::"));
+    paths
+        .flat_map(|(module, names)| {
+            heads(names)
+                .into_iter()
+                .map(|name| (name, module.to_owned()))
+        })
+        .collect()
+}
+
+/// What follows `crate::` in the paths of a file.
+fn used_modules(source: &str) -> BTreeSet<String> {
+    let code = code(source);
+    code.split("crate::").skip(1).flat_map(heads).collect()
+}
+
 /// A file without its comments, in one line.
 fn code(source: &str) -> String {
     let lines = source.lines().map(str::trim);
     let lines: Vec<_> = lines.filter(|line| !line.starts_with("//")).collect();
     lines.join(" ")
+}
+
+/// The name that a path begins with, or those of a list in braces.
+fn heads(path: &str) -> Vec<String> {
+    let Some(list) = path.strip_prefix('{') else {
+        let is_name = |c: &char| c.is_alphanumeric() || *c == '_';
+        return vec![path.chars().take_while(is_name).collect()];
+    };
+    let list = list.split_once(';').map_or(list, |(list, _)| list);
+    let mut depth = 0;
+    let items = list.split(|c| {
+        depth += i32::from(c == '{') - i32::from(c == '}');
+        depth == 0 && c == ','
+    });
+    items.map(str::trim).flat_map(heads).collect()
 }
 
 /// Each invariant has a number and a row, and each property is in a row.
@@ -101,7 +177,8 @@ fn list_of_pinned_bits_is_complete() {
     let called: BTreeSet<_> = lists
         .split(|c: char| !c.is_alphanumeric() && c != '_')
         .collect();
-    for path in rust_files(&at_root("src")) {
+    let computes = |path: &PathBuf| !path.starts_with(at_root("src/features"));
+    for path in rust_files(&at_root("src")).into_iter().filter(computes) {
         let source = read(&path);
         for item in source.split("pub ").skip(1) {
             let item = item.strip_prefix("const ").unwrap_or(item);

@@ -15,6 +15,7 @@ const LANES: usize = 16;
 trait Scalar: Real + Exponent<Self> + Debug {
     /// Zeros of both signs, subnormal and ordinary numbers, the ends of the range, infinities, NaN.
     const EDGES: [Self; 18];
+    const SIGNALING_NAN: Self;
     fn bits(self) -> u64;
     fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>>;
     fn cone(cosine: Self) -> Option<Cone<Self>>;
@@ -42,6 +43,7 @@ macro_rules! lanes {
                     2.0, MAX, -MAX, INFINITY, -INFINITY, $float::NAN,
                 ]
             };
+            const SIGNALING_NAN: Self = $float::from_bits($float::INFINITY.to_bits() + 1);
             fn bits(self) -> u64 {
                 // any NaN is as good as another
                 if self.is_nan() { u64::MAX } else { self.to_bits().into() }
@@ -306,7 +308,10 @@ fn tilted<T: Real>(c: T) -> UnitVec3<T> {
 }
 
 fn powers_agree<L: Lanes>() {
-    for m in L::Scalar::EDGES {
+    for m in L::Scalar::EDGES
+        .into_iter()
+        .chain([L::Scalar::SIGNALING_NAN])
+    {
         powers_agree_for::<L, L::Scalar>(m);
     }
     for m in [0, 1, 2, 3, 100, u32::MAX] {
@@ -368,7 +373,9 @@ fn assert_all<L: Lanes>(lanes: L, expected: f64) {
 
 /// c⁰ = 1.
 fn no_shininess<L: Lanes>() {
-    for m in [-1.0, -0.0, f64::NEG_INFINITY, f64::NAN].map(L::Scalar::of) {
+    let below_0 = [-1.0, -0.0, f64::NEG_INFINITY].map(L::Scalar::of);
+    let not_numbers = [L::Scalar::of(f64::NAN), L::Scalar::SIGNALING_NAN];
+    for m in below_0.into_iter().chain(not_numbers) {
         for highlight in highlights::<L, _>(UnitVec3::Z, aslant(), m) {
             assert_all(highlight, 1.0);
         }

@@ -1,11 +1,11 @@
-//! Comparison within a tolerance, component by component, for tests with the `approx` crate.
+//! Comparison within a tolerance, number by number, for tests with the `approx` crate.
 
 use approx::{AbsDiffEq, RelativeEq, UlpsEq};
 
-use crate::{Rgb, UnitVec3, Vec3};
+use crate::{IncidentLight, Rgb, Shaded, UnitVec3, Vec3};
 
 macro_rules! compare {
-    ($type:ident { $x:ident, $y:ident, $z:ident }) => {
+    ($type:ident { $($part:ident),+ }) => {
         impl<T: AbsDiffEq<Epsilon: Copy>> AbsDiffEq for $type<T> {
             type Epsilon = T::Epsilon;
 
@@ -14,9 +14,7 @@ macro_rules! compare {
             }
 
             fn abs_diff_eq(&self, other: &Self, epsilon: T::Epsilon) -> bool {
-                self.$x.abs_diff_eq(&other.$x, epsilon)
-                    && self.$y.abs_diff_eq(&other.$y, epsilon)
-                    && self.$z.abs_diff_eq(&other.$z, epsilon)
+                $(self.$part.abs_diff_eq(&other.$part, epsilon))&&+
             }
         }
 
@@ -26,9 +24,7 @@ macro_rules! compare {
             }
 
             fn relative_eq(&self, other: &Self, epsilon: T::Epsilon, relative: T::Epsilon) -> bool {
-                self.$x.relative_eq(&other.$x, epsilon, relative)
-                    && self.$y.relative_eq(&other.$y, epsilon, relative)
-                    && self.$z.relative_eq(&other.$z, epsilon, relative)
+                $(self.$part.relative_eq(&other.$part, epsilon, relative))&&+
             }
         }
 
@@ -38,9 +34,7 @@ macro_rules! compare {
             }
 
             fn ulps_eq(&self, other: &Self, epsilon: T::Epsilon, max_ulps: u32) -> bool {
-                self.$x.ulps_eq(&other.$x, epsilon, max_ulps)
-                    && self.$y.ulps_eq(&other.$y, epsilon, max_ulps)
-                    && self.$z.ulps_eq(&other.$z, epsilon, max_ulps)
+                $(self.$part.ulps_eq(&other.$part, epsilon, max_ulps))&&+
             }
         }
     };
@@ -49,3 +43,13 @@ macro_rules! compare {
 compare!(Vec3 { x, y, z });
 compare!(UnitVec3 { x, y, z });
 compare!(Rgb { r, g, b });
+compare!(IncidentLight {
+    l,
+    intensity,
+    distance
+});
+compare!(Shaded {
+    ambient,
+    diffuse,
+    specular
+});

@@ -2,6 +2,11 @@
 
 #[cfg(feature = "approx")]
 mod approx;
+#[cfg(feature = "bytemuck")]
+#[allow(unsafe_code)] // its traits are unsafe to implement
+mod bytemuck;
+#[cfg(feature = "defmt")]
+mod defmt;
 #[cfg(feature = "mint")]
 mod mint;
 #[cfg(feature = "serde")]

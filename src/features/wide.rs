@@ -124,12 +124,13 @@ macro_rules! single {
         impl Exponent<$lanes> for f32 {
             #[inline]
             fn raise(self, cosine: $lanes) -> $lanes {
-                power(cosine, $lanes::splat(self.positive_part()))
+                // + 0.0 quiets a signaling NaN, which `positive_part` may leave as it is
+                power(cosine, $lanes::splat((self + 0.0).positive_part()))
             }
 
             #[inline]
             fn raise_root(self, square: $lanes) -> $lanes {
-                power(square, $lanes::splat(0.5 * self.positive_part()))
+                power(square, $lanes::splat((0.5 * self).positive_part()))
             }
         }
     };

@@ -34,7 +34,7 @@ pub fn plane<T: Real + PartialOrd>(a: T, b: T, c: T) -> Option<UnitVec3<T>> {
 /// ```
 ///
 /// It points to the side from which the vertices appear counter-clockwise. `None` if the triangle is a
-/// line or a point. The error is a few u times the conditioning |e₁||e₂|/|e₁×e₂| of the two edges, where u
+/// line or a point. The error is at most 5.7u times the conditioning |e₁||e₂|/|e₁×e₂| of the two edges, where u
 /// is the unit roundoff. The size of the triangle does not matter: 10⁻³⁷ and 10³⁷ are as good as 1.
 ///
 /// ```

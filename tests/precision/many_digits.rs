@@ -73,12 +73,14 @@ pub fn positive_part(x: Number) -> Number {
 /// max(0, min(1, cosine))ᵐ
 pub fn highlight(cosine: Number, m: f64) -> Number {
     let one = number(1.0);
-    let cosine = positive_part(if cosine > one { one } else { cosine });
-    if cosine == Number::ZERO {
-        cosine
-    } else {
-        cosine.powf(&number(m))
-    }
+    power(&positive_part(if cosine > one { one } else { cosine }), m)
+}
+
+/// baseᵐ for a whole 2m, quicker than by logarithms: (√base)²ᵐ.
+pub fn power(base: &Number, m: f64) -> Number {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole
+    let twice_m = (2.0 * m) as u32;
+    base.sqrt().powi(twice_m.into())
 }
 
 /// 1/(a + bq + cq²)

@@ -1,129 +1,13 @@
-//! The largest error of each function.
+//! How far each function is from its formula, for an input that is made of some numbers.
 
-use proptest::prelude::*;
-use proptest::strategy::ValueTree;
-use proptest::test_runner::TestRunner;
 use shading::{
     Elementary, Exponent, IncidentLight, Material, PointLight, Real, Rgb, Shaded, UnitVec3, Vec3,
     attenuation, half_vector, normal, reflection, shade, term,
 };
 
 use crate::many_digits::{self as exact, Number, Vector, number, vector};
+use crate::search::Numbers;
 use support::number::Float;
-
-/// A line of the table.
-pub struct Row {
-    pub function: &'static str,
-    pub unit: &'static str,
-    pub error: f64,
-}
-
-/// How many inputs each function is measured on.
-const INPUTS: usize = 3000;
-
-const OF_RESULT: &str = "of the result";
-const OF_ONE: &str = "of 1";
-const CONDITIONED: &str = "of 1, times the conditioning";
-const OF_ANGLE: &str = "of its angle, times the conditioning";
-const OF_LIGHT: &str = "of all the light";
-
-pub fn rows<T: Float>() -> Vec<Row> {
-    let row = |function, unit, error| Row {
-        function,
-        unit,
-        error,
-    };
-    vec![
-        row("`Vec3::unit`, `normal::plane`", OF_RESULT, unit::<T>()),
-        row("`normal::sphere`", OF_RESULT, sphere::<T>()),
-        row("`normal::triangle`", CONDITIONED, triangle::<T>()),
-        row("`normal::implicit`, a torus", OF_ONE, implicit::<T>()),
-        row(
-            "`normal::parametric`, a paraboloid",
-            OF_ONE,
-            parametric::<T>(),
-        ),
-        row("`normal::transformed`", CONDITIONED, transformed::<T>()),
-        row("`normal::corner`", OF_ANGLE, corner::<T>()),
-        row("`normal::mapped`", CONDITIONED, mapped::<T>()),
-        row("`reflection`", OF_ONE, mirrored::<T>()),
-        row("`half_vector`", OF_RESULT, half::<T>()),
-        row("`lambert`", OF_ONE, diffuse::<T>()),
-        row(
-            "`phong`, m = 1",
-            OF_ONE,
-            highlights::<T, _>(term::phong, 1_u32, 1.0),
-        ),
-        row(
-            "`phong`, m = 32",
-            OF_ONE,
-            highlights::<T, _>(term::phong, 32_u32, 32.0),
-        ),
-        row(
-            "`phong`, m = 32.5",
-            OF_ONE,
-            highlights::<T, _>(term::phong, T::of(32.5), 32.5),
-        ),
-        row(
-            "`blinn`, m = 128",
-            OF_ONE,
-            highlights::<T, _>(term::blinn, 128_u32, 128.0),
-        ),
-        row(
-            "`blinn`, m = 128.5",
-            OF_ONE,
-            highlights::<T, _>(term::blinn, T::of(128.5), 128.5),
-        ),
-        row(
-            "`Exponent::raise`, m = 32",
-            OF_RESULT,
-            power::<T, _>(32_u32, 32.0, true),
-        ),
-        row(
-            "`Exponent::raise`, m = 32.5",
-            OF_ONE,
-            power::<T, _>(T::of(32.5), 32.5, false),
-        ),
-        row(
-            "`Exponent::raise`, m = 1000",
-            OF_RESULT,
-            power::<T, _>(1000_u32, 1000.0, true),
-        ),
-        row(
-            "`Exponent::raise`, m = 1000.5",
-            OF_ONE,
-            power::<T, _>(T::of(1000.5), 1000.5, false),
-        ),
-        row("`attenuation`", OF_RESULT, attenuated::<T>()),
-        row("`PointLight::at`, direction", OF_RESULT, lamp::<T>()[0]),
-        row("`PointLight::at`, intensity", OF_RESULT, lamp::<T>()[1]),
-        row(
-            "`shade::lambert`, four lights",
-            OF_LIGHT,
-            shaded::<T>(Model::Lambert),
-        ),
-        row(
-            "`shade::phong`, m = 32",
-            OF_LIGHT,
-            shaded::<T>(Model::Phong),
-        ),
-        row(
-            "`shade::blinn_phong`, m = 32",
-            OF_LIGHT,
-            shaded::<T>(Model::BlinnPhong),
-        ),
-    ]
-}
-
-/// The largest of the errors on the inputs, which are the same in each run; rounded up to a tenth.
-fn largest<S: Strategy>(inputs: S, error: impl Fn(S::Value) -> f64) -> f64 {
-    let mut runner = TestRunner::deterministic();
-    let errors = (0..INPUTS).map(|_| {
-        let tree = inputs.new_tree(&mut runner).expect("no input is refused");
-        error(tree.current())
-    });
-    (errors.fold(0.0, f64::max) * 10.0).ceil() / 10.0
-}
 
 /// |computed − exact| in units in the last place of `of`, those of the type T.
 fn error<T: Float>(computed: T, exact: &Number, of: &Number) -> f64 {
@@ -151,17 +35,18 @@ fn of_result<T: Float>(computed: UnitVec3<T>, exact: &Vector) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// A point within a cube of side 2, off its middle.
-fn point<T: Float>() -> impl Strategy<Value = Vec3<T>> {
-    let coordinate = || -1.0..1.0;
-    [coordinate(), coordinate(), coordinate()]
-        .prop_filter("next to 0", |p: &[f64; 3]| p.iter().all(|c| c.abs() > 1e-3))
-        .prop_map(|p| Vec3::from(p.map(T::of)))
+/// A point within a cube of side 2, off its middle planes.
+fn point<T: Float>(numbers: &mut Numbers) -> Vec3<T> {
+    let mut coordinate = || {
+        let x = numbers.next();
+        T::of(x.abs().max(1e-3).copysign(x))
+    };
+    Vec3::new(coordinate(), coordinate(), coordinate())
 }
 
 /// A direction, by correctly rounded operations.
-fn direction<T: Float>() -> impl Strategy<Value = UnitVec3<T>> {
-    point().prop_map(toward)
+fn direction<T: Float>(numbers: &mut Numbers) -> UnitVec3<T> {
+    toward(point(numbers))
 }
 
 fn toward<T: Float>(v: Vec3<T>) -> UnitVec3<T> {
@@ -170,262 +55,248 @@ fn toward<T: Float>(v: Vec3<T>) -> UnitVec3<T> {
     UnitVec3::assume_unit(Vec3::from(v.map(|c| T::of(c / length))))
 }
 
-/// Two directions near each other, as those of a highlight are.
-fn close<T: Float>() -> impl Strategy<Value = [UnitVec3<T>; 2]> {
-    (direction(), point(), 0.0..0.5)
-        .prop_map(|(a, aside, far): (UnitVec3<T>, _, f64)| [a, toward(*a + aside * T::of(far))])
+pub fn unit<T: Float>(numbers: &mut Numbers) -> f64 {
+    let v = point::<T>(numbers);
+    of_result(v.unit().expect("not 0"), &exact::unit(&vector(v)))
 }
 
-fn unit<T: Float>() -> f64 {
-    largest(point::<T>(), |v| {
-        of_result(v.unit().expect("not 0"), &exact::unit(&vector(v)))
-    })
+pub fn sphere<T: Float>(numbers: &mut Numbers) -> f64 {
+    let [center, p] = [point::<T>(numbers), point(numbers)];
+    let outward = exact::subtract(&vector(p), &vector(center));
+    normal::sphere(center, p).map_or(0.0, |n| of_result(n, &exact::unit(&outward)))
 }
 
-fn sphere<T: Float>() -> f64 {
-    largest([point::<T>(), point()], |[center, p]| {
-        let outward = exact::subtract(&vector(p), &vector(center));
-        of_result(
-            normal::sphere(center, p).expect("not the center"),
-            &exact::unit(&outward),
-        )
-    })
-}
-
-fn triangle<T: Float>() -> f64 {
-    largest([point::<T>(), point(), point()], |[a, b, c]| {
-        let [ab, ac] = [b, c].map(|p| exact::subtract(&vector(p), &vector(a)));
-        let cross = exact::cross(&ab, &ac);
-        let conditioning = exact::length(&ab) * exact::length(&ac) / exact::length(&cross);
-        let n = normal::triangle(a, b, c).expect("a triangle");
+pub fn triangle<T: Float>(numbers: &mut Numbers) -> f64 {
+    let [a, b, c] = [point::<T>(numbers), point(numbers), point(numbers)];
+    let [ab, ac] = [b, c].map(|p| exact::subtract(&vector(p), &vector(a)));
+    let cross = exact::cross(&ab, &ac);
+    let area = exact::length(&cross);
+    if area == Number::ZERO {
+        return 0.0;
+    }
+    let conditioning = exact::length(&ab) * exact::length(&ac) / area;
+    normal::triangle(a, b, c).map_or(0.0, |n| {
         of_one(n, &exact::unit(&cross)) / conditioning.to_f64().value()
     })
 }
 
 /// (√(x² + y²) − R)² + z² − r², whose gradient is along ((√(x² + y²) − R)/√(x² + y²) (x, y), z).
-fn implicit<T: Float>() -> f64 {
+pub fn implicit<T: Float>(numbers: &mut Numbers) -> f64 {
     fn torus<T: Real>(p: Vec3<T>) -> T {
         let aside = (p.x * p.x + p.y * p.y).sqrt() - T::of(2.0);
         aside * aside + p.z * p.z - T::of(0.25)
     }
-    largest(point::<T>(), |p| {
-        let [x, y, z] = vector(p);
-        let distance = (&x * &x + &y * &y).sqrt();
-        let aside = (&distance - number(2.0)) / &distance;
-        let gradient = [x * &aside, y * &aside, z];
-        of_one(
-            normal::implicit(torus, p).expect("smooth"),
-            &exact::unit(&gradient),
-        )
-    })
+    let p = point::<T>(numbers);
+    let [x, y, z] = vector(p);
+    let distance = (&x * &x + &y * &y).sqrt();
+    let aside = (&distance - number(2.0)) / &distance;
+    let gradient = [x * &aside, y * &aside, z];
+    let n = normal::implicit(torus, p).expect("smooth");
+    of_one(n, &exact::unit(&gradient))
 }
 
 /// (u, v, u² + uv + v²): its tangents are (1, 0, 2u + v) and (0, 1, u + 2v).
-fn parametric<T: Float>() -> f64 {
+pub fn parametric<T: Float>(numbers: &mut Numbers) -> f64 {
     fn paraboloid<T: Elementary>(u: T, v: T) -> Vec3<T> {
         Vec3::new(u, v, u * u + u * v + v * v)
     }
-    largest(point::<T>(), |p| {
-        let [u, v, _] = vector(p);
-        let across = [-(&u + &u + &v), -(&u + &v + &v), number(1.0)];
-        let n = normal::parametric(paraboloid, p.x, p.y).expect("smooth");
-        of_one(n, &exact::unit(&across))
-    })
+    let p = point::<T>(numbers);
+    let [u, v, _] = vector(p);
+    let across = [-(&u + &u + &v), -(&u + &v + &v), number(1.0)];
+    let n = normal::parametric(paraboloid, p.x, p.y).expect("smooth");
+    of_one(n, &exact::unit(&across))
 }
 
-fn transformed<T: Float>() -> f64 {
-    largest(
-        (direction::<T>(), [point::<T>(), point(), point()]),
-        |(n, columns)| {
-            let transformed = normal::transformed(n, columns).expect("regular");
-            let (n, columns) = (vector(n), columns.map(vector));
-            let expected = exact::unit(&exact::cofactors(&columns, &n));
-            of_one(transformed, &expected) / exact::conditioning(&columns, &n)
-        },
-    )
+pub fn transformed<T: Float>(numbers: &mut Numbers) -> f64 {
+    let n = direction::<T>(numbers);
+    let columns = [point::<T>(numbers), point(numbers), point(numbers)];
+    normal::transformed(n, columns).map_or(0.0, |transformed| {
+        let (n, columns) = (vector(n), columns.map(vector));
+        let expected = exact::unit(&exact::cofactors(&columns, &n));
+        of_one(transformed, &expected) / exact::conditioning(&columns, &n)
+    })
 }
 
 /// The share of a triangle, whose length is the angle.
-fn corner<T: Float>() -> f64 {
-    largest([point::<T>(), point(), point()], |[a, b, c]| {
-        let [ab, ac] = [b, c].map(|p| exact::subtract(&vector(p), &vector(a)));
-        let (cross, angle) = (exact::cross(&ab, &ac), exact::angle(&ab, &ac));
-        let conditioning = exact::length(&ab) * exact::length(&ac) / exact::length(&cross);
-        let share = exact::scale(&exact::unit(&cross), &angle);
-        let error = <[T; 3]>::from(normal::corner(a, b, c))
-            .into_iter()
-            .zip(&share)
-            .map(|(c, exact)| error(c, exact, &angle))
-            .fold(0.0, f64::max);
-        error / conditioning.to_f64().value()
-    })
+pub fn corner<T: Float>(numbers: &mut Numbers) -> f64 {
+    let [a, b, c] = [point::<T>(numbers), point(numbers), point(numbers)];
+    let [ab, ac] = [b, c].map(|p| exact::subtract(&vector(p), &vector(a)));
+    let cross = exact::cross(&ab, &ac);
+    let area = exact::length(&cross);
+    if area == Number::ZERO {
+        return 0.0;
+    }
+    let angle = exact::angle(&ab, &ac);
+    let conditioning = exact::length(&ab) * exact::length(&ac) / area;
+    let share = exact::scale(&exact::unit(&cross), &angle);
+    let computed = <[T; 3]>::from(normal::corner(a, b, c));
+    let errors = computed.into_iter().zip(&share);
+    let largest = errors
+        .map(|(c, exact)| error(c, exact, &angle))
+        .fold(0.0, f64::max);
+    largest / conditioning.to_f64().value()
 }
 
 /// The conditioning is |N||T|/|N × T|.
-fn mapped<T: Float>() -> f64 {
-    let inputs = (
-        direction::<T>(),
-        point::<T>(),
-        direction::<T>(),
-        any::<bool>(),
-    );
-    largest(inputs, |(n, tangent, sample, right)| {
-        let h = if right { T::ONE } else { -T::ONE };
-        let mapped = normal::mapped(n, tangent, h, *sample).expect("a frame");
+pub fn mapped<T: Float>(numbers: &mut Numbers) -> f64 {
+    let (n, tangent) = (direction::<T>(numbers), point::<T>(numbers));
+    let sample = direction::<T>(numbers);
+    let h = if numbers.next() > 0.0 { 1.0 } else { -1.0 };
+    normal::mapped(n, tangent, T::of(h), *sample).map_or(0.0, |mapped| {
         let [n, tangent, sample] = [*n, tangent, *sample].map(vector);
         let conditioning = exact::length(&tangent) / exact::length(&exact::cross(&n, &tangent));
-        let expected = exact::mapped(&n, &tangent, &number(h.to_f64()), &sample);
+        let expected = exact::mapped(&n, &tangent, &number(h), &sample);
         of_one(mapped, &exact::unit(&expected)) / conditioning.to_f64().value()
     })
 }
 
-fn mirrored<T: Float>() -> f64 {
-    largest([direction::<T>(), direction()], |[n, l]| {
-        of_one(reflection(n, l), &exact::reflection(&vector(n), &vector(l)))
+pub fn mirrored<T: Float>(numbers: &mut Numbers) -> f64 {
+    let [n, l] = [direction::<T>(numbers), direction(numbers)];
+    of_one(reflection(n, l), &exact::reflection(&vector(n), &vector(l)))
+}
+
+pub fn half<T: Float>(numbers: &mut Numbers) -> f64 {
+    let [l, v] = [direction::<T>(numbers), direction(numbers)];
+    let (exact_l, exact_v) = (vector(l), vector(v));
+    half_vector(l, v).map_or(0.0, |h| {
+        of_result(h, &exact::half_vector(&exact_l, &exact_v))
     })
 }
 
-fn half<T: Float>() -> f64 {
-    largest([direction::<T>(), direction()], |[l, v]| {
-        let h = half_vector(l, v).expect("not opposite");
-        of_result(h, &exact::half_vector(&vector(l), &vector(v)))
-    })
+pub fn diffuse<T: Float>(numbers: &mut Numbers) -> f64 {
+    let [n, l] = [direction::<T>(numbers), direction(numbers)];
+    let cosine = exact::positive_part(exact::dot(&vector(n), &vector(l)));
+    error(term::lambert(n, l), &cosine, &number(1.0))
 }
 
-fn diffuse<T: Float>() -> f64 {
-    largest([direction::<T>(), direction()], |[n, l]| {
-        let cosine = exact::positive_part(exact::dot(&vector(n), &vector(l)));
-        error(term::lambert(n, l), &cosine, &number(1.0))
-    })
-}
-
-/// Phong's of R and V, or Blinn's of N and H.
-fn highlights<T: Float, M: Exponent<T>>(
+/// Phong's of R and V, or Blinn's of N and H: two directions near each other.
+pub fn highlight<T: Float, M: Exponent<T>>(
     factor: fn(UnitVec3<T>, UnitVec3<T>, M) -> T,
     m: M,
     exact_m: f64,
-) -> f64 {
-    largest(close::<T>(), |[a, b]| {
-        let expected = exact::highlight(exact::dot(&vector(a), &vector(b)), exact_m);
+) -> impl Fn(&mut Numbers) -> f64 {
+    move |numbers| {
+        let a = direction::<T>(numbers);
+        let aside = point(numbers) * T::of(numbers.within(0.0, 0.5));
+        let b = toward(*a + aside);
+        let cosine = exact::dot(&vector(a), &vector(b));
+        let expected = exact::highlight(cosine, exact_m);
         error(factor(a, b, m), &expected, &number(1.0))
-    })
+    }
 }
 
-/// The power of a cosine so near to 1 that no power is below 2⁻¹⁰⁰.
-fn power<T: Float, M: Exponent<T>>(m: M, exact_m: f64, relative: bool) -> f64 {
-    let least = number(2.0).powf(&number(-100.0 / exact_m)).to_f64();
-    largest((least.value()..1.0).prop_map(T::of), |cosine| {
-        let expected = number(cosine.to_f64()).powf(&number(exact_m));
-        let one = number(1.0);
-        error(
-            m.raise(cosine),
-            &expected,
-            if relative { &expected } else { &one },
-        )
-    })
+/// A whole power of a cosine; of one so near to 1 that no power is below 2⁻¹⁰⁰.
+pub fn whole_power<T: Float>(m: u32, least: f64) -> impl Fn(&mut Numbers) -> f64 {
+    move |numbers| {
+        let cosine = T::of(numbers.within(least, 1.0));
+        let expected = exact::power(&number(cosine.to_f64()), f64::from(m));
+        error(m.raise(cosine), &expected, &expected)
+    }
+}
+
+/// A real power of such a cosine.
+pub fn real_power<T: Float>(m: f64, least: f64) -> impl Fn(&mut Numbers) -> f64 {
+    move |numbers| {
+        let cosine = T::of(numbers.within(least, 1.0));
+        let expected = exact::power(&number(cosine.to_f64()), m);
+        error(T::of(m).raise(cosine), &expected, &number(1.0))
+    }
 }
 
 /// The coefficients a, b, c.
-fn coefficients<T: Float>() -> impl Strategy<Value = [T; 3]> {
-    let coefficient = || (0.01..2.0).prop_map(T::of);
-    [coefficient(), coefficient(), coefficient()]
+fn coefficients<T: Float>(numbers: &mut Numbers) -> [T; 3] {
+    [(); 3].map(|()| T::of(numbers.within(0.01, 2.0)))
 }
 
-fn attenuated<T: Float>() -> f64 {
-    largest(
-        (coefficients::<T>(), (0.0..100.0).prop_map(T::of)),
-        |([a, b, c], q)| {
-            let expected = exact::attenuation(&vector([a, b, c]), &number(q.to_f64()));
-            error(attenuation(a, b, c, q), &expected, &expected)
-        },
-    )
+pub fn attenuated<T: Float>(numbers: &mut Numbers) -> f64 {
+    let [a, b, c] = coefficients::<T>(numbers);
+    let q = T::of(numbers.within(0.0, 100.0));
+    let expected = exact::attenuation(&vector([a, b, c]), &number(q.to_f64()));
+    error(attenuation(a, b, c, q), &expected, &expected)
 }
 
-/// The errors of the direction and of the intensity, with white light.
-fn lamp<T: Float>() -> [f64; 2] {
-    let inputs = || (coefficients::<T>(), point::<T>(), point::<T>());
-    let at = |([a, b, c], position, p): ([T; 3], Vec3<T>, Vec3<T>)| {
-        let attenuation = T::new_attenuation(a, b, c).expect("positive");
-        let incident = PointLight {
-            position,
-            intensity: Rgb::WHITE,
-            attenuation,
-        }
-        .at(p);
-        let way = exact::subtract(&vector(position), &vector(p));
-        let factor = exact::attenuation(&vector([a, b, c]), &exact::length(&way));
-        [
-            of_result(incident.l, &exact::unit(&way)),
-            error(incident.intensity.r, &factor, &factor),
-        ]
+/// Under a lamp of white light: its coefficients, the way to it, and what arrives; not at the lamp.
+fn lamp<T: Float>(numbers: &mut Numbers) -> Option<([T; 3], Vector, IncidentLight<T>)> {
+    let [a, b, c] = coefficients::<T>(numbers);
+    let [position, p] = [point(numbers), point(numbers)];
+    let lamp = PointLight {
+        position,
+        intensity: Rgb::WHITE,
+        attenuation: T::new_attenuation(a, b, c).expect("positive"),
     };
-    [
-        largest(inputs(), |input| at(input)[0]),
-        largest(inputs(), |input| at(input)[1]),
-    ]
+    let way = exact::subtract(&vector(position), &vector(p));
+    (position != p).then(|| ([a, b, c], way, lamp.at(p)))
+}
+
+pub fn lamp_direction<T: Float>(numbers: &mut Numbers) -> f64 {
+    lamp::<T>(numbers).map_or(0.0, |(_, way, incident)| {
+        of_result(incident.l, &exact::unit(&way))
+    })
+}
+
+pub fn lamp_intensity<T: Float>(numbers: &mut Numbers) -> f64 {
+    lamp::<T>(numbers).map_or(0.0, |(coefficients, way, incident)| {
+        let factor = exact::attenuation(&vector(coefficients), &exact::length(&way));
+        error(incident.intensity.r, &factor, &factor)
+    })
 }
 
 #[derive(Clone, Copy)]
-enum Model {
+pub enum Model {
     Lambert,
     Phong,
     BlinnPhong,
 }
 
 /// A channel of the total under four lights, in units in the last place of k_a I_a + Σ I (k_d + k_s).
-fn shaded<T: Float>(model: Model) -> f64 {
-    let share = || (0.0..1.0).prop_map(T::of);
-    let factors = [share(), share(), share(), share()];
-    let light = || (direction::<T>(), share());
-    let lights = [light(), light(), light(), light()];
-    largest(
-        (direction::<T>(), direction::<T>(), factors, lights),
-        |(n, v, factors, lights)| {
-            let [k_a, k_d, k_s, i_a] = factors;
-            let [k_a, k_d, k_s, ambient] = [k_a, k_d, k_s, i_a].map(Rgb::gray);
-            let material = Material {
-                k_a,
-                k_d,
-                k_s,
-                m: 32_u32,
-            };
-            // the highlight has an edge on the horizon
-            let lights = lights
-                .into_iter()
-                .filter(|(l, _)| n.dot(*l).to_f64().abs() > 1e-3);
-            let incident = lights.clone().map(|(l, i)| IncidentLight {
-                l,
-                intensity: Rgb::gray(i),
-                distance: T::MAX,
-            });
-            let computed: Shaded<T> = match model {
-                Model::Lambert => shade::lambert(n, &material, ambient, incident),
-                Model::Phong => shade::phong(n, v, &material, ambient, incident),
-                Model::BlinnPhong => shade::blinn_phong(n, v, &material, ambient, incident),
-            };
+pub fn shaded<T: Float>(model: Model) -> impl Fn(&mut Numbers) -> f64 {
+    move |numbers| {
+        let [n, v] = [direction::<T>(numbers), direction(numbers)];
+        let factors = [(); 4].map(|()| T::of(numbers.within(0.0, 1.0)));
+        let lights = [(); 4].map(|()| (direction::<T>(numbers), T::of(numbers.within(0.0, 1.0))));
+        let [k_a, k_d, k_s, ambient] = factors.map(Rgb::gray);
+        let material = Material {
+            k_a,
+            k_d,
+            k_s,
+            m: 32_u32,
+        };
+        // the highlight has an edge on the horizon
+        let lights = lights
+            .into_iter()
+            .filter(|(l, _)| n.dot(*l).to_f64().abs() > 1e-3);
+        let incident = lights.clone().map(|(l, i)| IncidentLight {
+            l,
+            intensity: Rgb::gray(i),
+            distance: T::MAX,
+        });
+        let computed: Shaded<T> = match model {
+            Model::Lambert => shade::lambert(n, &material, ambient, incident),
+            Model::Phong => shade::phong(n, v, &material, ambient, incident),
+            Model::BlinnPhong => shade::blinn_phong(n, v, &material, ambient, incident),
+        };
 
-            let [k_a, k_d, k_s, i_a] = factors.map(|k| number(k.to_f64()));
-            let (n, v) = (vector(n), vector(v));
-            let mut sum = &k_a * &i_a;
-            let mut all = sum.clone();
-            for (l, i) in lights {
-                let (l, i) = (vector(l), number(i.to_f64()));
-                let cosine = exact::dot(&n, &l);
-                all += &i * (&k_d + &k_s);
-                if cosine > Number::ZERO {
-                    let highlight = match model {
-                        Model::Lambert => number(0.0),
-                        Model::Phong => {
-                            exact::highlight(exact::dot(&exact::reflection(&n, &l), &v), 32.0)
-                        }
-                        Model::BlinnPhong => {
-                            exact::highlight(exact::dot(&n, &exact::half_vector(&l, &v)), 32.0)
-                        }
-                    };
-                    sum += i * (&k_d * cosine + &k_s * highlight);
-                }
+        let [k_a, k_d, k_s, i_a] = factors.map(|k| number(k.to_f64()));
+        let (n, v) = (vector(n), vector(v));
+        let mut sum = &k_a * &i_a;
+        let mut all = sum.clone();
+        for (l, i) in lights {
+            let (l, i) = (vector(l), number(i.to_f64()));
+            let cosine = exact::dot(&n, &l);
+            all += &i * (&k_d + &k_s);
+            if cosine > Number::ZERO {
+                let highlight = match model {
+                    Model::Lambert => number(0.0),
+                    Model::Phong => {
+                        exact::highlight(exact::dot(&exact::reflection(&n, &l), &v), 32.0)
+                    }
+                    Model::BlinnPhong => {
+                        exact::highlight(exact::dot(&n, &exact::half_vector(&l, &v)), 32.0)
+                    }
+                };
+                sum += i * (&k_d * cosine + &k_s * highlight);
             }
-            error(computed.total().r, &sum, &all)
-        },
-    )
+        }
+        error(computed.total().r, &sum, &all)
+    }
 }

@@ -57,6 +57,9 @@ functions! {
         "Elementary::ln": |g| g.x.abs().ln();
         "Exponent::raise, integer m": |g| INTEGER.map(|m| m.raise(g.cosine));
         "Exponent::raise, real m": |g| REAL.map(|m| T::from(m).raise(g.cosine));
+        "Exponent::raise, no valid m": |g| [f32::INFINITY, -1.0, f32::NAN].map(|m| T::from(m).raise(g.cosine));
+        "Exponent::raise, where the power vanishes": |g| [2, 5, 33, 1000, 10_000].map(|m| vanishing(m, g.cosine));
+        "Exponent::raise, where all coefficients count": |g| Each((0_u8..32).map(|i| difficult(i, g.cosine)));
 
         // vectors and colors
         "Vec3, operators": |g| [g.a + g.b, g.a - g.b, g.a * g.x, g.x.times_vector(g.a), g.a / g.x, -g.a];
@@ -97,9 +100,8 @@ functions! {
         "normal::from_tangents": |g| normal::from_tangents(g.a, g.b);
         "normal::facing": |g| normal::facing(g.n, g.v);
         "normal::transformed": |g| normal::transformed(g.n, [g.p, g.a, g.b]);
-        "normal::transformed, columns of any size": |g| T::SIZES.map(|size| normal::transformed(g.n, [g.p, g.a * size, g.b]));
-        "normal::corner": |g| [normal::corner(g.p, g.a, g.b), normal::corner(g.a, g.b, g.a + g.b)];
-        "normal::mapped": |g| normal::mapped(g.n, g.a, g.x, g.b);
+        "normal::corner": |g| normal::corner(g.p, g.a, g.b);
+        "normal::mapped": |g| normal::mapped(g.n, g.a, g.cosine, g.b);
 
         // directions, terms, attenuation, cone
         "reflection": |g| reflection(g.n, g.l);
@@ -120,6 +122,7 @@ functions! {
         "Cone::factor": |g| T::cone_from_cosine(g.cosine).map(|cone| cone.factor(g.n, g.l));
 
         // lights
+        "IncidentLight::in_front": |g| g.lamps.map(|lamp| lamp.at(g.p).in_front(g.n));
         "DirectionalLight::at": |g| g.sun.at(g.p);
         "DirectionalLight::in_front": |g| g.sun.in_front(g.p, g.n);
         "PointLight::at": |g| g.lamps.map(|lamp| lamp.at(g.p));
@@ -154,6 +157,19 @@ functions! {
         "normal::implicit, with angles": |g| normal::implicit(gyroid, g.p);
         "normal::parametric, with angles": |g| normal::parametric(globe, g.x, g.y);
     }
+}
+
+/// A power about the least normal number, below which it becomes 0.
+fn vanishing<T: Float>(m: u16, share: T) -> T {
+    let power = T::from(126.0) + share * T::from(4.0);
+    u32::from(m).raise((power / T::from(m.into())).raise(T::from(0.5)))
+}
+
+/// A power of a cosine next to √½, where the logarithm takes its series farthest, by an odd m, where the
+/// exponential does.
+fn difficult<T: Float>(i: u8, share: T) -> T {
+    let i = T::from(i.into());
+    (i + i + T::ONE).raise(T::from(0.707) + (i + share) * T::from(1e-5))
 }
 
 fn torus<T: Real>(p: Vec3<T>) -> T {

@@ -1,4 +1,6 @@
-//! A scene file as a user of the library has it, for the tests and for fuzzing.
+//! What users of the features write, for the tests and for fuzzing.
+
+pub mod gpu;
 
 use serde::{Deserialize, Serialize};
 use shading::f32::{Light, Material, Rgb};
@@ -15,7 +17,24 @@ pub struct Scene {
     pub materials: Vec<Material<f32>>,
 }
 
-/// The examples of the page on scene files.
+/// The examples of the pages that the library alone cannot compile.
 #[cfg(doctest)]
-#[doc = include_str!("../../../docs/schema.md")]
-struct Schema;
+mod pages {
+    #[doc = include_str!("../../../docs/buffers.md")]
+    struct Buffers;
+    #[doc = include_str!("../../../docs/schema.md")]
+    struct Schema;
+}
+
+/// A direction cannot be read from bytes: they may hold a vector of any length.
+///
+/// ```compile_fail
+/// let bytes = [0_u8; 12];
+/// let direction: shading::f32::UnitVec3 = bytemuck::must_cast(bytes);
+/// ```
+/// ```
+/// let bytes = [0_u8; 12];
+/// let vector: shading::f32::Vec3 = bytemuck::must_cast(bytes);
+/// ```
+#[cfg(doctest)]
+struct DirectionsAreNotRead;

@@ -1,7 +1,33 @@
-//! Floor 0: a filter without a branch for each element, of which a processor can only guess the way.
+//! Early exit: which lights may light a surface, told without a root, and for a slice of lights without
+//! a branch for each, which a processor could only guess.
+
+use crate::real::Real;
+use crate::unit::UnitVec3;
+use crate::vector::Vec3;
+
+/// Whether a light along P_light − p may light a surface: `false` where N·L would not be positive in
+/// any lane.
+#[inline]
+pub(super) fn is_in_front<T: Real>(n: UnitVec3<T>, to_light: Vec3<T>) -> bool {
+    // Below zero by more than 2⁻⁹ of |x| + |y| + |z|, which is at least the distance: this dot product
+    // and N·L round by less in any number type of 12 bits or more, so N·L is not positive either. A
+    // product that may have lost bits below its range is in doubt.
+    let size = to_light.x.abs() + to_light.y.abs() + to_light.z.abs();
+    let beyond_doubt = size * doubt() - T::ONE / T::RESCALE;
+    let in_front = beyond_doubt.if_above(n.dot(to_light), T::ZERO, T::ONE);
+    in_front.any_positive()
+}
+
+/// −2⁻⁹, made of ones: a literal would be an `f64`.
+#[inline]
+fn doubt<T: Real>() -> T {
+    let two = T::ONE + T::ONE;
+    let eight = two * two * two;
+    T::NEG_ONE / (eight * eight * eight)
+}
 
 /// Those of a slice that a test chooses, in order: 32 are tried before the first is given.
-pub(crate) struct Filtered<'a, L, F> {
+pub(super) struct Filtered<'a, L, F> {
     is_chosen: F,
     tried: Tried<'a, L>,
 }
@@ -16,7 +42,7 @@ struct Tried<'a, L> {
 
 impl<'a, L, F: Fn(&L) -> bool + Copy> Filtered<'a, L, F> {
     #[inline]
-    pub(crate) fn by(is_chosen: F, all: &'a [L]) -> Self {
+    pub(super) fn by(is_chosen: F, all: &'a [L]) -> Self {
         let tried = try_some(is_chosen, all);
         Self { is_chosen, tried }
     }
@@ -37,8 +63,8 @@ fn try_some<L>(is_chosen: impl Fn(&L) -> bool, all: &[L]) -> Tried<'_, L> {
     }
 }
 
-/// Takes the test by value and returns what it tried: it is given no reference to the filter, which
-/// so stays in registers.
+/// Takes the test by value and returns what it tried. It gets no reference to the filter, which
+/// therefore stays in registers.
 #[cold]
 #[inline(never)]
 fn try_more<L>(is_chosen: impl Fn(&L) -> bool, rest: &[L]) -> Tried<'_, L> {

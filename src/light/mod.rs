@@ -1,0 +1,171 @@
+//! Floor 4: lights, and what arrives of them at a point.
+//!
+//! Every kind of light answers two questions: what arrives at a point, `at(p)`, and what arrives at the
+//! front of a surface there, `in_front(p, n)`. The second may say `None` before the costly part, and a
+//! sum over lights comes out the same, to the bit.
+//!
+//! For firmware both are always inlined. Functions of their own would keep numbers on the stack beside
+//! those of the sum that calls them, and a small chip has little stack: `tests/firmware/run.sh` measures
+//! how much is used.
+
+mod directional;
+mod in_front;
+mod incident;
+mod point;
+mod spot;
+
+pub use directional::DirectionalLight;
+pub use incident::IncidentLight;
+pub use point::PointLight;
+pub use spot::SpotLight;
+
+use self::in_front::Filtered;
+use crate::real::Real;
+use crate::unit::UnitVec3;
+use crate::vector::Vec3;
+
+/// A light of any of the three kinds, for scenes that mix them.
+///
+/// ```
+/// use shading::f32::{Attenuation, DirectionalLight, Light, PointLight, Rgb, UnitVec3, Vec3};
+///
+/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
+/// let lamp = PointLight {
+///     position: Vec3::new(2.0, 0.0, 2.0),
+///     intensity: Rgb::new(1.0, 0.8, 0.6),
+///     attenuation: Attenuation::NONE,
+/// };
+/// let lights: [Light; 2] = [sun.into(), lamp.into()];
+///
+/// let arriving: Rgb = lights.iter().map(|light| light.at(Vec3::ZERO).intensity).sum();
+/// assert_eq!(arriving, sun.intensity + lamp.intensity);
+/// ```
+///
+/// A `static` names the kind: `static LIGHTS: [Light; 1] = [Light::Directional(SUN)];`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Light<T = f32> {
+    /// From one direction.
+    Directional(DirectionalLight<T>),
+    /// From one point.
+    Point(PointLight<T>),
+    /// From one point, within a cone.
+    Spot(SpotLight<T>),
+}
+
+impl<T: Real> Light<T> {
+    /// The light that arrives at the point p, as [`DirectionalLight::at`], [`PointLight::at`] and
+    /// [`SpotLight::at`] give it.
+    ///
+    /// ```
+    /// use shading::f32::{DirectionalLight, Light, Rgb, UnitVec3, Vec3};
+    ///
+    /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
+    /// let p = Vec3::new(5.0, 0.0, -2.0);
+    /// assert_eq!(Light::from(sun).at(p), sun.at(p));
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
+        let point = match self {
+            Self::Directional(light) => return light.at(p),
+            Self::Point(point) | Self::Spot(SpotLight { point, .. }) => point,
+        };
+        let incident = point.at(p);
+        match self {
+            Self::Spot(spot) => spot.narrowed(incident),
+            _ => incident,
+        }
+    }
+
+    /// [`at`](Light::at) a point of a surface with the normal N, or `None` where the light adds
+    /// nothing: sooner, and with the same sum over lights. See [`PointLight::in_front`].
+    ///
+    /// ```
+    /// use shading::f32::{DirectionalLight, Light, Rgb, UnitVec3, Vec3};
+    ///
+    /// let light: Light = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE }.into();
+    /// let p = Vec3::ZERO;
+    /// assert_eq!(light.in_front(p, UnitVec3::Z), Some(light.at(p)));
+    /// assert_eq!(light.in_front(p, UnitVec3::NEG_Z), None);
+    /// ```
+    #[cfg_attr(target_os = "none", inline(always))]
+    #[cfg_attr(not(target_os = "none"), inline)]
+    #[must_use]
+    pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
+        let point = match self {
+            Self::Directional(light) => return light.in_front(p, n),
+            Self::Point(point) | Self::Spot(SpotLight { point, .. }) => point,
+        };
+        let incident = point.in_front(p, n)?;
+        match self {
+            Self::Spot(spot) => spot.narrowed_in_front(incident),
+            _ => Some(incident),
+        }
+    }
+
+    /// [`in_front`](Light::in_front) for each of a scene's lights, in order, and without a branch for
+    /// each. See [`PointLight::all_in_front`].
+    ///
+    /// ```
+    /// use shading::f32::{DirectionalLight, Light, Rgb, UnitVec3, Vec3};
+    ///
+    /// let from = |l| Light::from(DirectionalLight { l, intensity: Rgb::WHITE });
+    /// let lights = [from(UnitVec3::X), from(UnitVec3::NEG_Z), from(UnitVec3::Z)];
+    /// let lit = Light::all_in_front(&lights, Vec3::ZERO, UnitVec3::Z);
+    /// assert!(lit.map(|light| light.l).eq([UnitVec3::Z]));
+    /// ```
+    #[inline]
+    pub fn all_in_front(
+        lights: &[Self],
+        p: Vec3<T>,
+        n: UnitVec3<T>,
+    ) -> impl Iterator<Item = IncidentLight<T>> {
+        let may_light = move |light: &Self| match light {
+            Self::Directional(light) => n.dot(light.l).any_positive(),
+            Self::Point(light) | Self::Spot(SpotLight { point: light, .. }) => {
+                light.may_light(p, n)
+            }
+        };
+        Filtered::by(may_light, lights).filter_map(move |light| light.in_front(p, n))
+    }
+
+    /// The same light in another number type: `f` converts each number, and may do no more
+    /// than round it.
+    ///
+    /// ```
+    /// use shading::f32::{DirectionalLight, Light, Rgb, UnitVec3};
+    ///
+    /// let light: Light = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::gray(0.5) }.into();
+    /// assert_eq!(light.cast(f64::from).cast(|x| x as f32), light);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn cast<U>(self, f: impl FnMut(T) -> U) -> Light<U> {
+        match self {
+            Self::Directional(light) => Light::Directional(light.cast(f)),
+            Self::Point(light) => Light::Point(light.cast(f)),
+            Self::Spot(light) => Light::Spot(light.cast(f)),
+        }
+    }
+}
+
+impl<T> From<DirectionalLight<T>> for Light<T> {
+    #[inline]
+    fn from(light: DirectionalLight<T>) -> Self {
+        Self::Directional(light)
+    }
+}
+
+impl<T> From<PointLight<T>> for Light<T> {
+    #[inline]
+    fn from(light: PointLight<T>) -> Self {
+        Self::Point(light)
+    }
+}
+
+impl<T> From<SpotLight<T>> for Light<T> {
+    #[inline]
+    fn from(light: SpotLight<T>) -> Self {
+        Self::Spot(light)
+    }
+}

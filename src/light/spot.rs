@@ -1,0 +1,136 @@
+//! Light from one point, within a cone.
+
+use super::incident::IncidentLight;
+use super::point::PointLight;
+use crate::cone::Cone;
+use crate::real::Real;
+use crate::unit::UnitVec3;
+use crate::vector::Vec3;
+
+/// A point light that shines within a cone.
+///
+/// ```
+/// use shading::f32::{Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3};
+///
+/// static SPOT: SpotLight = SpotLight {
+///     point: PointLight {
+///         position: Vec3::new(0.0, 3.0, 0.0),
+///         intensity: Rgb::WHITE,
+///         attenuation: Attenuation::NONE,
+///     },
+///     axis: UnitVec3::NEG_Y,                      // it shines straight down
+///     cone: Cone::from_half_angle(0.5).unwrap(),  // 1 radian from edge to edge
+/// };
+/// ```
+///
+/// Source: OpenGL 2.1 specification, §2.14.1, with a spot exponent of 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)] // begins with its point light, as `Light::Point` does: `Light` finds both at one place
+pub struct SpotLight<T = f32> {
+    /// The light at the tip of the cone.
+    pub point: PointLight<T>,
+    /// The direction in which the spot shines, **away** from the light.
+    pub axis: UnitVec3<T>,
+    /// How wide.
+    pub cone: Cone<T>,
+}
+
+impl<T: Real> SpotLight<T> {
+    /// The light that arrives at the point p: that of the [`PointLight`] inside the cone and on
+    /// its edge, none outside.
+    ///
+    /// ```text
+    /// I / (a + bq + cq²) where −L·axis ≥ cos(half-angle), else 0
+    /// ```
+    ///
+    /// ```
+    /// use shading::f32::{Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3};
+    ///
+    /// let lamp = PointLight {
+    ///     position: Vec3::new(0.0, 3.0, 0.0),
+    ///     intensity: Rgb::WHITE,
+    ///     attenuation: Attenuation::NONE,
+    /// };
+    /// let cone = Cone::from_half_angle(0.5).unwrap();
+    /// let spot = SpotLight { point: lamp, axis: UnitVec3::NEG_Y, cone };
+    ///
+    /// assert_eq!(spot.at(Vec3::ZERO), lamp.at(Vec3::ZERO)); // right below
+    /// assert_eq!(spot.at(Vec3::new(3.0, 0.0, 0.0)).intensity, Rgb::BLACK);
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
+        self.narrowed(self.point.at(p))
+    }
+
+    /// [`at`](SpotLight::at) a point of a surface with the normal N, or `None` where the light is
+    /// behind it or the point outside the cone; in lanes, where nothing arrives in any. See
+    /// [`PointLight::in_front`].
+    ///
+    /// ```
+    /// use shading::f32::{Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3};
+    ///
+    /// let spot = SpotLight {
+    ///     point: PointLight {
+    ///         position: Vec3::new(0.0, 3.0, 0.0),
+    ///         intensity: Rgb::WHITE,
+    ///         attenuation: Attenuation::NONE,
+    ///     },
+    ///     axis: UnitVec3::NEG_Y,
+    ///     cone: Cone::from_half_angle(0.5).unwrap(),
+    /// };
+    /// let (below, aside) = (Vec3::ZERO, Vec3::new(3.0, 0.0, 0.0));
+    /// assert_eq!(spot.in_front(below, UnitVec3::Y), Some(spot.at(below)));
+    /// assert_eq!(spot.in_front(below, UnitVec3::NEG_Y), None); // behind the surface
+    /// assert_eq!(spot.in_front(aside, UnitVec3::Y), None); // outside the cone
+    /// ```
+    #[cfg_attr(target_os = "none", inline(always))]
+    #[cfg_attr(not(target_os = "none"), inline)]
+    #[must_use]
+    pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
+        self.narrowed_in_front(self.point.in_front(p, n)?)
+    }
+
+    /// What the cone leaves of the light at its tip.
+    #[inline]
+    pub(super) fn narrowed(&self, incident: IncidentLight<T>) -> IncidentLight<T> {
+        IncidentLight {
+            intensity: incident.intensity * self.cone.factor(self.axis, incident.l),
+            ..incident
+        }
+    }
+
+    /// What the cone leaves of the light at its tip, or `None` where that is nothing.
+    #[inline]
+    pub(super) fn narrowed_in_front(&self, incident: IncidentLight<T>) -> Option<IncidentLight<T>> {
+        let is_inside = self.cone.factor(self.axis, incident.l).any_positive();
+        is_inside.then(|| self.narrowed(incident))
+    }
+
+    /// The same light in another number type: `f` converts each number, and may do no more
+    /// than round it.
+    ///
+    /// ```
+    /// use shading::f32::{Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3};
+    ///
+    /// let spot = SpotLight {
+    ///     point: PointLight {
+    ///         position: Vec3::ZERO,
+    ///         intensity: Rgb::WHITE,
+    ///         attenuation: Attenuation::NONE,
+    ///     },
+    ///     axis: UnitVec3::NEG_Y,
+    ///     cone: Cone::from_cosine(0.5).unwrap(),
+    /// };
+    /// assert_eq!(spot.cast(f64::from).cone.cosine(), 0.5_f64);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> SpotLight<U> {
+        SpotLight {
+            point: self.point.cast(&mut f),
+            axis: self.axis.cast(&mut f),
+            cone: self.cone.cast(f),
+        }
+    }
+}

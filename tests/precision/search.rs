@@ -1,0 +1,87 @@
+//! A search for the largest error: hill climbing from random places.
+
+/// How many random places are looked at before the climb, and how many steps are tried on it.
+const LOOKS: u32 = 100;
+const STEPS: u32 = 2000;
+
+/// How many numbers an input is made of at most.
+const MOST: usize = 32;
+
+/// The numbers that an input is made of, one after the other.
+pub struct Numbers<'a> {
+    all: &'a [f64; MOST],
+    used: usize,
+}
+
+impl Numbers<'_> {
+    /// The next number, within [−1, 1].
+    pub fn next(&mut self) -> f64 {
+        self.used += 1;
+        self.all[self.used - 1]
+    }
+
+    /// The next number, within [low, high].
+    pub fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.next().abs()
+    }
+}
+
+/// The largest error that is found on so many hills, for numbers of so many binary digits. Each hill
+/// has random numbers of its own, so on more hills at least as much is found.
+pub fn largest(error: &dyn Fn(&mut Numbers) -> f64, digits: usize, hills: u64) -> f64 {
+    let heights = (0..hills).map(|hill| climb(error, digits, Random(hill)));
+    heights.fold(0.0, f64::max)
+}
+
+/// From the highest of some random places, every step that does not lead down. A step changes one of
+/// the numbers or two, by anything from 2 down to their last digit.
+#[allow(clippy::cast_precision_loss)] // powers of two
+fn climb(error: &dyn Fn(&mut Numbers) -> f64, digits: usize, mut random: Random) -> f64 {
+    let (mut top, mut height, mut used) = ([0.0; MOST], 0.0, 0);
+    for step in 0..LOOKS + STEPS {
+        let mut place = top;
+        if step < LOOKS {
+            place = std::array::from_fn(|_| random.signed());
+        } else {
+            for _ in 0..=random.below(2) {
+                let number = &mut place[random.below(used)];
+                let size = 2.0 / (1_u64 << random.below(digits + 2)) as f64;
+                *number = (*number + size * random.signed()).clamp(-1.0, 1.0);
+            }
+        }
+        let mut numbers = Numbers {
+            all: &place,
+            used: 0,
+        };
+        let found = error(&mut numbers);
+        if found >= height {
+            (top, height) = (place, found);
+        }
+        used = numbers.used;
+    }
+    height
+}
+
+/// SplitMix64 (Steele, Lea and Flood 2014): the same numbers in each run, on every machine.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ z >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ z >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ z >> 31
+    }
+
+    #[allow(clippy::cast_possible_truncation)] // less than the limit
+    fn below(&mut self, limit: usize) -> usize {
+        (self.next() % limit as u64) as usize
+    }
+
+    /// A number within [−1, 1).
+    #[allow(clippy::cast_precision_loss)] // 53 bits
+    fn signed(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
