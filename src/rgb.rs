@@ -8,9 +8,9 @@ use crate::real::Real;
 
 /// Linear light, or the share of it that a material returns, channel by channel.
 ///
-/// The numbers are proportional to power: never encoded (sRGB bytes must be decoded before and
-/// encoded after) and not limited to 1. Clamp once, after the sum, with
-/// [`clamped`](Rgb::clamped).
+/// The numbers are proportional to power: never encoded and not limited to 1.
+/// [`from_srgb8`](Rgb::from_srgb8) decodes the bytes of a texture before;
+/// [`to_srgb8`](Rgb::to_srgb8) and [`to_rgb565`](Rgb::to_rgb565) clamp and encode, once, after the sum.
 ///
 /// ```
 /// use shading::Rgb;

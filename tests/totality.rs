@@ -417,6 +417,35 @@ fn clamped_nan_is_zero<T: Float>() {
     assert_eq!(colour, Rgb::new(T::ZERO, T::ONE, T::ZERO));
 }
 
+// encodings, of `f32` alone
+
+#[test]
+fn dark_and_invalid_channels_get_the_lowest_level() {
+    let least = f32::from_bits(1);
+    let negative_nan = f32::from_bits(u32::MAX);
+    for dark in [
+        -0.0,
+        least,
+        -least,
+        -1.0,
+        f32::MIN,
+        f32::NEG_INFINITY,
+        f32::NAN,
+        negative_nan,
+    ] {
+        assert_eq!(Rgb::gray(dark).to_srgb8(), [0; 3], "{dark:e}");
+        assert_eq!(Rgb::gray(dark).to_rgb565(), 0, "{dark:e}");
+    }
+}
+
+#[test]
+fn channels_above_one_get_the_highest_level() {
+    for bright in [1.0 + f32::EPSILON, 1e30, f32::MAX, f32::INFINITY] {
+        assert_eq!(Rgb::gray(bright).to_srgb8(), [255; 3], "{bright:e}");
+        assert_eq!(Rgb::gray(bright).to_rgb565(), u16::MAX, "{bright:e}");
+    }
+}
+
 // dual numbers
 
 /// The first variable, at `value`.
@@ -472,9 +501,14 @@ fn every_row_of_the_table_names_a_test() {
         });
     let cited: Vec<&str> = cited.collect();
     for name in &cited {
-        let definition = format!("fn {name}<");
-        let is_there = tests.iter().any(|text| text.contains(&definition));
+        let definitions = [format!("fn {name}<"), format!("fn {name}()")];
+        let defines = |text: &String| {
+            definitions
+                .iter()
+                .any(|definition| text.contains(definition))
+        };
+        let is_there = tests.iter().any(defines);
         assert!(is_there, "no test {name}");
     }
-    assert_eq!(cited.len(), 53, "rows");
+    assert_eq!(cited.len(), 55, "rows");
 }

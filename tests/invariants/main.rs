@@ -46,6 +46,7 @@ macro_rules! invariants {
 // in the order of the list
 mod direction;
 mod dual;
+mod encoding;
 mod light;
 mod lobe;
 mod motion;

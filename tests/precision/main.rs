@@ -8,12 +8,14 @@
 mod many_digits;
 mod measure;
 
+#[path = "../support/srgb.rs"]
+mod srgb;
 #[path = "../support/mod.rs"]
 mod support;
 
 use std::fmt::Write;
 
-use measure::{Row, rows};
+use measure::{Row, encodings, rows};
 
 const TABLE: &str = include_str!("../../docs/precision.md");
 
@@ -38,6 +40,14 @@ fn table_of_errors_says_what_is_measured() {
             "| {function} | {single:.1} | {double:.1} | {unit} |"
         )
         .expect("a string");
+    }
+    for Row {
+        function,
+        unit,
+        error,
+    } in encodings()
+    {
+        writeln!(measured, "| {function} | {error:.1} | – | {unit} |").expect("a string");
     }
     println!("{measured}");
     let told: String = TABLE

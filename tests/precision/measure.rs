@@ -9,6 +9,7 @@ use shading::{
 };
 
 use crate::many_digits::{self as exact, Number, Vector, number, vector};
+use crate::srgb;
 use crate::support::number::Float;
 
 /// A line of the table.
@@ -25,6 +26,7 @@ const OF_RESULT: &str = "of the result";
 const OF_ONE: &str = "of 1";
 const CONDITIONED: &str = "of 1, times the conditioning";
 const OF_LIGHT: &str = "of all the light";
+const OF_LEVEL: &str = "levels";
 
 pub fn rows<T: Float>() -> Vec<Row> {
     let row = |function, unit, error| Row {
@@ -273,6 +275,36 @@ fn power<T: Float, M: Exponent<T>>(m: M, exact_m: f64, relative: bool) -> f64 {
             if relative { &expected } else { &one },
         )
     })
+}
+
+/// The encodings of `f32`: every byte decoded, and random light encoded.
+pub fn encodings() -> [Row; 3] {
+    let decoded = (0..=255_u8).map(|byte| {
+        let exact = srgb::decoded(&(srgb::number(byte.into()) / srgb::number(255.0)));
+        let exact = exact.with_precision(150).value();
+        error(Rgb::from_srgb8([byte; 3]).r, &exact, &exact)
+    });
+    let decoded = (decoded.fold(0.0, f64::max) * 10.0).ceil() / 10.0;
+    let encoded = |highest: f64, level: fn(Rgb) -> f64| {
+        let light = prop_oneof![0.0..=1.0_f32, 0.0..=0.01_f32];
+        largest(light, |light| {
+            let exact = srgb::encoded(&srgb::number(light.into())).to_f64().value();
+            (level(Rgb::gray(light)) - highest * exact).abs()
+        })
+    };
+    let bytes = encoded(255.0, |light| light.to_srgb8()[0].into());
+    let red = encoded(31.0, |light| (light.to_rgb565() >> 11).into());
+    let green = encoded(63.0, |light| (light.to_rgb565() >> 5 & 63).into());
+    let row = |function, unit, error| Row {
+        function,
+        unit,
+        error,
+    };
+    [
+        row("`Rgb::from_srgb8`", OF_RESULT, decoded),
+        row("`Rgb::to_srgb8`", OF_LEVEL, bytes),
+        row("`Rgb::to_rgb565`", OF_LEVEL, red.max(green)),
+    ]
 }
 
 /// The coefficients a, b, c.

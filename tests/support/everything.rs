@@ -133,6 +133,11 @@ fn vectors<T: Float>(numbers: &mut Numbers<T>) {
         [x, y].into_iter().sum::<Rgb<T>>(),
     );
     assert!(<[T; 3]>::from(x.clamped()).into_iter().all(within_0_and_1));
+    #[allow(clippy::cast_possible_truncation)] // encodings are those of f32
+    let single = x.map(|channel| channel.to_f64() as f32);
+    let bytes = single.to_srgb8();
+    assert_eq!(Rgb::from_srgb8(bytes).to_srgb8(), bytes);
+    assert_eq!(single.clamped().to_rgb565(), single.to_rgb565());
     let _ = (s.sqrt(), s.abs(), s.sin(), s.cos(), s.exp(), s.ln());
     assert!(s.positive_part() >= T::ZERO);
     let _ = [i32::MIN, -1, 0, 1, i32::MAX].map(|power| s.powi(power));

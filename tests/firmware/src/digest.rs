@@ -32,6 +32,7 @@ pub fn single_precision() -> u64 {
     degenerate_points(&mut digest);
     terms(&mut digest);
     powers(&mut digest);
+    colors(&mut digest);
     digest.absorb(broken::promise(0.0));
     digest.0
 }
@@ -161,6 +162,22 @@ fn terms(digest: &mut Fnv) {
         digest.absorb(term::blinn(n, h, real));
         let c = numbers.vector(1.0);
         digest.absorb(attenuation(c.x * c.x, c.y * c.y, c.z * c.z, real));
+    }
+}
+
+/// Colors of any bits, encoded, and all bytes decoded.
+fn colors(digest: &mut Fnv) {
+    let bits = |i: u32| f32::from_bits(i.wrapping_mul(0x9E37_79B9)); // 2³² divided by the golden ratio
+    for i in 0..4096 {
+        let color = Rgb::new(bits(3 * i), bits(3 * i + 1), bits(3 * i + 2));
+        for color in [color, color.clamped(), Rgb::gray(i as f32 / 4096.0)] {
+            let [r, g, b] = color.to_srgb8();
+            digest.bits(u32::from_le_bytes([r, g, b, 0]));
+            digest.bits(color.to_rgb565().into());
+        }
+    }
+    for byte in 0..=255 {
+        digest.absorb(Rgb::from_srgb8([byte, 255 - byte, byte / 2]));
     }
 }
 
