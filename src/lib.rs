@@ -60,7 +60,8 @@
 //!   after ([`Rgb::to_srgb8`]).
 //! - **q is the distance**, not its square, in [`attenuation()`]. Directional lights have none.
 //! - **A spot's angle is the half-angle**, in radians, and its edge is inside.
-//! - **Lambert has no 1/π**, and the highlights are not normalized: the formulas are the books'.
+//! - **Lambert has no 1/π**, and the highlights are not normalized: the formulas are the books'. For
+//!   renderers with a 1/π there is [`term::blinn_normalization`].
 //! - **A face turned away from a light has no highlight.** The sums in [`mod@shade`] ensure it; the
 //!   factors in [`mod@term`] alone do not.
 //! - **A cosine ≤ 0 gives no highlight**, for every m, m = 0 included.

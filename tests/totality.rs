@@ -3,6 +3,8 @@
 
 mod support;
 
+use std::f64::consts::FRAC_1_PI;
+
 use shading::{
     DirectionalLight, Dual, Elementary, IncidentLight, Material, PointLight, Real, Rgb, SpotLight,
     UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
@@ -25,6 +27,9 @@ for_f32_and_f64!(
     highlight_with_m_zero_is_one_up_to_the_horizon,
     highlight_with_a_huge_m_is_zero_beside_the_mirror,
     highlight_with_an_invalid_m_takes_it_as_zero,
+    normalization_with_m_zero_is_one_over_pi,
+    normalization_with_a_huge_m_is_finite,
+    normalization_with_an_invalid_m_takes_it_as_zero,
     attenuation_without_a_denominator_is_infinite,
     attenuation_with_an_overflowing_denominator_is_zero,
     checked_attenuation_is_never_infinite,
@@ -231,6 +236,56 @@ fn highlight_with_an_invalid_m_takes_it_as_zero<T: Float>() {
 }
 
 // attenuation and cone
+
+fn normalization_with_m_zero_is_one_over_pi<T: Float>() {
+    // a highlight that is 1 everywhere is Lambert's: 2/(2π) = 1/π and 2·4/(8π) = 1/π, three roundings
+    for factor in [
+        term::phong_normalization::<T, _>(0),
+        term::blinn_normalization(0),
+        term::phong_normalization(T::ZERO),
+        term::blinn_normalization(T::ZERO),
+    ] {
+        assert!((factor.to_f64() - FRAC_1_PI).abs() <= 3.0 * T::U * FRAC_1_PI);
+    }
+}
+
+fn normalization_with_a_huge_m_is_finite<T: Float>() {
+    // (m + 2)/(2π), and (m + 2)(m + 4)/(8πm) = (m + 6 + 8/m)/(8π), to seven roundings
+    let near = |factor: T, expected: f64| (factor.to_f64() / expected - 1.0).abs() <= 7.0 * T::U;
+    for m in [T::of(1e30), T::MAX] {
+        let expected = m.to_f64() * FRAC_1_PI;
+        assert!(near(term::phong_normalization(m), 0.5 * expected));
+        assert!(near(term::blinn_normalization(m), 0.125 * expected));
+    }
+    let m = f64::from(u32::MAX);
+    let (phong, blinn) = ((m + 2.0) * FRAC_1_PI, (m + 6.0) * FRAC_1_PI);
+    assert!(near(term::phong_normalization(u32::MAX), 0.5 * phong));
+    assert!(near(term::blinn_normalization(u32::MAX), 0.125 * blinn));
+    // an infinite m counts as the largest number
+    assert_eq!(
+        term::phong_normalization::<T, _>(T::INFINITY),
+        term::phong_normalization(T::MAX)
+    );
+    assert_eq!(
+        term::blinn_normalization::<T, _>(T::INFINITY),
+        term::blinn_normalization(T::MAX)
+    );
+}
+
+fn normalization_with_an_invalid_m_takes_it_as_zero<T: Float>() {
+    for m in [-T::ONE, -T::of(1e30), -T::INFINITY, T::NAN] {
+        assert_eq!(
+            term::phong_normalization::<T, _>(m),
+            term::phong_normalization(T::ZERO),
+            "{m:e}"
+        );
+        assert_eq!(
+            term::blinn_normalization::<T, _>(m),
+            term::blinn_normalization(T::ZERO),
+            "{m:e}"
+        );
+    }
+}
 
 fn attenuation_without_a_denominator_is_infinite<T: Float>() {
     let [zero, one] = [T::ZERO, T::ONE];
@@ -510,5 +565,5 @@ fn every_row_of_the_table_names_a_test() {
         let is_there = tests.iter().any(defines);
         assert!(is_there, "no test {name}");
     }
-    assert_eq!(cited.len(), 55, "rows");
+    assert_eq!(cited.len(), 59, "rows");
 }

@@ -47,6 +47,7 @@ macro_rules! invariants {
 mod direction;
 mod dual;
 mod encoding;
+mod energy;
 mod light;
 mod lobe;
 mod motion;

@@ -92,6 +92,22 @@ pub fn rows<T: Float>() -> Vec<Row> {
             OF_ONE,
             power::<T, _>(T::of(1000.5), 1000.5, false),
         ),
+        row(
+            "`phong_normalization`, real m",
+            OF_RESULT,
+            normalization::<T, _>(term::phong_normalization, |m| {
+                (m + number(2.0)) / (number(2.0) * exact::pi())
+            }),
+        ),
+        row(
+            "`blinn_normalization`, real m",
+            OF_RESULT,
+            normalization::<T, _>(term::blinn_normalization, |m| {
+                let power = number(0.5).powf(&(m / number(2.0)));
+                let product = (m + number(2.0)) * (m + number(4.0));
+                product / (number(8.0) * exact::pi() * (power + m))
+            }),
+        ),
         row("`attenuation`", OF_RESULT, attenuated::<T>()),
         row("`PointLight::at`, direction", OF_RESULT, lamp::<T>()[0]),
         row("`PointLight::at`, intensity", OF_RESULT, lamp::<T>()[1]),
@@ -274,6 +290,15 @@ fn power<T: Float, M: Exponent<T>>(m: M, exact_m: f64, relative: bool) -> f64 {
             &expected,
             if relative { &expected } else { &one },
         )
+    })
+}
+
+/// A factor of m, from 0 to 1000; often small.
+fn normalization<T: Float, F: Fn(&Number) -> Number>(factor: fn(T) -> T, formula: F) -> f64 {
+    let m = prop_oneof![0.0..10.0, 0.0..1000.0].prop_map(T::of);
+    largest(m, |m| {
+        let expected = formula(&number(m.to_f64()));
+        error(factor(m), &expected, &expected)
     })
 }
 

@@ -166,6 +166,14 @@ fn terms<T: Float>(numbers: &mut Numbers<T>) {
             && within_0_and_1(term::blinn(r, v, numbers.m))
     );
     assert!(within_0_and_1(term::phong(r, v, m)) && within_0_and_1(term::blinn(r, v, m)));
+    for factor in [
+        term::phong_normalization::<T, _>(numbers.m),
+        term::phong_normalization(m),
+        term::blinn_normalization(numbers.m),
+        term::blinn_normalization(m),
+    ] {
+        assert!(factor > T::ZERO && factor.is_finite(), "{factor:e}");
+    }
 
     let [a, b, c, q] = [(); 4].map(|()| numbers.number());
     let _ = (

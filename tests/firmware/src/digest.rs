@@ -148,6 +148,12 @@ fn beside_lamps(digest: &mut Fnv, n: UnitVec3<f32>, v: UnitVec3<f32>, p: Vec3<f3
 /// The factors by themselves.
 fn terms(digest: &mut Fnv) {
     let mut numbers = Numbers(2);
+    for (whole, real) in WHOLE.into_iter().zip(REAL) {
+        digest.absorb(term::phong_normalization::<f32, _>(whole));
+        digest.absorb(term::phong_normalization::<f32, _>(real));
+        digest.absorb(term::blinn_normalization::<f32, _>(whole));
+        digest.absorb(term::blinn_normalization::<f32, _>(real));
+    }
     for (whole, real) in WHOLE.into_iter().zip(REAL).cycle().take(256) {
         let [n, l, v] = [(); 3].map(|()| numbers.vector(1.0).unit_or(UnitVec3::Z));
         let r = reflection(n, l);
