@@ -96,7 +96,8 @@ fn reexported(lib: &str) -> BTreeMap<String, String> {
 /// What follows `crate::` in the paths of a file.
 fn used_modules(source: &str) -> BTreeSet<String> {
     let code = code(source);
-    code.split("crate::").skip(1).flat_map(heads).collect()
+    let names = code.split("crate::").skip(1).flat_map(heads);
+    names.filter(|name| !name.is_empty()).collect()
 }
 
 /// A file without its comments, in one line.

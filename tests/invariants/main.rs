@@ -45,6 +45,8 @@ macro_rules! invariants {
 mod derived;
 mod direction;
 mod dual;
+mod encoding;
+mod energy;
 mod light;
 mod lobe;
 mod motion;

@@ -13,7 +13,7 @@ pub trait Number: Elementary + PartialOrd + Exponent<Self> + Debug {
 }
 
 /// `f32` or `f64`.
-pub trait Float: Number + Display + LowerExp + Debug + Default + 'static {
+pub trait Float: Number + Into<f64> + Display + LowerExp + Debug + Default + 'static {
     const NAME: &str;
     /// The unit roundoff u: half the distance from 1 to the next number.
     const U: f64;
