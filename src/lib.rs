@@ -41,13 +41,14 @@
 //!
 //! 1. **One formula, every number.** Each formula is written once, over [`Real`]: for `f32`, `f64`, the
 //!    dual number [`Dual`], SIMD lanes (feature `wide`), or a type of your own.
-//! 2. **Total.** Every function is defined for every input of its types. Nothing panics. Lights and
-//!    materials that are not negative never give negative light. What has no answer is an `Option`.
-//!    Finite input gives no NaN, except where an intermediate result overflows: [`guide::totality`] lists
-//!    the cases.
-//! 3. **The same bits everywhere.** Only + − × ÷ √ in a fixed order: an `f32` result is the same on
-//!    x86-64, Arm, RISC-V and WebAssembly, and in every SIMD lane. It takes IEEE 754 arithmetic: not the
-//!    x87 of x86 without SSE2, nor a mode that flushes subnormal numbers.
+//! 2. **Total.** Every function is defined for every input of its types, and none panics, whatever the
+//!    bits. The formulas of illumination turn finite valid input (directions of length 1, lights and
+//!    materials that are not negative) into finite light that is not negative. What has no answer is an
+//!    `Option`. As in floats, a dot or cross product that overflows may be NaN: [`guide::totality`] lists
+//!    every such case.
+//! 3. **The same bits everywhere.** Only + − × ÷ √ in a fixed order: an `f32` result is the same on every
+//!    machine that rounds as IEEE 754 says, and in every SIMD lane. The exceptions are x86 without SSE2, and
+//!    programs that flush subnormal numbers to 0.
 //! 4. **Small and fast.** One dependency, `libm`; no allocation, no `std`; no double precision in an
 //!    `f32` path (`sin` and `cos` of [`Elementary`] aside).
 //! 5. **Traceable.** Every formula's page gives the formula, convention, degenerate cases and source.
