@@ -13,7 +13,7 @@ use crate::real::Real;
 /// b or c, to the bit. Infinite where the denominator is 0 (−∞ where that is −0, which takes an a of
 /// −0); [`Attenuation`] is never.
 ///
-/// Source: Foley, van Dam et al. §16.1.2; OpenGL 2.1 §2.14.1.
+/// Source: Foley, van Dam et al., *Computer Graphics*, §16.1.2; OpenGL 2.1 specification, §2.14.1.
 ///
 /// ```
 /// use shading::attenuation;
@@ -27,23 +27,22 @@ pub fn attenuation<T: Real>(a: T, b: T, c: T, q: T) -> T {
     T::ONE / (a + q * (b + c * q))
 }
 
-/// Checked coefficients of the [`attenuation`].
+/// Checked coefficients of the [`attenuation`]: a light with them is never negative nor infinite.
+///
+/// The unit of q is the scene's unit of length; b is per that unit, c per its square.
 ///
 /// ```
-/// use shading::Attenuation;
+/// use shading::f32::Attenuation;
 ///
-/// const LAMP: Attenuation<f32> = Attenuation::<f32>::new(1.0, 0.0, 0.25).unwrap();
-/// assert_eq!(LAMP.at(2.0), 0.5);
-///
-/// assert_eq!(Attenuation::<f32>::new(0.0_f32, 0.0, 0.0), None);
-/// assert_eq!(Attenuation::<f32>::new(1.0_f32, -0.5, 0.0), None);
+/// const LAMP: Attenuation = Attenuation::new(1.0, 0.0, 0.25).unwrap();
+/// assert_eq!(LAMP.at(2.0), 0.5); // 1/(1 + 2²/4)
 /// ```
 ///
 /// An impossible constant fails the build:
 ///
 /// ```compile_fail
-/// # use shading::Attenuation;
-/// const NONSENSE: Attenuation<f32> = Attenuation::<f32>::new(1.0, -0.5, 0.0).unwrap();
+/// # use shading::f32::Attenuation;
+/// const NONSENSE: Attenuation = Attenuation::new(1.0, -0.5, 0.0).unwrap();
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attenuation<T = f32> {
@@ -55,7 +54,12 @@ pub struct Attenuation<T = f32> {
 }
 
 impl<T: Real> Attenuation<T> {
-    /// No attenuation: the factor is exactly 1 at every distance.
+    /// No attenuation: the factor is exactly 1 at every finite distance.
+    ///
+    /// ```
+    /// use shading::f32::Attenuation;
+    /// assert_eq!(Attenuation::NONE.at(1e30), 1.0);
+    /// ```
     pub const NONE: Self = Self {
         a: T::ONE,
         b: T::ZERO,
@@ -63,13 +67,17 @@ impl<T: Real> Attenuation<T> {
         clamped: false,
     };
 
-    /// The same attenuation limited to 1: min(1, 1/(a + bq + cq²)), as Foley, van Dam et al. have
-    /// it in §16.1.2. OpenGL does not limit it.
+    /// The same attenuation limited to 1, as Foley, van Dam et al. have it in §16.1.2. OpenGL does
+    /// not limit it.
+    ///
+    /// ```text
+    /// min(1, 1/(a + bq + cq²))
+    /// ```
     ///
     /// ```
-    /// use shading::Attenuation;
+    /// use shading::f32::Attenuation;
     ///
-    /// let inverse_square = Attenuation::<f32>::new(0.0_f32, 0.0, 1.0).unwrap();
+    /// let inverse_square = Attenuation::new(0.0, 0.0, 1.0).unwrap();
     /// assert_eq!(inverse_square.at(0.5), 4.0);
     /// assert_eq!(inverse_square.clamped().at(0.5), 1.0);
     /// ```
@@ -101,6 +109,13 @@ impl<T: Real> Attenuation<T> {
     }
 
     /// Whether the factor is limited to 1, as by [`clamped`](Attenuation::clamped).
+    ///
+    /// ```
+    /// use shading::f32::Attenuation;
+    ///
+    /// let inverse_square = Attenuation::new(0.0, 0.0, 1.0).unwrap();
+    /// assert!(!inverse_square.is_clamped() && inverse_square.clamped().is_clamped());
+    /// ```
     #[inline]
     #[must_use]
     pub const fn is_clamped(self) -> bool
@@ -111,7 +126,15 @@ impl<T: Real> Attenuation<T> {
     }
 
     /// The factor at the distance q ≥ 0. Where the [`attenuation`] is infinite, the largest finite
-    /// number.
+    /// number; at an infinite distance 0.
+    ///
+    /// ```
+    /// use shading::f32::Attenuation;
+    ///
+    /// let inverse_square = Attenuation::new(0.0, 0.0, 1.0).unwrap();
+    /// assert_eq!(inverse_square.at(4.0), 1.0 / 16.0);
+    /// assert_eq!(inverse_square.at(0.0), f32::MAX);
+    /// ```
     #[inline]
     #[must_use]
     pub fn at(self, q: T) -> T {
@@ -135,6 +158,13 @@ impl<T: Real> Attenuation<T> {
 
     /// The same attenuation in another number type: `f` converts each number, and may do no more
     /// than round it.
+    ///
+    /// ```
+    /// use shading::f32::Attenuation;
+    ///
+    /// let precise = Attenuation::new(1.0, 0.5, 0.25).unwrap().cast(f64::from);
+    /// assert_eq!(precise.coefficients(), [1.0_f64, 0.5, 0.25]);
+    /// ```
     #[inline]
     #[must_use]
     pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> Attenuation<U> {
@@ -160,6 +190,15 @@ macro_rules! checked {
         impl Attenuation<$float> {
             /// Takes the coefficients of 1/(a + bq + cq²). `None` where one is negative or not
             /// finite, or where all are zero.
+            ///
+            /// ```
+            #[doc = concat!("use shading::", stringify!($float), "::Attenuation;")]
+            ///
+            /// let inverse_square = Attenuation::new(0.0, 0.0, 1.0).unwrap();
+            /// assert_eq!(inverse_square.at(2.0), 0.25);
+            /// assert_eq!(Attenuation::new(1.0, -0.5, 0.0), None);
+            /// assert_eq!(Attenuation::new(0.0, 0.0, 0.0), None); // infinite everywhere
+            /// ```
             #[inline]
             #[must_use]
             pub const fn new(a: $float, b: $float, c: $float) -> Option<Self> {

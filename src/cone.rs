@@ -7,15 +7,21 @@ use crate::unit::UnitVec3;
 /// commonly given as the spot's opening is twice as much.
 ///
 /// ```
-/// use shading::{Cone, UnitVec3};
+/// use shading::f32::{Cone, UnitVec3};
+/// use std::f32::consts::FRAC_PI_6;
 ///
-/// // a spot that shines straight down, 60° wide from edge to edge
-/// const CONE: Cone<f32> = Cone::<f32>::from_half_angle(core::f32::consts::FRAC_PI_6).unwrap();
-/// let axis = -UnitVec3::Z;
+/// const CONE: Cone = Cone::from_half_angle(FRAC_PI_6).unwrap(); // 60° wide from edge to edge
 ///
-/// assert_eq!(CONE.factor(axis, UnitVec3::Z), 1.0); // right below: L points up
-/// assert_eq!(CONE.factor(axis, UnitVec3::X), 0.0);
-/// assert_eq!(Cone::<f32>::from_half_angle(4.0_f32), None); // over π
+/// let straight_down = UnitVec3::NEG_Z;
+/// assert_eq!(CONE.factor(straight_down, UnitVec3::Z), 1.0); // right below: L points up
+/// assert_eq!(CONE.factor(straight_down, UnitVec3::X), 0.0);
+/// ```
+///
+/// An impossible constant fails the build:
+///
+/// ```compile_fail
+/// # use shading::f32::Cone;
+/// const NONSENSE: Cone = Cone::from_half_angle(30.0).unwrap(); // degrees
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone<T = f32> {
@@ -32,14 +38,30 @@ impl<T: Real> Cone<T> {
     /// `axis` is the direction in which the spot shines, L points from the surface to the light.
     /// On the axis the factor is 1 for every cone.
     ///
-    /// Source: OpenGL 2.1 §2.14.1, with a spot exponent of 0.
+    /// Source: OpenGL 2.1 specification, §2.14.1, with a spot exponent of 0.
+    ///
+    /// ```
+    /// use shading::f32::{Cone, UnitVec3};
+    ///
+    /// let cone = Cone::from_cosine(0.8).unwrap();
+    /// let on_the_edge = UnitVec3::new(0.6, 0.0, 0.8).unwrap();
+    /// let outside = UnitVec3::new(0.8, 0.0, 0.6).unwrap();
+    /// assert_eq!(cone.factor(UnitVec3::NEG_Z, on_the_edge), 1.0);
+    /// assert_eq!(cone.factor(UnitVec3::NEG_Z, outside), 0.0);
+    /// ```
     #[inline]
     #[must_use]
     pub fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
         (self.cosine - (-axis).dot(l)).if_positive(T::ZERO, T::ONE)
     }
 
-    /// The cosine of the half-angle.
+    /// The cosine of the half-angle, within [−1, 1].
+    ///
+    /// ```
+    /// use shading::f32::Cone;
+    /// assert_eq!(Cone::from_half_angle(0.0).unwrap().cosine(), 1.0 - 4.0 * f32::EPSILON);
+    /// assert_eq!(Cone::from_cosine(0.5).unwrap().cosine(), 0.5);
+    /// ```
     #[inline]
     #[must_use]
     pub fn cosine(self) -> T {
@@ -48,6 +70,11 @@ impl<T: Real> Cone<T> {
 
     /// The same cone in another number type: `f` converts each number, and may do no more
     /// than round it.
+    ///
+    /// ```
+    /// use shading::f32::Cone;
+    /// assert_eq!(Cone::from_cosine(0.5).unwrap().cast(f64::from).cosine(), 0.5_f64);
+    /// ```
     #[inline]
     #[must_use]
     pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> Cone<U> {
@@ -64,6 +91,15 @@ macro_rules! checked {
             ///
             /// The cosine is computed with + − × ÷ alone: in a constant, and with the same bits on
             /// every machine.
+            ///
+            /// ```
+            #[doc = concat!("use shading::", stringify!($float), "::Cone;")]
+            #[doc = concat!("use std::", stringify!($float), "::consts::FRAC_PI_3;")]
+            ///
+            /// let cone = Cone::from_half_angle(FRAC_PI_3).unwrap(); // 60° on each side of the axis
+            #[doc = concat!("assert!((cone.cosine() - 0.5).abs() <= ", stringify!($float), "::EPSILON);")]
+            /// assert_eq!(Cone::from_half_angle(60.0), None); // degrees
+            /// ```
             #[must_use]
             pub const fn from_half_angle(radians: $float) -> Option<Self> {
                 use core::$float::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -104,6 +140,15 @@ macro_rules! checked {
             /// A cosine next to 1 is taken as 1 − 4ε (an angle of 0.06° in `f32`), and one next to
             /// −1 as every direction, so that the rounding of directions can neither put the axis
             /// outside its own cone nor anything outside the cone of π.
+            ///
+            /// ```
+            #[doc = concat!("use shading::", stringify!($float), "::{Cone, UnitVec3};")]
+            ///
+            /// let hemisphere = Cone::from_cosine(0.0).unwrap();
+            /// assert_eq!(hemisphere.factor(UnitVec3::Z, UnitVec3::X), 1.0); // on its edge
+            /// assert_eq!(hemisphere.factor(UnitVec3::Z, UnitVec3::Z), 0.0);
+            /// assert_eq!(Cone::from_cosine(1.5), None);
+            /// ```
             #[must_use]
             pub const fn from_cosine(cosine: $float) -> Option<Self> {
                 const SLACK: $float = 4.0 * $float::EPSILON;
