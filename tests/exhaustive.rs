@@ -8,10 +8,14 @@ use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::thread;
 
-use shading::{Attenuation, Exponent, Real, Rgb, Vec3, attenuation};
+use shading::{Attenuation, Exponent, Rgb, Vec3, attenuation};
 
 #[path = "support/srgb.rs"]
 mod srgb;
+
+// the roots are not public
+#[path = "../src/root.rs"]
+mod root;
 
 /// u, the unit roundoff of `f32`.
 const U: f64 = 1.0 / 16_777_216.0;
@@ -132,18 +136,36 @@ fn levels_are_rounded_correctly(stride: u32) {
 }
 
 /// √x is the nearest `f32`: the root in double precision has more than twice the digits, so to round it
-/// once more does no harm.
+/// once more does no harm. The roots in constants are the same; they take normal numbers alone.
 fn root_is_rounded_correctly(stride: u32) {
     for x in floats(f32::MAX, stride) {
         let root = f64::from(x).sqrt();
         #[allow(clippy::cast_possible_truncation)]
         let nearest = root as f32;
-        assert!(Real::sqrt(x).to_bits() == nearest.to_bits(), "√{x:e}");
+        assert!(root::sqrtf(x).to_bits() == nearest.to_bits(), "√{x:e}");
         assert!(
-            Real::sqrt(f64::from(x)).to_bits() == root.to_bits(),
+            x < f32::MIN_POSITIVE || root::const_sqrtf(x).to_bits() == nearest.to_bits(),
             "√{x:e}"
         );
+        double_root_is_rounded_correctly(x.into());
+        // next to the square of what is between two doubles, the root is hardest to round
+        if nearest.to_bits() % 16 == 0 {
+            let next = f64::from_bits(root.to_bits() + 1);
+            let square = (root * next).to_bits();
+            for bits in square.saturating_sub(2)..square + 3 {
+                double_root_is_rounded_correctly(f64::from_bits(bits));
+            }
+        }
     }
+}
+
+fn double_root_is_rounded_correctly(x: f64) {
+    let root = x.sqrt();
+    assert!(root::sqrt(x).to_bits() == root.to_bits(), "√{x:e}");
+    assert!(
+        x < f64::MIN_POSITIVE || root::const_sqrt(x).to_bits() == root.to_bits(),
+        "√{x:e}"
+    );
 }
 
 /// cosineᵐ is right to m − 1 roundings, and never falls with the cosine: each multiplication is

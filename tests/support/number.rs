@@ -29,6 +29,7 @@ pub trait Float: Number + Into<f64> + Display + LowerExp + Debug + Default + 'st
     fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>>;
     fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>>;
     fn direction(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>>;
+    fn normalized(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>>;
 
     fn is_finite(self) -> bool {
         self.to_f64().is_finite()
@@ -89,6 +90,10 @@ macro_rules! float {
 
             fn direction(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>> {
                 UnitVec3::<$float>::new(x, y, z)
+            }
+
+            fn normalized(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>> {
+                UnitVec3::<$float>::normalized(x, y, z)
             }
         }
     };
