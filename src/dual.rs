@@ -247,6 +247,7 @@ macro_rules! number_first {
 number_first!(f32: Add add, Sub sub, Mul mul, Div div);
 number_first!(f64: Add add, Sub sub, Mul mul, Div div);
 
+#[diagnostic::do_not_recommend] // the trait's own message names the types
 impl<T: Real> Real for Dual<T> {
     const ZERO: Self = Self::constant(T::ZERO);
     const ONE: Self = Self::constant(T::ONE);

@@ -16,6 +16,12 @@ use crate::real::Real;
 /// let real = blinn(n, h, 32.5);
 /// assert!(real < whole);
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a shininess for numbers of type `{T}`",
+    label = "expected `u32` or `{T}`",
+    note = "an integer shininess is a `u32`, as in `m: 32`; a real one has the type of the scene, as in `m: 32.5`",
+    note = "`term::phong` and `term::blinn` are factors; the models that take a material are in `shade`"
+)]
 pub trait Exponent<T>: Copy {
     /// Whether [`raise_four_roots`](Exponent::raise_four_roots) takes little longer than one root, in
     /// SIMD registers: then a sum over lights takes four highlights at a time. The bits are the same.
@@ -53,6 +59,7 @@ pub trait Exponent<T>: Copy {
     }
 }
 
+#[diagnostic::do_not_recommend] // the trait's own message names the types
 impl<T: Real> Exponent<T> for u32 {
     #[inline]
     fn raise(self, cosine: T) -> T {
@@ -73,6 +80,7 @@ impl<T: Real> Exponent<T> for u32 {
     }
 }
 
+#[diagnostic::do_not_recommend] // the trait's own message names the types
 impl Exponent<f32> for f32 {
     const FOUR_AT_ONCE: bool = cfg!(any(
         target_feature = "sse2",
@@ -96,6 +104,7 @@ impl Exponent<f32> for f32 {
     }
 }
 
+#[diagnostic::do_not_recommend] // the trait's own message names the types
 impl Exponent<f64> for f64 {
     #[inline]
     fn raise(self, cosine: f64) -> f64 {

@@ -33,6 +33,7 @@
 //! | N, L, V | R or H | [`reflection`], [`half_vector`] |
 //! | directions | one factor of the formula | [`mod@term`] |
 //! | a distance | the falloff | [`attenuation()`], [`Attenuation`] |
+//! | linear light | the bytes of a picture or a display, and back | [`Rgb::to_srgb8`], [`Rgb::to_rgb565`], [`Rgb::from_srgb8`] |
 //! | a scene in one number type | short type names | [`mod@f32`], [`mod@f64`] |
 //! | a number type of your own | all of this for it | [`Real`] |
 //!
@@ -40,13 +41,14 @@
 //!
 //! 1. **One formula, every number.** Each formula is written once, over [`Real`]: for `f32`, `f64`, the
 //!    dual number [`Dual`], SIMD lanes (feature `wide`), or a type of your own.
-//! 2. **Total.** Every function is defined for every input of its types. Nothing panics. Lights and
-//!    materials that are not negative never give negative light. What has no answer is an `Option`.
-//!    Finite input gives no NaN, except where an intermediate result overflows: [`guide::totality`] lists
-//!    the cases.
-//! 3. **The same bits everywhere.** Only + − × ÷ √ in a fixed order: an `f32` result is the same on
-//!    x86-64, Arm, RISC-V and WebAssembly, and in every SIMD lane. It takes IEEE 754 arithmetic: not the
-//!    x87 of x86 without SSE2, nor a mode that flushes subnormal numbers.
+//! 2. **Total.** Every function is defined for every input of its types, and none panics, whatever the
+//!    bits. The formulas of illumination turn finite valid input (directions of length 1, lights and
+//!    materials that are not negative) into finite light that is not negative. What has no answer is an
+//!    `Option`. As in floats, a dot or cross product that overflows may be NaN: [`guide::totality`] lists
+//!    every such case.
+//! 3. **The same bits everywhere.** Only + − × ÷ √ in a fixed order: an `f32` result is the same on every
+//!    machine that rounds as IEEE 754 says, and in every SIMD lane. The exceptions are x86 without SSE2, and
+//!    programs that flush subnormal numbers to 0.
 //! 4. **Small and fast.** One dependency, `libm`; no allocation, no `std`; no double precision in an
 //!    `f32` path (`sin` and `cos` of [`Elementary`] aside).
 //! 5. **Traceable.** Every formula's page gives the formula, convention, degenerate cases and source.
@@ -55,12 +57,14 @@
 //!
 //! - **All directions point away from the surface** and are [`UnitVec3`]: N, L to the light, V to
 //!   the eye, R, H. [`reflection`] takes L; GLSL's `reflect` takes −L.
-//! - **Colors are linear** and not limited to 1. Decode sRGB before; clamp and encode once, after.
+//! - **Colors are linear** and not limited to 1. Decode sRGB before ([`Rgb::from_srgb8`]); encode once,
+//!   after ([`Rgb::to_srgb8`]).
 //! - **q is the distance**, not its square, in [`attenuation()`]. Directional lights have none.
 //! - **A shadow ray ends at the light**: [`IncidentLight`] gives its distance. A wall behind a lamp casts
 //!   no shadow.
 //! - **A spot's angle is the half-angle**, in radians, and its edge is inside.
-//! - **Lambert has no 1/π**, and the highlights are not normalized: the formulas are the books'.
+//! - **Lambert has no 1/π**, and the highlights are not normalized: the formulas are the books'. For
+//!   renderers with a 1/π there is [`term::blinn_normalization`].
 //! - **A face turned away from a light has no highlight.** The sums in [`mod@shade`] ensure it; the
 //!   factors in [`mod@term`] alone do not.
 //! - **A cosine ≤ 0 gives no highlight**, for every m, m = 0 included.
@@ -93,7 +97,7 @@
 //! | 4 scenes | `light`, `material` |
 //! | 3 formulas | `direction`, `term`, `normal`, `attenuation`, `range`, `cone`, `soft_cone` |
 //! | 2 differentiation | `dual` |
-//! | 1 vectors, colors | `componentwise`, `vector`, `rescale`, `unit`, `rgb` |
+//! | 1 vectors, colors | `componentwise`, `vector`, `rescale`, `unit`, `rgb`, `encoding` |
 //! | 0 numbers | `root`, `real`, `power`, `elementary`, `exponent` |
 #![no_std]
 #![deny(unsafe_code)]
@@ -115,6 +119,7 @@ mod real;
 mod root;
 // floor 1: vectors and colours
 mod componentwise;
+mod encoding;
 mod rescale;
 mod rgb;
 mod unit;

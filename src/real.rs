@@ -110,6 +110,7 @@ pub trait Real:
 
 macro_rules! float {
     ($float:ident, $rescale:expr, $sqrt:path) => {
+        #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Real for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;

@@ -1,7 +1,8 @@
 //! Floor 1: vectors of any size, whose squared lengths overflow, vanish or lose bits.
 //!
-//! Such a vector is *extreme*. Before it is squared it is tamed: multiplied by a power of two, which
-//! keeps its direction and rounds nothing but what the power makes subnormal.
+//! Such a vector is *extreme*. Before it is squared it is tamed: multiplied by a power of two. Growing rounds
+//! nothing. Shrinking rounds only a component below 2⁻⁷⁵ (`f32`) or 2⁻⁶⁶⁰ (`f64`) of the largest, far below
+//! the unit roundoff.
 
 use crate::real::Real;
 use crate::vector::Vec3;

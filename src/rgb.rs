@@ -8,8 +8,9 @@ use crate::real::Real;
 
 /// Linear light, or the reflectance of a material, in three channels.
 ///
-/// The numbers are proportional to power. They are never encoded: decode sRGB before shading, encode
-/// after. They are not limited to 1: clamp once, after the sum, with [`clamped`](Rgb::clamped).
+/// The numbers are proportional to power: never encoded, and not limited to 1.
+/// [`from_srgb8`](Rgb::from_srgb8) decodes the bytes of a texture before shading;
+/// [`to_srgb8`](Rgb::to_srgb8) and [`to_rgb565`](Rgb::to_rgb565) clamp and encode, once, after the sum.
 ///
 /// ```
 /// use shading::Rgb;

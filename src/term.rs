@@ -1,5 +1,7 @@
 //! Floor 3: the terms of the illumination model, literal as in the books.
 
+use core::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
+
 use crate::exponent::Exponent;
 use crate::real::Real;
 use crate::rgb::Rgb;
@@ -107,6 +109,90 @@ pub fn phong<T: Real, M: Exponent<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T
 #[must_use]
 pub fn blinn<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: UnitVec3<T>, m: M) -> T {
     highlight(n.dot(h), m)
+}
+
+/// The factor that normalizes the highlight of [`phong`], for renderers whose diffuse term has a 1/π.
+///
+/// ```text
+/// (m + 2)/(2π)
+/// ```
+///
+/// The books' highlight returns less light the larger m is. With this factor it becomes a BRDF, which N·L
+/// multiplies as it does the diffuse term:
+///
+/// ```text
+/// Σ I max(0, N·L) (k_d/π + k_s (m + 2)/(2π) max(0, R·V)ᵐ)
+/// ```
+///
+/// Integrated over all directions of L, the highlight then returns exactly k_s of what arrives where
+/// V = N, for every m, and less the farther V is from N: at grazing V, at most half of k_s. So a material
+/// with k_d + k_s ≤ 1 never returns more than arrives. The same holds with L and V exchanged. The sums in
+/// [`mod@crate::shade`] keep the books' formula.
+///
+/// m is the shininess as a number: an integer one is converted first. Below 0, or not a number, it counts
+/// as 0; an infinite one counts as the largest number.
+///
+/// Source: Lewis, *Making Shaders More Physically Plausible*, 1994; Lafortune and Willems, *Using the
+/// Modified Phong Reflectance Model for Physically Based Rendering*, 1994.
+///
+/// ```
+/// use core::f32::consts::FRAC_1_PI;
+/// use shading::{PointLight, Rgb, UnitVec3, Vec3, reflection, term};
+///
+/// # let (n, v) = (UnitVec3::<f32>::Z, UnitVec3::Z);
+/// # let [k_d, k_s] = [0.5, 0.25].map(Rgb::gray);
+/// # let lamp = PointLight { position: Vec3::new(0.0, 0.0, 1.0), intensity: Rgb::WHITE, attenuation: shading::Attenuation::NONE };
+/// # let light = lamp.at(Vec3::ZERO);
+/// let normalization = term::phong_normalization(32.0); // once for a material
+/// let highlight = normalization * term::phong(reflection(n, light.l), v, 32);
+/// let brdf = k_d * FRAC_1_PI + k_s * highlight;
+/// let returned = light.intensity * brdf * term::lambert(n, light.l);
+/// # assert!((returned.r - (0.5 + 0.25 * 17.0) * FRAC_1_PI).abs() < 1e-6);
+/// ```
+#[doc(alias = "energy")]
+#[inline]
+#[must_use]
+pub fn phong_normalization<T: Real>(m: T) -> T {
+    (valid(m) + T::of(2.0)) * T::of(0.5 * FRAC_1_PI)
+}
+
+/// The factor that normalizes the highlight of [`blinn`], for renderers whose diffuse term has a 1/π.
+///
+/// ```text
+/// (m + 2)(m + 4)/(8π(2^(−m/2) + m))
+/// ```
+///
+/// It is used as [`phong_normalization`] is: the highlight returns exactly k_s of what arrives where V = N,
+/// for every m, and never more elsewhere. With m = 0 the highlight is Lambert's, 1/π.
+///
+/// The usual (m + 8)/(8π) is simpler, and returns up to 7.5 % more than arrives, near m = 9.
+///
+/// m is the shininess as a number: an integer one is converted first. Below 0, or not a number, it counts
+/// as 0; an infinite one counts as the largest number.
+///
+/// Source: Giesen, *Derivation of Phong and Blinn-Phong BRDF Normalization Factors*, 2009.
+///
+/// ```
+/// use core::f64::consts::FRAC_1_PI;
+/// use shading::term::blinn_normalization;
+///
+/// let factor = blinn_normalization(2.0_f64); // 4·6/(8π(½ + 2)) = 1.2/π
+/// assert!((factor - 1.2 * FRAC_1_PI).abs() < 1e-15);
+/// ```
+#[doc(alias = "energy")]
+#[inline]
+#[must_use]
+pub fn blinn_normalization<T: Real + Exponent<T>>(m: T) -> T {
+    let m = valid(m);
+    let power = m.raise(T::of(FRAC_1_SQRT_2));
+    // divided first: the product of the two sums could overflow
+    (m + T::of(2.0)) * T::of(0.125 * FRAC_1_PI) * ((m + T::of(4.0)) / (m + power))
+}
+
+/// The shininess as a number, at least 0 and finite.
+#[inline]
+fn valid<T: Real>(m: T) -> T {
+    m.positive_part().at_most(T::MAX)
 }
 
 /// (N·H)², with the sign of N·H, for an h = L + V that is not normalised: (N·h)²/(h·h) takes a

@@ -4,10 +4,18 @@
 //! 509th, or as many as `SHADING_STRIDE` says. An odd stride takes numbers with every last digit.
 
 use std::env;
+use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::thread;
 
-use shading::{Attenuation, Exponent, Real, Vec3, attenuation};
+use shading::{Attenuation, Exponent, Rgb, Vec3, attenuation};
+
+#[path = "support/srgb.rs"]
+mod srgb;
+
+// the roots are not public
+#[path = "../src/root.rs"]
+mod root;
 
 /// u, the unit roundoff of `f32`.
 const U: f64 = 1.0 / 16_777_216.0;
@@ -44,6 +52,11 @@ fn roots_of_some_numbers() {
 }
 
 #[test]
+fn levels_of_some_numbers() {
+    levels_are_rounded_correctly(stride());
+}
+
+#[test]
 #[ignore = "takes minutes"]
 fn whole_powers_of_every_cosine() {
     in_parallel(&WHOLE, |&m| whole_power(m, 1));
@@ -73,19 +86,86 @@ fn roots_of_every_number() {
     root_is_rounded_correctly(1);
 }
 
+#[test]
+#[ignore = "takes minutes"]
+fn levels_of_every_number() {
+    levels_are_rounded_correctly(1);
+}
+
+/// Numbers whose bits follow one another, and the level that they are encoded as.
+struct Run {
+    bits: RangeInclusive<u32>,
+    level: u16,
+}
+
+/// The numbers from each edge to the next have the level that begins there: negative ones and NaN have 0,
+/// and infinity the highest.
+fn runs(highest: u16) -> Vec<Run> {
+    let mut ends = vec![0];
+    ends.extend(srgb::edges(highest).into_iter().map(f32::to_bits));
+    ends.push(f32::INFINITY.to_bits() + 1);
+    let positive = (0..).zip(ends.windows(2)).map(|(level, ends)| Run {
+        bits: ends[0]..=ends[1] - 1,
+        level,
+    });
+    let nan = f32::INFINITY.to_bits() + 1..=u32::MAX >> 1;
+    let negative = 1 << 31..=u32::MAX;
+    let none = [nan, negative].map(|bits| Run { bits, level: 0 });
+    positive.chain(none).collect()
+}
+
+/// The level of a number is the one nearest to its encoding.
+fn levels_are_rounded_correctly(stride: u32) {
+    for (highest, levels) in [
+        (
+            255,
+            (|x| x.to_srgb8().map(u16::from)) as fn(Rgb) -> [u16; 3],
+        ),
+        (63, |x| [x.to_rgb565() >> 5 & 63; 3]),
+        (31, |x| {
+            [x.to_rgb565() >> 11, x.to_rgb565() & 31, x.to_rgb565() & 31]
+        }),
+    ] {
+        in_parallel(&runs(highest), |Run { bits, level }| {
+            let some = bits.clone().step_by(stride as usize).chain([*bits.end()]);
+            for x in some.map(f32::from_bits) {
+                assert!(levels(Rgb::gray(x)) == [*level; 3], "{x:e} is not {level}");
+            }
+        });
+    }
+}
+
 /// √x is the nearest `f32`: the root in double precision has more than twice the digits, so to round it
-/// once more does no harm.
+/// once more does no harm. The roots in constants are the same; they take normal numbers alone.
 fn root_is_rounded_correctly(stride: u32) {
     for x in floats(f32::MAX, stride) {
         let root = f64::from(x).sqrt();
         #[allow(clippy::cast_possible_truncation)]
         let nearest = root as f32;
-        assert!(Real::sqrt(x).to_bits() == nearest.to_bits(), "√{x:e}");
+        assert!(root::sqrtf(x).to_bits() == nearest.to_bits(), "√{x:e}");
         assert!(
-            Real::sqrt(f64::from(x)).to_bits() == root.to_bits(),
+            x < f32::MIN_POSITIVE || root::const_sqrtf(x).to_bits() == nearest.to_bits(),
             "√{x:e}"
         );
+        double_root_is_rounded_correctly(x.into());
+        // next to the square of what is between two doubles, the root is hardest to round
+        if nearest.to_bits() % 16 == 0 {
+            let next = f64::from_bits(root.to_bits() + 1);
+            let square = (root * next).to_bits();
+            for bits in square.saturating_sub(2)..square + 3 {
+                double_root_is_rounded_correctly(f64::from_bits(bits));
+            }
+        }
     }
+}
+
+fn double_root_is_rounded_correctly(x: f64) {
+    let root = x.sqrt();
+    assert!(root::sqrt(x).to_bits() == root.to_bits(), "√{x:e}");
+    assert!(
+        x < f64::MIN_POSITIVE || root::const_sqrt(x).to_bits() == root.to_bits(),
+        "√{x:e}"
+    );
 }
 
 /// cosineᵐ is right to m − 1 roundings, and never falls with the cosine: each multiplication is

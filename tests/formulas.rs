@@ -1,6 +1,8 @@
 //! Every formula against a value derived by hand. The derivation stands beside it; the tolerances
 //! count the roundings, in units u of the largest number on the way.
 
+use std::f64::consts::FRAC_1_PI;
+
 use shading::{
     DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight, Real, Rgb, Shaded,
     SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
@@ -15,6 +17,7 @@ for_f32_and_f64!(
     half_vector_of_two_pythagorean_directions,
     phong_of_the_3_4_5_triangle,
     blinn_of_the_3_4_5_triangle,
+    normalizations_of_small_shininess,
     powers_of_a_half_are_exact,
     ambient_is_the_product,
     attenuation_is_a_third,
@@ -135,6 +138,23 @@ fn blinn_of_the_3_4_5_triangle<T: Float>() {
         32.0,
     );
     assert_near([term::blinn(n, h, T::of(4.0))], [0.81], 36.0);
+}
+
+fn normalizations_of_small_shininess<T: Float>() {
+    // (2 + 2)/(2π) = 2/π; (6 + 2)/(2π) = 4/π
+    let phong = [2.0, 6.0].map(|m| term::phong_normalization(T::of(m)));
+    assert_near(phong, [2.0, 4.0].map(|k| k * FRAC_1_PI), 3.0 * 4.0);
+    // 4·6/(8π(½ + 2)) = 1.2/π; 8·10/(8π(⅛ + 6)) = 80/(49π), of which the power of √½ is off by 6u at most
+    let blinn = [2.0, 6.0].map(|m| term::blinn_normalization(T::of(m)));
+    assert_near(blinn, [1.2, 80.0 / 49.0].map(|k| k * FRAC_1_PI), 8.0);
+    // half-way between two integers: 3.5/(2π), and 3.5·5.5/(8π(2^(−¾) + 1.5))
+    let m = T::of(1.5);
+    let blinn = 3.5 * 5.5 / 8.0 / (0.5_f64.powf(0.75) + 1.5);
+    assert_near(
+        [term::phong_normalization(m), term::blinn_normalization(m)],
+        [1.75, blinn].map(|k| k * FRAC_1_PI),
+        8.0,
+    );
 }
 
 fn powers_of_a_half_are_exact<T: Float>() {

@@ -1,6 +1,8 @@
 //! What every function gives where its formula has no answer: each cell of the table in
 //! `docs/totality.md` is a test here, or in `conventions.rs`.
 
+use std::f64::consts::FRAC_1_PI;
+
 use shading::{
     Attenuation, DirectionalLight, Dual, Elementary, IncidentLight, Material, PointLight, Real,
     Rgb, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
@@ -35,6 +37,9 @@ for_f32_and_f64!(
     highlight_with_m_zero_is_one_up_to_the_horizon,
     highlight_with_a_huge_m_is_zero_beside_the_mirror,
     highlight_with_an_invalid_m_takes_it_as_zero,
+    normalization_with_m_zero_is_one_over_pi,
+    normalization_with_a_huge_m_is_finite,
+    normalization_with_an_invalid_m_takes_it_as_zero,
     attenuation_without_a_denominator_is_infinite,
     attenuation_with_a_denominator_of_negative_zero_is_negative,
     attenuation_with_an_overflowing_denominator_is_zero,
@@ -544,6 +549,50 @@ fn highlight_with_an_invalid_m_takes_it_as_zero<T: Float>() {
 
 // attenuation and cone
 
+fn normalization_with_m_zero_is_one_over_pi<T: Float>() {
+    // a highlight that is 1 everywhere is Lambert's: 2/(2π) = 1/π and 2·4/(8π) = 1/π, three roundings
+    for factor in [
+        term::phong_normalization(T::ZERO),
+        term::blinn_normalization(T::ZERO),
+    ] {
+        assert!((factor.to_f64() - FRAC_1_PI).abs() <= 3.0 * T::U * FRAC_1_PI);
+    }
+}
+
+fn normalization_with_a_huge_m_is_finite<T: Float>() {
+    // (m + 2)/(2π), and (m + 2)(m + 4)/(8πm) = (m + 6 + 8/m)/(8π), to seven roundings
+    let near = |factor: T, expected: f64| (factor.to_f64() / expected - 1.0).abs() <= 7.0 * T::U;
+    for m in [T::of(1e30), T::MAX] {
+        let expected = m.to_f64() * FRAC_1_PI;
+        assert!(near(term::phong_normalization(m), 0.5 * expected));
+        assert!(near(term::blinn_normalization(m), 0.125 * expected));
+    }
+    // an infinite m counts as the largest number
+    assert_eq!(
+        term::phong_normalization(T::INFINITY),
+        term::phong_normalization(T::MAX)
+    );
+    assert_eq!(
+        term::blinn_normalization(T::INFINITY),
+        term::blinn_normalization(T::MAX)
+    );
+}
+
+fn normalization_with_an_invalid_m_takes_it_as_zero<T: Float>() {
+    for m in [-T::ONE, -T::of(1e30), -T::INFINITY, T::NAN] {
+        assert_eq!(
+            term::phong_normalization(m),
+            term::phong_normalization(T::ZERO),
+            "{m:e}"
+        );
+        assert_eq!(
+            term::blinn_normalization(m),
+            term::blinn_normalization(T::ZERO),
+            "{m:e}"
+        );
+    }
+}
+
 fn attenuation_without_a_denominator_is_infinite<T: Float>() {
     let [zero, one] = [T::ZERO, T::ONE];
     assert_eq!(attenuation(zero, zero, zero, one), T::INFINITY);
@@ -844,6 +893,35 @@ fn clamped_nan_is_zero<T: Float>() {
     assert_eq!(colour, Rgb::new(T::ZERO, T::ONE, T::ZERO));
 }
 
+// encodings, of `f32` alone
+
+#[test]
+fn dark_and_invalid_channels_get_the_lowest_level() {
+    let least = f32::from_bits(1);
+    let negative_nan = f32::from_bits(u32::MAX);
+    for dark in [
+        -0.0,
+        least,
+        -least,
+        -1.0,
+        f32::MIN,
+        f32::NEG_INFINITY,
+        f32::NAN,
+        negative_nan,
+    ] {
+        assert_eq!(Rgb::gray(dark).to_srgb8(), [0; 3], "{dark:e}");
+        assert_eq!(Rgb::gray(dark).to_rgb565(), 0, "{dark:e}");
+    }
+}
+
+#[test]
+fn channels_above_one_get_the_highest_level() {
+    for bright in [1.0 + f32::EPSILON, 1e30, f32::MAX, f32::INFINITY] {
+        assert_eq!(Rgb::gray(bright).to_srgb8(), [255; 3], "{bright:e}");
+        assert_eq!(Rgb::gray(bright).to_rgb565(), u16::MAX, "{bright:e}");
+    }
+}
+
 // dual numbers
 
 /// The first variable, at `value`.
@@ -920,9 +998,14 @@ fn every_row_of_the_table_names_a_test() {
         });
     let cited: Vec<&str> = cited.collect();
     for name in &cited {
-        let definition = format!("fn {name}<");
-        let is_there = tests.iter().any(|text| text.contains(&definition));
+        let definitions = [format!("fn {name}<"), format!("fn {name}()")];
+        let defines = |text: &String| {
+            definitions
+                .iter()
+                .any(|definition| text.contains(definition))
+        };
+        let is_there = tests.iter().any(defines);
         assert!(is_there, "no test {name}");
     }
-    assert_eq!(cited.len(), 76, "rows");
+    assert_eq!(cited.len(), 82, "rows");
 }

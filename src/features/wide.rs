@@ -32,6 +32,7 @@ const HAS_ROOT: bool = cfg!(any(
 
 macro_rules! real {
     ($lanes:ident of $float:ident) => {
+        #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Real for $lanes {
             const ZERO: Self = Self::splat($float::ZERO);
             const ONE: Self = Self::splat($float::ONE);
@@ -121,6 +122,7 @@ macro_rules! single {
         }
 
         /// One m for all lanes.
+        #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Exponent<$lanes> for f32 {
             #[inline]
             fn raise(self, cosine: $lanes) -> $lanes {
@@ -142,6 +144,7 @@ macro_rules! double {
         real!($lanes of f64);
 
         /// One m for all lanes.
+        #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Exponent<$lanes> for f64 {
             #[inline]
             fn raise(self, cosine: $lanes) -> $lanes {

@@ -49,15 +49,56 @@ instructions() {
 
 # The same of the C kernel at -O2.
 instructions_of_c() {
-    local flags program=target/kernel-$1
-    case $1 in
+    compile_c "$1" target/kernel -O2 c/kernel.c c/count.c
+    emulate "$1" target/kernel -icount shift=10 2>&1 # where a plain debugger's text goes
+}
+
+# Instructions per color: to sRGB bytes, from them, to RGB565.
+instructions_to_encode() {
+    local shift=10 program
+    case $1 in riscv32*) shift=0 ;; esac
+    program=$(build "$1" "${2-release}" encode) && emulate "$1" "$program" -icount "shift=$shift"
+}
+
+# The same in C: to sRGB bytes by powf, by a table, to RGB565 by powf.
+instructions_to_encode_in_c() {
+    compile_c "$1" target/encode -O2 c/encode.c c/count_encode.c
+    emulate "$1" target/encode -icount shift=10 2>&1
+}
+
+# The bytes that each of the three adds to flash.
+flash_to_encode_in_c() {
+    local function sizes=()
+    for function in nothing powf8 table8 powf565; do
+        compile_c "$1" target/encode -Os "-DMEASURED=$function" c/encode.c c/count_encode.c
+        sizes+=("$(arm-none-eabi-size target/encode | awk 'NR == 2 { print $1 }')")
+    done
+    for i in 1 2 3; do echo $((sizes[i] - sizes[0])); done | xargs
+}
+
+# Links C for a target: compile_c TARGET PROGRAM ARGUMENT...
+compile_c() {
+    local target=$1 program=$2 flags
+    shift 2
+    case $target in
     thumbv6m-*) flags="-mcpu=cortex-m0" ;;
     thumbv7em-*) flags="-mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard" ;;
     esac
+    srgb_table >target/table.h
     # shellcheck disable=SC2086 # one word a flag
-    arm-none-eabi-gcc -mthumb $flags -O2 -Wall -Wextra -Werror -ffunction-sections -nostartfiles \
-        -T c/link.ld -Wl,--gc-sections c/start.c c/kernel.c c/count.c -lm -o "$program"
-    emulate "$1" "$program" -icount shift=10 2>&1 # where a plain debugger's text goes
+    arm-none-eabi-gcc -mthumb $flags -Wall -Wextra -Werror -ffunction-sections -nostartfiles \
+        -T c/link.ld -Wl,--gc-sections -Itarget c/start.c "$@" -lm -o "$program"
+}
+
+# The sRGB byte of each 4095th of linear light.
+srgb_table() {
+    awk 'BEGIN {
+        for (i = 0; i < 4096; i++) {
+            x = i / 4095
+            e = x <= 0.0031308 ? 12.92 * x : 1.055 * x ^ (1 / 2.4) - 0.055
+            printf "%d,%s", 255 * e + 0.5, i % 16 == 15 ? "\n" : " "
+        }
+    }'
 }
 
 # The bytes that a public function adds to flash at opt-level s, as src/bin/flash.rs names it.

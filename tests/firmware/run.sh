@@ -75,6 +75,24 @@ budgets() {
 budgets $m4f 121 204 60
 budgets $m0 7500 11060 70
 
+echo "== instructions of a color: to sRGB, from sRGB, to RGB565; in C: to sRGB by powf, by a table, to RGB565 by powf"
+for target in $chip_targets; do
+    echo "$target Rust: $(instructions_to_encode "$target"), at opt-level s: $(instructions_to_encode "$target" small)"
+done
+# encodes TARGET TO_SRGB TO_RGB565: no more than these, and a quarter of what C takes with powf
+encodes() {
+    local target=$1 srgb _ rgb565 c_srgb c_table c_rgb565
+    read -r srgb _ rgb565 <<<"$(instructions_to_encode "$target")"
+    read -r c_srgb c_table c_rgb565 <<<"$(instructions_to_encode_in_c "$target")"
+    echo "$target C: $c_srgb $c_table $c_rgb565, flash: $(flash_to_encode_in_c "$target")"
+    within "$target instructions to sRGB" "$srgb" "$2"
+    within "$target instructions to RGB565" "$rgb565" "$3"
+    within "$target instructions to sRGB, beside C" "$srgb" $((c_srgb / 4))
+    within "$target instructions to RGB565, beside C" "$rgb565" $((c_rgb565 / 4))
+}
+encodes $m4f 140 102
+encodes $m0 213 139
+
 echo "== flash at opt-level s, over an empty program"
 declare -A flash_of
 for target in $chip_targets; do

@@ -169,6 +169,12 @@ impl<T: Number> Exponent<T> for Shine {
     }
 }
 
+impl From<Shine> for f64 {
+    fn from(shine: Shine) -> f64 {
+        shine.m
+    }
+}
+
 impl Shine {
     /// How far the power of a given cosine may be off, in units of u: by m roundings of a whole one,
     /// and by the error of a real one. An error of the cosine itself counts m times.

@@ -46,6 +46,8 @@ mod derived;
 mod direction;
 mod dual;
 mod edge;
+mod encoding;
+mod energy;
 mod light;
 mod lobe;
 mod motion;

@@ -19,6 +19,18 @@ pub fn number(x: f64) -> Number {
         .value()
 }
 
+/// π, by Machin's formula: 16 arctan ⅕ − 4 arctan 1/239.
+pub fn pi() -> Number {
+    let arctan_of_inverse = |x: f64| {
+        let term = |k: i32| {
+            let power = number(x).powi((2 * k + 1).into());
+            number(if k % 2 == 0 { 1.0 } else { -1.0 }) / (power * number((2 * k + 1).into()))
+        };
+        (0..40).map(term).fold(number(0.0), |sum, term| sum + term)
+    };
+    number(16.0) * arctan_of_inverse(5.0) - number(4.0) * arctan_of_inverse(239.0)
+}
+
 /// The numbers of a vector, exactly.
 pub fn vector<T: Float>(v: impl Into<[T; 3]>) -> Vector {
     v.into().map(|c| number(c.to_f64()))

@@ -204,6 +204,27 @@ pub fn real_power<T: Float>(m: f64, least: f64) -> impl Fn(&mut Numbers) -> f64 
 }
 
 /// The coefficients a, b, c.
+/// A factor of m, from 0 to 1000.
+pub fn normalization<T: Float>(
+    factor: fn(T) -> T,
+    formula: fn(&Number) -> Number,
+) -> impl Fn(&mut Numbers) -> f64 {
+    move |numbers| {
+        let m = T::of(numbers.within(0.0, 1000.0));
+        let expected = formula(&number(m.to_f64()));
+        error(factor(m), &expected, &expected)
+    }
+}
+
+pub fn phong_normalization(m: &Number) -> Number {
+    (m + number(2.0)) / (number(2.0) * exact::pi())
+}
+
+pub fn blinn_normalization(m: &Number) -> Number {
+    let power = number(0.5).powf(&(m / number(2.0)));
+    (m + number(2.0)) * (m + number(4.0)) / (number(8.0) * exact::pi() * (power + m))
+}
+
 fn coefficients<T: Float>(numbers: &mut Numbers) -> [T; 3] {
     [(); 3].map(|()| T::of(numbers.within(0.01, 2.0)))
 }

@@ -1,11 +1,11 @@
 //! The table: each function, the largest error that is found, and the bound of all errors.
 
-use shading::term::{blinn, phong};
+use shading::term::{self, blinn, phong};
 
 use crate::measure::{
-    Model, attenuated, corner, diffuse, half, highlight, implicit, lamp_direction, lamp_intensity,
-    mapped, mirrored, parametric, real_power, shaded, sphere, transformed, triangle, unit,
-    whole_power,
+    Model, attenuated, blinn_normalization, corner, diffuse, half, highlight, implicit,
+    lamp_direction, lamp_intensity, mapped, mirrored, normalization, parametric,
+    phong_normalization, real_power, shaded, sphere, transformed, triangle, unit, whole_power,
 };
 use crate::search::{Numbers, largest};
 use support::number::Float;
@@ -116,6 +116,16 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
             "`Exponent::raise`, m = 1000.5",
             power,
             &real_power::<T>(1000.5, 0.94),
+        ),
+        of_result(
+            "`phong_normalization`",
+            3.0,
+            &normalization(term::phong_normalization::<T>, phong_normalization),
+        ),
+        of_result(
+            "`blinn_normalization`",
+            11.0,
+            &normalization(term::blinn_normalization::<T>, blinn_normalization),
         ),
         of_result("`attenuation`", 5.0, &attenuated::<T>),
         of_result("`PointLight::at`, direction", 6.5, &lamp_direction::<T>),

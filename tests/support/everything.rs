@@ -133,6 +133,11 @@ fn vectors<T: Float>(numbers: &mut Numbers<T>) {
         [x, y].into_iter().sum::<Rgb<T>>(),
     );
     assert!(<[T; 3]>::from(x.clamped()).into_iter().all(within_0_and_1));
+    #[allow(clippy::cast_possible_truncation)] // encodings are those of f32
+    let single = x.map(|channel| channel.to_f64() as f32);
+    let bytes = single.to_srgb8();
+    assert_eq!(Rgb::from_srgb8(bytes).to_srgb8(), bytes);
+    assert_eq!(single.clamped().to_rgb565(), single.to_rgb565());
     let _ = (s.sqrt(), s.abs(), s.sin(), s.cos(), s.exp(), s.ln());
     // a signaling NaN, which no operation gives, may be its own positive part
     assert!((s + T::ZERO).positive_part() >= T::ZERO);
@@ -170,6 +175,9 @@ fn terms<T: Float>(numbers: &mut Numbers<T>) {
             && within_0_and_1(term::blinn(r, v, numbers.m))
     );
     assert!(within_0_and_1(term::phong(r, v, m)) && within_0_and_1(term::blinn(r, v, m)));
+    for factor in [term::phong_normalization(m), term::blinn_normalization(m)] {
+        assert!(factor > T::ZERO && factor.is_finite(), "{factor:e}");
+    }
 
     let [a, b, c, q] = [(); 4].map(|()| numbers.number());
     let _ = (

@@ -15,7 +15,7 @@ pub trait Number: Elementary + PartialOrd + Exponent<Self> + Debug {
 }
 
 /// `f32` or `f64`.
-pub trait Float: Number + Display + LowerExp + Debug + Default + 'static {
+pub trait Float: Number + Into<f64> + Display + LowerExp + Debug + Default + 'static {
     const NAME: &str;
     /// The unit roundoff u: half the distance from 1 to the next number.
     const U: f64;
@@ -34,6 +34,7 @@ pub trait Float: Number + Display + LowerExp + Debug + Default + 'static {
     fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
     fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>>;
     fn direction(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>>;
+    fn normalized(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>>;
 
     fn is_finite(self) -> bool {
         self.to_f64().is_finite()
@@ -113,6 +114,10 @@ macro_rules! float {
 
             fn direction(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>> {
                 UnitVec3::<$float>::new(x, y, z)
+            }
+
+            fn normalized(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>> {
+                UnitVec3::<$float>::normalized(x, y, z)
             }
         }
     };

@@ -31,16 +31,7 @@ fn main() -> std::io::Result<()> {
     let mut picture = format!("P6 {SIZE} {SIZE} 255\n").into_bytes();
     let coordinate = |i: u16| (f32::from(i) + 0.5) / f32::from(SIZE) * 2.2 - 1.1;
     for (row, column) in (0..SIZE).flat_map(|row| (0..SIZE).map(move |column| (row, column))) {
-        // close to sRGB
-        let encoded = pixel(coordinate(column), -coordinate(row))
-            .clamped()
-            .map(f32::sqrt);
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "within 0 to 255"
-        )]
-        picture.extend(<[f32; 3]>::from(encoded).map(|channel| (channel * 255.0 + 0.5) as u8));
+        picture.extend(pixel(coordinate(column), -coordinate(row)).to_srgb8());
     }
     std::fs::write("ball.ppm", picture)?;
     println!("ball.ppm");

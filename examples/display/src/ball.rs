@@ -1,7 +1,8 @@
 //! A turning ball under two lamps, drawn pixel by pixel as the display takes them: no frame buffer,
 //! no line buffer, no trigonometry.
 
-use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Point, Size};
 use embedded_graphics::primitives::Rectangle;
 use shading::{Attenuation, Material, PointLight, Real, Rgb, UnitVec3, Vec3, shade};
@@ -65,7 +66,8 @@ where
         let y = (center.1 - row as f32 - 0.5) / radius;
         let colors = (0..width).map(|column| {
             let x = (column as f32 + 0.5 - center.0) / radius;
-            rgb565(ball(x, y, turn).unwrap_or(Rgb::gray(0.01)))
+            let light = ball(x, y, turn).unwrap_or(Rgb::gray(0.01));
+            Rgb565::from(RawU16::new(light.to_rgb565()))
         });
         let line = Rectangle::new(Point::new(0, row as i32), Size::new(width, 1));
         display.fill_contiguous(&line, colors)?;
@@ -92,15 +94,4 @@ fn painted(p: Vec3<f32>, Turn(cosine, sine): Turn) -> Rgb<f32> {
     let (x, y) = (0.8 * p.x + 0.6 * p.y, 0.8 * p.y - 0.6 * p.x);
     let (x, z) = (cosine * x + sine * p.z, cosine * p.z - sine * x);
     if x * y * z > 0.0 { RED } else { CREAM }
-}
-
-/// As the display takes it: clamped, encoded (a root is near enough to sRGB) and rounded.
-fn rgb565(light: Rgb<f32>) -> Rgb565 {
-    let Rgb { r, g, b } = light.clamped().map(Real::sqrt);
-    let level = |channel: f32, max: u8| (channel * f32::from(max) + 0.5) as u8;
-    Rgb565::new(
-        level(r, Rgb565::MAX_R),
-        level(g, Rgb565::MAX_G),
-        level(b, Rgb565::MAX_B),
-    )
 }

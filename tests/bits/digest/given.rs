@@ -19,6 +19,7 @@ pub trait Float: Elementary + PartialOrd + Exponent<Self> + Absorb + From<f32> +
     /// A number of any size, but finite.
     fn draw_any(numbers: &mut Numbers) -> Self;
 
+    fn single(self) -> f32;
     fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>>;
     fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>>;
     fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>>;
@@ -49,6 +50,11 @@ macro_rules! float {
             fn draw_any(numbers: &mut Numbers) -> Self {
                 let any = Self::from_bits($any_bits(numbers));
                 if any.is_finite() { any } else { Self::MAX }
+            }
+
+            #[allow(clippy::cast_possible_truncation)] // of a double, to be encoded
+            fn single(self) -> f32 {
+                self as f32
             }
 
             fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>> {

@@ -77,6 +77,7 @@ functions! {
         "Rgb, assigned": |g| { let mut c = g.rgb; c += g.k_a; c *= g.x; c -= g.k_d; c };
         "Rgb::sum": |g| [[g.rgb, g.k_a, g.k_d].iter().sum::<Rgb<T>>(), [g.k_d, g.rgb, g.k_a].into_iter().sum()];
         "Rgb::gray": |g| Rgb::gray(g.x);
+        "Rgb, encoded and decoded": |g| { let rgb = g.rgb.map(T::single); [Rgb::from_srgb8(rgb.to_srgb8()), Rgb::gray(rgb.to_rgb565().into())] };
         "Rgb::clamped": |g| (g.rgb - g.k_a).clamped();
 
         // dual numbers
@@ -107,6 +108,8 @@ functions! {
         "reflection": |g| reflection(g.n, g.l);
         "half_vector": |g| half_vector(g.l, g.v);
         "term::ambient": |g| term::ambient(g.k_a, g.rgb);
+        "term::phong_normalization": |_g| REAL.map(|m| term::phong_normalization(T::from(m)));
+        "term::blinn_normalization": |_g| REAL.map(|m| term::blinn_normalization(T::from(m)));
         "term::lambert": |g| term::lambert(g.n, g.l);
         "term::phong, integer m": |g| INTEGER.map(|m| term::phong(g.l, g.v, m));
         "term::phong, real m": |g| REAL.map(|m| term::phong(g.l, g.v, T::from(m)));

@@ -5,8 +5,6 @@ use std::thread;
 
 use shading::Rgb;
 
-use super::srgb;
-
 /// What can be looked at.
 pub trait View: Sync {
     /// The linear light at a point of the picture: x and y go from −1 to 1, rightwards and
@@ -23,8 +21,8 @@ pub struct Film {
 
 /// How many samples a pixel gets where one is not enough.
 const SAMPLES: u32 = 16;
-/// One is enough where the neighbours differ by less than so much of the range of the display.
-const CONTRAST: f32 = 3.0 / 255.0;
+/// One is enough where the neighbors differ by no more than so many levels of the display.
+const CONTRAST: f32 = 3.0;
 
 impl Film {
     /// One sample in the middle of each pixel; more where that is not enough.
@@ -38,7 +36,7 @@ impl Film {
         };
         let rough = Self::filled(width, height, |column, row| sample(column, row, 0.5, 0.5));
         let encoded = Self::filled(width, height, |column, row| {
-            rough.at(column, row).map(srgb::encode)
+            Rgb::from(rough.at(column, row).to_srgb8().map(f32::from))
         });
         Self::filled(width, height, |column, row| {
             if encoded.has_contrast(column, row) {

@@ -10,4 +10,3 @@ pub mod png;
 pub mod ray;
 pub mod scene;
 pub mod shape;
-mod srgb;

@@ -6,7 +6,6 @@ use std::{fs, io};
 use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, ScaledFloat};
 
 use super::film::Film;
-use super::srgb;
 
 /// Writes a picture as a PNG file, whole or not at all: under another name first.
 pub fn write(film: &Film, path: &Path) -> io::Result<()> {
@@ -24,7 +23,7 @@ fn encoded(film: &Film) -> Result<Vec<u8>, EncodingError> {
     let bytes: Vec<u8> = film
         .pixels
         .iter()
-        .flat_map(|pixel| <[f32; 3]>::from(pixel.clamped()).map(srgb::byte))
+        .flat_map(|pixel| pixel.to_srgb8())
         .collect();
     let mut png = Vec::new();
     let mut encoder = Encoder::new(&mut png, film.width as u32, film.height as u32);

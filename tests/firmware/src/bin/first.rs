@@ -4,7 +4,7 @@
 use cortex_m_rt::entry;
 
 use shading::f32::{Attenuation, Material, PointLight, Rgb, UnitVec3, Vec3};
-use shading::{Real, shade};
+use shading::shade;
 
 static LAMPS: [PointLight; 2] = [
     PointLight {
@@ -31,11 +31,7 @@ fn pixel(p: Vec3) -> u16 {
     let Some(n) = p.unit() else { return 0 };
     let lights = LAMPS.iter().filter_map(|lamp| lamp.in_front(p, n));
     let light = shade::blinn_phong(n, UnitVec3::Z, &BRASS, AMBIENT, lights).total();
-
-    // clamped, encoded (a root is near enough to sRGB), rounded
-    let Rgb { r, g, b } = light.clamped().map(Real::sqrt);
-    let level = |channel: f32, max: f32| (channel * max + 0.5) as u16;
-    level(r, 31.0) << 11 | level(g, 63.0) << 5 | level(b, 31.0)
+    light.to_rgb565() // clamped, in sRGB
 }
 
 #[entry]

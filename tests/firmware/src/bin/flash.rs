@@ -55,6 +55,7 @@ struct Given {
     lamps: [PointLight<f32>; 4],
     spot: SpotLight<f32>,
     light: Light<f32>,
+    bytes: [u8; 3],
 }
 
 #[board::entry]
@@ -88,12 +89,17 @@ fn measured(given: &Given) {
         "Vec3::unit_or" => keep(p.unit_or(n)),
         "UnitVec3::new" => keep(N::new(p.x, p.y, p.z)),
         "Rgb::clamped" => keep(i_a.clamped()),
+        "Rgb::to_srgb8" => keep(i_a.to_srgb8()),
+        "Rgb::from_srgb8" => keep(Rgb::from_srgb8(given.bytes)),
+        "Rgb::to_rgb565" => keep(i_a.to_rgb565()),
         "ambient" => keep(term::ambient(i_a, i_a)),
         "lambert" => keep(term::lambert(n, l)),
         "phong, integer m" => keep(term::phong(n, v, whole.m)),
         "phong, real m" => keep(term::phong(n, v, real.m)),
         "blinn, integer m" => keep(term::blinn(n, v, whole.m)),
         "blinn, real m" => keep(term::blinn(n, v, real.m)),
+        "phong_normalization" => keep(term::phong_normalization(real.m)),
+        "blinn_normalization" => keep(term::blinn_normalization(real.m)),
         "reflection" => keep(reflection(n, l)),
         "half_vector" => keep(half_vector(l, v)),
         "attenuation" => keep(attenuation(a.x, a.y, a.z, p.x)),

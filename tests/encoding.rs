@@ -1,0 +1,74 @@
+//! The levels of a display, against the standard's formula in 60 digits. `exhaustive.rs` tries every
+//! `f32` between the edges that are found here.
+
+#[path = "support/srgb.rs"]
+mod srgb;
+
+use shading::Rgb;
+use srgb::{decoded, edges, number};
+
+/// The number below.
+fn below(x: f32) -> f32 {
+    f32::from_bits(x.to_bits() - 1)
+}
+
+/// The bits of three levels.
+fn rgb565(r: u16, g: u16, b: u16) -> u16 {
+    r << 11 | g << 5 | b
+}
+
+#[test]
+fn bytes_begin_where_the_standard_says() {
+    for (byte, edge) in (1..=255).zip(edges(255)) {
+        assert_eq!(Rgb::gray(edge).to_srgb8(), [byte; 3], "{edge:e}");
+        assert_eq!(Rgb::gray(below(edge)).to_srgb8(), [byte - 1; 3], "{edge:e}");
+    }
+}
+
+/// Green has twice the levels, and the other two those of five bits.
+#[test]
+fn levels_of_rgb565_begin_where_the_standard_says() {
+    let only = |r, g, b| Rgb::new(r, g, b).to_rgb565();
+    for (level, edge) in (1..).zip(edges(31)) {
+        assert_eq!(only(edge, 0.0, 0.0), level << 11);
+        assert_eq!(only(0.0, 0.0, edge), level);
+        let edge = below(edge);
+        assert_eq!(only(edge, 0.0, edge), rgb565(level - 1, 0, level - 1));
+    }
+    for (level, edge) in (1..).zip(edges(63)) {
+        assert_eq!(only(0.0, edge, 0.0), level << 5);
+        assert_eq!(only(0.0, below(edge), 0.0), (level - 1) << 5);
+    }
+}
+
+#[test]
+fn light_of_a_byte_is_the_nearest_number() {
+    for byte in 0..=255 {
+        let light = decoded(&(number(f64::from(byte)) / number(255.0)));
+        assert_eq!(
+            Rgb::from_srgb8([byte; 3]),
+            Rgb::gray(light.to_f32().value()),
+            "{byte}"
+        );
+    }
+}
+
+/// 255 (1.055 · 0.5^(1/2.4) − 0.055) = 187.52, and 255 · 12.92 · 0.001 = 3.29.
+#[test]
+fn each_channel_has_its_own_level() {
+    let color = Rgb::new(0.5, 0.001, 1.0);
+    assert_eq!(color.to_srgb8(), [188, 3, 255]);
+    // 31 · 0.735 = 22.8, 63 · 0.0129 = 0.81
+    assert_eq!(color.to_rgb565(), rgb565(23, 1, 31));
+    assert_eq!(Rgb::from_srgb8([188, 3, 255]).to_srgb8(), [188, 3, 255]);
+}
+
+#[test]
+fn constants_are_encoded_by_the_compiler() {
+    const BACKGROUND: u16 = Rgb::gray(0.5).to_rgb565();
+    const BYTES: [u8; 3] = Rgb::<f32>::WHITE.to_srgb8();
+    static BRASS: Rgb = Rgb::from_srgb8([0xB5, 0xA6, 0x42]);
+    assert_eq!(BACKGROUND, rgb565(23, 46, 23));
+    assert_eq!(BYTES, [255; 3]);
+    assert_eq!(BRASS.to_srgb8(), [0xB5, 0xA6, 0x42]);
+}

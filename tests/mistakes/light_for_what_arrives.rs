@@ -1,0 +1,12 @@
+//! Accepted: no attribute adds to an error about the items of an iterator, and it names
+//! `IncidentLight`, whose page says where it comes from: `sun.at(p)`.
+
+use shading::f32::{DirectionalLight, Material, Rgb, UnitVec3};
+use shading::shade;
+
+const CLAY: Material = Material { k_a: Rgb::WHITE, k_d: Rgb::WHITE, k_s: Rgb::WHITE, m: 32 };
+
+fn main() {
+    let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
+    let _shaded = shade::lambert(UnitVec3::Z, &CLAY, Rgb::BLACK, [sun]);
+}
