@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use shading::{
     Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight,
-    Real, Rgb, SpotLight, UnitVec3, Vec3, normal, shade,
+    Ranged, Real, Rgb, SoftCone, SpotLight, UnitVec3, Vec3, normal, shade,
 };
 
 /// How many places there are.
@@ -30,6 +30,15 @@ const SPOT: SpotLight<f32> = SpotLight {
     point: POINT,
     axis: UnitVec3::<f32>::new(0.0, -0.6, -0.8).unwrap(),
     cone: Cone::<f32>::from_half_angle(0.5).unwrap(),
+};
+const SOFT_SPOT: SpotLight<f32, SoftCone<f32>, Ranged<f32>> = SpotLight {
+    point: PointLight {
+        position: POINT.position,
+        intensity: POINT.intensity,
+        attenuation: POINT.attenuation.within(4.0).unwrap(),
+    },
+    axis: SPOT.axis,
+    cone: SoftCone::<f32>::from_half_angles(0.3, 0.5).unwrap(),
 };
 const SUN: DirectionalLight<f32> = DirectionalLight {
     l: UnitVec3::<f32>::Y,
@@ -87,11 +96,15 @@ functions! {
     attenuation: |s| shading::attenuation(1.0, 0.1, s.x, s.a.x);
     attenuation_checked: |s| black_box(POINT.attenuation).at(s.x);
     cone: |s| black_box(SPOT.cone).factor(s.v, s.l);
+    soft_cone: |s| black_box(SOFT_SPOT.cone).factor(s.v, s.l);
+    attenuation_ranged: |s| black_box(SOFT_SPOT.point.attenuation).at(s.x);
     directional_light: |s| black_box(&SUN).at(s.p);
     point_light: |s| black_box(&POINT).at(s.p);
     point_light_in_front: |s| black_box(&POINT).in_front(s.p, s.n);
     spot_light: |s| black_box(&SPOT).at(s.p);
     spot_light_in_front: |s| black_box(&SPOT).in_front(s.p, s.n);
+    soft_spot_light: |s| black_box(&SOFT_SPOT).at(s.p);
+    soft_spot_light_in_front: |s| black_box(&SOFT_SPOT).in_front(s.p, s.n);
     any_light: |s| black_box(&LIGHTS)[1].at(s.p);
     clamped: |s| Rgb::from(<[f32; 3]>::from(s.p)).clamped();
     normal_plane: |s| normal::plane(s.p.x, s.p.y, s.p.z);

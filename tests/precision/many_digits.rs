@@ -82,6 +82,12 @@ pub fn positive_part(x: Number) -> Number {
     if x > Number::ZERO { x } else { number(0.0) }
 }
 
+/// max(0, min(1, x))
+pub fn clamped(x: Number) -> Number {
+    let one = number(1.0);
+    positive_part(if x > one { one } else { x })
+}
+
 /// max(0, min(1, cosine))ᵐ
 pub fn highlight(cosine: Number, m: f64) -> Number {
     let one = number(1.0);

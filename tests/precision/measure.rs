@@ -236,6 +236,40 @@ pub fn attenuated<T: Float>(numbers: &mut Numbers) -> f64 {
     error(attenuation(a, b, c, q), &expected, &expected)
 }
 
+/// At the cosine of a cone whose edge is 0.01 to 1 wide, times the width.
+pub fn soft_cone<T: Float>(is_smooth: bool) -> impl Fn(&mut Numbers) -> f64 {
+    move |numbers| {
+        let [axis, l] = [direction::<T>(numbers), direction(numbers)];
+        let outer = numbers.within(-1.0, 0.9);
+        let inner = outer + numbers.within(0.01, f64::min(1.0, 1.0 - outer));
+        let cone = T::soft_cone_from_cosines(T::of(inner), T::of(outer)).expect("cosines");
+        let cosine = -exact::dot(&vector(axis), &vector(l));
+        let [inner, outer] = cone.cosines().map(|cosine| number(cosine.to_f64()));
+        let width = inner - &outer;
+        let t = exact::clamped((cosine - outer) / &width);
+        let (cone, expected) = if is_smooth {
+            (cone.smoothstep(), &t * &t * (number(3.0) - &t - &t))
+        } else {
+            (cone, &t * &t)
+        };
+        error(cone.factor(axis, l), &expected, &number(1.0)) * width.to_f64().value()
+    }
+}
+
+/// Up to where the light ends.
+pub fn ranged<T: Float>(numbers: &mut Numbers) -> f64 {
+    let [a, b, c] = coefficients::<T>(numbers);
+    let free = T::new_attenuation(a, b, c).expect("positive");
+    let r = T::of(numbers.within(0.1, 100.0));
+    let q = r * T::of(numbers.within(0.0, 1.0));
+    let share = number(q.to_f64()) / number(r.to_f64());
+    let window = exact::clamped(number(1.0) - share.powi(4.into()));
+    let free_factor = exact::attenuation(&vector([a, b, c]), &number(q.to_f64()));
+    let expected = &free_factor * &window * &window;
+    let ranged = T::within(free, r).expect("a range");
+    error(ranged.at(q), &expected, &free_factor)
+}
+
 /// Under a lamp of white light: its coefficients, the way to it, and what arrives; not at the lamp.
 fn lamp<T: Float>(numbers: &mut Numbers) -> Option<([T; 3], Vector, IncidentLight<T>)> {
     let [a, b, c] = coefficients::<T>(numbers);

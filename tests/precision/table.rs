@@ -5,7 +5,8 @@ use shading::term::{self, blinn, phong};
 use crate::measure::{
     Model, attenuated, blinn_normalization, corner, diffuse, half, highlight, implicit,
     lamp_direction, lamp_intensity, mapped, mirrored, normalization, parametric,
-    phong_normalization, real_power, shaded, sphere, transformed, triangle, unit, whole_power,
+    phong_normalization, ranged, real_power, shaded, soft_cone, sphere, transformed, triangle,
+    unit, whole_power,
 };
 use crate::search::{Numbers, largest};
 use support::number::Float;
@@ -21,6 +22,7 @@ pub struct Row {
 }
 
 /// The table. The page says where the bounds come from.
+#[allow(clippy::too_many_lines)] // a row a function
 pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
     // a real power: 2⁻²² in `f32`, a unit in the last place of a number below 1 in `f64`
     let (digits, power) = match T::NAME {
@@ -128,6 +130,24 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
             &normalization(term::blinn_normalization::<T>, blinn_normalization),
         ),
         of_result("`attenuation`", 5.0, &attenuated::<T>),
+        row(
+            "`Ranged::at`",
+            "of the attenuation without a range",
+            23.0,
+            &ranged::<T>,
+        ),
+        row(
+            "`SoftCone::factor`",
+            "of 1, over the width of the edge",
+            7.5,
+            &soft_cone::<T>(false),
+        ),
+        row(
+            "`SoftCone::factor`, a smoothstep",
+            "of 1, over the width of the edge",
+            6.75,
+            &soft_cone::<T>(true),
+        ),
         of_result("`PointLight::at`, direction", 6.5, &lamp_direction::<T>),
         of_result("`PointLight::at`, intensity", 12.0, &lamp_intensity::<T>),
         of_light(

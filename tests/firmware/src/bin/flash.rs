@@ -10,8 +10,8 @@ use core::sync::atomic::AtomicU32;
 use firmware::{board, broken};
 use shading::{
     Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight,
-    Real, Rgb, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade,
-    term,
+    Ranged, Real, Rgb, SoftCone, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal,
+    reflection, shade, term,
 };
 
 type V = Vec3<f32>;
@@ -54,6 +54,7 @@ struct Given {
     sun: DirectionalLight<f32>,
     lamps: [PointLight<f32>; 4],
     spot: SpotLight<f32>,
+    soft_spot: SpotLight<f32, SoftCone<f32>, Ranged<f32>>,
     light: Light<f32>,
     bytes: [u8; 3],
 }
@@ -107,6 +108,9 @@ fn measured(given: &Given) {
         "Attenuation::at" => keep(given.attenuation.at(p.x)),
         "Cone::from_half_angle" => keep(Cone::<f32>::from_half_angle(a.x)),
         "Cone::factor" => keep(given.cone.factor(n, l)),
+        "SoftCone::from_half_angles" => keep(SoftCone::<f32>::from_half_angles(a.x, a.y)),
+        "SoftCone::factor" => keep(given.soft_spot.cone.factor(n, l)),
+        "Ranged::at" => keep(given.soft_spot.point.attenuation.at(p.x)),
         "normal::plane" => keep(normal::plane(a.x, a.y, a.z)),
         "normal::triangle" => keep(normal::triangle(p, a, b)),
         "normal::sphere" => keep(normal::sphere(a, p)),
@@ -121,6 +125,7 @@ fn measured(given: &Given) {
         "DirectionalLight::at" => keep(given.sun.at(p)),
         "PointLight::at" => keep(given.lamps[0].at(p)),
         "SpotLight::at" => keep(given.spot.at(p)),
+        "SpotLight::at, soft and ranged" => keep(given.soft_spot.at(p)),
         "Light::at" => keep(given.light.at(p)),
         "shade::lambert" => keep(shade::lambert(n, whole, i_a, lights())),
         "shade::phong, integer m" => keep(shade::phong(n, v, whole, i_a, lights())),
