@@ -31,11 +31,13 @@ macro_rules! aliases {
             pub type Rgb = crate::Rgb<$float>;
             pub type Dual = crate::Dual<$float>;
             pub type Attenuation = crate::Attenuation<$float>;
+            pub type Ranged = crate::Ranged<$float>;
             pub type Cone = crate::Cone<$float>;
+            pub type SoftCone = crate::SoftCone<$float>;
             pub type IncidentLight = crate::IncidentLight<$float>;
             pub type DirectionalLight = crate::DirectionalLight<$float>;
-            pub type PointLight = crate::PointLight<$float>;
-            pub type SpotLight = crate::SpotLight<$float>;
+            pub type PointLight<A = Attenuation> = crate::PointLight<$float, A>;
+            pub type SpotLight<C = Cone, A = Attenuation> = crate::SpotLight<$float, C, A>;
             pub type Light = crate::Light<$float>;
             pub type Material<M = u32> = crate::Material<$float, M>;
             pub type Shaded = crate::Shaded<$float>;

@@ -1,6 +1,31 @@
 //! Floor 3: falloff with distance.
 
 use crate::real::Real;
+use crate::rgb::Rgb;
+
+/// What distance leaves of the light of a [`PointLight`](crate::PointLight): an [`Attenuation`], one
+/// within a range ([`Ranged`](crate::Ranged)), or a falloff of your own.
+pub trait Falloff<T>: Copy {
+    /// The same falloff in another number type.
+    type In<U>;
+
+    /// What is left at the distance q ≥ 0 of light of this intensity: finite where that is, and no NaN.
+    #[must_use]
+    fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T>;
+
+    /// Whether anything may be left at a distance, given by its square; in lanes, in any of them.
+    #[inline]
+    #[must_use]
+    fn reaches(&self, square: T) -> bool {
+        let _ = square;
+        true
+    }
+
+    /// The same falloff in another number type: `f` converts each number, and may do no more than round
+    /// it.
+    #[must_use]
+    fn cast<U>(self, f: impl FnMut(T) -> U) -> Self::In<U>;
+}
 
 /// The attenuation of a light with distance.
 ///
@@ -143,14 +168,14 @@ impl<T: Real> Attenuation<T> {
 
     /// The factor before it is limited.
     #[inline]
-    pub(crate) fn unlimited(self, q: T) -> T {
+    fn unlimited(self, q: T) -> T {
         attenuation(self.a, self.b, self.c, q)
     }
 
     /// The factor up to its limit, which is not below 1. At an infinite distance it is 0, also
     /// where the formula gives no number.
     #[inline]
-    pub(crate) fn limited(self, factor: T) -> T {
+    fn limited(self, factor: T) -> T {
         // no field holds the limit: MAX of one type is not MAX in another
         let limit = if self.clamped { T::ONE } else { T::MAX };
         factor.positive_part().at_most(limit)
@@ -174,6 +199,28 @@ impl<T: Real> Attenuation<T> {
             c: f(self.c),
             clamped: self.clamped,
         }
+    }
+}
+
+impl<T: Real> Falloff<T> for Attenuation<T> {
+    type In<U> = Attenuation<U>;
+
+    // All by reference: by value, the code for small chips is another, and larger.
+    #[inline(always)]
+    fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T> {
+        let factor = self.unlimited(q);
+        // neither the limit nor an overflow is in reach of a factor up to 1
+        if factor.any_outside(T::ZERO, T::ONE) {
+            let dimmed = *intensity * self.limited(factor);
+            dimmed.map(|channel| channel.at_most(T::MAX))
+        } else {
+            *intensity * factor
+        }
+    }
+
+    #[inline]
+    fn cast<U>(self, f: impl FnMut(T) -> U) -> Attenuation<U> {
+        self.cast(f)
     }
 }
 

@@ -3,6 +3,22 @@
 use crate::real::Real;
 use crate::unit::UnitVec3;
 
+/// Where the light of a [`SpotLight`](crate::SpotLight) goes: within a hard [`Cone`], one with a soft
+/// edge ([`SoftCone`](crate::SoftCone)), or a beam of your own.
+pub trait Beam<T>: Copy {
+    /// The same beam in another number type.
+    type In<U>;
+
+    /// The share, from 0 to 1, of the light that goes along −L when the spot shines along `axis`.
+    #[must_use]
+    fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T;
+
+    /// The same beam in another number type: `f` converts each number, and may do no more than round
+    /// it.
+    #[must_use]
+    fn cast<U>(self, f: impl FnMut(T) -> U) -> Self::In<U>;
+}
+
 /// The hard cone of a spot light, by its **half**-angle: the angle between axis and edge. What is
 /// commonly given as the spot's opening is twice as much.
 ///
@@ -25,7 +41,7 @@ use crate::unit::UnitVec3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone<T = f32> {
-    cosine: T,
+    pub(crate) cosine: T,
 }
 
 impl<T: Real> Cone<T> {
@@ -81,6 +97,20 @@ impl<T: Real> Cone<T> {
         Cone {
             cosine: f(self.cosine),
         }
+    }
+}
+
+impl<T: Real> Beam<T> for Cone<T> {
+    type In<U> = Cone<U>;
+
+    #[inline]
+    fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
+        self.factor(axis, l)
+    }
+
+    #[inline]
+    fn cast<U>(self, f: impl FnMut(T) -> U) -> Cone<U> {
+        self.cast(f)
     }
 }
 

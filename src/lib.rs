@@ -95,7 +95,7 @@
 //! |---|---|
 //! | 5 the model | `shade` |
 //! | 4 scenes | `light`, `material` |
-//! | 3 formulas | `direction`, `term`, `normal`, `attenuation`, `cone` |
+//! | 3 formulas | `direction`, `term`, `normal`, `attenuation`, `range`, `cone`, `soft_cone` |
 //! | 2 differentiation | `dual` |
 //! | 1 vectors, colors | `componentwise`, `vector`, `rescale`, `unit`, `rgb`, `encoding` |
 //! | 0 numbers | `root`, `real`, `power`, `elementary`, `exponent` |
@@ -131,6 +131,8 @@ mod attenuation;
 mod cone;
 mod direction;
 pub mod normal;
+mod range;
+mod soft_cone;
 pub mod term;
 // floor 4: scenes
 mod light;
@@ -141,17 +143,19 @@ pub mod shade;
 // the optional features
 mod features;
 
-pub use attenuation::{Attenuation, attenuation};
-pub use cone::Cone;
+pub use attenuation::{Attenuation, Falloff, attenuation};
+pub use cone::{Beam, Cone};
 pub use direction::{half_vector, reflection};
 pub use dual::Dual;
 pub use elementary::Elementary;
 pub use exponent::Exponent;
 pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
 pub use material::Material;
+pub use range::Ranged;
 pub use real::Real;
 pub use rgb::Rgb;
 pub use shade::Shaded;
+pub use soft_cone::SoftCone;
 
 pub use unit::UnitVec3;
 pub use vector::Vec3;

@@ -249,7 +249,7 @@ fn a_directional_light_is_not_attenuated<T: Float>() {
     };
     for p in [Vec3::ZERO, vector([1e30, -1e30, 1e30])] {
         assert_eq!(sun.at(p), from(UnitVec3::Z));
-        assert_eq!(Light::Directional(sun).at(p), from(UnitVec3::Z));
+        assert_eq!(Light::<T>::Directional(sun).at(p), from(UnitVec3::Z));
     }
 }
 

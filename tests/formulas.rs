@@ -30,6 +30,8 @@ for_f32_and_f64!(
     two_lights_after_phong,
     two_lights_after_blinn,
     spot_within_and_outside_of_30_degrees,
+    soft_spot_between_its_edges,
+    attenuation_half_way_to_its_range,
     a_scene_maps_to_another_number_type,
     dual_sum_product_and_quotient,
     dual_with_a_plain_number,
@@ -256,6 +258,31 @@ fn sample_of_a_normal_map_on_a_slanted_surface<T: Float>() {
         [2.0 / 3.0, -2.0 / 3.0, 1.0 / 3.0],
         24.0,
     );
+}
+
+fn soft_spot_between_its_edges<T: Float>() {
+    // cosines from 1 (less 4ε) down to 0.6, L at 0.8: t = ½, t² = ¼, t²(3 − 2t) = ½; L is off by 3u and
+    // t by 2.5 times as much, which counts up to 1.5 times
+    let cone = T::soft_cone_from_cosines(T::ONE, T::of(0.6)).expect("cosines");
+    let factors = [cone, cone.smoothstep()].map(|cone| cone.factor(-UnitVec3::Z, slanted()));
+    assert_near(factors, [0.25, 0.5], 40.0);
+}
+
+fn attenuation_half_way_to_its_range<T: Float>() {
+    // 1/(1 + 4/4) (1 − (2/4)⁴)² = ½ (15/16)², without a rounding
+    let free = T::new_attenuation(T::ONE, T::ZERO, T::of(0.25)).expect("coefficients");
+    let ranged = T::within(free, T::of(4.0)).expect("a range");
+    assert_eq!(ranged.at(T::of(2.0)), T::of(225.0 / 512.0));
+    // a light with it: the whole intensity is ½ (15/16)² of (1, ½, 0)
+    let lamp = PointLight {
+        position: vector([0.0, 0.0, 2.0]),
+        intensity: rgb(1.0, 0.5, 0.0),
+        attenuation: ranged,
+    };
+    let incident = lamp.at(Vec3::ZERO);
+    assert_eq!(incident.intensity, rgb(225.0 / 512.0, 225.0 / 1024.0, 0.0));
+    assert_eq!(lamp.in_front(Vec3::ZERO, UnitVec3::Z), Some(incident));
+    assert_eq!(lamp.in_front(vector([0.0, 0.0, -2.5]), UnitVec3::Z), None);
 }
 
 /// A lamp two above the origin with ¼ of (1, ½, 0) left there, and the slanted sun of ½; the eye

@@ -58,7 +58,7 @@ fn any_wall_hides_the_sun<T: Float>() {
         l: UnitVec3::Z,
         intensity: Rgb::WHITE,
     };
-    for light in [sun.at(Vec3::ZERO), Light::from(sun).at(Vec3::ZERO)] {
+    for light in [sun.at(Vec3::ZERO), Light::<T>::from(sun).at(Vec3::ZERO)] {
         assert_eq!(light.distance, T::MAX);
         assert!(is_blocked(Vec3::ZERO, 1e30, &light));
         assert!(!is_blocked(Vec3::ZERO, -1.0, &light));

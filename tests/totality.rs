@@ -46,6 +46,12 @@ for_f32_and_f64!(
     checked_attenuation_is_never_infinite,
     cone_of_an_invalid_angle_is_none,
     cone_of_zero_lights_its_axis,
+    soft_cone_of_invalid_angles_is_none,
+    soft_cone_of_one_angle_is_the_hard_cone,
+    soft_cone_of_angles_next_to_each_other_is_a_cone,
+    range_that_is_none_is_refused,
+    ranged_attenuation_is_zero_out_of_its_range,
+    lights_out_of_range_are_left_out,
     cone_of_a_nan_direction_gives_one,
     light_with_an_infinite_coordinate_is_black,
     light_with_a_nan_coordinate_adds_nothing,
@@ -654,6 +660,107 @@ fn cone_of_zero_lights_its_axis<T: Float>() {
     }
 }
 
+fn soft_cone_of_invalid_angles_is_none<T: Float>() {
+    let cone = |inner: f64, outer: f64| T::soft_cone_from_half_angles(T::of(inner), T::of(outer));
+    let of_cosines = |inner: f64, outer: f64| T::soft_cone_from_cosines(T::of(inner), T::of(outer));
+    assert!(cone(0.0, 0.5).is_some() && of_cosines(1.0, 0.5).is_some());
+    for [inner, outer] in [[0.5, 0.4], [-0.1, 0.5], [0.5, 3.2], [-0.1, 3.2]] {
+        assert_eq!(cone(inner, outer), None);
+    }
+    for [inner, outer] in [[0.4, 0.5], [1.1, 0.5], [0.5, -1.1]] {
+        assert_eq!(of_cosines(inner, outer), None);
+    }
+    for bad in not_finite::<T>() {
+        let good = T::of(0.5);
+        assert_eq!(T::soft_cone_from_half_angles(bad, good), None);
+        assert_eq!(T::soft_cone_from_half_angles(good, bad), None);
+        assert_eq!(T::soft_cone_from_cosines(bad, good), None);
+        assert_eq!(T::soft_cone_from_cosines(good, bad), None);
+    }
+}
+
+fn soft_cone_of_one_angle_is_the_hard_cone<T: Float>() {
+    // every 2⁻⁸ of the half-circle, on the edge and next to it
+    for angle in (0..=804).map(|k| T::of(f64::from(k) / 256.0)) {
+        let hard = T::cone_from_half_angle(angle).expect("below π");
+        let soft = T::soft_cone_from_half_angles(angle, angle).expect("below π");
+        assert_eq!(soft.cosines(), [hard.cosine(); 2]);
+        let beside = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|k| hard.cosine() + T::of(k * T::U));
+        for cosine in beside.into_iter().chain([-T::ONE, T::ZERO, T::ONE, T::NAN]) {
+            let l = UnitVec3::assume_unit(Vec3::new(T::ZERO, T::ZERO, cosine));
+            let factor = hard.factor(-UnitVec3::Z, l);
+            for soft in [soft, soft.smoothstep()] {
+                assert_eq!(soft.factor(-UnitVec3::Z, l), factor, "{angle} {cosine:e}");
+            }
+        }
+    }
+}
+
+fn soft_cone_of_angles_next_to_each_other_is_a_cone<T: Float>() {
+    // their cosines may have changed places by rounding
+    for k in 0..3000 {
+        let inner = T::of(f64::from(k) / 1000.0);
+        let outer = inner * T::of(1.0 + 2.0 * T::U);
+        let cone = T::soft_cone_from_half_angles(inner, outer).expect("below π");
+        let [inner, outer] = cone.cosines();
+        assert!(inner >= outer);
+        let factor = cone.factor(-UnitVec3::Z, UnitVec3::Z);
+        assert_eq!(factor, T::ONE);
+    }
+}
+
+fn range_that_is_none_is_refused<T: Float>() {
+    for bad in [T::ZERO, -T::ZERO, -T::ONE, -T::INFINITY, T::NAN] {
+        assert_eq!(T::within(Attenuation::NONE, bad), None);
+    }
+    // ∞ is no range, also at an infinite distance, where the attenuation is 0
+    let free = T::new_attenuation(T::ONE, T::ZERO, T::of(0.25)).expect("coefficients");
+    let ranged = T::within(free, T::INFINITY).expect("no range");
+    for q in [T::ZERO, T::of(T::TINIEST), T::of(2.0), T::MAX, T::INFINITY] {
+        assert_eq!(ranged.at(q), free.at(q));
+    }
+}
+
+fn ranged_attenuation_is_zero_out_of_its_range<T: Float>() {
+    // also where the attenuation is infinite, at the smallest range, and for NaN
+    let inverse_square = T::new_attenuation(T::ZERO, T::ZERO, T::ONE).expect("coefficients");
+    for r in [T::of(T::TINIEST), T::ONE, T::MAX] {
+        let ranged = T::within(inverse_square, r).expect("above 0");
+        for q in [r, r + r, T::INFINITY, T::NAN] {
+            assert_eq!(ranged.at(q), T::ZERO, "{q:e} of {r:e}");
+        }
+        // and where nothing is left of the distance, all is left of the light
+        assert_eq!(ranged.at(T::ZERO), T::MAX);
+    }
+}
+
+fn lights_out_of_range_are_left_out<T: Float>() {
+    let lamp = |z: T, r: T| PointLight {
+        position: Vec3::new(T::ZERO, T::ZERO, z),
+        intensity: Rgb::gray(T::MAX),
+        attenuation: T::within(Attenuation::NONE, r).expect("above 0"),
+    };
+    let in_front = |lamp: PointLight<T, shading::Ranged<T>>| lamp.in_front(Vec3::ZERO, UnitVec3::Z);
+    let [small, large] = [T::MIN_POSITIVE.sqrt() / 16.0, T::MAX.to_f64().sqrt() * 16.0].map(T::of);
+    assert_eq!(in_front(lamp(T::of(2.0), T::ONE)), None);
+    // within the range, whatever its square: that of the distance may be 0 or infinite
+    for r in [small, T::ONE, large, T::INFINITY] {
+        let q = if r.is_finite() {
+            r * T::of(0.5)
+        } else {
+            T::ONE
+        };
+        let incident = in_front(lamp(q, r)).expect("in front");
+        assert_eq!(incident, lamp(q, r).at(Vec3::ZERO));
+        assert!(incident.intensity.r > T::ZERO);
+    }
+    // out of it, what is not left out is black
+    for r in [small, large] {
+        let incident = in_front(lamp(r + r, r));
+        assert!(incident.is_none_or(|light| light.intensity == Rgb::BLACK));
+    }
+}
+
 fn cone_of_a_nan_direction_gives_one<T: Float>() {
     let nan = UnitVec3::assume_unit(at_x(T::NAN));
     let cone = T::cone(45.0).expect("a cone");
@@ -900,5 +1007,5 @@ fn every_row_of_the_table_names_a_test() {
         let is_there = tests.iter().any(defines);
         assert!(is_there, "no test {name}");
     }
-    assert_eq!(cited.len(), 74, "rows");
+    assert_eq!(cited.len(), 82, "rows");
 }

@@ -20,6 +20,8 @@ pub use point::PointLight;
 pub use spot::SpotLight;
 
 use self::in_front::Filtered;
+use crate::attenuation::{Attenuation, Falloff};
+use crate::cone::{Beam, Cone};
 use crate::real::Real;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
@@ -43,16 +45,16 @@ use crate::vector::Vec3;
 ///
 /// A `static` names the kind: `static LIGHTS: [Light; 1] = [Light::Directional(SUN)];`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Light<T = f32> {
+pub enum Light<T = f32, C = Cone<T>, A = Attenuation<T>> {
     /// From one direction.
     Directional(DirectionalLight<T>),
     /// From one point.
-    Point(PointLight<T>),
+    Point(PointLight<T, A>),
     /// From one point, within a cone.
-    Spot(SpotLight<T>),
+    Spot(SpotLight<T, C, A>),
 }
 
-impl<T: Real> Light<T> {
+impl<T: Real, C: Beam<T>, A: Falloff<T>> Light<T, C, A> {
     /// The light that arrives at the point p, as [`DirectionalLight::at`], [`PointLight::at`] and
     /// [`SpotLight::at`] give it.
     ///
@@ -140,7 +142,7 @@ impl<T: Real> Light<T> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn cast<U>(self, f: impl FnMut(T) -> U) -> Light<U> {
+    pub fn cast<U>(self, f: impl FnMut(T) -> U) -> Light<U, C::In<U>, A::In<U>> {
         match self {
             Self::Directional(light) => Light::Directional(light.cast(f)),
             Self::Point(light) => Light::Point(light.cast(f)),
@@ -149,23 +151,23 @@ impl<T: Real> Light<T> {
     }
 }
 
-impl<T> From<DirectionalLight<T>> for Light<T> {
+impl<T, C, A> From<DirectionalLight<T>> for Light<T, C, A> {
     #[inline]
     fn from(light: DirectionalLight<T>) -> Self {
         Self::Directional(light)
     }
 }
 
-impl<T> From<PointLight<T>> for Light<T> {
+impl<T, C, A> From<PointLight<T, A>> for Light<T, C, A> {
     #[inline]
-    fn from(light: PointLight<T>) -> Self {
+    fn from(light: PointLight<T, A>) -> Self {
         Self::Point(light)
     }
 }
 
-impl<T> From<SpotLight<T>> for Light<T> {
+impl<T, C, A> From<SpotLight<T, C, A>> for Light<T, C, A> {
     #[inline]
-    fn from(light: SpotLight<T>) -> Self {
+    fn from(light: SpotLight<T, C, A>) -> Self {
         Self::Spot(light)
     }
 }

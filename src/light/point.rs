@@ -2,7 +2,7 @@
 
 use super::in_front::{Filtered, is_in_front};
 use super::incident::IncidentLight;
-use crate::attenuation::Attenuation;
+use crate::attenuation::{Attenuation, Falloff};
 use crate::real::Real;
 use crate::rescale::{extreme_difference, is_extreme};
 use crate::rgb::Rgb;
@@ -26,16 +26,16 @@ use crate::vector::Vec3;
 /// Source: Foley, van Dam et al., *Computer Graphics*, §16.1.2; OpenGL 2.1 specification, §2.14.1.
 #[doc(alias = "lamp")]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PointLight<T = f32> {
+pub struct PointLight<T = f32, A = Attenuation<T>> {
     /// Where the light is.
     pub position: Vec3<T>,
     /// I, before attenuation: linear, and not limited to 1.
     pub intensity: Rgb<T>,
-    /// Falloff with distance.
-    pub attenuation: Attenuation<T>,
+    /// Falloff with distance: an [`Attenuation`], or one within a range, [`Ranged`](crate::Ranged).
+    pub attenuation: A,
 }
 
-impl<T: Real> PointLight<T> {
+impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     /// The light that arrives at the point p.
     ///
     /// ```text
@@ -67,7 +67,8 @@ impl<T: Real> PointLight<T> {
     }
 
     /// [`at`](PointLight::at) a point of a surface with the normal N, or `None` where the light is
-    /// behind it; in lanes, behind it in all of them.
+    /// behind it or the point out of its [range](crate::Ranged); in lanes, where that is so in all of
+    /// them.
     ///
     /// A light behind the surface costs a dot product, and neither root nor division. A light next to
     /// the horizon may be given although N·L ≤ 0: it adds nothing, so that a sum over lights comes out
@@ -101,7 +102,8 @@ impl<T: Real> PointLight<T> {
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
         let to_light = self.position - p;
         // most often the sign alone decides
-        if n.dot(to_light).any_positive() || is_in_front(n, to_light) {
+        let in_front = n.dot(to_light).any_positive() || is_in_front(n, to_light);
+        if in_front && self.reaches(to_light) {
             Some(self.along(p, to_light))
         } else {
             None
@@ -139,7 +141,14 @@ impl<T: Real> PointLight<T> {
     /// Whether [`in_front`](PointLight::in_front) gives a light.
     #[inline]
     pub(super) fn may_light(&self, p: Vec3<T>, n: UnitVec3<T>) -> bool {
-        is_in_front(n, self.position - p)
+        let to_light = self.position - p;
+        is_in_front(n, to_light) && self.reaches(to_light)
+    }
+
+    /// Whether the light may reach a point along P_light − p.
+    #[inline]
+    fn reaches(&self, to_light: Vec3<T>) -> bool {
+        self.attenuation.reaches(to_light.dot(to_light))
     }
 
     /// The light at p along P_light − p.
@@ -152,14 +161,7 @@ impl<T: Real> PointLight<T> {
             let q = square.sqrt();
             (UnitVec3::assume_unit(to_light * (T::ONE / q)), q, q)
         };
-        let factor = self.attenuation.unlimited(q);
-        // neither the limit nor an overflow is in reach of a factor up to 1
-        let intensity = if factor.any_outside(T::ZERO, T::ONE) {
-            let intensity = self.intensity * self.attenuation.limited(factor);
-            intensity.map(|channel| channel.at_most(T::MAX))
-        } else {
-            self.intensity * factor
-        };
+        let intensity = self.attenuation.dim(&self.intensity, q);
         IncidentLight {
             l,
             intensity,
@@ -209,7 +211,7 @@ impl<T: Real> PointLight<T> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> PointLight<U> {
+    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> PointLight<U, A::In<U>> {
         PointLight {
             position: self.position.map(&mut f),
             intensity: self.intensity.map(&mut f),

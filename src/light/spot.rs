@@ -2,7 +2,8 @@
 
 use super::incident::IncidentLight;
 use super::point::PointLight;
-use crate::cone::Cone;
+use crate::attenuation::{Attenuation, Falloff};
+use crate::cone::{Beam, Cone};
 use crate::real::Real;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
@@ -26,16 +27,16 @@ use crate::vector::Vec3;
 /// Source: OpenGL 2.1 specification, §2.14.1, with a spot exponent of 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // begins with its point light, as `Light::Point` does: `Light` finds both at one place
-pub struct SpotLight<T = f32> {
+pub struct SpotLight<T = f32, C = Cone<T>, A = Attenuation<T>> {
     /// The light at the tip of the cone.
-    pub point: PointLight<T>,
+    pub point: PointLight<T, A>,
     /// The direction in which the spot shines, **away** from the light.
     pub axis: UnitVec3<T>,
-    /// How wide.
-    pub cone: Cone<T>,
+    /// How wide: a [`Cone`], or one with a soft edge, [`SoftCone`](crate::SoftCone).
+    pub cone: C,
 }
 
-impl<T: Real> SpotLight<T> {
+impl<T: Real, C: Beam<T>, A: Falloff<T>> SpotLight<T, C, A> {
     /// The light that arrives at the point p: that of the [`PointLight`] inside the cone and on
     /// its edge, none outside.
     ///
@@ -126,7 +127,7 @@ impl<T: Real> SpotLight<T> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> SpotLight<U> {
+    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> SpotLight<U, C::In<U>, A::In<U>> {
         SpotLight {
             point: self.point.cast(&mut f),
             axis: self.axis.cast(&mut f),

@@ -45,6 +45,7 @@ macro_rules! invariants {
 mod derived;
 mod direction;
 mod dual;
+mod edge;
 mod encoding;
 mod energy;
 mod light;

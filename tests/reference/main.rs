@@ -6,6 +6,7 @@ mod scene;
 mod surfaces;
 mod table;
 // the sources
+mod engines;
 mod gradients;
 mod normals;
 mod opengl;

@@ -82,6 +82,7 @@ fn lamp(fields: &mut Reader) -> Lamp {
     let spot = (cutoff < 180.0).then(|| Spot {
         axis,
         half_angle_degrees: cutoff,
+        inner_half_angle_degrees: None,
         profile: Box::new(move |cosine| cosine.max(0.0).powf(exponent)),
     });
     let source = if w == 0.0 {

@@ -97,27 +97,15 @@ fn fade(distance: f64, power: f64) -> [f64; 3] {
     }
 }
 
-/// A cone that is smooth between `radius` and `falloff`, and hard where they are equal. The crate's
-/// hard cone stands at the outer edge.
-#[allow(clippy::float_cmp)] // the hard cone is given by equal numbers
+/// A cone that is smooth between `radius` and `falloff`, and hard where they are equal. The cosine to
+/// the power `tightness` is the caller's.
 fn spot(light: &Value, axis: [f64; 3]) -> Spot {
-    let cosine = |key: &str| number(&light[key]).to_radians().cos();
-    let (inner, outer, tightness) = (
-        cosine("radius"),
-        cosine("falloff"),
-        number(&light["tightness"]),
-    );
-    let profile = move |c: f64| {
-        let x = if inner == outer {
-            1.0
-        } else {
-            ((c - outer) / (inner - outer)).clamp(0.0, 1.0)
-        };
-        (3.0 - 2.0 * x) * x * x * c.max(0.0).powf(tightness)
-    };
+    let [radius, falloff, tightness] =
+        ["radius", "falloff", "tightness"].map(|key| number(&light[key]));
     Spot {
         axis,
-        half_angle_degrees: number(&light["falloff"]),
-        profile: Box::new(profile),
+        half_angle_degrees: falloff,
+        inner_half_angle_degrees: (radius < falloff).then_some(radius),
+        profile: Box::new(move |cosine| cosine.max(0.0).powf(tightness)),
     }
 }

@@ -11,7 +11,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use shading::{Attenuation, Cone, Elementary, Exponent, Real};
+use shading::{Attenuation, Cone, Elementary, Exponent, Real, SoftCone};
 
 use support::number::{self, Number};
 
@@ -274,5 +274,15 @@ impl<const BITS: u32> Number for Running<BITS> {
 
     fn cone(degrees: f64) -> Option<Cone<Self>> {
         Cone::<f64>::from_half_angle(degrees.to_radians()).map(|cone| cone.cast(Self::of))
+    }
+
+    /// The float rounds an angle of at most π by 1.6u, and its cosine is off by 3.4u.
+    fn soft_cone(degrees: [f64; 2]) -> Option<SoftCone<Self>> {
+        let [inner, outer] = degrees.map(f64::to_radians);
+        let cone = SoftCone::<f64>::from_half_angles(inner, outer)?;
+        Some(cone.cast(|value| Self {
+            value,
+            error: 5.0 * Self::U,
+        }))
     }
 }

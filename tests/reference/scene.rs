@@ -2,8 +2,7 @@
 //! each part of the reflection, shaded by this crate in any number type.
 
 use shading::{
-    DirectionalLight, IncidentLight, Light, Material, PointLight, Rgb, SpotLight, UnitVec3, shade,
-    term,
+    DirectionalLight, IncidentLight, Material, PointLight, Rgb, SpotLight, UnitVec3, shade, term,
 };
 use support::number::{Number, direction, vector};
 
@@ -53,8 +52,10 @@ pub enum Source {
 pub struct Spot {
     pub axis: [f64; 3],
     pub half_angle_degrees: f64,
-    /// What the renderer multiplies by inside the cone, as a function of −L·axis. The crate's cone
-    /// is hard; this is for the caller to multiply the incident light by.
+    /// Where a soft edge, a smoothstep, begins.
+    pub inner_half_angle_degrees: Option<f64>,
+    /// What else the renderer multiplies by inside the cone, as a function of −L·axis: for the caller to
+    /// multiply the incident light by.
     pub profile: Box<dyn Fn(f64) -> f64>,
 }
 
@@ -76,12 +77,13 @@ pub fn rgb<T: Number>(colour: [f64; 3]) -> Rgb<T> {
 }
 
 impl Lamp {
-    /// The crate's light of this colour.
-    fn light<T: Number>(&self, colour: [f64; 3]) -> Light<T> {
+    /// What arrives at p of the crate's light of this colour.
+    fn incident<T: Number>(&self, p: [f64; 3], colour: [f64; 3]) -> IncidentLight<T> {
+        let p = vector(p);
         let position = match self.source {
             Source::Directional(l) => {
                 let (l, intensity) = (direction(l), rgb(colour));
-                return Light::Directional(DirectionalLight { l, intensity });
+                return DirectionalLight { l, intensity }.at(p);
             }
             Source::Point(position) => vector(position),
         };
@@ -91,13 +93,17 @@ impl Lamp {
             intensity: rgb(colour),
             attenuation,
         };
-        match &self.spot {
-            None => Light::Point(point),
-            Some(spot) => Light::Spot(SpotLight {
-                point,
-                axis: direction(spot.axis),
-                cone: T::cone(spot.half_angle_degrees).expect("a half-angle"),
-            }),
+        let Some(spot) = &self.spot else {
+            return point.at(p);
+        };
+        let (axis, outer) = (direction(spot.axis), spot.half_angle_degrees);
+        if let Some(inner) = spot.inner_half_angle_degrees {
+            let cone = T::soft_cone([inner, outer]).expect("two half-angles");
+            let cone = cone.smoothstep();
+            SpotLight { point, axis, cone }.at(p)
+        } else {
+            let cone = T::cone(outer).expect("a half-angle");
+            SpotLight { point, axis, cone }.at(p)
         }
     }
 
@@ -113,7 +119,7 @@ impl Lamp {
 
     /// The light of this colour that arrives at p.
     fn arriving<T: Number>(&self, p: [f64; 3], colour: [f64; 3]) -> IncidentLight<T> {
-        let incident = self.light::<T>(colour).at(vector(p));
+        let incident = self.incident::<T>(p, colour);
         let profile = T::of(self.profile(p));
         IncidentLight {
             intensity: incident.intensity * profile,

@@ -100,7 +100,7 @@ fn lamp(light: &Value) -> Lamp {
 }
 
 /// A cone that fades linearly in the angle from `start_deg` to `end_deg`. The crate's hard cone
-/// stands at the outer edge.
+/// stands at the outer edge, the rest is the caller's.
 fn spot(light: &Value) -> Spot {
     let (start, end) = (number(&light["start_deg"]), number(&light["end_deg"]));
     let profile = move |cosine: f64| {
@@ -110,6 +110,7 @@ fn spot(light: &Value) -> Spot {
     Spot {
         axis: three(&light["spot_dir"]),
         half_angle_degrees: end,
+        inner_half_angle_degrees: None,
         profile: Box::new(profile),
     }
 }

@@ -184,6 +184,17 @@ fn terms<T: Float>(numbers: &mut Numbers<T>) {
         attenuation(a, b, c, q),
         numbers.attenuation().clamped().at(q),
     );
+    let ranged = T::within(numbers.attenuation(), q);
+    let factor = ranged.map_or(T::ZERO, |ranged| ranged.at(numbers.number()));
+    assert!(factor >= T::ZERO);
+    let soft = T::soft_cone_from_cosines(a, q).or_else(|| T::soft_cone_from_half_angles(a, q));
+    if let Some(cone) = soft {
+        let [inner, outer] = cone.cosines();
+        assert!(inner >= outer && outer >= -T::ONE && inner <= T::ONE);
+        for cone in [cone, cone.smoothstep()] {
+            assert!(within_0_and_1(cone.factor(r, v)));
+        }
+    }
     let cone = T::cone_from_cosine(q).or_else(|| T::cone_from_half_angle(q));
     if let Some(cone) = cone {
         assert!(cone.cosine() >= -T::ONE && cone.cosine() <= T::ONE);

@@ -2,7 +2,7 @@
 
 use std::fmt::{Debug, Display, LowerExp};
 
-use shading::{Attenuation, Cone, Elementary, Exponent, UnitVec3, Vec3};
+use shading::{Attenuation, Cone, Elementary, Exponent, Ranged, SoftCone, UnitVec3, Vec3};
 
 /// A number that a test computes with: a float, or one that carries its error bound.
 pub trait Number: Elementary + PartialOrd + Exponent<Self> + Debug {
@@ -10,6 +10,8 @@ pub trait Number: Elementary + PartialOrd + Exponent<Self> + Debug {
     fn attenuation(coefficients: [f64; 3]) -> Option<Attenuation<Self>>;
     /// The cone of a half-angle in degrees.
     fn cone(degrees: f64) -> Option<Cone<Self>>;
+    /// The soft cone of an inner and an outer half-angle in degrees.
+    fn soft_cone(degrees: [f64; 2]) -> Option<SoftCone<Self>>;
 }
 
 /// `f32` or `f64`.
@@ -28,6 +30,9 @@ pub trait Float: Number + Into<f64> + Display + LowerExp + Debug + Default + 'st
     fn new_attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>>;
     fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>>;
     fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>>;
+    fn soft_cone_from_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
+    fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
+    fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>>;
     fn direction(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>>;
     fn normalized(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>>;
 
@@ -58,6 +63,13 @@ macro_rules! float {
                 let radians = (degrees.to_radians() as $float).min(core::$float::consts::PI);
                 Cone::<$float>::from_half_angle(radians)
             }
+
+            #[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
+            fn soft_cone(degrees: [f64; 2]) -> Option<SoftCone<Self>> {
+                let [inner, outer] = degrees
+                    .map(|angle| (angle.to_radians() as $float).min(core::$float::consts::PI));
+                SoftCone::<$float>::from_half_angles(inner, outer)
+            }
         }
 
         impl Float for $float {
@@ -86,6 +98,18 @@ macro_rules! float {
 
             fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>> {
                 Cone::<$float>::from_cosine(cosine)
+            }
+
+            fn soft_cone_from_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
+                SoftCone::<$float>::from_half_angles(inner, outer)
+            }
+
+            fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
+                SoftCone::<$float>::from_cosines(inner, outer)
+            }
+
+            fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>> {
+                attenuation.within(range)
             }
 
             fn direction(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>> {

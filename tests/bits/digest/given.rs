@@ -2,7 +2,7 @@
 
 use shading::{
     Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, IncidentLight, Light,
-    Material, PointLight, Rgb, Shaded, SpotLight, UnitVec3, Vec3, shade,
+    Material, PointLight, Ranged, Rgb, Shaded, SoftCone, SpotLight, UnitVec3, Vec3, shade,
 };
 
 use super::fnv::Absorb;
@@ -23,6 +23,9 @@ pub trait Float: Elementary + PartialOrd + Exponent<Self> + Absorb + From<f32> +
     fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>>;
     fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>>;
     fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>>;
+    fn soft_cone_from_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
+    fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
+    fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>>;
     fn unit_vector(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
     fn normalized(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
 
@@ -64,6 +67,18 @@ macro_rules! float {
 
             fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>> {
                 Cone::<$float>::from_cosine(cosine)
+            }
+
+            fn soft_cone_from_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
+                SoftCone::<$float>::from_half_angles(inner, outer)
+            }
+
+            fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
+                SoftCone::<$float>::from_cosines(inner, outer)
+            }
+
+            fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>> {
+                attenuation.within(range)
             }
 
             fn unit_vector(v: Vec3<Self>) -> Option<UnitVec3<Self>> {
@@ -237,6 +252,19 @@ impl<T: Float> Given<T> {
     pub fn material<M>(&self, m: M) -> Material<T, M> {
         let &Self { k_a, k_d, k_s, .. } = self;
         Material { k_a, k_d, k_s, m }
+    }
+
+    /// The spot with a soft edge and a range that is often about the distance.
+    pub fn soft_spot(&self) -> Option<SpotLight<T, SoftCone<T>, Ranged<T>>> {
+        let SpotLight { point, axis, .. } = self.spot;
+        let range = self.y.abs() + (point.position - self.p).length();
+        let point = PointLight {
+            position: point.position,
+            intensity: point.intensity,
+            attenuation: T::within(point.attenuation, range)?,
+        };
+        let cone = T::soft_cone_from_cosines(self.cosine, -T::ONE)?;
+        Some(SpotLight { point, axis, cone })
     }
 
     pub fn lights(&self) -> [Light<T>; 4] {

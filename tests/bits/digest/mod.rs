@@ -4,8 +4,8 @@ mod fnv;
 mod given;
 
 use shading::{
-    Attenuation, Cone, Dual, Elementary, Exponent, Light, PointLight, Real, Rgb, UnitVec3, Vec3,
-    attenuation, half_vector, normal, reflection, shade, term,
+    Attenuation, Cone, Dual, Elementary, Exponent, Light, PointLight, Real, Rgb, SoftCone,
+    UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 
 use fnv::Each;
@@ -123,6 +123,13 @@ functions! {
         "Cone::from_half_angle": |g| T::cone_from_half_angle(g.cosine * T::from(3.25)).map(Cone::cosine);
         "Cone::from_cosine": |g| T::cone_from_cosine(g.cosine + g.cosine - T::ONE).map(Cone::cosine);
         "Cone::factor": |g| T::cone_from_cosine(g.cosine).map(|cone| cone.factor(g.n, g.l));
+        "SoftCone::from_half_angles": |g| T::soft_cone_from_half_angles(g.cosine, g.cosine * T::from(3.0)).map(SoftCone::cosines);
+        "SoftCone::from_cosines": |g| T::soft_cone_from_cosines(g.cosine, -g.cosine).map(SoftCone::cosines);
+        "SoftCone::factor": |g| T::soft_cone_from_cosines(g.cosine, -g.cosine).map(|cone| cone.factor(g.n, g.l));
+        "SoftCone::smoothstep": |g| T::soft_cone_from_cosines(g.cosine, -g.cosine).map(|cone| cone.smoothstep().factor(g.n, g.l));
+        "SoftCone::is_smoothstep": |g| T::soft_cone_from_cosines(g.cosine, -g.cosine).map(SoftCone::is_smoothstep);
+        "Ranged, parts": |g| T::within(g.attenuation, g.y.abs()).map(|ranged| [ranged.range(), ranged.attenuation().at(g.x.abs())]);
+        "Ranged::at": |g| T::within(g.attenuation, g.y.abs()).map(|ranged| ranged.at(g.x.abs()));
 
         // lights
         "IncidentLight::in_front": |g| g.lamps.map(|lamp| lamp.at(g.p).in_front(g.n));
@@ -133,6 +140,8 @@ functions! {
         "PointLight::all_in_front": |g| Each(PointLight::all_in_front(&g.lamps, g.p, g.n));
         "SpotLight::at": |g| g.spot.at(g.p);
         "SpotLight::in_front": |g| g.spot.in_front(g.p, g.n);
+        "SpotLight::at, soft and ranged": |g| g.soft_spot().map(|spot| spot.at(g.p));
+        "SpotLight::in_front, soft and ranged": |g| g.soft_spot().map(|spot| spot.in_front(g.p, g.n));
         "Light::at": |g| g.lights().map(|light| light.at(g.p));
         "Light::in_front": |g| g.lights().map(|light| light.in_front(g.p, g.n));
         "Light::all_in_front": |g| Each(Light::all_in_front(&g.lights(), g.p, g.n));

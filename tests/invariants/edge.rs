@@ -1,0 +1,282 @@
+//! Soft cones, and attenuation within a range: where light ends.
+
+use proptest::prelude::*;
+use shading::{Light, PointLight, Ranged, Rgb, SoftCone, SpotLight, UnitVec3, shade, term};
+
+use crate::check::{check, same, to_f64, within};
+use crate::generators::{
+    adversarial, adversarial_colour, adversarial_vector, coefficients, cone, light_colour, pair,
+    point, triple, unit,
+};
+use crate::number::Number;
+
+/// A soft cone by its cosines, as `cone` is by its one.
+fn soft_cone<T: Number>(inner: f64, outer: f64) -> SoftCone<T> {
+    let narrowest = 1.0 - 8.0 * T::U;
+    let cone = SoftCone::<f64>::from_cosines(inner.min(narrowest), outer.min(narrowest));
+    cone.expect("cosines").cast(T::of)
+}
+
+/// Two cosines, the larger first; often the same.
+fn cosines() -> impl Strategy<Value = [f64; 2]> {
+    let cosine = || prop_oneof![4 => -1.0..=1.0, 1 => Just(1.0), 1 => Just(-1.0), 1 => Just(0.0)];
+    let one = cosine().prop_map(|c: f64| [c, c]);
+    prop_oneof![1 => one, 4 => [cosine(), cosine()].prop_map(|[a, b]: [f64; 2]| [a.max(b), a.min(b)])]
+}
+
+/// Both edges of a cone, a square and a smoothstep.
+fn both<T: Number>([inner, outer]: [f64; 2]) -> [SoftCone<T>; 2] {
+    let squared = soft_cone(inner, outer);
+    [squared, squared.smoothstep()]
+}
+
+/// (55) 1 inside the inner edge and on it, 0 on the outer edge and outside, between 0 and 1 between.
+fn soft_cone_is_full_inside_and_dark_outside<T: Number>() {
+    check((pair::<T>(), cosines()), |([axis, l], cosines)| {
+        let cosine = (-axis).dot(l);
+        for cone in both::<T>(cosines) {
+            let [inner, outer] = cone.cosines();
+            let factor = cone.factor(axis, l);
+            prop_assert!(factor >= T::ZERO && factor <= T::ONE);
+            if cosine >= inner {
+                same([factor; 3], [T::ONE; 3])?;
+            } else if cosine <= outer && outer > -T::ONE {
+                same([factor; 3], [T::ZERO; 3])?;
+            }
+            same([cone.factor(axis, -axis); 3], [T::ONE; 3])?;
+        }
+        Ok(())
+    });
+}
+
+/// (55) Towards the axis the square does not fall; the smoothstep has three roundings of 1u, in which a
+/// rise may get lost.
+fn soft_cone_does_not_fall_towards_the_axis<T: Number>() {
+    check((triple::<T>(), cosines()), |([axis, a, b], cosines)| {
+        let (near, far) = if (-axis).dot(a) >= (-axis).dot(b) {
+            (a, b)
+        } else {
+            (b, a)
+        };
+        let [squared, smooth] =
+            both::<T>(cosines).map(|cone| [near, far].map(|l| cone.factor(axis, l)));
+        prop_assert!(squared[0] >= squared[1]);
+        prop_assert!(smooth[0].to_f64() >= smooth[1].to_f64() * (1.0 - 6.0 * T::U));
+        Ok(())
+    });
+}
+
+/// (55) Where both edges are one, it is the hard cone.
+fn soft_cone_with_one_edge_is_the_hard_cone<T: Number>() {
+    check(
+        (pair::<T>(), -1.0..=1.0_f64, any::<bool>()),
+        |([axis, l], cosine, on_the_edge)| {
+            let cosine = if on_the_edge {
+                (-axis).dot(l).to_f64().clamp(-1.0, 1.0)
+            } else {
+                cosine
+            };
+            let hard = cone::<T>(cosine);
+            for soft in both::<T>([cosine, cosine]).into_iter().chain([hard.into()]) {
+                same([soft.factor(axis, l); 3], [hard.factor(axis, l); 3])?;
+                same([soft.cosines()[0]; 3], [hard.cosine(); 3])?;
+            }
+            Ok(())
+        },
+    );
+}
+
+/// (55) Between the edges it is t² and t²(3 − 2t) of the cosine: the cosine is off by 3u, which counts
+/// as much more as the edge is narrower, and 3 times in the slope; eight roundings more.
+fn soft_cone_follows_its_formula<T: Number>() {
+    check((pair::<T>(), cosines()), |([axis, l], cosines)| {
+        let cones = both::<T>(cosines);
+        let [inner, outer] = cones[0].cosines().map(T::to_f64);
+        let width = inner - outer;
+        prop_assume!(width > 1e-3);
+        let cosine = -crate::exact::dot(to_f64(axis), to_f64(l));
+        let t = ((cosine - outer) / width).clamp(0.0, 1.0);
+        let tolerance = (3.0 * (3.0 / width + 2.0) + 8.0) * (T::U + f64::EPSILON);
+        within(cones[0].factor(axis, l).to_f64() - t * t, tolerance)?;
+        within(
+            cones[1].factor(axis, l).to_f64() - t * t * (3.0 - 2.0 * t),
+            tolerance,
+        )
+    });
+}
+
+/// An attenuation within a range: usual, or any that the type has.
+fn ranged<T: Number>() -> impl Strategy<Value = Ranged<T>> {
+    let octaves = 0.9 * T::MAX.to_f64().log2();
+    let range = prop_oneof![
+        Just(1.0),
+        0.1..10.0,
+        (-octaves..octaves).prop_map(f64::exp2),
+        Just(f64::INFINITY)
+    ];
+    (coefficients::<T>(), range).prop_map(|(attenuation, range)| {
+        let attenuation = attenuation.cast(T::to_f64).within(range);
+        attenuation.expect("above 0").cast(T::of)
+    })
+}
+
+/// (56) Exactly 0 from r on, never above the attenuation without it, and never rising with q.
+fn ranged_attenuation_ends_at_its_range<T: Number>() {
+    let inputs = (
+        ranged::<T>(),
+        adversarial::<T>(),
+        adversarial::<T>(),
+        0.0..2.0,
+    );
+    check(inputs, |(ranged, p, q, share)| {
+        let (r, free) = (ranged.range(), ranged.attenuation());
+        same([ranged.at(r); 3], [T::ZERO; 3])?;
+        for q in [p, q, r * T::of(share)] {
+            let factor = ranged.at(q);
+            prop_assert!(factor >= T::ZERO && factor <= free.at(q));
+            if q >= r {
+                same([factor; 3], [T::ZERO; 3])?;
+            }
+            for other in [p, q, r * T::of(share)] {
+                prop_assert!(q < other || ranged.at(q) <= ranged.at(other));
+            }
+        }
+        Ok(())
+    });
+}
+
+/// (56) It is the attenuation times (1 − (q/r)⁴)², or 0: the quotient is off by 1u, its fourth power by
+/// 7u, which counts twice; the attenuation by 6u; three roundings more.
+fn ranged_attenuation_follows_its_formula<T: Number>() {
+    let inputs = (coefficients::<T>(), 0.1..10.0, 0.0..1.5);
+    check(inputs, |(attenuation, range, share)| {
+        let range = T::of(range);
+        let ranged = attenuation.cast(T::to_f64).within(range.to_f64());
+        let ranged = ranged.expect("above 0").cast(T::of);
+        let q = range * T::of(share);
+        let share = q.to_f64() / range.to_f64();
+        let window = f64::max(0.0, 1.0 - share.powi(4)).powi(2);
+        let free = attenuation.cast(T::to_f64).at(q.to_f64());
+        within(ranged.at(q).to_f64() - free * window, 24.0 * T::U * free)
+    });
+}
+
+/// (56) No range is none: the light has the bits of one without.
+fn infinite_range_is_no_range<T: Number>() {
+    let inputs = (
+        coefficients::<T>(),
+        light_colour::<T>(),
+        adversarial_vector::<T>(),
+        adversarial_vector(),
+    );
+    check(inputs, |(attenuation, intensity, position, p)| {
+        let ranged = attenuation
+            .cast(T::to_f64)
+            .within(f64::INFINITY)
+            .expect("above 0");
+        let free = PointLight {
+            position,
+            intensity,
+            attenuation,
+        }
+        .at(p);
+        let ranged = PointLight {
+            position,
+            intensity,
+            attenuation: ranged.cast(T::of),
+        }
+        .at(p);
+        same(ranged.l, free.l)?;
+        same(ranged.intensity, free.intensity)?;
+        same([ranged.distance; 3], [free.distance; 3])
+    });
+}
+
+/// A light with a soft edge and a range.
+fn soft_light<T: Number>() -> impl Strategy<Value = Light<T, SoftCone<T>, Ranged<T>>> {
+    let parts = (
+        point(),
+        adversarial_colour(),
+        ranged(),
+        unit(),
+        cosines(),
+        any::<[bool; 2]>(),
+    );
+    parts.prop_map(
+        |(position, intensity, attenuation, axis, cosines, [spot, smooth])| {
+            let point = PointLight {
+                position,
+                intensity,
+                attenuation,
+            };
+            if spot {
+                let cone = both(cosines)[usize::from(smooth)];
+                SpotLight { point, axis, cone }.into()
+            } else {
+                point.into()
+            }
+        },
+    )
+}
+
+/// (13, 56) What `in_front` leaves out, for being behind, out of range or outside the cone, adds nothing,
+/// and the rest is what it was; also for many lights at once.
+fn lights_out_of_range_are_left_out<T: Number>() {
+    let inputs = (
+        unit::<T>(),
+        point::<T>(),
+        proptest::collection::vec(soft_light::<T>(), 0..5),
+    );
+    check(inputs, |(n, p, lights)| {
+        for light in &lights {
+            let all = light.at(p);
+            for channel in to_f64(all.intensity) {
+                prop_assert!(channel >= 0.0 && channel <= T::MAX.to_f64());
+            }
+            match light.in_front(p, n) {
+                Some(lit) => {
+                    same(lit.l, all.l)?;
+                    same(lit.intensity, all.intensity)?;
+                }
+                None => {
+                    prop_assert!(term::lambert(n, all.l) == T::ZERO || all.intensity == Rgb::BLACK);
+                }
+            }
+            let range = match light {
+                Light::Point(point) | Light::Spot(SpotLight { point, .. }) => {
+                    point.attenuation.range()
+                }
+                Light::Directional(_) => T::MAX,
+            };
+            // clear of the range by more than the rounding of a distance
+            let is_far = all.distance.to_f64() > range.to_f64() * (1.0 + 16.0 * T::U) + 1e-10;
+            prop_assert!(!is_far || light.in_front(p, n).is_none());
+        }
+        let sum = |lights: &mut dyn Iterator<Item = shading::IncidentLight<T>>| {
+            let material = shading::Material {
+                k_a: Rgb::WHITE,
+                k_d: Rgb::WHITE,
+                k_s: Rgb::WHITE,
+                m: 3_u32,
+            };
+            shade::blinn_phong(n, UnitVec3::Z, &material, Rgb::BLACK, lights).total()
+        };
+        let all = sum(&mut lights.iter().map(|light| light.at(p)));
+        same(
+            sum(&mut lights.iter().filter_map(|light| light.in_front(p, n))),
+            all,
+        )?;
+        same(sum(&mut Light::all_in_front(&lights, p, n)), all)
+    });
+}
+
+invariants! {
+    soft_cone_is_full_inside_and_dark_outside,
+    soft_cone_does_not_fall_towards_the_axis,
+    soft_cone_with_one_edge_is_the_hard_cone,
+    soft_cone_follows_its_formula,
+    ranged_attenuation_ends_at_its_range,
+    ranged_attenuation_follows_its_formula,
+    infinite_range_is_no_range,
+    lights_out_of_range_are_left_out,
+}
