@@ -27,6 +27,9 @@ bench:
 pictures:
     cargo run --release -p gallery
     cargo run --release -p gallery -- --readme
+    cargo run --release -p display -- target/display
+    cp target/display/ball.png docs/pictures/ball_on_a_display.png
+    tests/firmware/frame.sh
 
 # the documentation, in a browser
 doc:

@@ -62,12 +62,8 @@ fn no_file_uses_one_above_it() {
         }
         modules.insert(own);
     }
-    wrong.extend(
-        upward
-            .iter()
-            .filter(|name| !modules.contains(**name))
-            .map(|name| format!("{name} is missing")),
-    );
+    let missing = upward.iter().filter(|name| !modules.contains(**name));
+    wrong.extend(missing.map(|name| format!("{name} is missing")));
     assert!(wrong.is_empty(), "{wrong:?}, of the floors {upward:?}");
 }
 
@@ -83,14 +79,13 @@ fn module(path: &Path) -> String {
 fn reexported(lib: &str) -> BTreeMap<String, String> {
     let code = code(lib);
     let uses = code.split("pub use ").skip(1);
-    let paths = uses.filter_map(|path| path.split_once("::"));
-    paths
-        .flat_map(|(module, names)| {
-            heads(names)
-                .into_iter()
-                .map(|name| (name, module.to_owned()))
-        })
-        .collect()
+    let mut modules = BTreeMap::new();
+    for (module, names) in uses.filter_map(|path| path.split_once("::")) {
+        for name in heads(names) {
+            modules.insert(name, module.to_owned());
+        }
+    }
+    modules
 }
 
 /// What follows `crate::` in the paths of a file.

@@ -107,6 +107,11 @@ functions! {
     soft_spot_light_in_front: |s| black_box(&SOFT_SPOT).in_front(s.p, s.n);
     any_light: |s| black_box(&LIGHTS)[1].at(s.p);
     clamped: |s| Rgb::from(<[f32; 3]>::from(s.p)).clamped();
+    to_srgb8: |s| Rgb::from(<[f32; 3]>::from(s.p)).to_srgb8();
+    from_srgb8: |s| { let [r, g, b, _] = s.x.to_bits().to_le_bytes(); Rgb::from_srgb8([r, g, b]) };
+    to_rgb565: |s| Rgb::from(<[f32; 3]>::from(s.p)).to_rgb565();
+    phong_normalization: |s| shading::term::phong_normalization(50.0 * s.x);
+    blinn_normalization: |s| shading::term::blinn_normalization(50.0 * s.x);
     normal_plane: |s| normal::plane(s.p.x, s.p.y, s.p.z);
     normal_triangle: |s| normal::triangle(s.p, s.a, *s.v);
     normal_sphere: |s| normal::sphere(s.a, s.p);

@@ -2,7 +2,8 @@
 //!
 //! The other tests allow for errors, and a change of a formula may stay within them. Here a change of any
 //! bit of any result fails, and the failure names the function. **Bits change by decision only**, and
-//! the changelog says which do and why.
+//! the changelog says which do and why. Another version of `libm` may change the elementary functions
+//! and the powers of `f64`: to take it is such a decision.
 //!
 //! The list of functions and the inputs are in [`digest`]. The chips of `tests/firmware` run the same
 //! and give the same bits.

@@ -190,7 +190,7 @@ pub struct Given<T> {
     pub k_s: Rgb<T>,
     pub attenuation: Attenuation<T>,
     pub sun: DirectionalLight<T>,
-    /// One whose attenuation is clamped, and one whose is not.
+    /// The attenuation of the second is clamped.
     pub lamps: [PointLight<T>; 2],
     pub spot: SpotLight<T>,
 }
