@@ -5,6 +5,28 @@ use crate::rgb::Rgb;
 
 /// What distance leaves of the light of a [`PointLight`](crate::PointLight): an [`Attenuation`], one
 /// within a range ([`Ranged`](crate::Ranged)), or a falloff of your own.
+///
+/// ```
+/// use shading::f32::{PointLight, Vec3};
+/// use shading::{Elementary, Falloff, Rgb};
+///
+/// /// Fog: each length of it leaves 1/e of the light.
+/// #[derive(Clone, Copy)]
+/// struct Fog<T>(T);
+///
+/// impl<T: Elementary> Falloff<T> for Fog<T> {
+///     type In<U> = Fog<U>;
+///     fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T> {
+///         *intensity * (-q / self.0).exp()
+///     }
+///     fn cast<U>(self, mut f: impl FnMut(T) -> U) -> Fog<U> {
+///         Fog(f(self.0))
+///     }
+/// }
+/// let position = Vec3::new(0.0, 0.0, 2.0);
+/// let lamp = PointLight { position, intensity: Rgb::WHITE, attenuation: Fog(2.0) };
+/// assert!((lamp.at(Vec3::ZERO).intensity.r - 0.3679).abs() < 1e-4);
+/// ```
 pub trait Falloff<T>: Copy {
     /// The same falloff in another number type.
     type In<U>;

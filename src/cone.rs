@@ -5,6 +5,26 @@ use crate::unit::UnitVec3;
 
 /// Where the light of a [`SpotLight`](crate::SpotLight) goes: within a hard [`Cone`], one with a soft
 /// edge ([`SoftCone`](crate::SoftCone)), or a beam of your own.
+///
+/// ```
+/// use shading::{Beam, Exponent, Real, UnitVec3};
+///
+/// /// OpenGL's spot exponent: the higher, the more focused.
+/// #[derive(Clone, Copy)]
+/// struct Focused(u32);
+///
+/// impl<T: Real> Beam<T> for Focused {
+///     type In<U> = Self;
+///     fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
+///         self.0.raise((-axis).dot(l))
+///     }
+///     fn cast<U>(self, _: impl FnMut(T) -> U) -> Self {
+///         self
+///     }
+/// }
+/// let l = UnitVec3::<f32>::new(0.6, 0.0, 0.8).unwrap();
+/// assert!((Focused(2).factor(-UnitVec3::Z, l) - 0.64).abs() < 1e-6);
+/// ```
 pub trait Beam<T>: Copy {
     /// The same beam in another number type.
     type In<U>;

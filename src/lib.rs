@@ -32,7 +32,8 @@
 //! | N, V, a [`Material`], lights | the reflected light | [`shade::lambert`], [`shade::phong`], [`shade::blinn_phong`] |
 //! | N, L, V | R or H | [`reflection`], [`half_vector`] |
 //! | directions | one factor of the formula | [`mod@term`] |
-//! | a distance | the falloff | [`attenuation()`], [`Attenuation`] |
+//! | a distance | the falloff | [`attenuation()`], [`Attenuation`], within a range [`Ranged`] |
+//! | the axis of a spot and L | its share of light | [`Cone`], with a soft edge [`SoftCone`] |
 //! | linear light | the bytes of a picture or a display, and back | [`Rgb::to_srgb8`], [`Rgb::to_rgb565`], [`Rgb::from_srgb8`] |
 //! | a scene in one number type | short type names | [`mod@f32`], [`mod@f64`] |
 //! | a number type of your own | all of this for it | [`Real`] |

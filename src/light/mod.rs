@@ -44,6 +44,24 @@ use crate::vector::Vec3;
 /// ```
 ///
 /// A `static` names the kind: `static LIGHTS: [Light; 1] = [Light::Directional(SUN)];`.
+///
+/// A scene with soft edges and ranges says so in the type of its lights. A hard cone and a light
+/// without a range are among them:
+///
+/// ```
+/// use shading::f32::{Attenuation, Cone, PointLight, Ranged, Rgb, SoftCone, SpotLight, UnitVec3, Vec3};
+/// use shading::Light;
+///
+/// let point = PointLight {
+///     position: Vec3::new(0.0, 0.0, 2.0),
+///     intensity: Rgb::WHITE,
+///     attenuation: Attenuation::NONE.into(),
+/// };
+/// let cone = Cone::from_half_angle(0.5).unwrap().into();
+/// let lights: [Light<f32, SoftCone, Ranged>; 2] =
+///     [point.into(), SpotLight { point, axis: UnitVec3::NEG_Z, cone }.into()];
+/// assert_eq!(lights[1].at(Vec3::ZERO), lights[0].at(Vec3::ZERO));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light<T = f32, C = Cone<T>, A = Attenuation<T>> {
     /// From one direction.
