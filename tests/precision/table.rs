@@ -22,7 +22,7 @@ pub struct Row {
 }
 
 /// The table. The page says where the bounds come from.
-#[allow(clippy::too_many_lines)] // a row a function
+#[allow(clippy::too_many_lines)] // a row each
 pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
     // a real power: 2⁻²² in `f32`, a unit in the last place of a number below 1 in `f64`
     let (digits, power) = match T::NAME {
