@@ -8,7 +8,7 @@ use std::sync::Arc;
 use shading::{Vec3, normal};
 use tobj::{LoadError, LoadOptions};
 
-use crate::render::mesh::{Flat, Mesh, Smooth};
+use crate::render::mesh::{Flat, Mesh, Share, Smooth};
 
 /// A model that stands on the floor y = 0 at the origin.
 pub struct Model {
@@ -76,8 +76,13 @@ impl Model {
     pub fn smooth(&self) -> Smooth {
         match &self.normals {
             Some(normals) => Smooth::new(self.mesh.clone(), normals),
-            None => Smooth::averaged(self.mesh.clone()),
+            None => self.averaged(normal::corner),
         }
+    }
+
+    /// The mean normal around each vertex, by the triangles' shares in it, interpolated.
+    pub fn averaged(&self, share: Share) -> Smooth {
+        Smooth::averaged(self.mesh.clone(), share)
     }
 }
 

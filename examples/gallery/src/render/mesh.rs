@@ -13,6 +13,9 @@ pub struct Mesh {
     bvh: Bvh,
 }
 
+/// A triangle's share in the normal of its first vertex.
+pub type Share = fn(Vec3<f32>, Vec3<f32>, Vec3<f32>) -> Vec3<f32>;
+
 /// Where a ray meets a mesh.
 pub struct MeshHit {
     pub t: f32,
@@ -93,15 +96,12 @@ impl Mesh {
         }
     }
 
-    /// At each vertex the mean normal of the triangles around it, weighted by their areas: the
-    /// cross product of two edges is twice as long as the triangle is large.
-    pub fn vertex_normals(&self) -> Vec<Vec3<f32>> {
+    /// At each vertex the sum of the shares of the triangles around it.
+    fn vertex_normals(&self, share: Share) -> Vec<Vec3<f32>> {
         let mut normals = vec![Vec3::ZERO; self.positions.len()];
-        for (triangle, corners) in self.triangles.iter().enumerate() {
-            let [v1, v2, v3] = self.corners(triangle);
-            let weighted = (v2 - v1).cross(v3 - v1);
-            for &corner in corners {
-                normals[corner] += weighted;
+        for &[a, b, c] in &self.triangles {
+            for [i, j, k] in [[a, b, c], [b, c, a], [c, a, b]] {
+                normals[i] += share(self.positions[i], self.positions[j], self.positions[k]);
             }
         }
         normals
@@ -144,8 +144,8 @@ impl Smooth {
     }
 
     /// With normals averaged at the vertices.
-    pub fn averaged(mesh: Arc<Mesh>) -> Self {
-        let vertex = mesh.vertex_normals();
+    pub fn averaged(mesh: Arc<Mesh>, share: Share) -> Self {
+        let vertex = mesh.vertex_normals(share);
         let corners: Vec<_> = mesh
             .triangles
             .iter()

@@ -1,6 +1,6 @@
 //! What a picture shows, and the light that reaches the eye: here the crate is called.
 
-use shading::{IncidentLight, Light, Material, Rgb, Shaded, Vec3, shade};
+use shading::{IncidentLight, Light, Material, Ranged, Rgb, Shaded, SoftCone, Vec3, shade};
 
 use super::film::View;
 use super::ray::{Camera, Hit, Ray, Surface};
@@ -8,10 +8,15 @@ use super::ray::{Camera, Hit, Ray, Surface};
 /// Materials whose shininess is a whole number.
 pub type Finish = Material<f32, u32>;
 
+/// A light with a soft edge and a range.
+pub type SoftLight = Light<f32, SoftCone<f32>, Ranged<f32>>;
+
 pub struct Scene {
     pub camera: Camera,
     pub objects: Vec<Object>,
     pub lights: Vec<Light<f32>>,
+    /// Lights with a soft edge and a range.
+    pub soft_lights: Vec<SoftLight>,
     /// I_a
     pub ambient: Rgb<f32>,
     pub model: Model,
@@ -126,6 +131,7 @@ impl Scene {
         let v = -ray.direction;
         // no ray is sent to a light behind the surface
         let lit = Light::all_in_front(&self.lights, hit.p, hit.n)
+            .chain(Light::all_in_front(&self.soft_lights, hit.p, hit.n))
             .filter(|light| !self.in_shadow(hit, light));
         match self.model {
             Model::Phong => shade::phong(hit.n, v, material, self.ambient, lit),

@@ -1,11 +1,12 @@
 //! Triangles: flat, and smooth with the same triangles.
 
-use shading::{DirectionalLight, Light, Rgb};
+use shading::{DirectionalLight, Light, Rgb, normal};
 
 use super::{Picture, STUDIO, empty, floor, glossy, matt, towards};
 use crate::model::Model;
+use crate::render::mesh::Share;
 use crate::render::ray::{Camera, Surface};
-use crate::render::scene::{Object, Scene};
+use crate::render::scene::{Grid, Object, Scene};
 
 const DATA: &str = include_str!("../../data/bunny.obj");
 
@@ -22,7 +23,53 @@ pub fn pictures() -> Vec<Picture> {
             &["a normal for each vertex"],
             shown(bunny.smooth(), bunny.height),
         ),
+        Picture::new(
+            "23_bunny_by_weights",
+            &[
+                "flat",
+                "by area",
+                "by Max's weights",
+                "by angle: normal::corner",
+            ],
+            weights(&bunny),
+        )
+        .strip(),
     ]
+}
+
+/// Vertex normals by three weights, beside the flat triangles.
+fn weights(bunny: &Model) -> Grid<Scene> {
+    let by_area: Share = |v1, v2, v3| (v2 - v1).cross(v3 - v1);
+    let by_max: Share = |v1, v2, v3| {
+        let (e1, e2) = (v2 - v1, v3 - v1);
+        e1.cross(e2) / (e1.dot(e1) * e2.dot(e2))
+    };
+    let averaged = [by_area, by_max, normal::corner].map(|share| bunny.averaged(share));
+    let mut cells = vec![porcelain(bunny.flat())];
+    cells.extend(averaged.map(porcelain));
+    Grid { columns: 4, cells }
+}
+
+/// The head in a light that shows every dent.
+fn porcelain(surface: impl Surface + 'static) -> Scene {
+    let camera = Camera::perspective([-2.3, 2.2, 5.2], [-0.62, 1.22, 0.1], 11.0);
+    Scene {
+        objects: vec![
+            floor(matt(Rgb::gray(0.16))),
+            Object::new(surface, glossy(Rgb::new(0.3, 0.31, 0.34), 0.7, 30)),
+        ],
+        lights: vec![
+            Light::Directional(DirectionalLight {
+                l: towards(0.9, 0.8, 0.35),
+                intensity: Rgb::new(0.95, 0.92, 0.86),
+            }),
+            Light::Directional(DirectionalLight {
+                l: towards(-1.0, 0.5, -0.4),
+                intensity: Rgb::new(0.2, 0.3, 0.5),
+            }),
+        ],
+        ..empty(camera, STUDIO)
+    }
 }
 
 /// A model of the user's.

@@ -5,7 +5,10 @@ mod bunny;
 mod highlights;
 mod implicit;
 mod lights;
+mod normal_map;
 mod parts;
+mod range;
+mod soft_spot;
 mod teapot;
 
 use shading::{Rgb, Shaded, UnitVec3};
@@ -75,6 +78,9 @@ pub fn all() -> Vec<Picture> {
     pictures.extend(teapot::pictures());
     pictures.extend(implicit::pictures());
     pictures.extend(bunny::pictures());
+    pictures.extend(soft_spot::pictures());
+    pictures.extend(range::pictures());
+    pictures.extend(normal_map::pictures());
     pictures
 }
 
@@ -91,6 +97,7 @@ fn empty(camera: Camera, backdrop: Backdrop) -> Scene {
         camera,
         objects: Vec::new(),
         lights: Vec::new(),
+        soft_lights: Vec::new(),
         ambient: Rgb::gray(0.12),
         model: Sum::BlinnPhong,
         part: Shaded::total,
