@@ -1,0 +1,9 @@
+// Runs a WebAssembly program of wasm32-wasip1: node --no-warnings wasi.mjs PROGRAM ARGUMENT...
+// A panic ends the program before its test can print what it caught, so nothing is caught.
+import { readFile } from "node:fs/promises";
+import { WASI } from "node:wasi";
+
+const args = process.argv.slice(2);
+const wasi = new WASI({ version: "preview1", args, env: { RUST_TEST_NOCAPTURE: "1" } });
+const module = await WebAssembly.compile(await readFile(args[0]));
+process.exitCode = wasi.start(await WebAssembly.instantiate(module, wasi.getImportObject()));
