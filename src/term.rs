@@ -192,7 +192,8 @@ pub fn blinn_normalization<T: Real + Exponent<T>>(m: T) -> T {
 /// The shininess as a number, at least 0 and finite.
 #[inline]
 fn valid<T: Real>(m: T) -> T {
-    m.positive_part().at_most(T::MAX)
+    // not `positive_part`, which may leave a signaling NaN as it is
+    m.if_positive(m.at_most(T::MAX), T::ZERO)
 }
 
 /// (N·H)², with the sign of N·H, for an h = L + V that is not normalised: (N·h)²/(h·h) takes a

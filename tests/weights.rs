@@ -10,7 +10,7 @@ use std::fmt::Write;
 use shading::f64::Vec3;
 use shading::{Real, normal};
 
-const PAGE: &str = include_str!("../src/normal/derived.rs");
+const PAGE: &str = include_str!("../src/normal/corner.rs");
 
 #[test]
 fn table_of_weights_says_what_is_measured() {

@@ -4,8 +4,10 @@
 //! surface points outside follows from what you pass in; turn it with `-n`, or to the eye with
 //! [`facing`].
 
+mod corner;
 mod derived;
 mod surface;
 
-pub use derived::{corner, facing, mapped, transformed};
+pub use corner::corner;
+pub use derived::{facing, mapped, transformed};
 pub use surface::{from_gradient, from_tangents, implicit, parametric, plane, sphere, triangle};
