@@ -1,0 +1,98 @@
+//! The normals of a mesh's vertices.
+
+use crate::real::Real;
+use crate::rescale::tame_difference;
+use crate::unit::UnitVec3;
+use crate::vector::Vec3;
+
+/// The share of a triangle in the normal of its vertex v₁: its own normal, weighted by its angle
+/// there.
+///
+/// ```text
+/// α (e₁ × e₂)/|e₁ × e₂|,  e₁ = v₂ − v₁,  e₂ = v₃ − v₁,  α = the angle between them
+/// ```
+///
+/// The normal of a vertex is the sum of the shares of all triangles around it, made
+/// [`unit`](Vec3::unit). The vertices are seen counter-clockwise, as for
+/// [`triangle`](crate::normal::triangle()). A triangle that is a line or a point has no share: the
+/// zero vector. Neither has one with a vertex that is not finite. The size of a triangle does not
+/// matter: 10⁻²⁰ and 10²⁰ are as good as 1, also side by side.
+///
+/// With the angle as the weight, it does not matter how a flat face is split into triangles. The
+/// mean error of vertex normals, against the exact normals of the surface that the mesh lies on
+/// (`tests/weights.rs`):
+///
+/// | mesh | angle | Max | area |
+/// |---|---|---|---|
+/// | the teapot, all squares split alike | 0.38° | 0.67° | 0.26° |
+/// | the teapot, each square split either way | 0.39° | 0.71° | 0.76° |
+/// | the same, its vertices out of line | 0.84° | 1.09° | 1.41° |
+/// | the bunny | 2.25° | 2.72° | 2.02° |
+/// | a sphere, as irregular | 1.05° | 0.00° | 2.78° |
+///
+/// Max's weights are exact on a sphere and need no angle: `e1.cross(e2)` over |e₁|²|e₂|². Areas are
+/// the shortest to write, `e1.cross(e2)`, and best where a mesh is regular.
+///
+/// Source: Thürmer and Wüthrich, *Computing Vertex Normals from Polygonal Facets*, 1998; Max,
+/// *Weights for Computing Vertex Normals from Facet Normals*, 1999.
+///
+/// A mesh is smoothed in one pass, without allocation:
+///
+/// ```
+/// use shading::{UnitVec3, Vec3, normal};
+///
+/// let positions = [[0.0_f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from);
+/// let triangles = [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]];
+///
+/// let mut sums = [Vec3::ZERO; 4];
+/// for triangle in triangles {
+///     for [i, j, k] in [[0, 1, 2], [1, 2, 0], [2, 0, 1]].map(|corner| corner.map(|i| triangle[i])) {
+///         sums[i] += normal::corner(positions[i], positions[j], positions[k]);
+///     }
+/// }
+/// let normals = sums.map(|sum| sum.unit().unwrap());
+/// let diagonal = Vec3::new(-1.0, -1.0, -1.0).unit().unwrap(); // three faces meet at the origin
+/// assert!((*normals[0] - *diagonal).length() < 1e-6);
+/// ```
+#[doc(alias = "vertex normal")]
+#[doc(alias = "smooth")]
+#[inline]
+#[must_use]
+pub fn corner<T: Real>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Vec3<T> {
+    let none = UnitVec3::assume_unit(Vec3::ZERO);
+    let (e1, e2) = (tame_difference(v2, v1), tame_difference(v3, v1));
+    let product = e1.cross(e2);
+    let n = product.unit_or(none);
+    let lengths = e1.dot(e1).sqrt() * e2.dot(e2).sqrt();
+    let sine = n.dot(product);
+    *n * sine.if_positive(angle(sine / lengths, e1.dot(e2) / lengths), T::ZERO)
+}
+
+/// The angle within [0, π] of a sine and a cosine, by three half-angles and a series.
+///
+/// ```text
+/// θ = sin θ · (φ/sin φ)/(cos θ/2 · cos θ/4 · cos θ/8),  φ = θ/8,
+/// φ/sin φ = 1 + y/3 (1 + 2y/5 (1 + 3y/7 (1 + …))),  y = 1 − cos φ
+/// ```
+///
+/// For an acute angle, and an obtuse one is made of that, y is at most 0.02, and what the series leaves
+/// out below 10⁻¹⁶.
+///
+/// Source: Euler, *Institutiones calculi differentialis*, 1755, part II, chapter II, §30.
+#[inline]
+fn angle<T: Real>(sine: T, cosine: T) -> T {
+    let halved = |cosine: T| ((cosine + T::ONE) * T::of(0.5)).sqrt();
+    // not abs, which is flat at 0
+    let half = halved((-cosine).if_positive(-cosine, cosine));
+    let quarter = halved(half);
+    let eighth = halved(quarter);
+    let y = T::ONE - eighth;
+    let next = |ratio: f64, rest: T| T::ONE + y * T::of(ratio) * rest;
+    let rest = next(5.0 / 11.0, next(6.0 / 13.0, next(7.0 / 15.0, T::ONE)));
+    let series = next(
+        1.0 / 3.0,
+        next(2.0 / 5.0, next(3.0 / 7.0, next(4.0 / 9.0, rest))),
+    );
+    let acute = sine * series / (half * quarter * eighth);
+    (-cosine).if_positive(T::of(core::f64::consts::PI) - acute, acute)
+}
