@@ -116,8 +116,12 @@ fn transformed_normal_is_that_of_the_transformed_triangle<T: Number>() {
             normal::triangle(p, q, r),
         ) {
             (Some(by_matrix), Some(by_vertices)) => {
-                // two normals, each to its own error: a triangle's conditioning is no larger
-                let tolerance = 2.0 * transformed_tolerance::<T>(conditioning);
+                // two normals, each to its own error: that of a triangle is (2√3κ + 1)u of its own
+                // conditioning κ ≥ 1, and 3.5u of its length, together at most 8κu
+                let edges = [q - p, r - p].map(to_f64);
+                let length = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
+                let own = length(edges[0]) * length(edges[1]) / length(cross(edges[0], edges[1]));
+                let tolerance = transformed_tolerance::<T>(conditioning) + 8.0 * T::U * own;
                 near(by_matrix, by_vertices, tolerance)?;
                 let by_unit = normal::transformed(n, columns).expect("a normal");
                 // n itself is off by 4u
