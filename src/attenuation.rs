@@ -200,7 +200,7 @@ impl<T: Real> Attenuation<T> {
     fn limited(self, factor: T) -> T {
         // no field holds the limit: MAX of one type is not MAX in another
         let limit = if self.clamped { T::ONE } else { T::MAX };
-        factor.positive_part().at_most(limit)
+        factor.at_least(T::ZERO).at_most(limit)
     }
 
     /// The same attenuation in another number type: `f` converts each number, and may do no more

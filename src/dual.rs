@@ -253,11 +253,16 @@ impl<T: Real> Real for Dual<T> {
     const ONE: Self = Self::constant(T::ONE);
     const NEG_ONE: Self = Self::constant(T::NEG_ONE);
     const MAX: Self = Self::constant(T::MAX);
-    const RESCALE: Self = Self::constant(T::RESCALE);
+    const EXTREME: Self = Self::constant(T::EXTREME);
 
     #[inline]
     fn of(literal: f64) -> Self {
         Self::constant(T::of(literal))
+    }
+
+    #[inline]
+    fn of_f32(literal: f32) -> Self {
+        Self::constant(T::of_f32(literal))
     }
 
     #[inline]

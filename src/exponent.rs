@@ -1,20 +1,47 @@
-//! Floor 0: the shininess m, and the power of a cosine.
+//! Floor 0: the shininess m, and the powers of cosines.
 
-use crate::power::{four_powers, power, whole_power};
+use crate::power::{integer_power, power};
 use crate::real::Real;
 
-/// The shininess m of a highlight: a whole number (`u32`) or a real one (`f32`, `f64`).
+/// The shininess m of a highlight: an integer (`u32`), or a real number of the scene's type (`f32`,
+/// `f64`).
 ///
-/// A whole m takes the much faster path, by squaring. The type of the argument chooses:
+/// An integer m takes the much faster path, by squaring. The type of the argument chooses:
 ///
 /// ```
-/// use shading::{Exponent, UnitVec3, term::blinn};
+/// use shading::{UnitVec3, term::blinn};
 ///
 /// let n = UnitVec3::<f32>::Z;
 /// let h = UnitVec3::<f32>::new(0.0, 0.6, 0.8).unwrap();
-/// let whole = blinn(n, h, 32); // five multiplications
+/// let integer = blinn(n, h, 32); // five multiplications
 /// let real = blinn(n, h, 32.5);
-/// assert!(real < whole);
+/// assert!(real < integer);
+/// ```
+///
+/// # A highlight of your own
+///
+/// Write [`raise`](Exponent::raise), and it shapes the highlights of every term and every sum. A power is
+/// not required: below, the highlight is a disk with a sharp edge, as in a cartoon.
+///
+/// ```
+/// use shading::f32::{DirectionalLight, Material, Rgb, UnitVec3, Vec3};
+/// use shading::{Exponent, shade};
+///
+/// /// The cosine at the edge of the disk.
+/// #[derive(Clone, Copy)]
+/// struct Disk(f32);
+///
+/// impl Exponent<f32> for Disk {
+///     fn raise(self, cosine: f32) -> f32 {
+///         if cosine > self.0 { 1.0 } else { 0.0 }
+///     }
+/// }
+///
+/// let toon = Material { k_a: Rgb::BLACK, k_d: Rgb::gray(0.5), k_s: Rgb::gray(0.5), m: Disk(0.9) };
+/// let (n, v) = (UnitVec3::Z, UnitVec3::new(0.6, 0.0, 0.8).unwrap()); // N·H = 0.95
+/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
+/// let shaded = shade::blinn_phong(n, v, &toon, Rgb::BLACK, [sun.at(Vec3::ZERO)]);
+/// assert_eq!(shaded.specular, Rgb::gray(0.5));
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a shininess for numbers of type `{T}`",
@@ -22,85 +49,103 @@ use crate::real::Real;
     note = "an integer shininess is a `u32`, as in `m: 32`; a real one has the type of the scene, as in `m: 32.5`",
     note = "`term::phong` and `term::blinn` are factors; the models that take a material are in `shade`"
 )]
-pub trait Exponent<T>: Copy {
-    /// Whether [`raise_four_roots`](Exponent::raise_four_roots) takes little longer than one root, in
-    /// SIMD registers: then a sum over lights takes four highlights at a time. The bits are the same.
-    const FOUR_AT_ONCE: bool = false;
-
-    /// cosineᵐ for a cosine up to 1; 1 for m = 0. An m below 0, or not a number, counts as 0. Where
-    /// the cosine is not above 0, or not a number, the power is 0 for **every** m, also for m = 0.
+pub trait Exponent<T: Real>: Copy {
+    /// cosineᵐ, a number within [0, 1].
     ///
-    /// A whole m is exact to a relative error of m·u, u the unit roundoff (2⁻²⁴ for `f32`), which
+    /// A cosine above 1 counts as 1: rounding makes such. Where the cosine is not above 0, or not a
+    /// number, the power is 0 for **every** m; above 0 the power by m = 0 is 1. An m below 0, or not a
+    /// number, counts as 0. 1 to any power is 1, even if m is infinite.
+    ///
+    /// An integer m is exact to a relative error of m·u, u the unit roundoff (2⁻²⁴ for `f32`), which
     /// is the power's own conditioning; a real m to an absolute error of 2⁻²² in `f32`. There a
     /// power that would be subnormal may be 0.
     #[must_use]
     fn raise(self, cosine: T) -> T;
 
-    /// (√square)ᵐ for the square of a cosine, with the cosine's sign: what a highlight needs where
-    /// the square is at hand and its root would cost more than the power. Otherwise as
-    /// [`raise`](Exponent::raise).
-    #[must_use]
-    fn raise_root(self, square: T) -> T;
-
-    /// [`raise_root`](Exponent::raise_root) of each of four squares.
+    /// m/2, where that is an exponent too: it raises the square of a cosine, whose root would cost
+    /// more than the power.
+    #[doc(hidden)]
     #[inline]
-    #[must_use]
-    fn raise_four_roots(self, squares: [T; 4]) -> [T; 4] {
-        squares.map(|square| self.raise_root(square))
+    fn half(self) -> Option<Self> {
+        None
     }
 
-    /// [`raise_root`](Exponent::raise_root) as a function of the square, for a sum over lights: what
-    /// depends on m alone is computed once.
+    /// Raises the cosines of a sum, one by one or several at a time, and hands each power to `each` with
+    /// the item that it belongs to, in order. `_none` is an item that stands for none.
+    #[doc(hidden)]
     #[inline]
-    #[must_use]
-    fn root_power(self) -> impl Fn(T) -> T {
-        #[inline(always)]
-        move |square| self.raise_root(square)
+    fn powers<I: Copy>(self, _none: I, each: impl FnMut(I, T)) -> impl Powers<I, T> {
+        let power = move |cosine| self.raise(cosine);
+        OneByOne { power, each }
     }
+}
+
+/// Takes items with their cosines; the powers may come later.
+pub trait Powers<I, T> {
+    fn take(&mut self, item: I, cosine: T);
+    fn finish(self);
+}
+
+struct OneByOne<P, F> {
+    power: P,
+    each: F,
+}
+
+impl<I, T, P: Fn(T) -> T, F: FnMut(I, T)> Powers<I, T> for OneByOne<P, F> {
+    #[inline(always)]
+    fn take(&mut self, item: I, cosine: T) {
+        (self.each)(item, (self.power)(cosine));
+    }
+
+    #[inline(always)]
+    fn finish(self) {}
 }
 
 #[diagnostic::do_not_recommend] // the trait's own message names the types
 impl<T: Real> Exponent<T> for u32 {
     #[inline]
     fn raise(self, cosine: T) -> T {
-        whole_power(self)(cosine)
+        // an m known to be above 0 takes fewer instructions
+        if self == 0 {
+            cosine.if_positive(T::ONE, T::ZERO)
+        } else {
+            integer_power(self)(cosine)
+        }
     }
 
     #[inline]
-    fn raise_root(self, square: T) -> T {
-        self.root_power()(square)
+    fn half(self) -> Option<Self> {
+        (self % 2 == 0).then_some(self / 2)
     }
 
+    // what depends on m alone is computed once
     #[inline]
-    fn root_power(self) -> impl Fn(T) -> T {
-        let is_even = self % 2 == 0;
-        let power = whole_power(if is_even { self / 2 } else { self });
-        #[inline(always)]
-        move |square: T| power(if is_even { square } else { square.sqrt() })
+    fn powers<I: Copy>(self, _none: I, each: impl FnMut(I, T)) -> impl Powers<I, T> {
+        let power = integer_power(self);
+        OneByOne { power, each }
     }
 }
 
 #[diagnostic::do_not_recommend] // the trait's own message names the types
 impl Exponent<f32> for f32 {
-    const FOUR_AT_ONCE: bool = cfg!(any(
-        target_feature = "sse2",
-        target_feature = "neon",
-        target_feature = "simd128"
-    ));
-
     #[inline(always)]
     fn raise(self, cosine: f32) -> f32 {
-        power(cosine, self.positive_part())
-    }
-
-    #[inline(always)]
-    fn raise_root(self, square: f32) -> f32 {
-        (0.5 * self).raise(square)
+        power(cosine, self.at_least(0.0))
     }
 
     #[inline]
-    fn raise_four_roots(self, [a, b, c, d]: [f32; 4]) -> [f32; 4] {
-        four_powers(a, b, c, d, (0.5 * self).positive_part())
+    fn half(self) -> Option<Self> {
+        Some(0.5 * self)
+    }
+
+    #[cfg(any(
+        target_feature = "sse2",
+        target_feature = "neon",
+        target_feature = "simd128"
+    ))]
+    #[inline]
+    fn powers<I: Copy>(self, none: I, each: impl FnMut(I, f32)) -> impl Powers<I, f32> {
+        by_fours::ByFours::new(self.at_least(0.0), none, each)
     }
 }
 
@@ -108,9 +153,9 @@ impl Exponent<f32> for f32 {
 impl Exponent<f64> for f64 {
     #[inline]
     fn raise(self, cosine: f64) -> f64 {
-        // not `positive_part`, which may leave a signaling NaN as it is
+        // not `at_least`, which may leave a signaling NaN as it is
         let power = if self > 0.0 {
-            libm::pow(cosine.positive_part(), self)
+            libm::pow(cosine.at_least(0.0).at_most(1.0), self)
         } else {
             1.0
         };
@@ -118,7 +163,82 @@ impl Exponent<f64> for f64 {
     }
 
     #[inline]
-    fn raise_root(self, square: f64) -> f64 {
-        (0.5 * self).raise(square)
+    fn half(self) -> Option<Self> {
+        Some(0.5 * self)
+    }
+}
+
+/// Where a SIMD register holds four numbers, four powers take little longer than one.
+#[cfg(any(
+    target_feature = "sse2",
+    target_feature = "neon",
+    target_feature = "simd128"
+))]
+mod by_fours {
+    use super::Powers;
+    use crate::power::power;
+
+    pub(super) struct ByFours<I, F> {
+        m: f32,
+        items: [I; 4],
+        cosines: [f32; 4],
+        waiting: usize,
+        each: F,
+    }
+
+    impl<I: Copy, F: FnMut(I, f32)> ByFours<I, F> {
+        #[inline]
+        pub(super) fn new(m: f32, none: I, each: F) -> Self {
+            Self {
+                m,
+                items: [none; 4],
+                cosines: [0.0; 4],
+                waiting: 0,
+                each,
+            }
+        }
+
+        #[inline(always)]
+        fn hand_on(&mut self) {
+            let [a, b, c, d] = self.cosines;
+            let powers = four_powers(a, b, c, d, self.m);
+            for i in 0..self.waiting {
+                (self.each)(self.items[i % 4], powers[i % 4]);
+            }
+            self.waiting = 0;
+        }
+    }
+
+    impl<I: Copy, F: FnMut(I, f32)> Powers<I, f32> for ByFours<I, F> {
+        #[inline(always)]
+        fn take(&mut self, item: I, cosine: f32) {
+            self.items[self.waiting % 4] = item;
+            self.cosines[self.waiting % 4] = cosine;
+            self.waiting += 1;
+            if self.waiting == 4 {
+                self.hand_on();
+            }
+        }
+
+        #[inline(always)]
+        fn finish(mut self) {
+            if self.waiting > 0 {
+                self.hand_on();
+            }
+        }
+    }
+
+    /// The power of each of four cosines.
+    ///
+    /// Out of line and of numbers, not of an array: so compilers see a loop of four and nothing around
+    /// it, make SIMD instructions of it, and pass the cosines in registers. Written to memory one by
+    /// one, they could not be read as a vector before all of them had arrived there.
+    #[inline(never)]
+    fn four_powers(a: f32, b: f32, c: f32, d: f32, m: f32) -> [f32; 4] {
+        let mut powers = [a, b, c, d];
+        for power_of_c in &mut powers {
+            *power_of_c = power(*power_of_c, m);
+        }
+        powers
     }
 }

@@ -1,7 +1,7 @@
-//! Floor 0: powers of a cosine, by a whole m in any number, and by a real m in single precision, for
+//! Floor 0: powers of a cosine, by an integer m in any number, and by a real m in single precision, for
 //! `f32` and for lanes of it.
 //!
-//! A whole power is taken by squaring. A real one is
+//! An integer power is taken by squaring. A real one is
 //!
 //! ```text
 //! cᵐ = 2^(m log₂ c)
@@ -31,24 +31,24 @@ use crate::real::Real;
 const ONE: u32 = 0x3F80_0000;
 const OCTAVE: u32 = 0x0080_0000;
 
-/// The m-th power of a cosine. A cosine counts as 0 where its power would be subnormal in single
-/// precision: squaring would lead through subnormal numbers, which cost processors up to a hundred
-/// times as much as others. Numbers with the range of `f64` hardly ever come to theirs and keep
+/// The m-th power of a cosine, as a function of the cosine. A cosine counts as 0 where its power would be
+/// subnormal in single precision: squaring would lead through subnormal numbers, which cost processors
+/// up to a hundred times as much as others. Numbers of a wider range hardly ever come to theirs and keep
 /// every power.
 #[inline]
-pub(crate) fn whole_power<T: Real>(m: u32) -> impl Fn(T) -> T {
-    let has_range_of_f64 = T::of(1e-300).any_positive();
-    let least = if has_range_of_f64 {
-        T::ZERO
+pub(crate) fn integer_power<T: Real>(m: u32) -> impl Fn(T) -> T {
+    let is_wider = (T::MAX - T::of_f32(f32::MAX)).any_positive();
+    let (least, top, m) = if m == 0 {
+        // the first power of a cosine that counts as 1 from 0 on
+        (T::ZERO, T::ZERO, 1)
+    } else if is_wider {
+        (T::ZERO, T::ONE, m)
     } else {
-        T::of(f64::from(least_normal_base(m)))
+        (T::of_f32(least_normal_base(m)), T::ONE, m)
     };
     move |cosine: T| {
-        if m == 0 {
-            cosine.if_positive(T::ONE, T::ZERO)
-        } else {
-            by_squaring(cosine.if_above(least, cosine, T::ZERO), m)
-        }
+        let cosine = cosine.if_above(top, T::ONE, cosine);
+        by_squaring(cosine.if_above(least, cosine, T::ZERO), m)
     }
 }
 
@@ -57,10 +57,11 @@ pub(crate) fn whole_power<T: Real>(m: u32) -> impl Fn(T) -> T {
 #[inline]
 fn least_normal_base(m: u32) -> f32 {
     // the bits of a float are its logarithm, but for the significand 1 + x, of which
-    // log₂(1 + x) ≈ x + 0.39 x(1 − x)
-    let linear = ONE - 126 * OCTAVE / m.max(1);
-    let x = (linear >> 12) & 0x7FF;
-    f32::from_bits(linear - x * (0x800 - x) / 32 * 25 - 1600)
+    // log₂(1 + x) ≈ x + 0.39 (¼ − (x − ½)²)
+    let linear = ONE - 126 * OCTAVE / m;
+    let from_half = (linear >> 12 & 0x7FF).wrapping_sub(0x400);
+    let bend = 0x10_0000 - from_half.wrapping_mul(from_half);
+    f32::from_bits(linear - bend / 32 * 25 - 1600)
 }
 
 /// baseᵐ by squaring, from the highest bit of m down; the zeros at its end are squares of the base.
@@ -156,10 +157,10 @@ const TO_INTEGER: f32 = 12_583_038.0; // 1.5 · 2²³ + 126
 /// counts as 1, c below 0 or not a number as 0.
 #[inline(always)]
 pub(crate) fn power<T: Binary32>(c: T, m: T) -> T {
-    let of = |coefficient: f32| T::of(f64::from(coefficient));
+    let of = T::of_f32;
 
     // scaled by 2²⁴, exactly, the least subnormal number is normal; the quotient s is the same
-    let scale = T::of(16_777_216.0);
+    let scale = of(16_777_216.0);
     let (e, z) = (c * scale).split();
     let s = (z - scale) / (z + scale);
     let x = s * s;
@@ -168,27 +169,13 @@ pub(crate) fn power<T: Binary32>(c: T, m: T) -> T {
 
     // y = n + r within [−126, 0]; the result is 2^(n − 1) 2^(1 + r), and 0 for n = −126
     let m = T::ONE.if_above(c, m, T::ZERO);
-    let y = (m * log2_c).at_least(T::of(-126.0));
+    let y = (m * log2_c).at_least(of(-126.0));
     let shifted = y + of(TO_INTEGER);
     let r = y - (shifted - of(TO_INTEGER));
     let x = r * r;
     let [q0, q1, q2] = EXP;
     let q = of(q0) - r + x * (of(q1) + x * of(q2));
-    let power = (T::of(2.0) + T::of(4.0) * r / q) * shifted.two_to_low_byte();
+    let power = (of(2.0) + of(4.0) * r / q) * shifted.two_to_low_byte();
 
     c.if_positive(power, T::ZERO)
-}
-
-/// The [`power`] of each of four cosines.
-///
-/// Out of line and of numbers, not of an array: so compilers see a loop of four and nothing around
-/// it, make SIMD instructions of it, and pass the cosines in registers. Written to memory one by one,
-/// they could not be read as a vector before all of them had arrived there.
-#[inline(never)]
-pub(crate) fn four_powers(a: f32, b: f32, c: f32, d: f32, m: f32) -> [f32; 4] {
-    let mut powers = [a, b, c, d];
-    for power_of_c in &mut powers {
-        *power_of_c = power(*power_of_c, m);
-    }
-    powers
 }

@@ -52,7 +52,7 @@ impl<T: Real> Ranged<T> {
     fn window(self, q: T) -> T {
         let share = q / self.range;
         let square = share * share;
-        let root = (T::ONE - square * square).positive_part();
+        let root = (T::ONE - square * square).at_least(T::ZERO);
         root * root
     }
 
@@ -100,7 +100,7 @@ impl<T: Real> Falloff<T> for Ranged<T> {
     fn reaches(&self, square: T) -> bool {
         // A square above that of r has a root of at least r, for the root of r² is r; where r² may have
         // lost bits, it is in doubt.
-        let reach = self.range * self.range + T::ONE / T::RESCALE;
+        let reach = self.range * self.range + T::ONE / T::EXTREME;
         square.if_above(reach, T::ZERO, T::ONE).any_positive()
     }
 

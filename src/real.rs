@@ -18,6 +18,20 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// assert_eq!(hypotenuse(3.0_f32, 4.0), 5.0);
 /// assert_eq!(hypotenuse(3.0_f64, 4.0), 5.0);
 /// ```
+///
+/// # A number of your own
+///
+/// Write the constants, [`of`](Real::of), [`sqrt`](Real::sqrt), [`if_positive`](Real::if_positive) and
+/// [`any_positive`](Real::any_positive), which stand first. The rest is derived; where a processor has
+/// better, replace it by what gives the same result.
+///
+/// - No operation panics. Division by zero gives an infinity or, in a type without one, any number.
+/// - [`if_positive`](Real::if_positive) chooses lane by lane and computes nothing;
+///   [`any_positive`](Real::any_positive) is whether it would choose `then` in some lane.
+/// - Operations that round correctly give the same bits on every machine, and the error bounds of
+///   [`mod@crate::guide::precision`] in units of the type's roundoff. Others cost no more than that.
+///
+/// [`mod@crate::guide::invariants`] tells how to test it.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a number that this crate computes with",
     label = "expected `f32`, `f64`, `Dual<_>` or SIMD lanes",
@@ -39,15 +53,21 @@ pub trait Real:
     const NEG_ONE: Self;
     /// The largest finite number.
     const MAX: Self;
-    /// A power of two *p* that tames vectors of any size before they are squared: where |v|² is
-    /// not within [1/p, p], either p·v or v/p is (2¹⁰⁰ for `f32`, 2⁷²⁰ for `f64`).
-    const RESCALE: Self;
+    /// A power of two *p* that tames a vector of any length: where |v|² is not within [1/p, p], the
+    /// vector is extreme, and v/p or p·v is squared in its place.
+    ///
+    /// So 1/p and p are far enough from the ends of the range for a sum of three squares within them to
+    /// lose no bits; the largest vector over p has its square below p, and the smallest number times p
+    /// is not below 1/p. It is 2¹⁰⁰ for `f32` and 2⁷²⁰ for `f64`; for a number with 16 bits before its point
+    /// and 16 behind it, 2⁹ is best.
+    const EXTREME: Self;
 
-    /// The number nearest to a literal. It is an `f64` so that users of `f64` lose nothing.
+    /// The number nearest to a literal. It is an `f64` so that users of `f64` lose nothing; where single
+    /// precision holds the literal, [`of_f32`](Real::of_f32) has no `f64` even in constants.
     #[must_use]
     fn of(literal: f64) -> Self;
 
-    /// The square root, correctly rounded; not a number below zero.
+    /// The square root; not a number below zero.
     #[must_use]
     fn sqrt(self) -> Self;
 
@@ -61,13 +81,14 @@ pub trait Real:
     #[must_use]
     fn any_positive(self) -> bool;
 
-    /// Whether `self` is outside [low, high], for lanes: in at least one of them. The limits are
-    /// not negative, NaN is outside, and for the limits themselves and −0 the answer is open.
+    // what follows is derived
+
+    /// [`of`](Real::of) a literal in single precision: for processors without double precision, as
+    /// GPUs often are.
     #[inline]
     #[must_use]
-    fn any_outside(self, low: Self, high: Self) -> bool {
-        let outside = (self - low).if_positive(Self::ZERO, Self::ONE);
-        (high - self).if_positive(outside, Self::ONE).any_positive()
+    fn of_f32(literal: f32) -> Self {
+        Self::of(literal.into())
     }
 
     /// `then` where `self` > `threshold`, and `otherwise` where it is not, lane by lane.
@@ -85,13 +106,6 @@ pub trait Real:
         self.if_positive(self, (-self).if_positive(-self, self + -self))
     }
 
-    /// max(0, self), and 0 for NaN.
-    #[inline]
-    #[must_use]
-    fn positive_part(self) -> Self {
-        self.at_least(Self::ZERO)
-    }
-
     /// max(self, floor), and the floor for NaN. A signaling NaN, which no operation produces, may stay
     /// NaN on AArch64 and POWER.
     #[inline]
@@ -106,22 +120,54 @@ pub trait Real:
     fn at_most(self, limit: Self) -> Self {
         self.if_above(limit, limit, self)
     }
+
+    /// Whether `self` is outside [low, high], for lanes: in at least one of them. The limits are
+    /// not negative, NaN is outside, and for −0 and the limits themselves, but a `high` of 1, the answer
+    /// is open.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn any_outside(self, low: Self, high: Self) -> bool {
+        let outside = (self - low).if_positive(Self::ZERO, Self::ONE);
+        (high - self).if_positive(outside, Self::ONE).any_positive()
+    }
+}
+
+/// A constant as the sum of three numbers in single precision, which the compiler computes:
+/// `constant(const { parts(PI) })` has no `f64` on the path of `f32`.
+#[inline]
+pub(crate) fn constant<T: Real>([first, second, third]: [f32; 3]) -> T {
+    T::of_f32(first) + T::of_f32(second) + T::of_f32(third)
+}
+
+#[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
+pub(crate) const fn parts(constant: f64) -> [f32; 3] {
+    let first = constant as f32;
+    let rest = constant - first as f64;
+    let second = rest as f32;
+    [first, second, (rest - second as f64) as f32]
 }
 
 macro_rules! float {
-    ($float:ident, $rescale:expr, $sqrt:path) => {
+    ($float:ident, $extreme:expr, $sqrt:path) => {
         #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Real for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const NEG_ONE: Self = -1.0;
             const MAX: Self = $float::MAX;
-            const RESCALE: Self = $rescale;
+            const EXTREME: Self = $extreme;
 
             #[inline]
             #[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
             fn of(literal: f64) -> Self {
                 literal as Self
+            }
+
+            #[inline]
+            #[allow(clippy::useless_conversion)]
+            fn of_f32(literal: f32) -> Self {
+                literal.into()
             }
 
             #[inline]
@@ -140,11 +186,17 @@ macro_rules! float {
             }
 
             // the bits of positive numbers are ordered as the numbers are, and one comparison
-            // of whole numbers takes the place of two subtractions
+            // of whole numbers takes the place of two subtractions; where `high` itself is outside,
+            // Arm has the two constants of that comparison in its instructions
             #[inline]
             fn any_outside(self, low: Self, high: Self) -> bool {
                 let above_low = self.to_bits().wrapping_sub(low.to_bits());
-                above_low > high.to_bits().wrapping_sub(low.to_bits())
+                let range = high.to_bits().wrapping_sub(low.to_bits());
+                if low > 0.0 {
+                    above_low >= range
+                } else {
+                    above_low > range
+                }
             }
 
             #[inline]

@@ -10,7 +10,7 @@ use crate::vector::Vec3;
 /// Whether |v|², given as `square`, over- or underflowed or may be inexact, in any lane.
 #[inline]
 pub(crate) fn is_extreme<T: Real>(square: T) -> bool {
-    square.any_outside(T::ONE / T::RESCALE, T::RESCALE)
+    square.any_outside(T::ONE / T::EXTREME, T::EXTREME)
 }
 
 /// v, tamed.
@@ -55,7 +55,7 @@ pub(crate) fn extreme_difference<T: Real>(to: Vec3<T>, from: Vec3<T>, square: T)
 #[inline]
 fn scales<T: Real>(square: T) -> [T; 2] {
     [
-        T::RESCALE.if_above(square, T::ONE, T::ONE / T::RESCALE),
-        (T::ONE / T::RESCALE).if_above(square, T::RESCALE, T::ONE),
+        T::EXTREME.if_above(square, T::ONE, T::ONE / T::EXTREME),
+        (T::ONE / T::EXTREME).if_above(square, T::EXTREME, T::ONE),
     ]
 }

@@ -64,7 +64,7 @@ impl<T: Real> Rgb<T> {
     #[inline]
     #[must_use]
     pub fn clamped(self) -> Self {
-        // not `positive_part`, which may leave a signaling NaN as it is
+        // not `at_least`, which may leave a signaling NaN as it is
         self.map(|channel| channel.if_positive(channel.at_most(T::ONE), T::ZERO))
     }
 

@@ -67,7 +67,7 @@ use core::iter::Sum;
 use core::ops::{Add, Mul};
 
 use crate::direction::{between, reflection};
-use crate::exponent::Exponent;
+use crate::exponent::{Exponent, Powers};
 use crate::light::IncidentLight;
 use crate::material::Material;
 use crate::real::Real;
@@ -168,7 +168,8 @@ pub fn lambert<T: Real, M>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    sum(n, material, i_a, lights, |_| T::ZERO)
+    // a cosine of 0 gives no highlight, whatever m
+    sum(n, material, i_a, lights, 0_u32, |_| T::ZERO)
 }
 
 /// Shiny surfaces after Phong.
@@ -197,8 +198,8 @@ pub fn phong<T: Real, M: Exponent<T>>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    let highlight = |l| term::phong(reflection(n, l), v, material.m);
-    sum(n, material, i_a, lights, highlight)
+    let r_dot_v = |l| reflection(n, l).dot(v);
+    sum(n, material, i_a, lights, material.m, r_dot_v)
 }
 
 /// Shiny surfaces after Blinn: Phong's model with the half vector.
@@ -229,23 +230,34 @@ pub fn blinn_phong<T: Real, M: Exponent<T>>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    let square = |l| term::n_dot_h_squared(n, between(l, v));
-    if M::FOUR_AT_ONCE {
-        sum_by_fours(n, material, i_a, lights, square)
-    } else {
-        let root_power = material.m.root_power();
-        sum(n, material, i_a, lights, |l| root_power(square(l)))
-    }
+    let half = material.m.half();
+    let n_dot_h = |l| {
+        let square = term::n_dot_h_squared(n, between(l, v));
+        if half.is_some() {
+            square
+        } else {
+            square.sqrt()
+        }
+    };
+    sum(
+        n,
+        material,
+        i_a,
+        lights,
+        half.unwrap_or(material.m),
+        n_dot_h,
+    )
 }
 
-/// The sum over lights. The highlight is the factor of k_s I for the light from L.
+/// The sum over lights, whose highlights are the m-th powers of cosines.
 #[inline]
-fn sum<T: Real, M>(
+fn sum<T: Real, M, E: Exponent<T>>(
     n: UnitVec3<T>,
     material: &Material<T, M>,
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
-    highlight: impl Fn(UnitVec3<T>) -> T,
+    m: E,
+    cosine: impl Fn(UnitVec3<T>) -> T,
 ) -> Shaded<T> {
     // the ambient light goes first into the result: then I_a need not be kept
     let mut shaded = Shaded {
@@ -254,59 +266,19 @@ fn sum<T: Real, M>(
         specular: Rgb::BLACK,
     };
     let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
+    let mut highlights = m.powers(Rgb::BLACK, |intensity: Rgb<T>, highlight| {
+        specular += intensity * highlight;
+    });
     for IncidentLight { l, intensity, .. } in lights {
         let n_dot_l = term::lambert(n, l);
         if n_dot_l.any_positive() {
-            let highlight = n_dot_l.if_positive(highlight(l), T::ZERO);
+            highlights.take(intensity, n_dot_l.if_positive(cosine(l), T::ZERO));
+            // last: so compilers put it into SIMD registers together with the highlight
             diffuse += intensity * n_dot_l;
-            specular += intensity * highlight;
         }
     }
+    highlights.finish();
     shaded.diffuse = diffuse.reflected(material.k_d);
     shaded.specular = specular.reflected(material.k_s);
     shaded
-}
-
-/// The same sum, with the highlights of four lights in front at a time: what their cosines' squares
-/// are raised to fits SIMD registers.
-#[inline]
-fn sum_by_fours<T: Real, M: Exponent<T>>(
-    n: UnitVec3<T>,
-    material: &Material<T, M>,
-    i_a: Rgb<T>,
-    lights: impl IntoIterator<Item = IncidentLight<T>>,
-    square: impl Fn(UnitVec3<T>) -> T,
-) -> Shaded<T> {
-    let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
-    // of the lights in front whose highlights are still to be added
-    let (mut intensities, mut squares) = ([Rgb::BLACK; 4], [T::ZERO; 4]);
-    let mut waiting = 0;
-    let mut lights = lights.into_iter();
-    loop {
-        let next = lights.next();
-        if let Some(IncidentLight { l, intensity, .. }) = next {
-            let n_dot_l = term::lambert(n, l);
-            if n_dot_l.any_positive() {
-                diffuse += intensity * n_dot_l;
-                intensities[waiting % 4] = intensity;
-                squares[waiting % 4] = n_dot_l.if_positive(square(l), T::ZERO);
-                waiting += 1;
-            }
-        }
-        if waiting == 4 || next.is_none() && waiting > 0 {
-            let highlights = material.m.raise_four_roots(squares);
-            for i in 0..waiting {
-                specular += intensities[i % 4] * highlights[i % 4];
-            }
-            waiting = 0;
-        }
-        if next.is_none() {
-            break;
-        }
-    }
-    Shaded {
-        ambient: term::ambient(material.k_a, i_a),
-        diffuse: diffuse.reflected(material.k_d),
-        specular: specular.reflected(material.k_s),
-    }
 }

@@ -56,7 +56,7 @@ impl<T: Real> SoftCone<T> {
         let outward = (self.inner - (-axis).dot(l)) / (self.inner - self.outer);
         let t = outward
             .if_positive(T::ONE - outward, T::ONE)
-            .positive_part();
+            .at_least(T::ZERO);
         if self.smoothstep {
             (t * t * (T::ONE + T::ONE + T::ONE - (t + t))).at_most(T::ONE)
         } else {

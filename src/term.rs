@@ -3,7 +3,7 @@
 use core::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
 
 use crate::exponent::Exponent;
-use crate::real::Real;
+use crate::real::{Real, constant, parts};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
@@ -50,7 +50,7 @@ pub fn ambient<T: Real>(k_a: Rgb<T>, i_a: Rgb<T>) -> Rgb<T> {
 #[inline]
 #[must_use]
 pub fn lambert<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> T {
-    n.dot(l).positive_part()
+    n.dot(l).at_least(T::ZERO)
 }
 
 /// The factor of Phong's highlight.
@@ -78,10 +78,10 @@ pub fn lambert<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> T {
 /// ```
 #[doc(alias = "specular")]
 #[doc(alias = "shininess")]
-#[inline(always)]
+#[inline]
 #[must_use]
 pub fn phong<T: Real, M: Exponent<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T {
-    highlight(r.dot(v), m)
+    m.raise(r.dot(v))
 }
 
 /// The factor of Blinn's highlight.
@@ -108,7 +108,7 @@ pub fn phong<T: Real, M: Exponent<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T
 #[inline]
 #[must_use]
 pub fn blinn<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: UnitVec3<T>, m: M) -> T {
-    highlight(n.dot(h), m)
+    m.raise(n.dot(h))
 }
 
 /// The factor that normalizes the highlight of [`phong`], for renderers whose diffuse term has a 1/π.
@@ -153,7 +153,7 @@ pub fn blinn<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: UnitVec3<T>, m: M) -> T
 #[inline]
 #[must_use]
 pub fn phong_normalization<T: Real>(m: T) -> T {
-    (valid(m) + T::of(2.0)) * T::of(0.5 * FRAC_1_PI)
+    (valid(m) + T::of_f32(2.0)) * constant(const { parts(0.5 * FRAC_1_PI) })
 }
 
 /// The factor that normalizes the highlight of [`blinn`], for renderers whose diffuse term has a 1/π.
@@ -184,34 +184,34 @@ pub fn phong_normalization<T: Real>(m: T) -> T {
 #[must_use]
 pub fn blinn_normalization<T: Real + Exponent<T>>(m: T) -> T {
     let m = valid(m);
-    let power = m.raise(T::of(FRAC_1_SQRT_2));
+    let power = m.raise(constant(const { parts(FRAC_1_SQRT_2) }));
     // divided first: the product of the two sums could overflow
-    (m + T::of(2.0)) * T::of(0.125 * FRAC_1_PI) * ((m + T::of(4.0)) / (m + power))
+    let eighth = constant(const { parts(0.125 * FRAC_1_PI) });
+    (m + T::of_f32(2.0)) * eighth * ((m + T::of_f32(4.0)) / (m + power))
 }
 
 /// The shininess as a number, at least 0 and finite.
 #[inline]
 fn valid<T: Real>(m: T) -> T {
-    // not `positive_part`, which may leave a signaling NaN as it is
+    // not `at_least`, which may leave a signaling NaN as it is
     m.if_positive(m.at_most(T::MAX), T::ZERO)
 }
 
 /// (N·H)², with the sign of N·H, for an h = L + V that is not normalised: (N·h)²/(h·h) takes a
-/// division; normalising h would take a square root and a division. It is what
-/// [`Exponent::raise_root`] raises.
-#[inline]
-pub(crate) fn n_dot_h_squared<T: Real>(n: UnitVec3<T>, h: Vec3<T>) -> T {
-    let n_dot_h = n.dot(h);
+/// division; normalising h would take a square root and a division. Rounding may leave it above 1.
+#[inline(always)] // on a Cortex-M0 a call from the sum would take 56 bytes of stack
+pub(crate) fn n_dot_h_squared<T: Real>(n: UnitVec3<T>, mut h: Vec3<T>) -> T {
     // Not h.dot(h): of two sums in the same order compilers make one in SIMD registers, and to bring
     // the numbers there takes longer than the second sum.
-    let h_dot_h = h.z * h.z + h.y * h.y + h.x * h.x;
+    let square = |h: Vec3<T>| h.z * h.z + h.y * h.y + h.x * h.x;
+    let mut h_dot_h = square(h);
+    // L next to −V, where the square loses bits or all of itself
+    let least = T::ONE / T::EXTREME;
+    if least.if_above(h_dot_h, T::ONE, T::ZERO).any_positive() {
+        h *= least.if_above(h_dot_h, T::EXTREME, T::ONE);
+        h_dot_h = square(h);
+    }
+    let n_dot_h = n.dot(h);
     // not a number, which counts as 0, where L = −V
-    let square = n_dot_h * n_dot_h.abs() / h_dot_h;
-    square.at_most(T::ONE)
-}
-
-/// The power of a cosine, cut off at the horizon.
-#[inline(always)]
-fn highlight<T: Real, M: Exponent<T>>(cosine: T, m: M) -> T {
-    m.raise(cosine.at_most(T::ONE))
+    n_dot_h * n_dot_h.abs() / h_dot_h
 }

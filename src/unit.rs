@@ -182,7 +182,7 @@ macro_rules! literals {
             #[doc(alias = "normalize")]
             #[must_use]
             pub const fn normalized(x: $float, y: $float, z: $float) -> Option<Self> {
-                const LARGE: $float = <$float as Real>::RESCALE;
+                const LARGE: $float = <$float as Real>::EXTREME;
                 let square = x * x + y * y + z * z;
                 let scale = if square > LARGE {
                     1.0 / LARGE

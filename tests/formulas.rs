@@ -162,7 +162,9 @@ fn powers_of_a_half_are_exact<T: Float>() {
     let mut expected = T::ONE;
     for m in 0..100_u32 {
         assert_eq!(m.raise(half), expected, "{m}");
-        assert_eq!(m.raise_root(T::of(0.25)), expected, "{m}");
+        if let Some(of_square) = Exponent::<T>::half(m) {
+            assert_eq!(of_square.raise(T::of(0.25)), expected, "{m}");
+        }
         if expected.to_f64() <= T::MIN_POSITIVE * 4.0 {
             break;
         }

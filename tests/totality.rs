@@ -18,6 +18,7 @@ for_f32_and_f64!(
     unit_or_gives_the_fallback,
     half_vector_of_nan_is_none,
     half_vector_is_right_next_to_opposite_directions,
+    the_highlight_is_right_next_to_opposite_directions,
     reflection_of_garbage_is_garbage_of_the_same_kind,
     plane_without_a_direction_has_no_normal,
     triangle_with_an_infinite_vertex_has_no_normal,
@@ -175,6 +176,28 @@ fn half_vector_is_right_next_to_opposite_directions<T: Float>() {
     for tiny in [T::of(T::TINIEST), T::of(T::MIN_POSITIVE), T::of(T::U)] {
         let l = UnitVec3::assume_unit(Vec3::new(T::ONE, T::ZERO, tiny));
         assert_eq!(half_vector(l, -UnitVec3::X), Some(UnitVec3::Z));
+    }
+}
+
+fn the_highlight_is_right_next_to_opposite_directions<T: Float>() {
+    // as above, H is Z, so N·H is the z of N: 1 and 4/5, to two roundings for each factor
+    for tiny in [1.0, 3.0, 1e9].map(|c| T::of(c * T::TINIEST)) {
+        let light = |sign: T| DirectionalLight {
+            l: UnitVec3::assume_unit(Vec3::new(T::ONE, T::ZERO, sign * tiny)),
+            intensity: Rgb::WHITE,
+        };
+        let specular = |n, m, sign| {
+            let light = [light(sign).at(Vec3::ZERO)];
+            shade::blinn_phong(n, -UnitVec3::X, &mirror(m), Rgb::BLACK, light).specular
+        };
+        for m in [8, 9] {
+            assert_eq!(specular(UnitVec3::Z, m, T::ONE), Rgb::WHITE, "{tiny:e}");
+        }
+        let slanted = direction::<T>([3.0, 0.0, 4.0]);
+        let error = specular(slanted, 8, T::ONE).r.to_f64() - 0.8_f64.powi(8);
+        assert!(error.abs() <= 32.0 * T::U, "{tiny:e}: off by {error:e}");
+        // N·H = −4/5 has none
+        assert_eq!(specular(slanted, 8, -T::ONE), Rgb::BLACK, "{tiny:e}");
     }
 }
 
@@ -523,9 +546,13 @@ fn highlight_with_a_huge_m_is_zero_beside_the_mirror<T: Float>() {
     for m in [T::of(1e30), T::MAX, T::INFINITY] {
         assert_eq!(term::blinn(UnitVec3::X, beside, m), T::ZERO, "{m:e}");
     }
-    for m in [T::of(1e30), T::MAX] {
+    // 1 to any power is 1, and a cosine that rounding leaves above 1 counts as 1
+    let above = UnitVec3::assume_unit(at_x(T::of(1.0 + 2.0 * T::U)));
+    for m in [T::of(1e30), T::MAX, T::INFINITY] {
         assert_eq!(term::blinn(UnitVec3::X, UnitVec3::X, m), T::ONE, "{m:e}");
+        assert_eq!(term::blinn(UnitVec3::X, above, m), T::ONE, "{m:e}");
     }
+    assert_eq!(term::blinn(UnitVec3::X, above, u32::MAX), T::ONE);
 }
 
 fn highlight_with_an_invalid_m_takes_it_as_zero<T: Float>() {
@@ -1010,5 +1037,5 @@ fn every_row_of_the_table_names_a_test() {
         let is_there = tests.iter().any(defines);
         assert!(is_there, "no test {name}");
     }
-    assert_eq!(cited.len(), 82, "rows");
+    assert_eq!(cited.len(), 83, "rows");
 }

@@ -38,11 +38,16 @@ macro_rules! real {
             const ONE: Self = Self::splat($float::ONE);
             const NEG_ONE: Self = Self::splat($float::NEG_ONE);
             const MAX: Self = Self::splat(<$float as Real>::MAX);
-            const RESCALE: Self = Self::splat($float::RESCALE);
+            const EXTREME: Self = Self::splat($float::EXTREME);
 
             #[inline]
             fn of(literal: f64) -> Self {
                 Self::splat($float::of(literal))
+            }
+
+            #[inline]
+            fn of_f32(literal: f32) -> Self {
+                Self::splat($float::of_f32(literal))
             }
 
             #[inline]
@@ -126,13 +131,13 @@ macro_rules! single {
         impl Exponent<$lanes> for f32 {
             #[inline]
             fn raise(self, cosine: $lanes) -> $lanes {
-                // + 0.0 quiets a signaling NaN, which `positive_part` may leave as it is
-                power(cosine, $lanes::splat((self + 0.0).positive_part()))
+                // + 0.0 quiets a signaling NaN, which `at_least` may leave as it is
+                power(cosine, $lanes::splat((self + 0.0).at_least(0.0)))
             }
 
             #[inline]
-            fn raise_root(self, square: $lanes) -> $lanes {
-                power(square, $lanes::splat((0.5 * self).positive_part()))
+            fn half(self) -> Option<Self> {
+                Some(0.5 * self)
             }
         }
     };
@@ -152,8 +157,8 @@ macro_rules! double {
             }
 
             #[inline]
-            fn raise_root(self, square: $lanes) -> $lanes {
-                $lanes::new(square.to_array().map(|square| self.raise_root(square)))
+            fn half(self) -> Option<Self> {
+                Some(0.5 * self)
             }
         }
     };

@@ -13,17 +13,9 @@ pub(super) fn is_in_front<T: Real>(n: UnitVec3<T>, to_light: Vec3<T>) -> bool {
     // and N·L round by less in any number type of 12 bits or more, so N·L is not positive either. A
     // product that may have lost bits below its range is in doubt.
     let size = to_light.x.abs() + to_light.y.abs() + to_light.z.abs();
-    let beyond_doubt = size * doubt() - T::ONE / T::RESCALE;
+    let beyond_doubt = size * T::of_f32(-1.0 / 512.0) - T::ONE / T::EXTREME;
     let in_front = beyond_doubt.if_above(n.dot(to_light), T::ZERO, T::ONE);
     in_front.any_positive()
-}
-
-/// −2⁻⁹, made of ones: a literal would be an `f64`.
-#[inline]
-fn doubt<T: Real>() -> T {
-    let two = T::ONE + T::ONE;
-    let eight = two * two * two;
-    T::NEG_ONE / (eight * eight * eight)
 }
 
 /// Those of a slice that a test chooses, in order: 32 are tried before the first is given.

@@ -1,6 +1,6 @@
 //! The normals of a mesh's vertices.
 
-use crate::real::Real;
+use crate::real::{Real, constant, parts};
 use crate::rescale::tame_difference;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
@@ -81,18 +81,31 @@ pub fn corner<T: Real>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Vec3<T> {
 /// Source: Euler, *Institutiones calculi differentialis*, 1755, part II, chapter II, §30.
 #[inline]
 fn angle<T: Real>(sine: T, cosine: T) -> T {
-    let halved = |cosine: T| ((cosine + T::ONE) * T::of(0.5)).sqrt();
+    let halved = |cosine: T| ((cosine + T::ONE) * T::of_f32(0.5)).sqrt();
     // not abs, which is flat at 0
     let half = halved((-cosine).if_positive(-cosine, cosine));
     let quarter = halved(half);
     let eighth = halved(quarter);
     let y = T::ONE - eighth;
-    let next = |ratio: f64, rest: T| T::ONE + y * T::of(ratio) * rest;
-    let rest = next(5.0 / 11.0, next(6.0 / 13.0, next(7.0 / 15.0, T::ONE)));
+    let next = |ratio: [f32; 3], rest: T| T::ONE + y * constant(ratio) * rest;
+    let rest = next(
+        const { parts(5.0 / 11.0) },
+        next(
+            const { parts(6.0 / 13.0) },
+            next(const { parts(7.0 / 15.0) }, T::ONE),
+        ),
+    );
     let series = next(
-        1.0 / 3.0,
-        next(2.0 / 5.0, next(3.0 / 7.0, next(4.0 / 9.0, rest))),
+        const { parts(1.0 / 3.0) },
+        next(
+            const { parts(2.0 / 5.0) },
+            next(
+                const { parts(3.0 / 7.0) },
+                next(const { parts(4.0 / 9.0) }, rest),
+            ),
+        ),
     );
     let acute = sine * series / (half * quarter * eighth);
-    (-cosine).if_positive(T::of(core::f64::consts::PI) - acute, acute)
+    let pi: T = constant(const { parts(core::f64::consts::PI) });
+    (-cosine).if_positive(pi - acute, acute)
 }

@@ -91,7 +91,7 @@ pub fn transformed<T: Real + PartialOrd>(
 
 /// cof(M) N but for its length, where the columns differ so much in length that no power of two
 /// brings all their products into range. Each product is a tame vector and a whole power of
-/// [`RESCALE`](Real::RESCALE), and the sum is taken relative to the highest power.
+/// [`EXTREME`](Real::EXTREME), and the sum is taken relative to the highest power.
 #[cold]
 #[inline(never)]
 fn by_cofactors_of_any_size<T: Real + PartialOrd>(
@@ -115,13 +115,13 @@ fn by_cofactors_of_any_size<T: Real + PartialOrd>(
         if power == highest {
             sum += product;
         } else if power + 1 == highest {
-            sum += product * (T::ONE / T::RESCALE);
+            sum += product * (T::ONE / T::EXTREME);
         }
     }
     sum
 }
 
-/// A vector times a `power` of [`RESCALE`](Real::RESCALE), as a tame vector times a power.
+/// A vector times a `power` of [`EXTREME`](Real::EXTREME), as a tame vector times a power.
 #[inline(never)]
 fn tame_power<T: Real + PartialOrd>(v: Vec3<T>, power: i32) -> (Vec3<T>, i32) {
     let (tame, scale) = extreme_difference(v, Vec3::ZERO, v.dot(v));

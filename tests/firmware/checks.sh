@@ -126,3 +126,12 @@ has_no_doubles() {
     program=$(build "$1" "$2" proof) && symbols=$(arm-none-eabi-nm "$program") || return
     ! grep -E ' (__aeabi_(c?d[a-z]+|d2[a-z]+|[a-z]+2d)|__[a-z]*df[a-z]*[0-9]?)$' <<<"$symbols"
 }
+
+# Succeeds where the unoptimized code of what a shader would call has no double, not even in a constant. All of it must
+# be in one file, or nothing is proved; but `Vec3::new`, which computes nothing, the library has compiled for itself.
+has_no_f64() {
+    local code=target/single.ll
+    CARGO_INCREMENTAL=0 cross "$1" rustc --quiet --features "$features" --example single -- \
+        --emit=llvm-ir="$code" -C codegen-units=1 >&2 || return
+    ! grep -E '^declare .*shading' "$code" | grep -v 'Vec3.*3new' && ! grep -w double "$code"
+}

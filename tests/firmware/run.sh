@@ -54,6 +54,7 @@ for target in $chip_targets; do
         has_no_doubles "$target" "$profile" || complain "$target $profile: something computes in doubles"
     done
 done
+has_no_f64 $m4f || complain "$m4f: a path of f32 has a double, if only in a constant"
 
 echo "== instructions of a point light, whole and real m: C at -O2, Rust at opt-level 3"
 declare -A instructions_of
@@ -125,6 +126,7 @@ little_stack() { [ "$(stack $m0 release | cut -d' ' -f1)" -le 256 ]; }
 broken bits same_bits
 broken panic cannot_panic $m4f release
 broken doubles has_no_doubles $m4f release
+broken doubles has_no_f64 $m4f
 broken instructions few_instructions
 broken flash little_flash
 broken stack little_stack

@@ -163,7 +163,7 @@ fn decisions_look_at_the_value<T: Number>() {
         same(selected.gradient, expected.gradient)?;
         value(f.at_most(g), if f > g { g.value } else { f.value })?;
         value(
-            f.positive_part(),
+            f.at_least(Dual::ZERO),
             if f.value > T::ZERO { f.value } else { T::ZERO },
         )
     });

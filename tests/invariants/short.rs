@@ -72,7 +72,7 @@ impl Real for Short {
     const ONE: Self = Self(1.0);
     const NEG_ONE: Self = Self(-1.0);
     const MAX: Self = Self(f64::from_bits(f64::MAX.to_bits() >> DROPPED << DROPPED));
-    const RESCALE: Self = Self(f64::RESCALE);
+    const EXTREME: Self = Self(f64::EXTREME);
 
     fn of(literal: f64) -> Self {
         round(literal)
@@ -105,10 +105,11 @@ impl Elementary for Short {
 
 impl Exponent<Short> for Short {
     fn raise(self, cosine: Short) -> Short {
-        cosine.if_positive(round(cosine.0.powf(self.0)), Self::ZERO)
+        let power = round(cosine.0.min(1.0).powf(self.0));
+        cosine.if_positive(power, Self::ZERO)
     }
-    fn raise_root(self, square: Short) -> Short {
-        round(0.5 * self.0).raise(square)
+    fn half(self) -> Option<Self> {
+        Some(round(0.5 * self.0))
     }
 }
 

@@ -88,7 +88,7 @@ fn decisions_are_as_promised<T: Number>() {
         prop_assert!(x.abs() >= T::ZERO && (x.abs() == x || x.abs() == -x));
         value(x.at_least(y), if x > y { x } else { y })?;
         value(x.at_most(y), if x > y { y } else { x })?;
-        value(x.positive_part(), if x > T::ZERO { x } else { T::ZERO })?;
+        value(x.at_least(T::ZERO), if x > T::ZERO { x } else { T::ZERO })?;
 
         let (low, high) = if x.abs() < y.abs() { (x, y) } else { (y, x) };
         let (low, high) = (low.abs(), high.abs());

@@ -176,11 +176,11 @@ impl<const BITS: u32> Real for Running<BITS> {
         },
         error: 0.0,
     };
-    const RESCALE: Self = Self {
+    const EXTREME: Self = Self {
         value: if Self::IS_F32 {
-            <f32 as Real>::RESCALE as f64
+            <f32 as Real>::EXTREME as f64
         } else {
-            <f64 as Real>::RESCALE
+            <f64 as Real>::EXTREME
         },
         error: 0.0,
     };
@@ -258,11 +258,12 @@ impl<const BITS: u32> Elementary for Running<BITS> {
 
 impl<const BITS: u32> Exponent<Self> for Running<BITS> {
     fn raise(self, cosine: Self) -> Self {
-        cosine.if_positive(Self::power(cosine, self), Self::ZERO)
+        let power = Self::power(cosine.at_most(Self::ONE), self);
+        cosine.if_positive(power, Self::ZERO)
     }
 
-    fn raise_root(self, square: Self) -> Self {
-        (self * Self::of(0.5)).raise(square)
+    fn half(self) -> Option<Self> {
+        Some(self * Self::of(0.5))
     }
 }
 

@@ -140,7 +140,7 @@ fn vectors<T: Float>(numbers: &mut Numbers<T>) {
     assert_eq!(single.clamped().to_rgb565(), single.to_rgb565());
     let _ = (s.sqrt(), s.abs(), s.sin(), s.cos(), s.exp(), s.ln());
     // a signaling NaN, which no operation gives, may be its own positive part
-    assert!((s + T::ZERO).positive_part() >= T::ZERO);
+    assert!((s + T::ZERO).at_least(T::ZERO) >= T::ZERO);
     let _ = [i32::MIN, -1, 0, 1, i32::MAX].map(|power| s.powi(power));
 }
 
@@ -253,7 +253,7 @@ fn duals<T: Float>(numbers: &mut Numbers<T>) {
         x.chain(s, s),
     );
     let _ = [i32::MIN, -1, 0, 1, i32::MAX].map(|power| x.powi(power));
-    let _ = (x.positive_part(), x.at_most(y), x == y, x < y);
+    let _ = (x.at_least(Dual::ZERO), x.at_most(y), x == y, x < y);
     let v = Vec3::new(x, y, Dual::constant(s));
     let _ = (v.unit(), v.unit_or(UnitVec3::X), v.cross(v), v.dot(v));
     let u = UnitVec3::assume_unit(v);

@@ -46,7 +46,7 @@ impl<T: Float> Real for Flushing<T> {
     const ONE: Self = Self(T::ONE);
     const NEG_ONE: Self = Self(T::NEG_ONE);
     const MAX: Self = Self(T::MAX);
-    const RESCALE: Self = Self(T::RESCALE);
+    const EXTREME: Self = Self(T::EXTREME);
 
     fn of(literal: f64) -> Self {
         Self(T::of(literal))

@@ -62,7 +62,7 @@ fn problem<T: Number>(
 fn not_unit<T: Number>(xyz: [T; 3]) -> Option<Problem<T>> {
     // Six decimals suffice: each is off by 10⁻⁶/2, and |v|² by √3 · 10⁻⁶ < 2⁻¹⁹. The rounding of
     // single precision adds less than 2⁻²¹.
-    let slack = T::of(1.0 / 262_144.0); // 2⁻¹⁸
+    let slack = T::of_f32(1.0 / 262_144.0); // 2⁻¹⁸
     let v = Vec3::from(xyz);
     let is_unit = (v.dot(v) - T::ONE).abs() <= slack;
     (!is_unit).then_some(Problem::NotUnit(xyz))

@@ -123,7 +123,7 @@ impl Field for Pin {
     fn value<T: Elementary>(&self, p: Vec3<T>) -> T {
         let [x, z, height, radius] =
             [self.x, self.z, self.height, Self::RADIUS].map(|number| T::of(number.into()));
-        let y = p.y - p.y.positive_part().at_most(height);
+        let y = p.y - p.y.at_least(T::ZERO).at_most(height);
         let from_line = Vec3::new(p.x - x, y, p.z - z);
         from_line.dot(from_line).sqrt() - radius
     }

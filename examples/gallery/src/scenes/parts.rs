@@ -91,7 +91,7 @@ impl Field for Cube {
         // by 30° around the vertical
         let (cos, sin) = (T::of(0.866_025_4), T::of(0.5));
         let turned = Vec3::new(x * cos - z * sin, y, x * sin + z * cos);
-        let outside = turned.map(|c| (c.abs() - T::of(0.6 - ROUND)).positive_part());
+        let outside = turned.map(|c| (c.abs() - T::of(0.6 - ROUND)).at_least(T::ZERO));
         outside.dot(outside).sqrt() - T::of(ROUND)
     }
 }
