@@ -6,7 +6,8 @@ use std::str;
 
 use features::Scene;
 use libfuzzer_sys::fuzz_target;
-use shading::f32::{Light, UnitVec3};
+use shading::Light;
+use shading::f32::UnitVec3;
 
 fuzz_target!(|data: &[u8]| {
     match serde_json::from_slice::<Scene>(data) {
@@ -65,13 +66,15 @@ fn is_valid(scene: &Scene) {
             Light::Point(point) => point,
             Light::Spot(spot) => {
                 direction(spot.axis);
-                assert!(spot.cone.cosine().abs() <= 1.0, "{spot:?}");
+                let [inner, outer] = spot.cone.cosines();
+                assert!(-1.0 <= outer && outer <= inner && inner <= 1.0, "{spot:?}");
                 &spot.point
             }
         };
         three(point.position.into());
         three(point.intensity.into());
-        let coefficients = point.attenuation.coefficients();
+        assert!(point.attenuation.range() > 0.0, "{point:?}");
+        let coefficients = point.attenuation.attenuation().coefficients();
         three(coefficients);
         assert!(coefficients.iter().all(|x| *x >= 0.0) && coefficients != [0.0; 3]);
     }

@@ -14,8 +14,12 @@ pub enum Problem<T> {
     Negative(&'static str, T),
     AllZero,
     NotUnit([T; 3]),
+    NotPositive(T),
     NotHalfAngle(T),
     NotCosine(T),
+    /// Beside the outer half-angle, or its cosine.
+    NotInnerHalfAngle(T, T),
+    NotInnerCosine(T, T),
 }
 
 impl<T: Number> Display for Complaint<T> {
@@ -38,7 +42,14 @@ impl<T: Number> Display for Complaint<T> {
                 f,
                 "{x:?} is not from 0 to π; it is half of the opening, in radians"
             ),
+            Problem::NotPositive(x) => write!(f, "{x:?} is not above 0"),
             Problem::NotCosine(x) => write!(f, "{x:?} is not from -1 to 1"),
+            Problem::NotInnerHalfAngle(x, outer) => {
+                write!(f, "{x:?} is not from 0 to the half_angle, {outer:?}")
+            }
+            Problem::NotInnerCosine(x, outer) => {
+                write!(f, "{x:?} is not from the cosine, {outer:?}, to 1")
+            }
         }
     }
 }

@@ -5,8 +5,9 @@
 //!
 //! Nothing is written that could not be read again: both ways go through [`Field::check`].
 
-mod checked;
 mod complaint;
+mod cone;
+mod falloff;
 mod record;
 mod scene;
 mod triple;
@@ -17,13 +18,16 @@ use serde_core::Serialize;
 
 use self::complaint::{Complaint, Problem};
 use self::record::Field;
-use crate::{Attenuation, Cone, Real};
+use crate::{Attenuation, Cone, Ranged, Real, SoftCone};
 
 /// The number types of files.
 trait Number: Real + PartialOrd + Debug + Serialize + Field {
     fn attenuation(coefficients: [Self; 3]) -> Option<Attenuation<Self>>;
-    fn cone_of_half_angle(radians: Self) -> Option<Cone<Self>>;
-    fn cone_of_cosine(cosine: Self) -> Option<Cone<Self>>;
+    fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>>;
+    fn of_half_angle(radians: Self) -> Option<Cone<Self>>;
+    fn of_cosine(cosine: Self) -> Option<Cone<Self>>;
+    fn of_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
+    fn of_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
 
     fn is_finite(self) -> bool {
         self.abs() <= Self::MAX
@@ -37,12 +41,24 @@ macro_rules! number {
                 Attenuation::<Self>::new(a, b, c)
             }
 
-            fn cone_of_half_angle(radians: Self) -> Option<Cone<Self>> {
+            fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>> {
+                attenuation.within(range)
+            }
+
+            fn of_half_angle(radians: Self) -> Option<Cone<Self>> {
                 Cone::<Self>::from_half_angle(radians)
             }
 
-            fn cone_of_cosine(cosine: Self) -> Option<Cone<Self>> {
+            fn of_cosine(cosine: Self) -> Option<Cone<Self>> {
                 Cone::<Self>::from_cosine(cosine)
+            }
+
+            fn of_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
+                SoftCone::<Self>::from_half_angles(inner, outer)
+            }
+
+            fn of_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
+                SoftCone::<Self>::from_cosines(inner, outer)
             }
         }
 

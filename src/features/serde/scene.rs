@@ -8,20 +8,31 @@ use serde_core::ser::{Error as _, SerializeStruct};
 use serde_core::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::record::{Field, Form, Key, Named, entries, next, record, required};
-use crate::{DirectionalLight, Light, Material, PointLight, SpotLight};
+use crate::{
+    Attenuation, Cone, DirectionalLight, Light, Material, PointLight, Ranged, SoftCone, SpotLight,
+};
 
 const KINDS: &[&str] = &["directional", "point", "spot"];
 
 macro_rules! scene {
     ($float:ident) => {
         record!(DirectionalLight<$float> { l, intensity });
-        record!(PointLight<$float> { position, intensity, attenuation });
-        record!(SpotLight<$float> { point, axis, cone });
         record!(Material<$float, u32> { k_a, k_d, k_s, m });
         record!(Material<$float, f32> { k_a, k_d, k_s, m });
         record!(Material<$float, f64> { k_a, k_d, k_s, m });
 
-        impl Serialize for Light<$float> {
+        scene!($float, Attenuation<$float>);
+        scene!($float, Ranged<$float>);
+    };
+    ($float:ident, $falloff:ty) => {
+        record!(PointLight<$float, $falloff> { position, intensity, attenuation });
+        scene!($float, Cone<$float>, $falloff);
+        scene!($float, SoftCone<$float>, $falloff);
+    };
+    ($float:ident, $cone:ty, $falloff:ty) => {
+        record!(SpotLight<$float, $cone, $falloff> { point, axis, cone });
+
+        impl Serialize for Light<$float, $cone, $falloff> {
             fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
                 match self {
                     Self::Directional(light) => {
@@ -33,8 +44,8 @@ macro_rules! scene {
             }
         }
 
-        impl<'de> Visitor<'de> for Form<Light<$float>> {
-            type Value = Light<$float>;
+        impl<'de> Visitor<'de> for Form<Light<$float, $cone, $falloff>> {
+            type Value = Light<$float, $cone, $falloff>;
 
             fn expecting(&self, f: &mut Formatter) -> fmt::Result {
                 write!(f, "a light, one of {KINDS:?}")
@@ -49,7 +60,7 @@ macro_rules! scene {
             }
         }
 
-        impl<'de> Deserialize<'de> for Light<$float> {
+        impl<'de> Deserialize<'de> for Light<$float, $cone, $falloff> {
             fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
                 let form = Form::<Self>::of(&from);
                 from.deserialize_enum("Light", KINDS, form)

@@ -3,7 +3,10 @@
 pub mod gpu;
 
 use serde::{Deserialize, Serialize};
-use shading::f32::{Light, Material, Rgb};
+use shading::f32::{Material, Ranged, Rgb, SoftCone};
+
+/// A light of any kind, with or without a range, with a hard or a soft edge.
+pub type Light = shading::Light<f32, SoftCone, Ranged>;
 
 /// What a renderer loads.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -143,8 +143,54 @@ fn impossible_cones_are_refused() {
     json_refuses(
         "\"half_angle\": 0.5",
         both,
-        "cone: half_angle and cosine cannot both be given",
+        "cone: half-angles and cosines cannot both be given",
     );
+}
+
+#[test]
+fn impossible_ranges_and_soft_edges_are_refused() {
+    let ranged = |range: &str| format!("{{\"coefficients\": [1, 0, 0.25], \"range\": {range}}}");
+    json_refuses("[1, 0, 0.25]", &ranged("0"), "range: 0.0 is not above 0");
+    json_refuses("[1, 0, 0.25]", &ranged("-2"), "range: -2.0 is not above 0");
+    let nan = "(coefficients: (1, 0, 0.25), range: NaN)";
+    ron_refuses("(1, 0, 0.25)", nan, "range: NaN is not above 0");
+    let good = "\"half_angle\": 0.5";
+    json_refuses(
+        good,
+        "\"half_angle\": 0.5, \"inner_half_angle\": 0.6",
+        "inner_half_angle: 0.6 is not from 0 to the half_angle, 0.5",
+    );
+    json_refuses(
+        good,
+        "\"cosine\": 0.5, \"inner_cosine\": 0.4",
+        "inner_cosine: 0.4 is not from the cosine, 0.5, to 1",
+    );
+    json_refuses(
+        good,
+        "\"inner_half_angle\": 0.3",
+        "missing field `half_angle`",
+    );
+    json_refuses(good, "\"inner_cosine\": 0.3", "missing field `cosine`");
+    let both = "\"half_angle\": 0.5, \"inner_cosine\": 0.9";
+    json_refuses(
+        good,
+        both,
+        "cone: half-angles and cosines cannot both be given",
+    );
+}
+
+/// A type without a range or a soft edge does not lose them in silence.
+#[test]
+fn what_a_type_cannot_hold_is_an_unknown_field() {
+    let ranged = r#"{"coefficients": [1, 0, 0.25], "range": 8}"#;
+    let error = serde_json::from_str::<shading::f32::Attenuation>(ranged).unwrap_err();
+    let why = "unknown field `range`, expected `coefficients` or `clamped`";
+    assert!(error.to_string().starts_with(why), "{error}");
+
+    let soft = r#"{"half_angle": 0.5, "inner_half_angle": 0.25}"#;
+    let error = serde_json::from_str::<shading::f32::Cone>(soft).unwrap_err();
+    let why = "unknown field `inner_half_angle`, expected `half_angle` or `cosine`";
+    assert!(error.to_string().starts_with(why), "{error}");
 }
 
 #[test]
@@ -174,43 +220,22 @@ fn unknown_missing_and_repeated_fields_are_refused() {
 #[test]
 fn wrong_types_are_refused() {
     let three = "a list of 3 numbers for";
-    json_refuses(
-        "[2, 0, 2]",
-        "[2, 0]",
-        &format!("invalid length 2, expected {three} position"),
-    );
-    json_refuses(
-        "[4, 4, 4]",
-        "[4, 4, 4, 1]",
-        &format!("invalid length 4, expected {three} intensity"),
-    );
-    json_refuses(
-        "[2, 0, 2]",
-        "[2, \"0\", 2]",
-        "invalid type: string \"0\", expected f32",
-    );
-    json_refuses(
-        "[2, 0, 2]",
-        "2",
-        &format!("invalid type: integer `2`, expected {three} position"),
-    );
-    json_refuses("true", "1", "invalid type: integer `1`, expected a boolean");
+    let why = format!("invalid length 2, expected {three} position");
+    json_refuses("[2, 0, 2]", "[2, 0]", &why);
+    let why = format!("invalid length 4, expected {three} intensity");
+    json_refuses("[4, 4, 4]", "[4, 4, 4, 1]", &why);
+    let why = format!("invalid type: string \"here\", expected {three} position");
+    json_refuses("[2, 0, 2]", "\"here\"", &why);
+    let why = "invalid type: string \"0\", expected f32";
+    json_refuses("[2, 0, 2]", "[2, \"0\", 2]", why);
     json_refuses("32", "\"32\"", "invalid type: string \"32\", expected f32");
-    json_refuses(
-        "{\"half_angle\": 0.5}",
-        "[0.5]",
-        "invalid type: sequence, expected a map",
-    );
-    json_refuses(
-        "{\"half_angle\": 0.5}",
-        "0.5",
-        "invalid type: floating point `0.5`, expected a map of `half_angle` or `cosine` for cone",
-    );
-    json_refuses(
-        "[1, 0, 0.25]",
-        "0.25",
-        "invalid type: floating point `0.25`, expected a list of 3 numbers, or a map, for attenuation",
-    );
+    json_refuses("true", "null", "invalid type: null, expected a boolean");
+    let why = "invalid type: sequence, expected a map of";
+    json_refuses("{\"half_angle\": 0.5}", "[0.5]", why);
+    let why = "invalid type: null, expected a map of `half_angle` or `cosine` for cone";
+    json_refuses("{\"half_angle\": 0.5}", "null", why);
+    let why = "invalid type: null, expected a list of 3 numbers, or a map, for attenuation";
+    json_refuses("[1, 0, 0.25]", "null", why);
 }
 
 #[test]

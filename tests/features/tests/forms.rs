@@ -5,8 +5,8 @@ use std::fmt::Debug;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use shading::f64::{
-    Attenuation, Cone, DirectionalLight, Light, Material, PointLight, Rgb, SpotLight, UnitVec3,
-    Vec3,
+    Attenuation, Cone, DirectionalLight, Light, Material, PointLight, Ranged, Rgb, SoftCone,
+    SpotLight, UnitVec3, Vec3,
 };
 
 const LAMP: PointLight = PointLight {
@@ -83,6 +83,66 @@ fn cone_is_written_by_its_cosine_and_read_by_its_half_angle_too() {
         "(half_angle: 0.75)",
         &Cone::from_half_angle(0.75).unwrap(),
     );
+}
+
+#[test]
+fn range_is_one_more_entry() {
+    is(
+        &LAMP.attenuation.within(8.0).unwrap(),
+        r#"{"coefficients":[1.0,0.0,0.25],"range":8.0}"#,
+        "(coefficients:(1.0,0.0,0.25),range:8.0)",
+    );
+    is(
+        &LAMP.attenuation.clamped().within(8.0).unwrap(),
+        r#"{"coefficients":[1.0,0.0,0.25],"clamped":true,"range":8.0}"#,
+        "(coefficients:(1.0,0.0,0.25),clamped:true,range:8.0)",
+    );
+}
+
+#[test]
+fn attenuation_without_a_range_is_read_where_there_may_be_one() {
+    is(
+        &Ranged::from(LAMP.attenuation),
+        "[1.0,0.0,0.25]",
+        "(1.0,0.0,0.25)",
+    );
+    is(
+        &Ranged::from(LAMP.attenuation.clamped()),
+        r#"{"coefficients":[1.0,0.0,0.25],"clamped":true}"#,
+        "(coefficients:(1.0,0.0,0.25),clamped:true)",
+    );
+}
+
+#[test]
+fn soft_edge_is_one_more_entry() {
+    let cone = SoftCone::from_cosines(0.875, 0.5).unwrap();
+    is(
+        &cone,
+        r#"{"cosine":0.5,"inner_cosine":0.875}"#,
+        "(cosine:0.5,inner_cosine:0.875)",
+    );
+    is(
+        &cone.smoothstep(),
+        r#"{"cosine":0.5,"inner_cosine":0.875,"smoothstep":true}"#,
+        "(cosine:0.5,inner_cosine:0.875,smoothstep:true)",
+    );
+    reads(
+        r#"{"inner_half_angle": 0.25, "half_angle": 0.75}"#,
+        "(half_angle: 0.75, inner_half_angle: 0.25)",
+        &SoftCone::from_half_angles(0.25, 0.75).unwrap(),
+    );
+}
+
+#[test]
+fn hard_cone_is_read_where_there_may_be_a_soft_one() {
+    let cone = Cone::from_half_angle(0.75).unwrap();
+    reads(
+        r#"{"half_angle": 0.75}"#,
+        "(half_angle: 0.75)",
+        &SoftCone::from(cone),
+    );
+    let cone = Cone::from_cosine(0.5).unwrap();
+    is(&SoftCone::from(cone), r#"{"cosine":0.5}"#, "(cosine:0.5)");
 }
 
 #[test]
@@ -193,6 +253,37 @@ fn binary_forms_hold_the_fields_in_order() {
     assert_eq!(postcard::to_allocvec(&light).unwrap(), bytes);
     assert_eq!(
         postcard::from_bytes::<shading::f32::Light>(&bytes).unwrap(),
+        light
+    );
+}
+
+/// The same with a range and a soft edge.
+#[test]
+fn binary_forms_hold_all_fields() {
+    let light: features::Light = shading::Light::Spot(shading::SpotLight {
+        point: shading::PointLight {
+            position: shading::Vec3::new(2.0, -1.5, 0.5),
+            intensity: shading::Rgb::new(1.0, 0.8, 0.6),
+            attenuation: shading::f32::Attenuation::new(1.0, 0.0, 0.25)
+                .unwrap()
+                .into(),
+        },
+        axis: shading::f32::UnitVec3::NEG_Z,
+        cone: shading::f32::Cone::from_cosine(0.875).unwrap().into(),
+    });
+    let numbers = [2.0, -1.5, 0.5, 1.0, 0.8, 0.6, 1.0, 0.0, 0.25].map(f32::to_le_bytes);
+    let rest = [f32::INFINITY, 0.0, 0.0, -1.0, 0.875, 0.875].map(f32::to_le_bytes);
+    let bytes = [
+        &[2],
+        numbers.as_flattened(),
+        &[0],
+        rest.as_flattened(),
+        &[0],
+    ]
+    .concat();
+    assert_eq!(postcard::to_allocvec(&light).unwrap(), bytes);
+    assert_eq!(
+        postcard::from_bytes::<features::Light>(&bytes).unwrap(),
         light
     );
 }

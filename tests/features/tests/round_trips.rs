@@ -6,8 +6,8 @@ use std::fmt::Debug;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use shading::{
-    Attenuation, Cone, DirectionalLight, Light, Material, PointLight, Rgb, SpotLight, UnitVec3,
-    Vec3,
+    Attenuation, Cone, DirectionalLight, Light, Material, PointLight, Ranged, Rgb, SoftCone,
+    SpotLight, UnitVec3, Vec3,
 };
 
 /// `{:?}` tells all bits of a finite number.
@@ -69,7 +69,27 @@ macro_rules! round_trips {
                 Cone::<$float>::from_cosine(cosine).unwrap()
             }
 
-            fn light(random: &mut fastrand::Rng) -> Light<$float> {
+            fn ranged(random: &mut fastrand::Rng) -> Ranged<$float> {
+                let attenuation = attenuation(random);
+                let ranged = attenuation.within(finite(random));
+                ranged.unwrap_or(attenuation.into())
+            }
+
+            fn soft_cone(random: &mut fastrand::Rng) -> SoftCone<$float> {
+                let (a, b) = (cone(random).cosine(), cone(random).cosine());
+                let soft = SoftCone::<$float>::from_cosines(a.max(b), a.min(b)).unwrap();
+                match random.u8(..3) {
+                    0 => cone(random).into(),
+                    1 => soft,
+                    _ => soft.smoothstep(),
+                }
+            }
+
+            fn light<C, A>(
+                random: &mut fastrand::Rng,
+                cone: impl Fn(&mut fastrand::Rng) -> C,
+                attenuation: impl Fn(&mut fastrand::Rng) -> A,
+            ) -> Light<$float, C, A> {
                 let intensity = Rgb::from(three(random));
                 let (position, attenuation) = (Vec3::from(three(random)), attenuation(random));
                 let point = PointLight {
@@ -97,8 +117,11 @@ macro_rules! round_trips {
             #[test]
             fn lights_keep_their_bits() {
                 let random = &mut fastrand::Rng::with_seed(13);
-                for _ in 0..10_000 {
-                    survives(&light(random));
+                for _ in 0..3_000 {
+                    survives(&light(random, cone, attenuation));
+                    survives(&light(random, soft_cone, attenuation));
+                    survives(&light(random, cone, ranged));
+                    survives(&light(random, soft_cone, ranged));
                 }
             }
 
@@ -154,7 +177,7 @@ fn what_is_not_finite_is_not_written() {
         attenuation: Attenuation::NONE,
     };
     assert_eq!(complaint(&lamp), "intensity: g = inf is not finite");
-    let lamp = Light::Point(PointLight {
+    let lamp = Light::<f32>::Point(PointLight {
         position: Vec3::new(0.0, 0.0, f32::NAN),
         ..lamp
     });

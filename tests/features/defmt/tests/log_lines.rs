@@ -4,8 +4,8 @@ use std::sync::Mutex;
 
 use defmt_decoder::Table;
 use shading::f32::{
-    Attenuation, Cone, DirectionalLight, Dual, Light, Material, PointLight, Rgb, Shaded, SpotLight,
-    UnitVec3, Vec3,
+    Attenuation, Cone, DirectionalLight, Dual, Light, Material, PointLight, Rgb, Shaded, SoftCone,
+    SpotLight, UnitVec3, Vec3,
 };
 
 /// What was sent.
@@ -84,6 +84,28 @@ fn each_type_has_a_line() {
     assert_eq!(
         log(Light::Spot(spot)),
         format!("SpotLight({lamp_line}, axis: UnitVec3(0.0, -1.0, 0.0), cone: Cone(cosine: 0.75))")
+    );
+    let ranged = LAMP.attenuation.within(8.0).unwrap();
+    let ranged_line = "Ranged(Attenuation([1.0, 0.0, 0.25], clamped: false), range: 8.0)";
+    assert_eq!(log(ranged), ranged_line);
+    let soft = SoftCone::from_cosines(0.875, 0.75).unwrap().smoothstep();
+    let soft_line = "SoftCone(cosines: [0.875, 0.75], smoothstep: true)";
+    assert_eq!(log(soft), soft_line);
+    let point = shading::PointLight {
+        position: Vec3::ZERO,
+        intensity: Rgb::BLACK,
+        attenuation: ranged,
+    };
+    assert_eq!(
+        log(shading::Light::Spot(shading::SpotLight {
+            point,
+            axis: UnitVec3::X,
+            cone: soft
+        })),
+        format!(
+            "SpotLight(PointLight(position: Vec3(0.0, 0.0, 0.0), intensity: Rgb(0.0, 0.0, 0.0), \
+             attenuation: {ranged_line}), axis: UnitVec3(1.0, 0.0, 0.0), cone: {soft_line})"
+        )
     );
     let incident = LAMP.at(Vec3::new(0.0, 1.5, 0.0));
     assert_eq!(

@@ -1,0 +1,182 @@
+//! Attenuation, with and without a range.
+
+use core::fmt::{self, Display, Formatter};
+use core::marker::PhantomData;
+
+use serde_core::de::value::SeqAccessDeserializer;
+use serde_core::de::{Error, MapAccess, SeqAccess, Visitor};
+use serde_core::ser::{Error as _, SerializeStruct};
+use serde_core::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::Number;
+use super::complaint::{Complaint, Problem};
+use super::record::{Field, Form, Key, Named, entries, next, required};
+use super::triple::Coefficients;
+use crate::{Attenuation, Ranged};
+
+const EXPECTED: &str = "a list of 3 numbers, or a map, for attenuation";
+
+fn attenuation<T: Number, E: Error>(
+    Coefficients(abc): Coefficients<T>,
+    clamped: bool,
+) -> Result<Attenuation<T>, E> {
+    // there is one, as the coefficients were checked
+    let attenuation = required(T::attenuation(abc), "coefficients")?;
+    Ok(if clamped {
+        attenuation.clamped()
+    } else {
+        attenuation
+    })
+}
+
+/// The range of an attenuation: ∞ for none.
+#[derive(Clone, Copy)]
+struct Range<T>(T);
+
+impl<T: Number> Range<T> {
+    fn none() -> Self {
+        Self(T::ONE / T::ZERO)
+    }
+
+    /// The attenuation within it.
+    fn limit<E: Error>(self, attenuation: Attenuation<T>) -> Result<Ranged<T>, E> {
+        // there is one, as the range was checked
+        required(T::within(attenuation, self.0), "range")
+    }
+}
+
+impl<'de, T: Number> Visitor<'de> for Form<Attenuation<T>>
+where
+    Coefficients<T>: Field,
+{
+    type Value = Attenuation<T>;
+
+    fn expecting(&self, f: &mut Formatter) -> fmt::Result {
+        f.write_str(EXPECTED)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
+        if self.has_names {
+            let list = SeqAccessDeserializer::new(list);
+            return attenuation(Coefficients::read("attenuation", list)?, false);
+        }
+        let coefficients = next(&mut list, "coefficients")?;
+        attenuation(coefficients, next(&mut list, "clamped")?)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+        entries!(map: coefficients, clamped);
+        let coefficients = required(coefficients, "coefficients")?;
+        attenuation(coefficients, clamped.unwrap_or(false))
+    }
+}
+
+impl<'de, T: Number> Visitor<'de> for Form<Ranged<T>>
+where
+    Coefficients<T>: Field,
+    Range<T>: Field,
+{
+    type Value = Ranged<T>;
+
+    fn expecting(&self, f: &mut Formatter) -> fmt::Result {
+        f.write_str(EXPECTED)
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
+        if self.has_names {
+            let list = SeqAccessDeserializer::new(list);
+            let coefficients = Coefficients::read("attenuation", list)?;
+            return Range::none().limit(attenuation(coefficients, false)?);
+        }
+        let coefficients = next(&mut list, "coefficients")?;
+        let attenuation = attenuation(coefficients, next(&mut list, "clamped")?)?;
+        next::<Range<T>, _>(&mut list, "range")?.limit(attenuation)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
+        entries!(map: coefficients, clamped, range);
+        let coefficients = required(coefficients, "coefficients")?;
+        let attenuation = attenuation(coefficients, clamped.unwrap_or(false))?;
+        range.unwrap_or_else(Range::none).limit(attenuation)
+    }
+}
+
+macro_rules! falloff {
+    ($float:ident) => {
+        impl Field for Attenuation<$float> {}
+
+        impl Serialize for Attenuation<$float> {
+            fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+                let coefficients = Coefficients(self.coefficients());
+                if to.is_human_readable() && !self.is_clamped() {
+                    return coefficients.serialize(to);
+                }
+                let mut record = to.serialize_struct("Attenuation", 2)?;
+                record.serialize_field("coefficients", &coefficients)?;
+                record.serialize_field("clamped", &self.is_clamped())?;
+                record.end()
+            }
+        }
+
+        impl<'de> Deserialize<'de> for Attenuation<$float> {
+            fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+                let form = Form::<Self>::of(&from);
+                if form.has_names {
+                    return from.deserialize_any(form);
+                }
+                from.deserialize_struct("Attenuation", &["coefficients", "clamped"], form)
+            }
+        }
+
+        impl Field for Range<$float> {
+            fn check(&self, name: &'static str) -> Result<(), impl Display> {
+                if self.0 > 0.0 {
+                    Ok(())
+                } else {
+                    Err(Complaint(name, Problem::NotPositive(self.0)))
+                }
+            }
+        }
+
+        impl<'de> Deserialize<'de> for Range<$float> {
+            fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+                <$float>::deserialize(from).map(Self)
+            }
+        }
+
+        impl Field for Ranged<$float> {}
+
+        impl Serialize for Ranged<$float> {
+            fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+                let (attenuation, range) = (self.attenuation(), self.range());
+                let has_names = to.is_human_readable();
+                if has_names && range == <$float>::INFINITY {
+                    return attenuation.serialize(to);
+                }
+                Range(range).check("range").map_err(S::Error::custom)?;
+                let has_clamped = !has_names || attenuation.is_clamped();
+                let mut record = to.serialize_struct("Ranged", 2 + usize::from(has_clamped))?;
+                record
+                    .serialize_field("coefficients", &Coefficients(attenuation.coefficients()))?;
+                if has_clamped {
+                    record.serialize_field("clamped", &attenuation.is_clamped())?;
+                }
+                record.serialize_field("range", &range)?;
+                record.end()
+            }
+        }
+
+        impl<'de> Deserialize<'de> for Ranged<$float> {
+            fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+                let form = Form::<Self>::of(&from);
+                if form.has_names {
+                    return from.deserialize_any(form);
+                }
+                from.deserialize_struct("Ranged", &["coefficients", "clamped", "range"], form)
+            }
+        }
+    };
+}
+
+falloff!(f32);
+falloff!(f64);
