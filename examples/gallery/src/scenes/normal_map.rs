@@ -96,7 +96,7 @@ impl Relief {
             Self::None => T::ZERO,
             Self::Bricks => {
                 let from_edge = (T::of(HALF[0]) - x.abs()).at_most(T::of(HALF[1]) - y.abs());
-                let bevel = (from_edge * T::of(16.0)).positive_part().at_most(T::ONE);
+                let bevel = (from_edge * T::of(16.0)).at_least(T::ZERO).at_most(T::ONE);
                 let rough = (x * T::of(43.0)).sin() * (y * T::of(37.0)).sin();
                 bevel * bevel * T::of(0.03) + rough * T::of(0.002)
             }
