@@ -110,13 +110,6 @@ impl<T: Real> Dual<T> {
     }
 }
 
-impl<T: Real> From<T> for Dual<T> {
-    #[inline]
-    fn from(value: T) -> Self {
-        Self::constant(value)
-    }
-}
-
 impl<T: PartialEq> PartialEq for Dual<T> {
     #[inline]
     fn eq(&self, other: &Self) -> bool {

@@ -477,7 +477,7 @@ fn singular_points_have_no_normal<T: Float>() {
 
 fn parametric_normals_follow_the_order_of_u_and_v<T: Float>() {
     // the plane (u, v, 0): S_u × S_v = X × Y = Z, and nothing turns it
-    let zero = Dual::from(T::ZERO);
+    let zero = Dual::constant(T::ZERO);
     assert_eq!(
         normal::parametric(|u, v| Vec3::new(u, v, zero), T::ONE, T::ONE),
         Some(UnitVec3::Z)

@@ -411,7 +411,7 @@ fn dual_with_a_plain_number<T: Float>() {
         [15.0, 10.0, 0.0],
         0.0,
     );
-    assert_dual(Dual::from(two), 2.0, [0.0; 3], 0.0);
+    assert_dual(Dual::constant(two), 2.0, [0.0; 3], 0.0);
 }
 
 fn dual_elementary_functions<T: Float>() {

@@ -355,8 +355,9 @@ fn poles_and_collapsed_edges_have_no_normal<T: Float>() {
 fn tangents_above_the_noise_give_the_normal<T: Float>() {
     // (k u, v, 0), with tangents in the ratio k: down to 32 u there is none, from there on Z
     let plane = |k: f64, size: T| {
-        let s =
-            |u: Dual<T>, v: Dual<T>| Vec3::new(u * T::of(k) * size, v * size, Dual::from(T::ZERO));
+        let s = |u: Dual<T>, v: Dual<T>| {
+            Vec3::new(u * T::of(k) * size, v * size, Dual::constant(T::ZERO))
+        };
         let turned = |v, u| s(u, v);
         let [n, opposite] = [
             normal::parametric(s, T::ONE, T::ONE),
@@ -975,7 +976,7 @@ fn dual_logarithm_at_zero_has_no_finite_gradient<T: Float>() {
 
 fn dual_quotient_by_zero_has_no_finite_gradient<T: Float>() {
     let x = variable::<T>(0.0);
-    assert_no_derivative(Dual::from(T::ONE) / x, T::INFINITY);
+    assert_no_derivative(Dual::constant(T::ONE) / x, T::INFINITY);
     assert_no_derivative(x.powi(-1), T::INFINITY);
     assert_no_derivative(variable::<T>(1.0) / T::ZERO, T::INFINITY);
 }

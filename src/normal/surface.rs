@@ -98,10 +98,9 @@ pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitV
 /// assert_eq!(cone, None);
 /// ```
 ///
-/// **A trap.** A function that takes `f32` does not fit here. If you convert its result with `.into()`, it
-/// compiles, but that result is a constant: its gradient is 0, and the normal is always `None`. Make the
-/// function generic over [`Real`] or [`Elementary`](crate::Elementary). Then the same function finds the
-/// surface with `f32` and the normal with `Dual<f32>`.
+/// A function that takes `f32` does not fit here: plain numbers carry no derivatives. Make the function
+/// generic over [`Real`] or [`Elementary`](crate::Elementary). Then the same function finds the surface
+/// with `f32` and the normal with `Dual<f32>`.
 ///
 /// ```
 /// use shading::{Real, UnitVec3, Vec3, normal};
@@ -113,9 +112,6 @@ pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitV
 /// let p = Vec3::new(2.5_f32, 0.0, 0.0);
 /// assert_eq!(torus(p), 0.0);
 /// assert_eq!(normal::implicit(torus, p), Some(UnitVec3::X));
-///
-/// // the mistake: the plain values carry no derivatives
-/// assert_eq!(normal::implicit(|p| torus(p.map(|c| c.value)).into(), p), None);
 /// ```
 #[doc(alias = "gradient")]
 #[inline]

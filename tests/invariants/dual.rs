@@ -66,7 +66,7 @@ fn quotient_rule<T: Number>() {
 fn plain_numbers_are_constants<T: Number>() {
     check((dual::<T>(), dual::<T>()), |(f, c)| {
         let c = c.value;
-        let constant = Dual::from(c);
+        let constant = Dual::constant(c);
         let pairs = [
             (f + c, f + constant),
             (f - c, f - constant),

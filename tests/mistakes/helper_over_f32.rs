@@ -1,5 +1,4 @@
-//! Accepted: the error names `Dual`. The last suggestion, `.into()`, is a trap that the page of
-//! `normal::implicit` warns of: the result compiles and has no normal.
+//! Accepted: the errors name `Dual`, and no conversion is suggested that would lose the derivatives.
 
 use shading::f32::Vec3;
 use shading::normal;

@@ -73,7 +73,7 @@ pub fn parametric<T: Number>(
         "catenoid" => {
             let c = number("c");
             let e = (v / c).exp();
-            let cosh = (e + Dual::from(T::ONE) / e) / of(2.0);
+            let cosh = (e + Dual::constant(T::ONE) / e) / of(2.0);
             Vec3::new(c * cosh * u.cos(), c * cosh * u.sin(), v)
         }
         "bezier33" => bezier(control.expect("control points"), u, v),
