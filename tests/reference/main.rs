@@ -13,3 +13,4 @@ mod opengl;
 mod povray;
 mod specular_and_attenuation;
 mod tachyon;
+mod three_js;
