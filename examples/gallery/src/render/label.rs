@@ -1,8 +1,10 @@
 //! Words on a picture.
 
 use embedded_graphics::geometry::{OriginDimensions, Point, Size};
-use embedded_graphics::mono_font::MonoTextStyle;
-use embedded_graphics::mono_font::iso_8859_1::FONT_10X20;
+use embedded_graphics::mono_font::iso_8859_1::{
+    FONT_4X6, FONT_5X8, FONT_6X10, FONT_8X13, FONT_10X20,
+};
+use embedded_graphics::mono_font::{MonoFont, MonoTextStyle};
 use embedded_graphics::pixelcolor::BinaryColor;
 use embedded_graphics::prelude::{DrawTarget, Drawable, Pixel};
 use embedded_graphics::text::{Baseline, Text};
@@ -13,9 +15,16 @@ use super::film::Film;
 /// The distance from the edge, in pixels.
 const MARGIN: i32 = 12;
 
+/// From large to small.
+const FONTS: [MonoFont; 5] = [FONT_10X20, FONT_8X13, FONT_6X10, FONT_5X8, FONT_4X6];
+
 /// Writes each label at the bottom left of its share of the picture's width.
 pub fn write(film: &mut Film, labels: &[&str]) {
-    let style = MonoTextStyle::new(&FONT_10X20, BinaryColor::On);
+    let longest = labels.iter().map(|label| label.chars().count()).max();
+    let room = (film.width / labels.len().max(1)).saturating_sub(MARGIN as usize);
+    let fits = |font: &&MonoFont| longest.unwrap_or(0) * font.character_size.width as usize <= room;
+    let font = FONTS.iter().find(fits).unwrap_or(&FONT_4X6);
+    let style = MonoTextStyle::new(font, BinaryColor::On);
     for (i, label) in labels.iter().enumerate() {
         let left = (i * film.width / labels.len()) as i32 + MARGIN;
         let at = Point::new(left, film.height as i32 - MARGIN);
