@@ -1,4 +1,4 @@
-//! Light from one direction.
+//! A light from one direction.
 
 use super::incident::IncidentLight;
 use crate::real::Real;
@@ -6,7 +6,8 @@ use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
-/// A light so far away that its direction is the same everywhere, and not attenuated: the sun.
+/// A light so far away, such as the sun, that its direction is the same everywhere. It is not
+/// attenuated.
 ///
 /// ```
 /// use shading::f32::{DirectionalLight, Rgb, UnitVec3};
@@ -17,21 +18,23 @@ use crate::vector::Vec3;
 /// };
 /// ```
 ///
-/// L points **to** the light. Where a scene file has the direction in which the light shines, as
-/// glTF has, negate it.
+/// L points **to** the light. If your scene file gives the direction in which the light shines, as
+/// glTF does, negate it.
 ///
-/// Source: Foley, van Dam et al., *Computer Graphics*, §16.1.2; OpenGL 2.1 specification, §2.14.1.
+/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
+/// 1990, §16.1.2; *The OpenGL Graphics System: A Specification*, version 2.1, 2006, §2.14.1.
 #[doc(alias = "sun")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DirectionalLight<T = f32> {
-    /// L, the direction **to** the light, against the way it shines.
+    /// L, the direction **to** the light, opposite to the direction in which it shines.
     pub l: UnitVec3<T>,
-    /// I, the same everywhere: linear, and not limited to 1.
+    /// I, the same everywhere, linear; it may exceed 1.
     pub intensity: Rgb<T>,
 }
 
 impl<T: Real> DirectionalLight<T> {
-    /// The light that arrives at the point p: the same at every point, from as far as can be.
+    /// The light that arrives at the point p. It is the same at every point, and its distance is
+    /// the largest finite number.
     ///
     /// ```
     /// use shading::f32::{DirectionalLight, Rgb, UnitVec3, Vec3};
@@ -39,7 +42,7 @@ impl<T: Real> DirectionalLight<T> {
     /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
     /// let incident = sun.at(Vec3::new(5.0, 0.0, -2.0));
     /// assert_eq!((incident.l, incident.intensity), (sun.l, sun.intensity));
-    /// assert_eq!(incident.distance, f32::MAX); // anything on the way casts a shadow
+    /// assert_eq!(incident.distance, f32::MAX); // anything in between casts a shadow
     /// ```
     #[inline]
     #[must_use]
@@ -51,8 +54,8 @@ impl<T: Real> DirectionalLight<T> {
         }
     }
 
-    /// [`at`](DirectionalLight::at) a point of a surface with the normal N, or `None` where the light
-    /// is behind it.
+    /// The light that arrives [`at`](DirectionalLight::at) a surface point with the normal N, or
+    /// `None` if the light is behind the surface (N·L ≤ 0).
     ///
     /// ```
     /// use shading::f32::{DirectionalLight, Rgb, UnitVec3, Vec3};
@@ -68,8 +71,7 @@ impl<T: Real> DirectionalLight<T> {
         self.at(p).in_front(n)
     }
 
-    /// The same light in another number type: `f` converts each number, and may do no more
-    /// than round it.
+    /// The same light in another number type. `f` converts each number and may only round it.
     ///
     /// ```
     /// use shading::f32::{DirectionalLight, Rgb, UnitVec3};

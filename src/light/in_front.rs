@@ -1,24 +1,28 @@
-//! Early exit: which lights may light a surface, told without a root, and for a slice of lights without
-//! a branch for each, which a processor could only guess.
+//! Early exit: finds the lights that may light a surface, without computing a root.
+//!
+//! For a slice of lights, the test is also free of branches: it avoids one unpredictable branch per
+//! light.
 
 use crate::real::Real;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
-/// Whether a light along P_light − p may light a surface: `false` where N·L would not be positive in
-/// any lane.
+/// Whether a light in the direction P_light − p may light a surface. It is `false` if N·L would not
+/// be positive in any lane.
 #[inline]
 pub(super) fn is_in_front<T: Real>(n: UnitVec3<T>, to_light: Vec3<T>) -> bool {
-    // Below zero by more than 2⁻⁹ of |x| + |y| + |z|, which is at least the distance: this dot product
-    // and N·L round by less in any number type of 12 bits or more, so N·L is not positive either. A
-    // product that may have lost bits below its range is in doubt.
+    // The light is left out if the dot product is below zero by more than 2⁻⁹ of |x| + |y| + |z|,
+    // which is at least the distance. In any number type of 12 bits or more, this dot product and
+    // N·L have smaller rounding errors, so N·L is not positive either. A product that may have lost
+    // bits below the range of the type keeps the light.
     let size = to_light.x.abs() + to_light.y.abs() + to_light.z.abs();
     let beyond_doubt = size * T::of_f32(-1.0 / 512.0) - T::ONE / T::EXTREME;
     let in_front = beyond_doubt.if_above(n.dot(to_light), T::ZERO, T::ONE);
     in_front.any_positive()
 }
 
-/// Those of a slice that a test chooses, in order: 32 are tried before the first is given.
+/// The elements of a slice that pass a test, in order. It tests 32 elements before it yields the
+/// first.
 pub(super) struct Filtered<'a, L, F> {
     is_chosen: F,
     tried: Tried<'a, L>,
@@ -26,9 +30,9 @@ pub(super) struct Filtered<'a, L, F> {
 
 struct Tried<'a, L> {
     chunk: &'a [L],
-    /// A bit for each of the chunk that is chosen and still to come.
+    /// A bit for each element of the chunk that passed and has not been yielded yet.
     chosen: u32,
-    /// What is not tried yet.
+    /// The elements that are not tested yet.
     rest: &'a [L],
 }
 
@@ -55,8 +59,8 @@ fn try_some<L>(is_chosen: impl Fn(&L) -> bool, all: &[L]) -> Tried<'_, L> {
     }
 }
 
-/// Takes the test by value and returns what it tried. It gets no reference to the filter, which
-/// therefore stays in registers.
+/// It takes the test by value and returns the tested chunk. It gets no reference to the filter, so
+/// the filter stays in registers.
 #[cold]
 #[inline(never)]
 fn try_more<L>(is_chosen: impl Fn(&L) -> bool, rest: &[L]) -> Tried<'_, L> {

@@ -1,14 +1,15 @@
-//! What arrives of a light at a point.
+//! The light that arrives at a point.
 
 use crate::real::Real;
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 
-/// The light that arrives at a point from one direction: all that the
-/// [sums over lights](crate::shade) know of a light.
+/// The light that arrives at a point from one direction. The [sums over lights](crate::shade) need
+/// nothing else of a light.
 ///
-/// Every [`Light`](crate::Light) gives it at a point. Change it on its way to the sum, or make it
-/// yourself: a light of your own is a function from a point to what arrives there.
+/// The method `at` of every [`Light`](crate::Light) returns it for a point. You can change it
+/// before you pass it to the sum, or make it yourself: a light of your own is a function from a
+/// point to an `IncidentLight`.
 ///
 /// ```
 /// use shading::f32::{Attenuation, IncidentLight, PointLight, Rgb, UnitVec3, Vec3};
@@ -42,29 +43,29 @@ use crate::unit::UnitVec3;
 pub struct IncidentLight<T = f32> {
     /// L, the direction from the surface **to** the light.
     pub l: UnitVec3<T>,
-    /// I, as it arrives: attenuated, and zero outside a spot's cone.
+    /// I as it arrives: attenuated, and 0 outside a spot's cone.
     pub intensity: Rgb<T>,
-    /// q, the distance to the light, at which a shadow ray ends: what is farther away casts no
+    /// q, the distance to the light. A shadow ray ends there; anything farther away casts no
     /// shadow.
     ///
-    /// Always finite: [`MAX`](Real::MAX) where the light has no place, as the sun; where q
-    /// overflows; and where there is no direction to the light and it is black.
+    /// It is always finite. It is [`MAX`](Real::MAX) if the light is not at a point, as the sun is
+    /// not, if q overflows, or if there is no direction to the light, which is then black.
     pub distance: T,
 }
 
 impl<T: Real> IncidentLight<T> {
-    /// This light, or `None` if it comes from behind a surface with the normal N and so adds nothing
-    /// to a sum; in lanes, if it does in all of them.
+    /// This light, or `None` if it comes from behind a surface with the normal N and therefore adds
+    /// nothing to a sum. In lanes, it is `None` if the light adds nothing in any lane.
     ///
     /// ```text
     /// N·L > 0
     /// ```
     ///
-    /// `None` if N·L is not a number.
+    /// A NaN N·L also gives `None`.
     ///
-    /// The sums test it themselves. Test it earlier to save what you do with each light before: a
-    /// shadow ray, for example. A [`PointLight`](crate::PointLight) has an
-    /// [`in_front`](crate::PointLight::in_front) of its own that saves the square root too.
+    /// The sums make this test themselves. Make it earlier to save work on each light, such as a
+    /// shadow ray. For a [`PointLight`](crate::PointLight), use its own
+    /// [`in_front`](crate::PointLight::in_front), which also saves the square root.
     ///
     /// ```
     /// use shading::f32::{IncidentLight, Rgb, UnitVec3};

@@ -1,12 +1,12 @@
-//! Floor 4: lights, and what arrives of them at a point.
+//! Lights, and the light that arrives at a point.
 //!
-//! Every kind of light answers two questions: what arrives at a point, `at(p)`, and what arrives at the
-//! front of a surface there, `in_front(p, n)`. The second may say `None` before the costly part, and a
-//! sum over lights comes out the same, to the bit.
+//! Every kind of light has two methods. `at(p)` returns the light that arrives at a point.
+//! `in_front(p, n)` returns the light that arrives at the front of a surface there. It may return
+//! `None` before the costly part of the computation, and a sum over lights is the same, to the bit.
 //!
-//! For firmware both are always inlined. Functions of their own would keep numbers on the stack beside
-//! those of the sum that calls them, and a small chip has little stack: `tests/firmware/run.sh` measures
-//! how much is used.
+//! For firmware, both are always inlined. As separate functions, they would keep numbers on the
+//! stack in addition to those of the sum that calls them, and a small chip has little stack.
+//! `tests/firmware/run.sh` measures the stack in use.
 
 mod directional;
 mod in_front;
@@ -26,7 +26,7 @@ use crate::real::Real;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
-/// A light of any of the three kinds, for scenes that mix them.
+/// A light of any of the three kinds, for scenes that mix kinds.
 ///
 /// ```
 /// use shading::f32::{Attenuation, DirectionalLight, Light, PointLight, Rgb, UnitVec3, Vec3};
@@ -43,10 +43,10 @@ use crate::vector::Vec3;
 /// assert_eq!(arriving, sun.intensity + lamp.intensity);
 /// ```
 ///
-/// A `static` names the kind: `static LIGHTS: [Light; 1] = [Light::Directional(SUN)];`.
+/// In a `static`, write the kind: `static LIGHTS: [Light; 1] = [Light::Directional(SUN)];`.
 ///
-/// A scene with soft edges and ranges says so in the type of its lights. A hard cone and a light
-/// without a range are among them:
+/// A scene with soft edges and ranges declares them in the type of its lights. Hard cones and
+/// lights without a range fit into that type:
 ///
 /// ```
 /// use shading::f32::{Attenuation, Cone, PointLight, Ranged, Rgb, SoftCone, SpotLight, UnitVec3, Vec3};
@@ -64,17 +64,17 @@ use crate::vector::Vec3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light<T = f32, C = Cone<T>, A = Attenuation<T>> {
-    /// From one direction.
+    /// A light from one direction.
     Directional(DirectionalLight<T>),
-    /// From one point.
+    /// A light from one point.
     Point(PointLight<T, A>),
-    /// From one point, within a cone.
+    /// A light from one point, within a cone.
     Spot(SpotLight<T, C, A>),
 }
 
 impl<T: Real, C: Beam<T>, A: Falloff<T>> Light<T, C, A> {
-    /// The light that arrives at the point p, as [`DirectionalLight::at`], [`PointLight::at`] and
-    /// [`SpotLight::at`] give it.
+    /// The light that arrives at the point p, as in [`DirectionalLight::at`], [`PointLight::at`]
+    /// and [`SpotLight::at`].
     ///
     /// ```
     /// use shading::f32::{DirectionalLight, Light, Rgb, UnitVec3, Vec3};
@@ -97,8 +97,9 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> Light<T, C, A> {
         }
     }
 
-    /// [`at`](Light::at) a point of a surface with the normal N, or `None` where the light adds
-    /// nothing: sooner, and with the same sum over lights. See [`PointLight::in_front`].
+    /// The light that arrives [`at`](Light::at) a surface point with the normal N, or `None` if it
+    /// adds nothing. This is faster, and a sum over lights is the same. See
+    /// [`PointLight::in_front`].
     ///
     /// ```
     /// use shading::f32::{DirectionalLight, Light, Rgb, UnitVec3, Vec3};
@@ -123,8 +124,8 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> Light<T, C, A> {
         }
     }
 
-    /// [`in_front`](Light::in_front) for each of a scene's lights, in order, and without a branch for
-    /// each. See [`PointLight::all_in_front`].
+    /// [`in_front`](Light::in_front) of each light of a scene, in order, without a branch per
+    /// light. See [`PointLight::all_in_front`].
     ///
     /// ```
     /// use shading::f32::{DirectionalLight, Light, Rgb, UnitVec3, Vec3};
@@ -149,8 +150,7 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> Light<T, C, A> {
         Filtered::by(may_light, lights).filter_map(move |light| light.in_front(p, n))
     }
 
-    /// The same light in another number type: `f` converts each number, and may do no more
-    /// than round it.
+    /// The same light in another number type. `f` converts each number and may only round it.
     ///
     /// ```
     /// use shading::f32::{DirectionalLight, Light, Rgb, UnitVec3};

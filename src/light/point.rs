@@ -1,4 +1,4 @@
-//! Light from one point.
+//! A light from one point.
 
 use super::in_front::{Filtered, is_in_front};
 use super::incident::IncidentLight;
@@ -9,7 +9,7 @@ use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
-/// A light that shines from one point in all directions, attenuated with distance.
+/// A light that shines from one point in all directions and is attenuated with distance.
 ///
 /// ```
 /// use shading::f32::{Attenuation, PointLight, Rgb, Vec3};
@@ -21,17 +21,18 @@ use crate::vector::Vec3;
 /// };
 /// ```
 ///
-/// The unit of length is yours: that of the positions and of the attenuation's q.
+/// You choose the unit of length. Positions and the q of the attenuation share it.
 ///
-/// Source: Foley, van Dam et al., *Computer Graphics*, §16.1.2; OpenGL 2.1 specification, §2.14.1.
+/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
+/// 1990, §16.1.2; *The OpenGL Graphics System: A Specification*, version 2.1, 2006, §2.14.1.
 #[doc(alias = "lamp")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointLight<T = f32, A = Attenuation<T>> {
-    /// Where the light is.
+    /// P_light, the position of the light.
     pub position: Vec3<T>,
-    /// I, before attenuation: linear, and not limited to 1.
+    /// I before attenuation, linear; it may exceed 1.
     pub intensity: Rgb<T>,
-    /// Falloff with distance: an [`Attenuation`], or one within a range, [`Ranged`](crate::Ranged).
+    /// The falloff with distance: an [`Attenuation`], or a [`Ranged`](crate::Ranged) attenuation.
     pub attenuation: A,
 }
 
@@ -39,10 +40,10 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     /// The light that arrives at the point p.
     ///
     /// ```text
-    /// L = (P_light − p)/q,  q = |P_light − p|,  I / (a + bq + cq²)
+    /// L = (P_light − p)/q,  q = |P_light − p|,  intensity I / (a + bq + cq²)
     /// ```
     ///
-    /// At the light itself (q = 0), and where a coordinate is infinite, it lights nothing. A distance
+    /// The light is black at its own position (q = 0) and if a coordinate is infinite. A distance
     /// or an intensity that overflows is the largest finite number.
     ///
     /// ```
@@ -66,12 +67,12 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
         self.along(p, self.position - p)
     }
 
-    /// [`at`](PointLight::at) a point of a surface with the normal N, or `None` where the light is
-    /// behind it or the point out of its [range](crate::Ranged); in lanes, where that is so in all of
-    /// them.
+    /// The light that arrives [`at`](PointLight::at) a surface point with the normal N, or `None`
+    /// if the light is behind the surface or the point is out of [range](crate::Ranged). In lanes,
+    /// it is `None` if no lane gets light.
     ///
-    /// A light behind the surface costs a dot product, and neither root nor division. A light next to
-    /// the horizon may be given although N·L ≤ 0: it adds nothing, so that a sum over lights comes out
+    /// A light behind the surface costs a dot product, but no root and no division. A light close
+    /// to the horizon may be returned although N·L ≤ 0. It adds nothing, so a sum over lights is
     /// the same, to the bit.
     ///
     /// ```
@@ -101,7 +102,7 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
         let to_light = self.position - p;
-        // most often the sign alone decides
+        // the sign alone usually decides
         let in_front = n.dot(to_light).any_positive() || is_in_front(n, to_light);
         if in_front && self.reaches(to_light) {
             Some(self.along(p, to_light))
@@ -110,11 +111,12 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
         }
     }
 
-    /// [`in_front`](PointLight::in_front) for each of a scene's lights, in order, and without a branch
-    /// for each: 32 are tested at a time.
+    /// [`in_front`](PointLight::in_front) of each light of a scene, in order, without a branch per
+    /// light: it tests 32 lights at a time.
     ///
-    /// It is the fastest way where the processor cannot predict which lights are in front. Where all
-    /// are, or on a microcontroller, `filter_map` with `in_front` is faster.
+    /// This is the fastest way if the processor cannot predict which lights are in front of the
+    /// surface. If all of them are, or on a microcontroller, `filter_map` with `in_front` is
+    /// faster.
     ///
     /// ```
     /// use shading::f32::{Attenuation, PointLight, Rgb, UnitVec3, Vec3};
@@ -138,20 +140,20 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
             .map(move |light| light.at(p))
     }
 
-    /// Whether [`in_front`](PointLight::in_front) gives a light.
+    /// Whether [`in_front`](PointLight::in_front) may return a light.
     #[inline]
     pub(super) fn may_light(&self, p: Vec3<T>, n: UnitVec3<T>) -> bool {
         let to_light = self.position - p;
         is_in_front(n, to_light) && self.reaches(to_light)
     }
 
-    /// Whether the light may reach a point along P_light − p.
+    /// Whether the light may reach a point from which P_light − p leads to it.
     #[inline]
     fn reaches(&self, to_light: Vec3<T>) -> bool {
         self.attenuation.reaches(to_light.dot(to_light))
     }
 
-    /// The light at p along P_light − p.
+    /// The light at p, given P_light − p.
     #[inline(always)]
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>) -> IncidentLight<T> {
         let square = to_light.dot(to_light);
@@ -169,12 +171,12 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
         }
     }
 
-    /// L, q and the distance where q² is out of range. A light without a direction counts as
-    /// infinitely far away, which makes it black; its distance is the largest number all the same.
+    /// L, q and the distance if q² is out of range. A light without a direction counts as
+    /// infinitely far away, which makes it black. Its distance is still the largest finite number.
     ///
-    /// The point comes as an array, which is made only here. A vector would be written to memory for
-    /// every light, even where this is not called. For firmware it is inlined: the call would take
-    /// more flash and more stack.
+    /// The point is passed as an array, which is built only here. A vector would be written to
+    /// memory for every light, even if this function is not called. For firmware the function is
+    /// inlined, because the call would take more flash and more stack.
     #[cfg_attr(target_os = "none", inline(always))]
     #[cfg_attr(not(target_os = "none"), cold, inline(never))]
     fn extreme_way(&self, p: [T; 3], square: T) -> (UnitVec3<T>, T, T) {
@@ -182,7 +184,7 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
         let (way, scale) = extreme_difference(self.position, p, square);
         let q = way.dot(way).sqrt();
         let reciprocal = T::ONE / q;
-        // positive for a reciprocal that is neither zero nor infinite nor NaN
+        // positive if the reciprocal is neither zero nor infinite nor NaN
         let valid = reciprocal * (T::MAX - reciprocal);
         let component = |c, otherwise| valid.if_positive(c * reciprocal, otherwise);
         let l = UnitVec3::assume_unit(Vec3::new(
@@ -195,8 +197,7 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
         (l, q_or(infinity), q_or(T::MAX))
     }
 
-    /// The same light in another number type: `f` converts each number, and may do no more
-    /// than round it.
+    /// The same light in another number type. `f` converts each number and may only round it.
     ///
     /// ```
     /// use shading::f32::{Attenuation, PointLight, Rgb, Vec3};

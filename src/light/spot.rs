@@ -1,4 +1,4 @@
-//! Light from one point, within a cone.
+//! A light from one point, within a cone.
 
 use super::incident::IncidentLight;
 use super::point::PointLight;
@@ -19,26 +19,30 @@ use crate::vector::Vec3;
 ///         intensity: Rgb::WHITE,
 ///         attenuation: Attenuation::NONE,
 ///     },
-///     axis: UnitVec3::NEG_Y,                      // it shines straight down
+///     axis: UnitVec3::NEG_Y,                      // the spot shines straight down
 ///     cone: Cone::from_half_angle(0.5).unwrap(),  // 1 radian from edge to edge
 /// };
 /// ```
 ///
-/// Source: OpenGL 2.1 specification, §2.14.1, with a spot exponent of 0.
+/// Source: *The OpenGL Graphics System: A Specification*, version 2.1, 2006, §2.14.1, with a spot
+/// exponent of 0.
+#[doc(alias = "spotlight")]
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)] // begins with its point light, as `Light::Point` does: `Light` finds both at one place
+#[repr(C)] // begins with its point light, as `Light::Point` does, so `Light` finds both at one offset
 pub struct SpotLight<T = f32, C = Cone<T>, A = Attenuation<T>> {
     /// The light at the tip of the cone.
     pub point: PointLight<T, A>,
     /// The direction in which the spot shines, **away** from the light.
     pub axis: UnitVec3<T>,
-    /// How wide: a [`Cone`], or one with a soft edge, [`SoftCone`](crate::SoftCone).
+    /// The width of the beam: a [`Cone`], or a [`SoftCone`](crate::SoftCone), which has a soft
+    /// edge.
     pub cone: C,
 }
 
 impl<T: Real, C: Beam<T>, A: Falloff<T>> SpotLight<T, C, A> {
-    /// The light that arrives at the point p: that of the [`PointLight`] inside the cone and on
-    /// its edge, none outside.
+    /// The light that arrives at the point p: that of the [`PointLight`] times the
+    /// [factor](Cone::factor) of the cone. For a hard cone, this is all of it inside the cone and
+    /// on its edge, and none outside.
     ///
     /// ```text
     /// I / (a + bq + cq²) where −L·axis ≥ cos(half-angle), else 0
@@ -64,9 +68,9 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> SpotLight<T, C, A> {
         self.narrowed(self.point.at(p))
     }
 
-    /// [`at`](SpotLight::at) a point of a surface with the normal N, or `None` where the light is
-    /// behind it or the point outside the cone; in lanes, where nothing arrives in any. See
-    /// [`PointLight::in_front`].
+    /// The light that arrives [`at`](SpotLight::at) a surface point with the normal N, or `None` if
+    /// the light is behind the surface or the point is outside the cone. In lanes, it is `None` if
+    /// no lane gets light. See [`PointLight::in_front`].
     ///
     /// ```
     /// use shading::f32::{Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3};
@@ -92,7 +96,7 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> SpotLight<T, C, A> {
         self.narrowed_in_front(self.point.in_front(p, n)?)
     }
 
-    /// What the cone leaves of the light at its tip.
+    /// The light of the point light, reduced by the cone.
     #[inline]
     pub(super) fn narrowed(&self, incident: IncidentLight<T>) -> IncidentLight<T> {
         IncidentLight {
@@ -101,15 +105,14 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> SpotLight<T, C, A> {
         }
     }
 
-    /// What the cone leaves of the light at its tip, or `None` where that is nothing.
+    /// The light of the point light, reduced by the cone, or `None` if nothing is left.
     #[inline]
     pub(super) fn narrowed_in_front(&self, incident: IncidentLight<T>) -> Option<IncidentLight<T>> {
         let is_inside = self.cone.factor(self.axis, incident.l).any_positive();
         is_inside.then(|| self.narrowed(incident))
     }
 
-    /// The same light in another number type: `f` converts each number, and may do no more
-    /// than round it.
+    /// The same light in another number type. `f` converts each number and may only round it.
     ///
     /// ```
     /// use shading::f32::{Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3};
