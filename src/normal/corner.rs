@@ -5,22 +5,22 @@ use crate::rescale::tame_difference;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
-/// The share of a triangle in the normal of its vertex v₁: its own normal, weighted by its angle
-/// there.
+/// The contribution of a triangle to the normal of its vertex v₁: the normal of the triangle,
+/// weighted by its angle there.
 ///
 /// ```text
 /// α (e₁ × e₂)/|e₁ × e₂|,  e₁ = v₂ − v₁,  e₂ = v₃ − v₁,  α = the angle between them
 /// ```
 ///
-/// The normal of a vertex is the sum of the shares of all triangles around it, made
-/// [`unit`](Vec3::unit). The vertices are seen counter-clockwise, as for
-/// [`triangle`](crate::normal::triangle()). A triangle that is a line or a point has no share: the
-/// zero vector. Neither has one with a vertex that is not finite. The size of a triangle does not
-/// matter: 10⁻²⁰ and 10²⁰ are as good as 1, also side by side.
+/// To get the normal of a vertex, add the contributions of all triangles around it and make the sum
+/// [`unit`](Vec3::unit). The vertices appear counter-clockwise, as for
+/// [`triangle`](crate::normal::triangle()). If the triangle is a line or a point, or if a vertex is
+/// not finite, the contribution is the zero vector. The size of a triangle does not matter: 10⁻²⁰
+/// and 10²⁰ work as well as 1, even side by side.
 ///
-/// With the angle as the weight, it does not matter how a flat face is split into triangles. The
-/// mean error of vertex normals, against the exact normals of the surface that the mesh lies on
-/// (`tests/weights.rs`):
+/// Weighting by the angle makes the result independent of how a flat face is split into triangles.
+/// This table gives the mean error of vertex normals against the exact normals of the surface that
+/// the mesh approximates, measured by `tests/weights.rs`:
 ///
 /// | mesh | angle | Max | area |
 /// |---|---|---|---|
@@ -30,13 +30,13 @@ use crate::vector::Vec3;
 /// | the bunny | 2.25° | 2.72° | 2.02° |
 /// | a sphere, as irregular | 1.05° | 0.00° | 2.78° |
 ///
-/// Max's weights are exact on a sphere and need no angle: `e1.cross(e2)` over |e₁|²|e₂|². Areas are
-/// the shortest to write, `e1.cross(e2)`, and best where a mesh is regular.
+/// Max's weights, `e1.cross(e2)` divided by |e₁|²|e₂|², are exact on a sphere and need no angle.
+/// Area weights, `e1.cross(e2)`, are the shortest to write, and the best on a regular mesh.
 ///
-/// Source: Thürmer and Wüthrich, *Computing Vertex Normals from Polygonal Facets*, 1998; Max,
-/// *Weights for Computing Vertex Normals from Facet Normals*, 1999.
+/// Source: Grit Thürmer and Charles A. Wüthrich, *Computing Vertex Normals from Polygonal Facets*,
+/// 1998; Nelson Max, *Weights for Computing Vertex Normals from Facet Normals*, 1999.
 ///
-/// A mesh is smoothed in one pass, without allocation:
+/// This example smooths a mesh in one pass, without allocation:
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -68,21 +68,21 @@ pub fn corner<T: Real>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Vec3<T> {
     *n * sine.if_positive(angle(sine / lengths, e1.dot(e2) / lengths), T::ZERO)
 }
 
-/// The angle within [0, π] of a sine and a cosine, by three half-angles and a series.
+/// The angle within [0, π] that has the given sine and cosine, by three half-angles and a series.
 ///
 /// ```text
 /// θ = sin θ · (φ/sin φ)/(cos θ/2 · cos θ/4 · cos θ/8),  φ = θ/8,
 /// φ/sin φ = 1 + y/3 (1 + 2y/5 (1 + 3y/7 (1 + …))),  y = 1 − cos φ
 /// ```
 ///
-/// For an acute angle, and an obtuse one is made of that, y is at most 0.02, and what the series leaves
-/// out below 10⁻¹⁶.
+/// For an acute angle, y is at most 0.02, and the terms that the series omits sum to less than
+/// 10⁻¹⁶. An obtuse angle is computed from its acute supplement.
 ///
-/// Source: Euler, *Institutiones calculi differentialis*, 1755, part II, chapter II, §30.
+/// Source: Leonhard Euler, *Institutiones calculi differentialis*, 1755, part II, chapter II, §30.
 #[inline]
 fn angle<T: Real>(sine: T, cosine: T) -> T {
     let halved = |cosine: T| ((cosine + T::ONE) * T::of_f32(0.5)).sqrt();
-    // not abs, which is flat at 0
+    // not `abs`, whose derivative at 0 is 0
     let half = halved((-cosine).if_positive(-cosine, cosine));
     let quarter = halved(half);
     let eighth = halved(quarter);

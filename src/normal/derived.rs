@@ -1,4 +1,4 @@
-//! Normals made of normals: turned to the eye, transformed, from a normal map.
+//! Normals made from normals: turned to the eye, transformed, or perturbed by a normal map.
 
 use super::surface::from_tangents;
 use crate::real::Real;
@@ -6,19 +6,19 @@ use crate::rescale::{extreme_difference, is_extreme, tame};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
-/// The normal on the side of the viewer, for surfaces that are seen from both sides.
+/// The normal on the viewer's side, for surfaces that are seen from both sides.
 ///
 /// ```text
 /// N where N·V ≥ 0, else −N
 /// ```
 ///
-/// V points away from the surface, to the eye. Seen edge-on (N·V = 0), and where a number is NaN, N
-/// stays as it is.
+/// N is the normal and V the direction to the eye, away from the surface. If the surface is seen
+/// edge-on (N·V = 0), or if a number is NaN, the result is N.
 ///
-/// GLSL's `faceforward(N, I, N)` takes the incident direction, which is −V: `faceforward(N, -V, N)`
-/// is this function, but for N·V = 0, where it gives −N.
+/// GLSL's `faceforward(N, I, N)` takes the incident direction, which is −V. `faceforward(N, -V, N)`
+/// is this function, except that it gives −N for N·V = 0.
 ///
-/// Source: *The OpenGL Shading Language* 4.60, §8.5.
+/// Source: *The OpenGL Shading Language*, version 4.60, 2017, §8.5.
 ///
 /// ```
 /// use shading::{UnitVec3, normal};
@@ -37,26 +37,28 @@ pub fn facing<T: Real>(n: UnitVec3<T>, v: UnitVec3<T>) -> UnitVec3<T> {
     UnitVec3::assume_unit(n.map(|c| away.if_positive(-c, c)))
 }
 
-/// The normal of a surface whose points are transformed by a matrix M with the columns a, b, c.
+/// The normal of a surface after its points are transformed by a matrix M with the columns a, b and
+/// c.
 ///
 /// ```text
 /// N′ = cof(M) N / |cof(M) N|,  cof(M) N = n_x (b × c) + n_y (c × a) + n_z (a × b)
 /// ```
 ///
-/// M is the linear part of the transformation, without the translation: the point p goes to
-/// p_x a + p_y b + p_z c. The normal of a triangle goes to the
-/// [`triangle`](crate::normal::triangle()) of its transformed vertices, for every M.
+/// M is the linear part of the transformation, without the translation: it moves the point p to p_x
+/// a + p_y b + p_z c. The normal of a triangle becomes the normal of its transformed vertices, as
+/// given by [`triangle`](crate::normal::triangle()), for every M.
 ///
-/// **Mirrored.** The commonly used inverse transpose is cof(M)/det(M). Where M mirrors (det(M) < 0)
-/// it gives −N′: the outward normal of an outward one, while the vertices are then seen clockwise.
-/// Use `-n` where that is wanted.
+/// **Mirroring.** The commonly used inverse transpose is cof(M)/det(M). If M mirrors (det(M) < 0),
+/// the inverse transpose gives −N′. It keeps an outward normal outward, while the transformed
+/// vertices appear clockwise. Use `-n` if you want that.
 ///
-/// `None` where M flattens the surface to a line or a point, to rounding, and where a number is not
-/// finite. A singular M has a normal for all other surfaces: M need not be inverted. The error is a
-/// few u times the conditioning (|n_x||b||c| + |n_y||c||a| + |n_z||a||b|)/|cof(M) N|, whatever the
-/// size of each column.
+/// The result is `None` if M flattens the surface to a line or a point, up to rounding, or if a
+/// number is not finite. A singular M still gives a normal to every other surface, because M is not
+/// inverted. The error is a few u times the conditioning
+/// (|n_x||b||c| + |n_y||c||a| + |n_z||a||b|)/|cof(M) N|, whatever the length of each column, where
+/// u is the unit roundoff.
 ///
-/// Source: Turkowski, *Properties of Surface-Normal Transformations*, Graphics Gems, 1990.
+/// Source: Ken Turkowski, *Properties of Surface-Normal Transformations*, in *Graphics Gems*, 1990.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -89,9 +91,9 @@ pub fn transformed<T: Real + PartialOrd>(
     .unit()
 }
 
-/// cof(M) N but for its length, where the columns differ so much in length that no power of two
-/// brings all their products into range. Each product is a tame vector and a whole power of
-/// [`EXTREME`](Real::EXTREME), and the sum is taken relative to the highest power.
+/// A positive multiple of cof(M) N, for columns whose lengths differ so much that no single power
+/// of two brings all their products into range. Each product is kept as a tame vector and an
+/// integer power of [`EXTREME`](Real::EXTREME). The sum is computed relative to the highest power.
 #[cold]
 #[inline(never)]
 fn by_cofactors_of_any_size<T: Real + PartialOrd>(
@@ -121,7 +123,7 @@ fn by_cofactors_of_any_size<T: Real + PartialOrd>(
     sum
 }
 
-/// A vector times a `power` of [`EXTREME`](Real::EXTREME), as a tame vector times a power.
+/// A vector times a `power` of [`EXTREME`](Real::EXTREME), returned as a tame vector and a power.
 #[inline(never)]
 fn tame_power<T: Real + PartialOrd>(v: Vec3<T>, power: i32) -> (Vec3<T>, i32) {
     let (tame, scale) = extreme_difference(v, Vec3::ZERO, v.dot(v));
@@ -129,33 +131,35 @@ fn tame_power<T: Real + PartialOrd>(v: Vec3<T>, power: i32) -> (Vec3<T>, i32) {
     (tame, power - grown)
 }
 
-/// The normal of a surface with a normal map: a sample of the map, taken in the frame of tangent,
-/// bitangent and normal.
+/// The normal of a surface with a normal map: a sample of the map, interpreted in the frame of the
+/// tangent, the bitangent and the normal.
 ///
 /// ```text
 /// t = the unit vector along T − (N·T)N,  b = h (N × t)
 /// N′ = (x t + y b + z N)/|x t + y b + z N|
 /// ```
 ///
-/// N is the surface's normal, T a tangent of any length: the direction in which the map's x grows
-/// (the `u` of its texture coordinates). Only its part perpendicular to N counts. The handedness h
-/// is the sign of the fourth number of a tangent in a glTF file: b points to where y grows if it is
-/// positive, and the other way if it is not.
+/// N is the normal of the surface. T is a tangent of any length: the direction in which the map's x
+/// grows (the `u` of its texture coordinates). Only the part of T perpendicular to N counts. The
+/// handedness h is the sign of the fourth number of a tangent in a glTF file. If it is positive, b
+/// points to where y grows; otherwise, b points the other way.
 ///
-/// The sample (x, y, z) is decoded: (0, 0, 1) is N itself, and its length does not matter. A texel
-/// with channels within [0, 1] is decoded by 2·texel − 1, as OpenGL and glTF have it. Maps made for
-/// Direct3D have y downwards: negate it. A texel of a map must have a blue above ½; a black one is
-/// the direction (−1, −1, −1), below the surface.
+/// The sample (x, y, z) must be decoded: (0, 0, 1) is N itself, and the length does not matter. To
+/// decode a texel with channels within [0, 1], compute 2·texel − 1, as in OpenGL and glTF. In maps
+/// made for Direct3D, y points down: negate it. A valid texel has a blue channel above ½. A black
+/// texel is the direction (−1, −1, −1), below the surface.
 ///
-/// `None` where T is zero or parallel to N, where the sample is zero, and where a number is not
-/// finite. The nearer T is to N, the more its rounding shows, as in
+/// The result is `None` if T is zero or parallel to N, if the sample is zero, or if a number is not
+/// finite. The nearer T is to N, the more its rounding errors matter, as in
 /// [`from_tangents`](crate::normal::from_tangents).
 ///
-/// MikkTSpace neither normalizes the interpolated N and T nor makes them perpendicular before it
-/// adds. Its result is the same at the vertices and differs a little between them.
+/// Unlike this function, MikkTSpace neither normalizes the interpolated N and T nor makes them
+/// perpendicular before it adds. Its result is the same at the vertices and differs slightly
+/// between them.
 ///
-/// Source: Blinn, *Simulation of Wrinkled Surfaces*, 1978; Khronos, *glTF 2.0 Specification*,
-/// §3.7.2.1 and §3.9.3; Mikkelsen, *Simulation of Wrinkled Surfaces Revisited*, 2008.
+/// Source: James F. Blinn, *Simulation of Wrinkled Surfaces*, 1978; Khronos, *glTF 2.0
+/// Specification*, 2021, §3.7.2.1 and §3.9.3; Morten S. Mikkelsen, *Simulation of Wrinkled Surfaces
+/// Revisited*, 2008.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};

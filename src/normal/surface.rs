@@ -12,9 +12,11 @@ use crate::vector::Vec3;
 /// N = (a, b, c) / |(a, b, c)|
 /// ```
 ///
-/// It points to the side where ax + by + cz + d > 0. `None` if a = b = c = 0.
+/// (a, b, c) may have any length. N points to the side where ax + by + cz + d > 0; d does not
+/// change it. The result is `None` if a = b = c = 0, or if one of them is not finite.
 ///
-/// Source: Foley, van Dam et al., *Computer Graphics: Principles and Practice*, 2nd ed., §11.1.3.
+/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
+/// 1990, §11.1.3.
 ///
 /// ```
 /// use shading::{UnitVec3, normal};
@@ -33,9 +35,13 @@ pub fn plane<T: Real + PartialOrd>(a: T, b: T, c: T) -> Option<UnitVec3<T>> {
 /// N = (v₂ − v₁) × (v₃ − v₁) / |(v₂ − v₁) × (v₃ − v₁)|
 /// ```
 ///
-/// It points to the side from which the vertices appear counter-clockwise. `None` if the triangle is a
-/// line or a point. The error is at most 5.7u times the conditioning |e₁||e₂|/|e₁×e₂| of the two edges, where u
-/// is the unit roundoff. The size of the triangle does not matter: 10⁻³⁷ and 10³⁷ are as good as 1.
+/// N points to the side from which the vertices appear counter-clockwise. The result is `None` if
+/// the triangle is a line or a point, or if a vertex is not finite. The error is at most 5.7u times
+/// the conditioning |e₁||e₂|/|e₁ × e₂| of the two edges, where u is the unit roundoff. The size of
+/// the triangle does not matter: 10⁻³⁷ and 10³⁷ work as well as 1.
+///
+/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
+/// 1990, §11.1.3.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -64,7 +70,11 @@ pub fn triangle<T: Real + PartialOrd>(
 /// N = (p − center) / |p − center|
 /// ```
 ///
-/// `None` if p is the center.
+/// The radius need not be known. A point inside the sphere gives the direction from the center. The
+/// result is `None` if p is the center, or if a coordinate is not finite.
+///
+/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
+/// 1990, §15.10.1.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -85,8 +95,13 @@ pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitV
 /// N = ∇f / |∇f|
 /// ```
 ///
-/// It points to the side where f > 0. The gradient is exact: f computes with [`Dual`] numbers. `None`
-/// where ∇f is 0 or does not exist, as at the apex of a cone.
+/// f is your function of the point p, which should lie on the surface. N points to the side where
+/// f > 0. The gradient is exact up to rounding, because f computes with [`Dual`] numbers. The
+/// result is `None` if ∇f is 0 or does not exist, as at the apex of a cone.
+///
+/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
+/// 1990, §11.4, for the normal; Andreas Griewank and Andrea Walther, *Evaluating Derivatives*, 2nd
+/// ed., 2008, for the differentiation.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -98,9 +113,9 @@ pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitV
 /// assert_eq!(cone, None);
 /// ```
 ///
-/// A function that takes `f32` does not fit here: plain numbers carry no derivatives. Make the function
-/// generic over [`Real`] or [`Elementary`](crate::Elementary). Then the same function finds the surface
-/// with `f32` and the normal with `Dual<f32>`.
+/// A function that takes `f32` does not fit here, because plain numbers carry no derivatives. Make
+/// the function generic over [`Real`] or [`Elementary`](crate::Elementary). The same function then
+/// finds the surface with `f32` and the normal with `Dual<f32>`.
 ///
 /// ```
 /// use shading::{Real, UnitVec3, Vec3, normal};
@@ -123,7 +138,17 @@ pub fn implicit<T: Real + PartialOrd>(
     from_gradient(f(Dual::point(p)).gradient)
 }
 
-/// The normal of an implicit surface from its gradient: ∇f/|∇f|. `None` if ∇f is 0 or not finite.
+/// The normal of an implicit surface, from its gradient.
+///
+/// ```text
+/// N = ∇f / |∇f|
+/// ```
+///
+/// ∇f may have any length. N points to the side where f > 0. The result is `None` if ∇f is 0 or not
+/// finite.
+///
+/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
+/// 1990, §11.4.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -141,21 +166,24 @@ pub fn from_gradient<T: Real + PartialOrd>(gradient: Vec3<T>) -> Option<UnitVec3
 /// N = (∂s/∂u × ∂s/∂v) / |∂s/∂u × ∂s/∂v|
 /// ```
 ///
-/// The tangents are exact up to rounding: s computes with [`Dual`] numbers. The order of u and v decides
-/// to which side N points.
+/// s is your function of the parameters u and v. The tangents are exact up to rounding, because s
+/// computes with [`Dual`] numbers. The order of u and v decides to which side N points.
 ///
-/// `None` where the tangents are parallel, or one is 0 or does not exist, as at the pole of a sphere.
-/// There, and where the edge of a patch collapses to a point, a tangent is a sum of terms that cancel,
-/// and rounding leaves noise instead of 0. So the result is also `None` if one tangent is at most 32u
-/// times as long as the other: 2⁻¹⁹ for `f32`, 2⁻⁴⁸ for `f64` (u is the unit roundoff; the length is
-/// that of the largest component).
+/// The result is `None` if the tangents are parallel, or if one of them is 0 or does not exist, as
+/// at the pole of a sphere. At a pole, and where the edge of a patch collapses to a point, a
+/// tangent is a sum of terms that cancel, and rounding leaves noise instead of 0. The result is
+/// therefore also `None` if one tangent is at most 32u times as long as the other: 2⁻¹⁹ for `f32`
+/// and 2⁻⁴⁸ for `f64`. (u is the unit roundoff; the length is that of the largest component.)
 ///
-/// - Tangents whose lengths differ by a factor of up to 10⁵ have a normal. If yours differ by more in
-///   `f32`, choose other units for u and v, or pass the tangents to [`from_tangents`], which accepts any
-///   length.
-/// - Far from the origin the terms are longer than the tangents, and the noise may exceed 32u. Describe a
-///   patch relative to one of its own points, or by differences of its control points as in de
-///   Casteljau's algorithm: the difference of equal points is exactly 0.
+/// - Tangents whose lengths differ by a factor of up to 10⁵ have a normal. If yours differ by more
+///   in `f32`, choose other units for u and v, or pass the tangents to [`from_tangents`], which
+///   accepts any length.
+/// - Far from the origin, the terms are longer than the tangents, and the noise may exceed 32u.
+///   Describe a patch relative to one of its own points, or by the differences of its control
+///   points, as in de Casteljau's algorithm. The difference of equal points is exactly 0.
+///
+/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
+/// 1990, §11.3.4.
 ///
 /// ```
 /// use shading::{Elementary, UnitVec3, Vec3, normal};
@@ -186,11 +214,12 @@ pub fn parametric<T: Real + PartialOrd>(
     }
 }
 
-/// Whether one tangent is so short beside the other that it may be rounding noise: two roundings for
-/// each of the 16 control points of a bicubic patch. On the teapot the noise reaches 14u.
+/// Whether one tangent is so short compared with the other that it may be rounding noise. The
+/// threshold allows two roundings for each of the 16 control points of a bicubic patch. On the
+/// teapot, the noise reaches 14u.
 #[inline]
 fn is_one_noise<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> bool {
-    // 4/3 is rounded by a third of ε, which is 2u, in any binary float (Kahan)
+    // in any binary float, 4/3 is rounded by a third of ε, which is 2u (Kahan)
     let three = T::ONE + T::ONE + T::ONE;
     let epsilon = (three * ((T::ONE + three) / three - T::ONE) - T::ONE).abs();
     let noise = (T::ONE + three) * (T::ONE + three) * epsilon;
@@ -200,11 +229,20 @@ fn is_one_noise<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> bool {
     u.at_most(v) <= u.at_least(v) * noise
 }
 
-/// The normal of a parametric surface from its two tangents: s_u × s_v/|s_u × s_v|. `None` if they are
-/// parallel, 0 or not finite.
+/// The normal of a parametric surface, from its two tangents.
 ///
-/// The tangents are scaled to about 1 before they are multiplied, and so is the product before its length
-/// is taken, so that nothing overflows or vanishes.
+/// ```text
+/// N = s_u × s_v / |s_u × s_v|
+/// ```
+///
+/// The tangents may have any length. Their order decides to which side N points. The result is
+/// `None` if they are parallel, 0 or not finite.
+///
+/// The tangents are scaled before they are multiplied if their squares are out of range, and so is
+/// the product before its length is computed. Nothing overflows or vanishes.
+///
+/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
+/// 1990, §11.3.4.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
