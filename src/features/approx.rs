@@ -1,4 +1,4 @@
-//! Comparison within a tolerance, number by number, for tests with the `approx` crate.
+//! Comparison within a tolerance, number by number, with the traits of the `approx` crate.
 
 use approx::{AbsDiffEq, RelativeEq, UlpsEq};
 

@@ -1,6 +1,7 @@
-//! Vectors and colors as bytes, for buffers; `docs/buffers.md` is about those.
+//! Vectors and colors as bytes, for buffers. `docs/buffers.md` explains such buffers.
 //!
-//! Lights and materials are not: `Light` is an enum, and what a shader takes has padding of its own.
+//! Lights and materials have no such form: `Light` is an enum, and a shader's structs have their
+//! own padding.
 
 use bytemuck::{NoUninit, Pod, Zeroable};
 
@@ -8,8 +9,8 @@ use crate::{Rgb, UnitVec3, Vec3};
 
 macro_rules! pod {
     ($type:ident) => {
-        // SAFETY: it is `repr(C)` and has three fields of one type. So they follow each other without padding,
-        // and every bit pattern that is one of three `T` is one of it.
+        // SAFETY: The type is `repr(C)` and has three fields of one type, so it has no padding.
+        // Every bit pattern of three valid `T` is a valid value.
         unsafe impl<T: Zeroable> Zeroable for $type<T> {}
         unsafe impl<T: Pod> Pod for $type<T> {}
     };
@@ -18,5 +19,6 @@ macro_rules! pod {
 pod!(Vec3);
 pod!(Rgb);
 
-// SAFETY: it is a transparent `Vec3`. It can only be written: read from bytes, it might have any length.
+// SAFETY: The type is a transparent `Vec3`. It can only be written: a value read from bytes might
+// have any length.
 unsafe impl<T: Pod> NoUninit for UnitVec3<T> {}

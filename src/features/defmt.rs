@@ -1,4 +1,4 @@
-//! Log lines on a microcontroller: numbers are sent as they are, and the host makes the text.
+//! Logging on a microcontroller: it sends the numbers as they are, and the host formats the text.
 
 use defmt::{Format, Formatter, write};
 

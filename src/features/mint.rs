@@ -1,4 +1,5 @@
-//! Vectors and points to and from `mint`, and by way of it to and from other crates' vectors.
+//! Conversion of vectors and points from and to `mint`, and through it from and to the vectors of
+//! other crates.
 
 use mint::{IntoMint, Point3, Vector3};
 
@@ -29,7 +30,7 @@ impl<T> IntoMint for Vec3<T> {
     type MintType = Vector3<T>;
 }
 
-/// There is no way back: whether the length is 1 is for [`Vec3::unit`] to find out.
+/// There is no conversion back, because only [`Vec3::unit`] can ensure that the length is 1.
 impl<T> From<UnitVec3<T>> for Vector3<T> {
     #[inline]
     fn from(unit: UnitVec3<T>) -> Self {

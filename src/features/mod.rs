@@ -1,4 +1,5 @@
-//! The optional features, one file each, named as the feature: other crates' types and traits.
+//! The optional features, which implement other crates' traits and conversions. Each has a file
+//! with its name.
 
 #[cfg(feature = "approx")]
 mod approx;

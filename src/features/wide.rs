@@ -1,8 +1,8 @@
 //! SIMD lanes: [`Real`] and [`Exponent`] for the types of the crate `wide`. Each lane has the bits
-//! that the scalar would have.
+//! of the scalar.
 //!
-//! The bounds are taken by comparison: the maximum and minimum of `wide` choose between zeros, and
-//! between a number and NaN, as the processor does.
+//! Maximum and minimum are comparisons. Those of `wide` choose between zeros, and between a number
+//! and NaN, as the processor does.
 
 use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x4, f64x8, i32x4, i32x8, i32x16};
@@ -11,19 +11,19 @@ use crate::exponent::Exponent;
 use crate::power::{Binary32, EXPONENT, LEAST, power};
 use crate::real::Real;
 
-// x87 rounds a number that stays in a register otherwise than one in memory.
+// x87 rounds a number in a register differently from a number in memory
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
 compile_error!(
     "feature `wide`: without SSE2 a SIMD lane would not have the bits of the scalar. Enable SSE2, or \
      compute with `f32` and `f64`: lanes are no faster there"
 );
 
-/// Whether lanes are registers of SSE2. The second operand of its maximum and its minimum is the
-/// result wherever the first is neither greater nor less: exactly a comparison and a choice.
+/// Whether lanes are SSE2 registers. The maximum and minimum of SSE2 return the second operand
+/// unless the first is greater or less. That is exactly a comparison and a selection.
 const SSE2: bool = cfg!(target_feature = "sse2");
 
-/// Whether there is an instruction for the root. Elsewhere `wide` takes it in software, which is
-/// wrong for subnormal numbers.
+/// Whether the processor has an instruction for the root. Elsewhere `wide` computes the root in
+/// software, incorrectly for subnormal numbers.
 const HAS_ROOT: bool = cfg!(any(
     target_feature = "sse2",
     target_feature = "simd128",
@@ -105,7 +105,7 @@ macro_rules! real {
     };
 }
 
-/// Lanes of `f32`, with integer lanes of the same number for the power.
+/// Lanes of `f32`, with as many integer lanes for the power.
 macro_rules! single {
     ($lanes:ident, $integers:ident, $from_integers:ident) => {
         real!($lanes of f32);
@@ -131,7 +131,7 @@ macro_rules! single {
         impl Exponent<$lanes> for f32 {
             #[inline]
             fn raise(self, cosine: $lanes) -> $lanes {
-                // + 0.0 quiets a signaling NaN, which `at_least` may leave as it is
+                // `+ 0.0` quiets a signaling NaN, which `at_least` may let through
                 power(cosine, $lanes::splat((self + 0.0).at_least(0.0)))
             }
 
@@ -143,7 +143,7 @@ macro_rules! single {
     };
 }
 
-/// Lanes of `f64`; the power is taken lane by lane.
+/// Lanes of `f64`. The power is computed lane by lane.
 macro_rules! double {
     ($lanes:ident) => {
         real!($lanes of f64);

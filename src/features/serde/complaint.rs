@@ -1,15 +1,15 @@
-//! Why a value may not stand in a file.
+//! The reasons why a file may not contain a value.
 
 use core::fmt::{self, Display, Formatter};
 
 use super::Number;
 use crate::Vec3;
 
-/// The name of a field, and what is wrong with its value.
+/// The name of a field and the problem with its value.
 pub struct Complaint<T>(pub &'static str, pub Problem<T>);
 
 pub enum Problem<T> {
-    /// With which one of three numbers it is.
+    /// With the letter that says which of three numbers it is.
     NotFinite(&'static str, T),
     Negative(&'static str, T),
     AllZero,
@@ -17,7 +17,7 @@ pub enum Problem<T> {
     NotPositive(T),
     NotHalfAngle(T),
     NotCosine(T),
-    /// Beside the outer half-angle, or its cosine.
+    /// With the outer half-angle or its cosine.
     NotInnerHalfAngle(T, T),
     NotInnerCosine(T, T),
 }

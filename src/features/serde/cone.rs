@@ -1,4 +1,4 @@
-//! Cones, with a hard and with a soft edge.
+//! Cones with a hard or a soft edge.
 
 use core::fmt::{self, Formatter};
 use core::marker::PhantomData;
@@ -91,7 +91,7 @@ impl<'de, T: Number> Visitor<'de> for Form<SoftCone<T>> {
     }
 }
 
-// They are written by their cosines: half-angles would not come back to the bit.
+// Cones are written as cosines, because half-angles would not keep the bits.
 macro_rules! cone {
     ($float:ident) => {
         impl Field for Cone<$float> {}

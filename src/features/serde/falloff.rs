@@ -1,4 +1,4 @@
-//! Attenuation, with and without a range.
+//! Attenuations with or without a range.
 
 use core::fmt::{self, Display, Formatter};
 use core::marker::PhantomData;
@@ -20,7 +20,7 @@ fn attenuation<T: Number, E: Error>(
     Coefficients(abc): Coefficients<T>,
     clamped: bool,
 ) -> Result<Attenuation<T>, E> {
-    // there is one, as the coefficients were checked
+    // the coefficients were checked, so this cannot fail
     let attenuation = required(T::attenuation(abc), "coefficients")?;
     Ok(if clamped {
         attenuation.clamped()
@@ -29,7 +29,7 @@ fn attenuation<T: Number, E: Error>(
     })
 }
 
-/// The range of an attenuation: ∞ for none.
+/// The range of an attenuation. ∞ means no range.
 #[derive(Clone, Copy)]
 struct Range<T>(T);
 
@@ -38,9 +38,9 @@ impl<T: Number> Range<T> {
         Self(T::ONE / T::ZERO)
     }
 
-    /// The attenuation within it.
+    /// The attenuation that ends at this range.
     fn limit<E: Error>(self, attenuation: Attenuation<T>) -> Result<Ranged<T>, E> {
-        // there is one, as the range was checked
+        // the range was checked, so this cannot fail
         required(T::within(attenuation, self.0), "range")
     }
 }

@@ -1,9 +1,10 @@
-//! Lights and materials in files; `docs/schema.md` describes the forms.
+//! Lights and materials in files. `docs/schema.md` describes the format.
 //!
-//! They are written by hand over `serde_core`, without `serde_derive` and the parser of Rust that it
-//! needs: derived code would neither name the field of a wrong value nor see private fields from here.
+//! The implementations use `serde_core` directly, without `serde_derive` and the Rust parser that
+//! it needs. Derived code could neither name the field of a wrong value nor access the private
+//! fields of other modules.
 //!
-//! Nothing is written that could not be read again: both ways go through [`Field::check`].
+//! Nothing is written that could not be read back: reading and writing both call [`Field::check`].
 
 mod complaint;
 mod cone;
@@ -20,7 +21,7 @@ use self::complaint::{Complaint, Problem};
 use self::record::Field;
 use crate::{Attenuation, Cone, Ranged, Real, SoftCone};
 
-/// The number types of files.
+/// The number types that files can hold.
 trait Number: Real + PartialOrd + Debug + Serialize + Field {
     fn attenuation(coefficients: [Self; 3]) -> Option<Attenuation<Self>>;
     fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>>;

@@ -1,4 +1,4 @@
-//! Structs as records of named fields, whose errors name the field that they are about.
+//! Structs as records of named fields. Each error names the field that it is about.
 
 use core::convert::Infallible;
 use core::fmt::{self, Display, Formatter};
@@ -9,9 +9,9 @@ use serde_core::de::{
     DeserializeOwned, DeserializeSeed, Error, Expected, SeqAccess, Unexpected, Visitor,
 };
 
-/// What a field of a record may be.
+/// A type that a field of a record may have.
 pub trait Field: DeserializeOwned {
-    /// Complains of a value that may not stand in a file.
+    /// Refuses a value that a file may not contain.
     fn check(&self, _name: &'static str) -> Result<(), impl Display> {
         Ok::<(), Infallible>(())
     }
@@ -26,7 +26,7 @@ pub trait Field: DeserializeOwned {
 impl Field for bool {}
 impl Field for u32 {}
 
-/// Reads the field of that name.
+/// Reads the field with this name.
 pub struct Named<F>(pub &'static str, pub PhantomData<F>);
 
 impl<'de, F: Field> DeserializeSeed<'de> for Named<F> {
@@ -37,7 +37,7 @@ impl<'de, F: Field> DeserializeSeed<'de> for Named<F> {
     }
 }
 
-/// Reads the next field of a record without names.
+/// Reads the next field of a record in a format without names.
 pub fn next<'de, F: Field, A: SeqAccess<'de>>(
     list: &mut A,
     name: &'static str,
@@ -49,9 +49,9 @@ pub fn required<F, E: Error>(field: Option<F>, name: &'static str) -> Result<F, 
     field.ok_or_else(|| E::missing_field(name))
 }
 
-/// Reads a value of several parts.
+/// Reads a value that has several parts.
 pub struct Form<V> {
-    /// Whether its parts have names. Otherwise they have an order.
+    /// Whether the parts have names. Otherwise they have an order.
     pub has_names: bool,
     value: PhantomData<V>,
 }
@@ -62,7 +62,7 @@ impl<V> Form<V> {
         Self { has_names, value }
     }
 
-    /// Complains of a list of parts in place of a map.
+    /// Refuses a list of parts in place of a map.
     pub fn check_list<E: Error>(&self) -> Result<(), E>
     where
         Self: Expected,
@@ -74,7 +74,7 @@ impl<V> Form<V> {
     }
 }
 
-/// Reads the name of a field or a variant, or its index where a format has no names.
+/// Reads the name of a field or a variant, or its index in a format without names.
 pub enum Key {
     Field(&'static [&'static str]),
     Variant(&'static [&'static str]),
@@ -117,7 +117,8 @@ impl Visitor<'_> for Key {
     }
 }
 
-/// Reads the entries of a map into variables of the same names, an `Option` each. None may come twice.
+/// Reads the entries of a map into variables of the same names, each an `Option`. A repeated entry
+/// is an error.
 macro_rules! entries {
     ($map:ident: $($field:ident),+) => {
         $(let mut $field = None;)+
@@ -132,7 +133,8 @@ macro_rules! entries {
     };
 }
 
-/// A struct as a map of all its fields, or as a list of them where a format has no names.
+/// Reads and writes a struct as a map of all its fields, or as a list of them in a format without
+/// names.
 macro_rules! record {
     ($type:ident<$($parameter:ty),+> { $($field:ident),+ }) => {
         impl Field for $type<$($parameter),+> {}

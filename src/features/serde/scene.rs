@@ -1,4 +1,4 @@
-//! Lights and materials: records, and a light by its kind.
+//! Lights and materials as records; a light names its kind.
 
 use core::fmt::{self, Formatter};
 use core::marker::PhantomData;

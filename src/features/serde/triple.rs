@@ -1,4 +1,4 @@
-//! Vectors, colors, directions and coefficients: lists of three numbers.
+//! Vectors, colors, directions and coefficients as lists of three numbers.
 
 use core::fmt::{self, Display, Formatter};
 use core::marker::PhantomData;
@@ -46,7 +46,7 @@ impl<'de, T: Number> Visitor<'de> for Named<[T; 3]> {
     }
 }
 
-/// The problem of three numbers: that one is not finite, or another.
+/// The problem with three numbers: one of them is not finite, or `other` finds another problem.
 fn problem<T: Number>(
     numbers: [T; 3],
     letters: [&'static str; 3],
@@ -60,8 +60,8 @@ fn problem<T: Number>(
 }
 
 fn not_unit<T: Number>(xyz: [T; 3]) -> Option<Problem<T>> {
-    // Six decimals suffice: each is off by 10⁻⁶/2, and |v|² by √3 · 10⁻⁶ < 2⁻¹⁹. The rounding of
-    // single precision adds less than 2⁻²¹.
+    // Six decimals must suffice. They change each number by 10⁻⁶/2 and |v|² by √3 · 10⁻⁶ < 2⁻¹⁹.
+    // The rounding of single precision adds less than 2⁻²¹.
     let slack = T::of_f32(1.0 / 262_144.0); // 2⁻¹⁸
     let v = Vec3::from(xyz);
     let is_unit = (v.dot(v) - T::ONE).abs() <= slack;
