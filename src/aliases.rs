@@ -1,12 +1,12 @@
-//! The types of a scene in one number type, so that constants need not name it.
+//! The types of a scene in one number type, so that constants need not name the number type.
 
 macro_rules! aliases {
     ($float:ident) => {
         #[doc = concat!("The types of a scene in `", stringify!($float), "`.")]
         ///
-        /// A constructor that works in constants exists once for `f32` and once for `f64`, so the
-        /// compiler cannot infer which one `Attenuation::new` means. Import the types from this module
-        /// and it need not:
+        /// A constructor that works in constants exists separately for `f32` and `f64`, so the
+        /// compiler cannot infer which one `Attenuation::new` means. With the types of this module
+        /// it need not:
         ///
         /// ```
         #[doc = concat!("use shading::", stringify!($float), "::{Attenuation, Cone, Material, PointLight, Rgb, SpotLight, UnitVec3, Vec3};")]
@@ -22,7 +22,8 @@ macro_rules! aliases {
         /// };
         /// static CLAY: Material =
         ///     Material { k_a: Rgb::gray(0.1), k_d: Rgb::gray(0.6), k_s: Rgb::gray(0.3), m: 32 };
-        /// # assert!(SPOT.at(Vec3::ZERO).intensity.r > 0.0 && CLAY.m == 32);
+        /// assert!(SPOT.at(Vec3::ZERO).intensity.r > 0.0);
+        /// assert_eq!(CLAY.m, 32);
         /// ```
         #[allow(missing_docs)] // each is documented where it is defined
         pub mod $float {

@@ -1,16 +1,16 @@
-//! Floor 3: falloff with distance.
+//! Falloff of light with distance.
 
 use crate::real::Real;
 use crate::rgb::Rgb;
 
-/// What distance leaves of the light of a [`PointLight`](crate::PointLight): an [`Attenuation`], one
-/// within a range ([`Ranged`](crate::Ranged)), or a falloff of your own.
+/// The falloff of a [`PointLight`](crate::PointLight) with distance: an [`Attenuation`], an
+/// attenuation that ends at a range ([`Ranged`](crate::Ranged)), or a falloff of your own.
 ///
 /// ```
 /// use shading::f32::{PointLight, Vec3};
 /// use shading::{Elementary, Falloff, Rgb};
 ///
-/// /// Fog: each length of it leaves 1/e of the light.
+/// /// Fog that dims the light to 1/e over each such length.
 /// #[derive(Clone, Copy)]
 /// struct Fog<T>(T);
 ///
@@ -28,14 +28,16 @@ use crate::rgb::Rgb;
 /// assert!((lamp.at(Vec3::ZERO).intensity.r - 0.3679).abs() < 1e-4);
 /// ```
 pub trait Falloff<T>: Copy {
-    /// The same falloff in another number type.
+    /// The type of the same falloff in another number type.
     type In<U>;
 
-    /// What is left at the distance q ≥ 0 of light of this intensity: finite where that is, and no NaN.
+    /// The light that is left of this intensity at the distance q ≥ 0. If the intensity is finite,
+    /// the result must be finite and not NaN.
     #[must_use]
     fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T>;
 
-    /// Whether anything may be left at a distance, given by its square; in lanes, in any of them.
+    /// Whether any light may be left at a distance, given by its square; in lanes, in any of them.
+    /// The default is `true`.
     #[inline]
     #[must_use]
     fn reaches(&self, square: T) -> bool {
@@ -43,24 +45,26 @@ pub trait Falloff<T>: Copy {
         true
     }
 
-    /// The same falloff in another number type: `f` converts each number, and may do no more than round
-    /// it.
+    /// The same falloff in another number type. `f` converts each number and may only round it.
     #[must_use]
     fn cast<U>(self, f: impl FnMut(T) -> U) -> Self::In<U>;
 }
 
-/// The attenuation of a light with distance.
+/// The factor by which distance attenuates a light.
 ///
 /// ```text
 /// 1 / (a + bq + cq²)
 /// ```
 ///
-/// q ≥ 0 is the **distance**, not its square; a, b, c ≥ 0 are the constant, linear and quadratic
-/// coefficients. Not limited to 1. Evaluated as a + q(b + cq), so that it never rises with q, a,
-/// b or c, to the bit. Infinite where the denominator is 0 (−∞ where that is −0, which takes an a of
-/// −0); [`Attenuation`] is never.
+/// q ≥ 0 is the **distance**, not its square, in the unit of length of the scene. a, b, c ≥ 0 are
+/// the constant, linear and quadratic coefficients. The factor may exceed 1. It is evaluated as
+/// 1/(a + q(b + cq)), so it never rises, to the bit, as q, a, b or c rises.
 ///
-/// Source: Foley, van Dam et al., *Computer Graphics*, §16.1.2; OpenGL 2.1 specification, §2.14.1.
+/// If the denominator is 0, the factor is infinite: −∞ for a denominator of −0, which only a = −0
+/// produces, and ∞ otherwise. The checked [`Attenuation`] is never infinite.
+///
+/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
+/// 1990, §16.1.2; *The OpenGL Graphics System: A Specification*, version 2.1, 2006, §2.14.1.
 ///
 /// ```
 /// use shading::attenuation;
@@ -68,15 +72,16 @@ pub trait Falloff<T>: Copy {
 /// assert_eq!(attenuation(0.0_f32, 0.0, 1.0, 4.0), 1.0 / 16.0);
 /// ```
 #[doc(alias = "falloff")]
+#[doc(alias = "inverse square")]
 #[inline]
 #[must_use]
 pub fn attenuation<T: Real>(a: T, b: T, c: T, q: T) -> T {
     T::ONE / (a + q * (b + c * q))
 }
 
-/// Checked coefficients of the [`attenuation`]: a light with them is never negative nor infinite.
+/// Checked coefficients of the [`attenuation`]. A light with them is never negative or infinite.
 ///
-/// The unit of q is the scene's unit of length; b is per that unit, c per its square.
+/// q has the scene's unit of length. b is per unit of length, and c per square of it.
 ///
 /// ```
 /// use shading::f32::Attenuation;
@@ -91,6 +96,7 @@ pub fn attenuation<T: Real>(a: T, b: T, c: T, q: T) -> T {
 /// # use shading::f32::Attenuation;
 /// const NONSENSE: Attenuation = Attenuation::new(1.0, -0.5, 0.0).unwrap();
 /// ```
+#[doc(alias = "inverse square")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attenuation<T = f32> {
     a: T,
@@ -114,8 +120,8 @@ impl<T: Real> Attenuation<T> {
         clamped: false,
     };
 
-    /// The same attenuation limited to 1, as Foley, van Dam et al. have it in §16.1.2. OpenGL does
-    /// not limit it.
+    /// The same attenuation, limited to 1 as in Foley, van Dam et al., §16.1.2. OpenGL does not
+    /// limit it.
     ///
     /// ```text
     /// min(1, 1/(a + bq + cq²))
@@ -172,8 +178,14 @@ impl<T: Real> Attenuation<T> {
         self.clamped
     }
 
-    /// The factor at the distance q ≥ 0. Where the [`attenuation`] is infinite, the largest finite
-    /// number; at an infinite distance 0.
+    /// The factor at the distance q ≥ 0.
+    ///
+    /// ```text
+    /// 1 / (a + bq + cq²)
+    /// ```
+    ///
+    /// If the [`attenuation`] is infinite, the result is the largest finite number. At an infinite
+    /// distance, the result is 0.
     ///
     /// ```
     /// use shading::f32::Attenuation;
@@ -194,17 +206,17 @@ impl<T: Real> Attenuation<T> {
         attenuation(self.a, self.b, self.c, q)
     }
 
-    /// The factor up to its limit, which is not below 1. At an infinite distance it is 0, also
-    /// where the formula gives no number.
+    /// The factor up to its limit, which is at least 1. At an infinite distance the factor is 0,
+    /// even if the formula gives NaN.
     #[inline]
     fn limited(self, factor: T) -> T {
-        // no field holds the limit: MAX of one type is not MAX in another
+        // the limit is not stored in a field, because MAX of one type is not MAX in another
         let limit = if self.clamped { T::ONE } else { T::MAX };
         factor.at_least(T::ZERO).at_most(limit)
     }
 
-    /// The same attenuation in another number type: `f` converts each number, and may do no more
-    /// than round it.
+    /// The same attenuation in another number type. `f` converts each coefficient and may only
+    /// round it.
     ///
     /// ```
     /// use shading::f32::Attenuation;
@@ -227,11 +239,12 @@ impl<T: Real> Attenuation<T> {
 impl<T: Real> Falloff<T> for Attenuation<T> {
     type In<U> = Attenuation<U>;
 
-    // All by reference: by value, the code for small chips is another, and larger.
+    // The parameters are references, because passing them by value gives different, larger code on
+    // small chips.
     #[inline(always)]
     fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T> {
         let factor = self.unlimited(q);
-        // neither the limit nor an overflow is in reach of a factor up to 1
+        // a factor of up to 1 can neither exceed the limit nor overflow
         if factor.any_outside(T::ZERO, T::ONE) {
             let dimmed = *intensity * self.limited(factor);
             dimmed.map(|channel| channel.at_most(T::MAX))
@@ -246,7 +259,7 @@ impl<T: Real> Falloff<T> for Attenuation<T> {
     }
 }
 
-/// [`Attenuation::NONE`].
+/// The default is [`Attenuation::NONE`].
 impl<T: Real> Default for Attenuation<T> {
     #[inline]
     fn default() -> Self {
@@ -257,8 +270,8 @@ impl<T: Real> Default for Attenuation<T> {
 macro_rules! checked {
     ($float:ident) => {
         impl Attenuation<$float> {
-            /// Takes the coefficients of 1/(a + bq + cq²). `None` where one is negative or not
-            /// finite, or where all are zero.
+            /// The attenuation 1/(a + bq + cq²). Returns `None` if a coefficient is negative or not
+            /// finite, or if all are 0.
             ///
             /// ```
             #[doc = concat!("use shading::", stringify!($float), "::Attenuation;")]

@@ -1,9 +1,15 @@
-//! What three numbers have in common, whether they are coordinates or channels.
+//! The operations that vectors and colors share.
 
 macro_rules! componentwise {
     ($type:ident { $x:ident, $y:ident, $z:ident }) => {
         impl<T: Real> $type<T> {
-            /// From its three components.
+            /// The value with these three components.
+            ///
+            /// ```
+            #[doc = concat!("use shading::", stringify!($type), ";")]
+            #[doc = concat!("let value = ", stringify!($type), "::new(1.0_f32, 2.0, 3.0);")]
+            /// assert_eq!(<[f32; 3]>::from(value), [1.0, 2.0, 3.0]);
+            /// ```
             #[inline]
             #[must_use]
             pub const fn new($x: T, $y: T, $z: T) -> Self {
@@ -12,7 +18,13 @@ macro_rules! componentwise {
         }
 
         impl<T> $type<T> {
-            /// The same function of each component.
+            /// Applies a function to each component.
+            ///
+            /// ```
+            #[doc = concat!("use shading::", stringify!($type), ";")]
+            #[doc = concat!("let value = ", stringify!($type), "::new(1.0_f32, 2.0, 3.0);")]
+            #[doc = concat!("assert_eq!(value.map(|x| 2.0 * x), ", stringify!($type), "::new(2.0, 4.0, 6.0));")]
+            /// ```
             #[inline]
             #[must_use]
             pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> $type<U> {

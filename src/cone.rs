@@ -1,15 +1,15 @@
-//! Floor 3: the cone of a spot light.
+//! The cone of a spot light.
 
 use crate::real::Real;
 use crate::unit::UnitVec3;
 
-/// Where the light of a [`SpotLight`](crate::SpotLight) goes: within a hard [`Cone`], one with a soft
-/// edge ([`SoftCone`](crate::SoftCone)), or a beam of your own.
+/// The directions in which a [`SpotLight`](crate::SpotLight) shines: a hard [`Cone`], a cone with a
+/// soft edge ([`SoftCone`](crate::SoftCone)), or a beam of your own.
 ///
 /// ```
 /// use shading::{Beam, Exponent, Real, UnitVec3};
 ///
-/// /// OpenGL's spot exponent: the higher, the more focused.
+/// /// OpenGL's spot exponent: the higher it is, the narrower the beam.
 /// #[derive(Clone, Copy)]
 /// struct Focused(u32);
 ///
@@ -26,21 +26,21 @@ use crate::unit::UnitVec3;
 /// assert!((Focused(2).factor(-UnitVec3::Z, l) - 0.64).abs() < 1e-6);
 /// ```
 pub trait Beam<T>: Copy {
-    /// The same beam in another number type.
+    /// The type of the same beam in another number type.
     type In<U>;
 
-    /// The share, from 0 to 1, of the light that goes along −L when the spot shines along `axis`.
+    /// The share, from 0 to 1, of the light that travels along −L from a spot that shines along
+    /// `axis`.
     #[must_use]
     fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T;
 
-    /// The same beam in another number type: `f` converts each number, and may do no more than round
-    /// it.
+    /// The same beam in another number type. `f` converts each number and may only round it.
     #[must_use]
     fn cast<U>(self, f: impl FnMut(T) -> U) -> Self::In<U>;
 }
 
-/// The hard cone of a spot light, by its **half**-angle: the angle between axis and edge. What is
-/// commonly given as the spot's opening is twice as much.
+/// The hard cone of a spot light, given by its **half**-angle: the angle between the axis and the
+/// edge. The opening angle that most programs use is twice as large.
 ///
 /// ```
 /// use shading::f32::{Cone, UnitVec3};
@@ -59,22 +59,26 @@ pub trait Beam<T>: Copy {
 /// # use shading::f32::Cone;
 /// const NONSENSE: Cone = Cone::from_half_angle(30.0).unwrap(); // degrees
 /// ```
+#[doc(alias = "cutoff")]
+#[doc(alias = "spotlight")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone<T = f32> {
     pub(crate) cosine: T,
 }
 
 impl<T: Real> Cone<T> {
-    /// 1 inside the cone and on its edge, 0 outside.
+    /// The share of the light that arrives: 1 inside the cone and on its edge, 0 outside.
     ///
     /// ```text
     /// 1 where −L·axis ≥ cos(half-angle), else 0
     /// ```
     ///
-    /// `axis` is the direction in which the spot shines, L points from the surface to the light.
-    /// On the axis the factor is 1 for every cone.
+    /// `axis` is the direction in which the spot shines, away from the light, and L the direction
+    /// from the surface to the light. On the axis, the factor is 1 for every cone. If a direction
+    /// is NaN, the factor is 1.
     ///
-    /// Source: OpenGL 2.1 specification, §2.14.1, with a spot exponent of 0.
+    /// Source: *The OpenGL Graphics System: A Specification*, version 2.1, 2006, §2.14.1, with a
+    /// spot exponent of 0.
     ///
     /// ```
     /// use shading::f32::{Cone, UnitVec3};
@@ -104,8 +108,7 @@ impl<T: Real> Cone<T> {
         (self.cosine + T::ONE).if_positive(self.cosine, -T::ONE)
     }
 
-    /// The same cone in another number type: `f` converts each number, and may do no more
-    /// than round it.
+    /// The same cone in another number type. `f` converts the cosine and may only round it.
     ///
     /// ```
     /// use shading::f32::Cone;
@@ -137,10 +140,11 @@ impl<T: Real> Beam<T> for Cone<T> {
 macro_rules! checked {
     ($float:ident, $half_pi_rounding:literal) => {
         impl Cone<$float> {
-            /// The cone of a half-angle in radians, within [0, π]. `None` outside, and for NaN.
+            /// The cone of a half-angle in radians, within [0, π]. Returns `None` for other angles
+            /// and for NaN.
             ///
-            /// The cosine is computed with + − × ÷ alone: in a constant, and with the same bits on
-            /// every machine.
+            /// The cosine is computed only with + − × ÷, so the constructor works in constants and
+            /// gives the same bits on every machine.
             ///
             /// ```
             #[doc = concat!("use shading::", stringify!($float), "::Cone;")]
@@ -154,7 +158,7 @@ macro_rules! checked {
             pub const fn from_half_angle(radians: $float) -> Option<Self> {
                 use core::$float::consts::{FRAC_PI_2, FRAC_PI_4, PI};
                 if radians >= 0.0 && radians <= PI {
-                    // the sine of at most π/4, wherever the angle is
+                    // each case needs only the sine of an angle of at most π/4
                     Self::from_cosine(if radians < FRAC_PI_4 {
                         Self::cosine_of_small(radians)
                     } else if radians < 3.0 * FRAC_PI_4 {
@@ -173,7 +177,7 @@ macro_rules! checked {
                 1.0 - 2.0 * sine * sine
             }
 
-            /// Taylor's series, for |x| ≤ π/4
+            /// the Taylor series, for |x| ≤ π/4
             const fn sine_of_small(x: $float) -> $float {
                 let (mut sum, mut term, mut k) = (0.0, x, 1.0);
                 while k < 20.0 {
@@ -184,12 +188,13 @@ macro_rules! checked {
                 sum
             }
 
-            /// The cone of a half-angle given by its cosine, within [−1, 1]. `None` outside, and
-            /// for NaN.
+            /// The cone whose half-angle has the given cosine, within [−1, 1]. Returns `None` for
+            /// other cosines and for NaN.
             ///
-            /// A cosine next to 1 is taken as 1 − 4ε (an angle of 0.06° in `f32`), and one next to
-            /// −1 as every direction, so that the rounding of directions can neither put the axis
-            /// outside its own cone nor anything outside the cone of π.
+            /// A cosine close to 1 is stored as 1 − 4ε (a half-angle of 0.06° in `f32`), and a
+            /// cosine close to −1 as a cone of every direction. Otherwise the rounding of
+            /// directions could put the axis outside its own cone, or a direction outside the cone
+            /// of half-angle π.
             ///
             /// ```
             #[doc = concat!("use shading::", stringify!($float), "::{Cone, UnitVec3};")]
@@ -219,6 +224,6 @@ macro_rules! checked {
     };
 }
 
-// with what π/2 is more than the float nearest to it
+// the amount by which π/2 exceeds the float nearest to it
 checked!(f32, -4.371_139e-8);
 checked!(f64, 6.123_233_995_736_766e-17);

@@ -1,21 +1,23 @@
-//! Floor 3: the reflection vector R and the half vector H.
+//! The reflection vector R and the half vector H.
 
 use crate::real::Real;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
-/// The reflection vector: the direction L mirrored in the normal N.
+/// The reflection vector R: the direction L mirrored in the normal N.
 ///
 /// ```text
 /// R = 2(N·L)N − L
 /// ```
 ///
-/// N is the normal, L the direction to the light; L and R point away from the surface. GLSL's
-/// `reflect(I, N)` takes the incident direction −L, so `reflect(-L, N)` is this function. N and −N give
-/// the same R. If L is below the surface, so is R; the sums over lights make sure that it adds nothing.
+/// N is the normal and L the direction to the light; L and R point away from the surface. GLSL's
+/// `reflect(I, N)` takes the incident direction −L, so `reflect(-L, N)` is this function. N and −N
+/// give the same R. If L is below the surface, R is below it too; the [sums over
+/// lights](crate::shade) ensure that such a light adds nothing. The result is defined for all
+/// directions. Its length is 1 up to rounding.
 ///
-/// Source: Bui Tuong Phong, "Illumination for Computer Generated Pictures", 1975; Foley, van Dam et al.,
-/// *Computer Graphics: Principles and Practice*, 2nd ed., §16.1.4.
+/// Source: Bui Tuong Phong, *Illumination for Computer Generated Pictures*, 1975; Foley, van Dam,
+/// Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed., 1990, §16.1.4.
 ///
 /// ```
 /// use shading::f32::{UnitVec3, Vec3};
@@ -33,16 +35,17 @@ pub fn reflection<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> UnitVec3<T> {
     UnitVec3::assume_unit(*n * (n_dot_l + n_dot_l) - *l)
 }
 
-/// The half vector: the direction halfway between L and V.
+/// The half vector H: the direction halfway between L and V.
 ///
 /// ```text
 /// H = (L + V) / |L + V|
 /// ```
 ///
-/// L is the direction to the light, V the direction to the eye. `None` if they are opposite, L = −V:
-/// then no direction is halfway. Swapping L and V gives the same bits.
+/// L is the direction to the light and V the direction to the eye; both point away from the
+/// surface. The result is `None` if they are opposite, L = −V, because no direction is then
+/// halfway. Swapping L and V gives the same bits.
 ///
-/// Source: James Blinn, "Models of Light Reflection for Computer Synthesized Pictures", 1977.
+/// Source: James F. Blinn, *Models of Light Reflection for Computer Synthesized Pictures*, 1977.
 ///
 /// ```
 /// use shading::{UnitVec3, half_vector};
@@ -53,13 +56,14 @@ pub fn reflection<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> UnitVec3<T> {
 /// assert_eq!(half_vector(l, -l), None);
 /// ```
 #[doc(alias = "halfway")]
+#[doc(alias = "bisector")]
 #[inline]
 #[must_use]
 pub fn half_vector<T: Real + PartialOrd>(l: UnitVec3<T>, v: UnitVec3<T>) -> Option<UnitVec3<T>> {
     between(l, v).unit()
 }
 
-/// L + V: the half vector before it is normalized.
+/// L + V, the half vector before normalization.
 #[inline]
 pub(crate) fn between<T: Real>(l: UnitVec3<T>, v: UnitVec3<T>) -> Vec3<T> {
     *l + *v

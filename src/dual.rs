@@ -1,4 +1,4 @@
-//! Floor 2: dual numbers, which carry their own derivatives.
+//! Dual numbers, which carry their own derivatives.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -9,13 +9,14 @@ use crate::vector::Vec3;
 
 /// A dual number: a value and its gradient, ∇ = (∂/∂x, ∂/∂y, ∂/∂z).
 ///
-/// Arithmetic on dual numbers is forward-mode automatic differentiation: it gives the exact derivatives of
-/// a function as written, with no partial derivatives by hand and no step size.
+/// Arithmetic on dual numbers is forward-mode automatic differentiation. It gives the exact
+/// derivatives of a function as written, so you neither derive formulas on paper nor choose a step
+/// size.
 ///
 /// [`normal::implicit`](crate::normal::implicit) and
-/// [`normal::parametric`](crate::normal::parametric) pass such numbers to your function. They mix with
-/// plain numbers: `p.dot(p) - 1.0`, `2.0 * p.x`. Comparisons compare the values only.
-/// Where the derivative does not exist (√ at 0, ln below 0), the gradient is not finite.
+/// [`normal::parametric`](crate::normal::parametric) pass such numbers to your function. They mix
+/// with plain numbers: `p.dot(p) - 1.0`, `2.0 * p.x`. Comparisons compare only the values. Where
+/// the derivative does not exist (√ at 0, ln below 0), the gradient is not finite.
 ///
 /// ```
 /// use shading::{Dual, Elementary, Vec3};
@@ -33,12 +34,12 @@ use crate::vector::Vec3;
 pub struct Dual<T = f32> {
     /// The value.
     pub value: T,
-    /// Its partial derivatives with respect to the three variables.
+    /// The partial derivatives with respect to the three independent variables.
     pub gradient: Vec3<T>,
 }
 
 impl<T: Real> Dual<T> {
-    /// A constant: its gradient is 0.
+    /// A constant, whose gradient is 0.
     ///
     /// ```
     /// use shading::{Dual, Vec3};
@@ -83,12 +84,14 @@ impl<T: Real> Dual<T> {
         )
     }
 
-    /// The chain rule: applies any function g to this number, given its value g(x) and its slope g′(x) at
-    /// x, the value of this number.
+    /// Applies a function g by the chain rule, given its value and its slope.
     ///
     /// ```text
-    /// ∇ g(f) = g′(f) ∇f
+    /// ∇g(f) = g′(f) ∇f
     /// ```
+    ///
+    /// `value` is g(f) and `slope` is g′(f), both at f, the value of this number. This adds any
+    /// differentiable function that [`Elementary`] lacks:
     ///
     /// ```
     /// use shading::{Dual, Vec3};
@@ -171,7 +174,7 @@ impl<T: Real> Mul for Dual<T> {
     }
 }
 
-/// The quotient rule, as (f′ − (f/g) g′)/g.
+/// The quotient rule, computed as (f′ − (f/g) g′)/g.
 impl<T: Real> Div for Dual<T> {
     type Output = Self;
     #[inline]
@@ -303,7 +306,7 @@ impl<T: Elementary> Elementary for Dual<T> {
     #[inline]
     fn ln(self) -> Self {
         let ln = self.value.ln();
-        // 1/x has a value below 0, the logarithm has none
+        // below 0, 1/x has a value, but the logarithm does not
         let slope = (-self.value).if_positive(ln, T::ONE / self.value);
         self.chain(ln, slope)
     }

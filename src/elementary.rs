@@ -1,14 +1,16 @@
-//! Floor 0: the elementary functions, for surfaces.
+//! The elementary functions, for writing surfaces.
 
 use crate::power::by_squaring;
 use crate::real::Real;
 
-/// The functions that surfaces are written with, beyond those of [`Real`]. The formulas of
-/// illumination use none of them; [`normal::implicit`](crate::normal::implicit) and
+/// The functions, beyond those of [`Real`], that surfaces are written with: sin, cos, exp, ln and
+/// integer powers.
+///
+/// The formulas of illumination use none of them. [`normal::implicit`](crate::normal::implicit) and
 /// [`normal::parametric`](crate::normal::parametric) differentiate through all of them.
 ///
-/// For `f32` and `f64` they come from `libm`, so they have the same bits on every machine; its
-/// `sinf` and `cosf` compute in double precision inside.
+/// For `f32` and `f64` they come from `libm`, so they have the same bits on every machine. `libm`'s
+/// `sinf` and `cosf` compute in double precision internally.
 ///
 /// ```
 /// use shading::{Elementary, Vec3};
@@ -26,14 +28,22 @@ pub trait Elementary: Real {
     /// The cosine of an angle in radians.
     #[must_use]
     fn cos(self) -> Self;
-    /// e to the power of self.
+    /// e to the power of `self`.
     #[must_use]
     fn exp(self) -> Self;
-    /// The natural logarithm; −∞ at 0 and not a number below.
+    /// The natural logarithm: −∞ at 0, NaN below 0.
     #[must_use]
     fn ln(self) -> Self;
 
-    /// A whole power, by squaring; a negative one is 1 over the positive.
+    /// An integer power, computed by repeated squaring. A negative exponent gives 1 over the
+    /// positive power. The power 0 is 1 for every base, even for 0 and NaN.
+    ///
+    /// ```
+    /// use shading::Elementary;
+    ///
+    /// assert_eq!(3.0_f32.powi(4), 81.0);
+    /// assert_eq!(2.0_f32.powi(-2), 0.25);
+    /// ```
     #[inline]
     #[must_use]
     fn powi(self, exponent: i32) -> Self {

@@ -1,9 +1,10 @@
-//! Floor 1: from linear light to the levels of a display, and back.
+//! Encodings of linear light for pictures and displays, and back.
 //!
-//! The levels of an encoding rise with the light. So each begins at a certain `f32`, and to encode is to
-//! find the last one that has begun: a search in a table, with comparisons of integers alone. That is
-//! correctly rounded by construction, and takes no power, no division and, on a chip without an FPU, no
-//! floating-point routine. The compiler computes the tables from the formula.
+//! The levels of an encoding rise with the light, so each level begins at a certain `f32`. Encoding
+//! a number means finding the last level that begins at or below it. A search in a table does this
+//! with integer comparisons alone. The result is correctly rounded by construction. The search
+//! needs no powers, no division and, on a chip without an FPU, no floating-point routine. The
+//! compiler computes the tables from the formula.
 
 #![allow(
     clippy::cast_possible_truncation, // levels fit their bits; edges are rounded
@@ -13,17 +14,19 @@
 
 use crate::rgb::Rgb;
 
-/// Encodings, for `f32` alone. Round colors of another type first: a display shows no difference.
+/// Encodings exist only for `f32`. Convert colors of other types first; a display shows no
+/// difference.
 impl Rgb<f32> {
-    /// The sRGB bytes of linear light.
+    /// Encodes linear light as sRGB bytes.
     ///
     /// ```text
     /// round(255 E),  E = 12.92 L                   for L ≤ 0.0031308
     ///                E = 1.055 L^(1/2.4) − 0.055   above
     /// ```
     ///
-    /// Correctly rounded: each channel gets the byte nearest to the exact value, for every `f32`. Below 0
-    /// and NaN give 0, above 1 gives 255, so [`clamped`](Rgb::clamped) is not needed before.
+    /// The result is correctly rounded: for every `f32`, each channel gets the byte nearest to the
+    /// exact value. A channel below 0 or NaN gives 0, and one above 1 gives 255, so you need not
+    /// call [`clamped`](Rgb::clamped) first.
     ///
     /// Source: IEC 61966-2-1:1999, *Multimedia systems and equipment – Colour measurement and management –
     /// Part 2-1: Colour management – Default RGB colour space – sRGB*.
@@ -45,14 +48,14 @@ impl Rgb<f32> {
         ]
     }
 
-    /// The linear light of sRGB bytes: of a texture, or of a color as a designer writes it.
+    /// Decodes sRGB bytes, such as those of a texture or of a designer's color, to linear light.
     ///
     /// ```text
     /// L = E/12.92                     for E = byte/255 ≤ 0.04045
     /// L = ((E + 0.055)/1.055)^2.4     above
     /// ```
     ///
-    /// Correctly rounded; [`to_srgb8`](Rgb::to_srgb8) gives the same bytes back.
+    /// The result is correctly rounded, and [`to_srgb8`](Rgb::to_srgb8) gives the same bytes back.
     ///
     /// Source: IEC 61966-2-1:1999, as for [`to_srgb8`](Rgb::to_srgb8).
     ///
@@ -62,6 +65,7 @@ impl Rgb<f32> {
     /// assert_eq!(BRASS.to_srgb8(), [0xB5, 0xA6, 0x42]);
     /// assert_eq!(Rgb::from_srgb8([255, 0, 255]), Rgb::new(1.0, 0.0, 1.0));
     /// ```
+    #[doc(alias = "gamma")]
     #[doc(alias = "decode")]
     #[inline]
     #[must_use]
@@ -73,15 +77,16 @@ impl Rgb<f32> {
         )
     }
 
-    /// Linear light as 16 bits for a small display: sRGB in five, six and five bits, red in the highest.
+    /// Encodes linear light as 16 bits for a small display: sRGB with five bits of red, six of
+    /// green and five of blue, red in the highest bits.
     ///
     /// ```text
     /// round(31 E_r) · 2¹¹ + round(63 E_g) · 2⁵ + round(31 E_b),   E as for to_srgb8
     /// ```
     ///
-    /// Each channel is rounded once, from the linear light: from bytes, an eighth of the colors would
-    /// differ, and half of them with the low bits cut off. Out of range and NaN as for
-    /// [`to_srgb8`](Rgb::to_srgb8).
+    /// Each channel is rounded once, from the linear light. Rounding the sRGB bytes again would
+    /// change an eighth of the colors, and cutting off their low bits would change half. Channels
+    /// outside [0, 1] and NaN are treated as in [`to_srgb8`](Rgb::to_srgb8).
     ///
     /// Source: IEC 61966-2-1:1999, as for [`to_srgb8`](Rgb::to_srgb8).
     ///
@@ -100,23 +105,24 @@ impl Rgb<f32> {
     }
 }
 
-/// What NaN exceed infinity by, at most.
+/// The most by which the bits of a NaN exceed those of infinity.
 const NAN: i32 = 0x007F_FFFF;
 
-/// Where a number stands among the others. As signed integers the bits of positive floats are in order,
-/// and those of negative ones below them; the sum makes every NaN wrap round, below all levels.
+/// The place of a number in the order of all numbers. As signed integers, the bits of positive
+/// floats are in order, and those of negative floats are below them. The sum wraps every NaN around
+/// to below all levels.
 #[inline]
 const fn order(value: f32) -> i32 {
     (value.to_bits() as i32).wrapping_add(NAN)
 }
 
-/// The last level that begins at or below a value. N is a power of two.
+/// The last level that begins at or below a value. N must be a power of two.
 #[inline]
 const fn level<const N: usize>(value: f32, begin: &[i32; N]) -> usize {
     let value = order(value);
     let (mut level, mut step) = (0, N / 2);
     while step > 0 {
-        // the mask changes nothing: it shows the compiler that the index is within bounds
+        // the mask changes nothing, but shows the compiler that the index is within bounds
         if value >= begin[(level | step) & (N - 1)] {
             level |= step;
         }
@@ -129,7 +135,8 @@ static EIGHT_BITS: [i32; 256] = levels();
 static SIX_BITS: [i32; 64] = levels();
 static FIVE_BITS: [i32; 32] = levels();
 
-/// The [`order`] of the least `f32` of each level: where the encoding has reached the level less a half.
+/// The [`order`] of the least `f32` of each level, at which the encoding reaches the level minus
+/// one half.
 const fn levels<const N: usize>() -> [i32; N] {
     let (mut begin, mut level) = ([i32::MIN; N], 1);
     while level < N {
@@ -152,8 +159,9 @@ static DECODED: [f32; 256] = {
     light
 };
 
-/// The standard's decoding, at compile time alone. It errs by 2⁻⁵⁰ of the result at most; no edge of a
-/// level is nearer than 2⁻³⁶ to an `f32`, nor the light of a byte to a tie.
+/// The standard's decoding, used only at compile time. The error is at most 2⁻⁵⁰ of the result. That
+/// suffices: no level begins within 2⁻³⁶ of an `f32`, and the light of no byte is within 2⁻³⁶ of a
+/// tie.
 const fn decoded(encoded: f64) -> f64 {
     if encoded <= 0.040_45 {
         return encoded / 12.92;

@@ -1,12 +1,12 @@
-//! Floor 0: the shininess m, and the powers of cosines.
+//! The shininess m, and the powers of cosines.
 
 use crate::power::{integer_power, power};
 use crate::real::Real;
 
-/// The shininess m of a highlight: an integer (`u32`), or a real number of the scene's type (`f32`,
+/// The shininess m of a highlight: an integer (`u32`) or a real number of the scene's type (`f32`,
 /// `f64`).
 ///
-/// An integer m takes the much faster path, by squaring. The type of the argument chooses:
+/// An integer m is much faster: it uses repeated squaring. The type of the argument decides:
 ///
 /// ```
 /// use shading::{UnitVec3, term::blinn};
@@ -20,8 +20,8 @@ use crate::real::Real;
 ///
 /// # A highlight of your own
 ///
-/// Write [`raise`](Exponent::raise), and it shapes the highlights of every term and every sum. A power is
-/// not required: below, the highlight is a disk with a sharp edge, as in a cartoon.
+/// Implement [`raise`](Exponent::raise), and it shapes the highlight of every term and every sum.
+/// It need not be a power. Here the highlight is a disk with a sharp edge, as in a cartoon:
 ///
 /// ```
 /// use shading::f32::{DirectionalLight, Material, Rgb, UnitVec3, Vec3};
@@ -44,25 +44,35 @@ use crate::real::Real;
 /// assert_eq!(shaded.specular, Rgb::gray(0.5));
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a shininess for numbers of type `{T}`",
+    message = "`{Self}` cannot be the shininess of a highlight in numbers of type `{T}`",
     label = "expected `u32` or `{T}`",
-    note = "an integer shininess is a `u32`, as in `m: 32`; a real one has the type of the scene, as in `m: 32.5`",
-    note = "`term::phong` and `term::blinn` are factors; the models that take a material are in `shade`"
+    note = "an integer shininess is a `u32`, as in `m: 32`; a real shininess has the scene's number type, as in `m: 32.5`",
+    note = "`term::phong` and `term::blinn` are factors; the functions that take a material are in `shade`"
 )]
 pub trait Exponent<T: Real>: Copy {
-    /// cosineᵐ, a number within [0, 1].
+    /// cosineᵐ, within [0, 1].
     ///
-    /// A cosine above 1 counts as 1: rounding makes such. Where the cosine is not above 0, or not a
-    /// number, the power is 0 for **every** m; above 0 the power by m = 0 is 1. An m below 0, or not a
-    /// number, counts as 0. 1 to any power is 1, even if m is infinite.
+    /// A cosine above 1, as rounding may produce, counts as 1. If the cosine is 0, negative or NaN,
+    /// the power is 0 for **every** m. Above 0, the power with m = 0 is 1. A negative or NaN m
+    /// counts as 0. 1 to any power is 1, even if m is infinite.
     ///
-    /// An integer m is exact to a relative error of m·u, u the unit roundoff (2⁻²⁴ for `f32`), which
-    /// is the power's own conditioning; a real m to an absolute error of 2⁻²² in `f32`. There a
-    /// power that would be subnormal may be 0.
+    /// With an integer m the relative error is at most m·u, the conditioning of the power itself,
+    /// where u is the unit roundoff (2⁻²⁴ for `f32`). With a real m in `f32` the absolute error is
+    /// at most 2⁻²². In `f32`, a power that would be subnormal may be 0.
+    ///
+    /// ```
+    /// use shading::Exponent;
+    ///
+    /// assert_eq!(3_u32.raise(0.5_f32), 0.125);
+    /// assert!((3.0_f32.raise(0.5_f32) - 0.125).abs() < 1e-6);
+    /// assert_eq!(0_u32.raise(-0.5_f32), 0.0); // turned away: no highlight, even with m = 0
+    /// ```
+    #[doc(alias = "pow")]
+    #[doc(alias = "powf")]
     #[must_use]
     fn raise(self, cosine: T) -> T;
 
-    /// m/2, where that is an exponent too: it raises the square of a cosine, whose root would cost
+    /// m/2, if that is an exponent too. It raises the square of a cosine, whose root would cost
     /// more than the power.
     #[doc(hidden)]
     #[inline]
@@ -70,8 +80,9 @@ pub trait Exponent<T: Real>: Copy {
         None
     }
 
-    /// Raises the cosines of a sum, one by one or several at a time, and hands each power to `each` with
-    /// the item that it belongs to, in order. `_none` is an item that stands for none.
+    /// Raises the cosines of a sum, one by one or several at a time. It passes each power, with the
+    /// item that the power belongs to, to `each`, in order. `_none` is an item that fills unused
+    /// places.
     #[doc(hidden)]
     #[inline]
     fn powers<I: Copy>(self, _none: I, each: impl FnMut(I, T)) -> impl Powers<I, T> {
@@ -80,7 +91,7 @@ pub trait Exponent<T: Real>: Copy {
     }
 }
 
-/// Takes items with their cosines; the powers may come later.
+/// Takes items with their cosines. It may compute the powers later.
 pub trait Powers<I, T> {
     fn take(&mut self, item: I, cosine: T);
     fn finish(self);
@@ -105,7 +116,7 @@ impl<I, T, P: Fn(T) -> T, F: FnMut(I, T)> Powers<I, T> for OneByOne<P, F> {
 impl<T: Real> Exponent<T> for u32 {
     #[inline]
     fn raise(self, cosine: T) -> T {
-        // an m known to be above 0 takes fewer instructions
+        // an m that the compiler knows to be above 0 takes fewer instructions
         if self == 0 {
             cosine.if_positive(T::ONE, T::ZERO)
         } else {
@@ -118,7 +129,7 @@ impl<T: Real> Exponent<T> for u32 {
         (self % 2 == 0).then_some(self / 2)
     }
 
-    // what depends on m alone is computed once
+    // whatever depends on m alone is computed once
     #[inline]
     fn powers<I: Copy>(self, _none: I, each: impl FnMut(I, T)) -> impl Powers<I, T> {
         let power = integer_power(self);
@@ -153,7 +164,7 @@ impl Exponent<f32> for f32 {
 impl Exponent<f64> for f64 {
     #[inline]
     fn raise(self, cosine: f64) -> f64 {
-        // not `at_least`, which may leave a signaling NaN as it is
+        // not `at_least`, which may let a signaling NaN through
         let power = if self > 0.0 {
             libm::pow(cosine.at_least(0.0).at_most(1.0), self)
         } else {
@@ -230,9 +241,10 @@ mod by_fours {
 
     /// The power of each of four cosines.
     ///
-    /// Out of line and of numbers, not of an array: so compilers see a loop of four and nothing around
-    /// it, make SIMD instructions of it, and pass the cosines in registers. Written to memory one by
-    /// one, they could not be read as a vector before all of them had arrived there.
+    /// The function is out of line and takes numbers instead of an array, for two reasons. LLVM
+    /// sees a loop of four and nothing around it, so it vectorizes the loop. And the cosines arrive
+    /// in registers: if they were written to memory one by one, the vector load would have to wait
+    /// for all four stores.
     #[inline(never)]
     fn four_powers(a: f32, b: f32, c: f32, d: f32, m: f32) -> [f32; 4] {
         let mut powers = [a, b, c, d];

@@ -1,8 +1,9 @@
 //! Local illumination as pure functions: Lambert, Phong and Blinn–Phong shading of one point.
 //!
-//! Pass in a point, a normal, the direction to the eye and some lights; get the reflected light back,
-//! part by part. The crate draws nothing, owns no scene and knows no screen. Use it in a ray tracer, a
-//! rasterizer, on a display of a microcontroller, or to check a shader.
+//! Pass in a normal, the direction to the eye, a material and the light that arrives at a point.
+//! Get back the reflected light: ambient, diffuse and specular apart. The crate draws nothing, owns
+//! no scene and knows nothing of screens. Use it in a ray tracer or a rasterizer, on a
+//! microcontroller with a display, or to check a shader.
 //!
 //! ```
 //! use shading::f32::{Attenuation, DirectionalLight, Material, PointLight, Rgb, UnitVec3, Vec3};
@@ -28,69 +29,75 @@
 //! | you have | you want | use |
 //! |---|---|---|
 //! | a surface | its normal | [`mod@normal`] |
-//! | a light and a point | L, I and the distance there | [`DirectionalLight`], [`PointLight`], [`SpotLight`], [`Light`] |
+//! | a light and a point | the light that arrives there: L, I and the distance | [`DirectionalLight`], [`PointLight`], [`SpotLight`], [`Light`] |
 //! | N, V, a [`Material`], lights | the reflected light | [`shade::lambert`], [`shade::phong`], [`shade::blinn_phong`] |
 //! | N, L, V | R or H | [`reflection`], [`half_vector`] |
-//! | directions | one factor of the formula | [`mod@term`] |
-//! | a distance | the falloff | [`attenuation()`], [`Attenuation`], within a range [`Ranged`] |
-//! | the axis of a spot and L | its share of light | [`Cone`], with a soft edge [`SoftCone`] |
+//! | N, L, R, V or H | one factor of the formula | [`mod@term`] |
+//! | a distance | the falloff of the light | [`attenuation()`], [`Attenuation`]; with a range, [`Ranged`] |
+//! | a spot's axis and L | the share of its light that arrives | [`Cone`]; with a soft edge, [`SoftCone`] |
 //! | linear light | the bytes of a picture or a display, and back | [`Rgb::to_srgb8`], [`Rgb::to_rgb565`], [`Rgb::from_srgb8`] |
 //! | a scene in one number type | short type names | [`mod@f32`], [`mod@f64`] |
-//! | a number type of your own | all of this for it | [`Real`] |
+//! | a number type of your own | everything above for that type | [`Real`] |
 //!
 //! # What it promises
 //!
-//! 1. **One formula, every number.** Each formula is written once, over [`Real`]: for `f32`, `f64`, the
-//!    dual number [`Dual`], SIMD lanes (feature `wide`), or a type of your own.
-//! 2. **Total.** Every function is defined for every input of its types, and none panics, whatever the
-//!    bits. The formulas of illumination turn finite valid input (directions of length 1, lights and
-//!    materials that are not negative) into finite light that is not negative. What has no answer is an
-//!    `Option`. As in floats, a dot or cross product that overflows may be NaN: [`guide::totality`] lists
-//!    every such case.
-//! 3. **The same bits everywhere.** Only + − × ÷ √ in a fixed order: an `f32` result is the same on every
-//!    machine that rounds as IEEE 754 says, and in every SIMD lane. The exceptions are x86 without SSE2, and
-//!    programs that flush subnormal numbers to 0.
-//! 4. **Small and fast.** One dependency, `libm`; no allocation, no `std`; no double precision in an
-//!    `f32` path (`sin` and `cos` of [`Elementary`] aside).
-//! 5. **Traceable.** Every formula's page gives the formula, convention, degenerate cases and source.
+//! 1. **One formula, every number.** Each formula is written once, over [`Real`], for `f32`, `f64`,
+//!    the dual number [`Dual`], SIMD lanes (feature `wide`) and types of your own.
+//! 2. **Total.** Every function is defined for every input of its types and never panics, whatever
+//!    the bits. Given finite, valid input (directions of length 1, lights and materials that are
+//!    not negative), the illumination formulas return light that is never negative and never NaN. A
+//!    function that may have no answer returns an `Option`. As with plain floats, a dot or cross
+//!    product that overflows may be NaN; [`guide::totality`] lists every such case.
+//! 3. **The same bits everywhere.** Every result comes from + − × ÷ √ in a fixed order. An `f32`
+//!    result is therefore the same on every machine that rounds as IEEE 754 requires, and in every
+//!    SIMD lane. There are two exceptions: x86 without SSE2, and programs that flush subnormal
+//!    numbers to 0.
+//! 4. **Small and fast.** The only dependency is `libm`. The crate neither allocates nor uses
+//!    `std`. No `f32` path uses double precision, except `sin` and `cos` of [`Elementary`].
+//! 5. **Traceable.** The page of every formula gives the formula, its conventions, its degenerate
+//!    cases, its source and an example.
 //!
 //! # Conventions
 //!
-//! - **All directions point away from the surface** and are [`UnitVec3`]: N, L to the light, V to
-//!   the eye, R, H. [`reflection`] takes L; GLSL's `reflect` takes −L.
-//! - **Colors are linear** and not limited to 1. Decode sRGB before ([`Rgb::from_srgb8`]); encode once,
-//!   after ([`Rgb::to_srgb8`]).
-//! - **q is the distance**, not its square, in [`attenuation()`]. Directional lights have none.
-//! - **A shadow ray ends at the light**: [`IncidentLight`] gives its distance. A wall behind a lamp casts
-//!   no shadow.
-//! - **A spot's angle is the half-angle**, in radians, and its edge is inside.
-//! - **Lambert has no 1/π**, and the highlights are not normalized: the formulas are the books'. For
-//!   renderers with a 1/π there is [`term::blinn_normalization`].
-//! - **A face turned away from a light has no highlight.** The sums in [`mod@shade`] ensure it; the
-//!   factors in [`mod@term`] alone do not.
-//! - **A cosine ≤ 0 gives no highlight**, for every m, m = 0 included.
+//! - **All directions point away from the surface** and are [`UnitVec3`]: the normal N, L to the
+//!   light, V to the eye, R and H. [`reflection`] takes L; GLSL's `reflect` takes −L.
+//! - **Colors are linear** and may exceed 1. Decode sRGB before shading with [`Rgb::from_srgb8`];
+//!   encode once, after the sum, with [`Rgb::to_srgb8`].
+//! - **q is the distance**, not its square, in [`attenuation()`]. Directional lights are not
+//!   attenuated.
+//! - **A shadow ray ends at the light**, at the distance that [`IncidentLight`] gives. A wall
+//!   behind a lamp casts no shadow.
+//! - **A spot's angle is the half-angle**, in radians. A point on the edge of the cone is lit.
+//! - **Lambert has no 1/π**, and the highlights are not normalized: the formulas are those of the
+//!   textbooks. If your renderer has a 1/π, multiply its highlights by
+//!   [`term::phong_normalization`] or [`term::blinn_normalization`].
+//! - **A face turned away from a light has no highlight.** The sums in [`mod@shade`] ensure this;
+//!   the factors in [`mod@term`] alone do not.
+//! - **A cosine of 0 or below gives no highlight**, whatever m is, even m = 0.
 //!
 //! # Features
 //!
-//! - `approx`: `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`], [`Rgb`],
-//!   [`IncidentLight`] and [`Shaded`].
-//! - `bytemuck`: `Pod` for [`Vec3`] and [`Rgb`], `NoUninit` for [`UnitVec3`]. [`guide::buffers`] shows how
-//!   to fill uniform buffers with them.
-//! - `defmt`: `Format` for all types, to log them on a microcontroller.
-//! - `mint`: [`Vec3`] from and to `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to `Vector3`. Through
-//!   them it converts to the vectors of glam, nalgebra, cgmath, euclid and vek, in any version.
-//! - `serde`: reads and writes lights, materials and their parts. [`guide::schema`] gives the format. Input
-//!   that a constructor would refuse is an error with the field's name and the reason.
-//! - `wide`: [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`; each lane has the bits of
-//!   the scalar. The exception is 32-bit Arm with NEON, whose `f32` instructions flush subnormal numbers;
-//!   on x86 without SSE2 the feature does not build. `cast` takes a scene in scalars into lanes:
-//!   `light.cast(f32x8::splat)`.
+//! - `approx` implements `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`],
+//!   [`Rgb`], [`IncidentLight`] and [`Shaded`].
+//! - `bytemuck` implements `Pod` for [`Vec3`] and [`Rgb`], and `NoUninit` for [`UnitVec3`].
+//!   [`guide::buffers`] shows how to fill uniform buffers with them.
+//! - `defmt` implements `Format` for all types, so that a microcontroller can log them.
+//! - `mint` converts [`Vec3`] from and to `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to
+//!   `Vector3`. Through these types it converts to the vectors of any version of glam, nalgebra,
+//!   cgmath, euclid and vek.
+//! - `serde` reads and writes lights, materials and their parts. [`guide::schema`] describes the
+//!   format. Input that a constructor would refuse is an error, which names the field and the
+//!   reason.
+//! - `wide` implements [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`. Each lane
+//!   has the bits of the scalar, except on 32-bit Arm with NEON, whose `f32` instructions flush
+//!   subnormal numbers. On x86 without SSE2 the feature does not build. `cast` converts a scene of
+//!   scalars into lanes: `light.cast(f32x8::splat)`.
 //!
-//! No feature is on by default.
+//! No feature is enabled by default.
 //!
 //! # The floors
 //!
-//! Each file uses only files on floors below it, and those to its left on its own floor.
+//! Each file uses only files on lower floors and files to its left on its own floor.
 //!
 //! | floor | files |
 //! |---|---|
@@ -112,22 +119,23 @@
 )]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
-// floor 0: numbers
+// one paragraph per floor of the table above, the lowest first
+
 mod elementary;
 mod exponent;
 mod power;
 mod real;
 mod root;
-// floor 1: vectors and colours
+
 mod componentwise;
 mod encoding;
 mod rescale;
 mod rgb;
 mod unit;
 mod vector;
-// floor 2: differentiation
+
 mod dual;
-// floor 3: formulas
+
 mod attenuation;
 mod cone;
 mod direction;
@@ -135,15 +143,16 @@ pub mod normal;
 mod range;
 mod soft_cone;
 pub mod term;
-// floor 4: scenes
+
 mod light;
 mod material;
-// floor 5: the model
+
 pub mod shade;
 
-// the optional features
+mod aliases;
 mod features;
 
+pub use aliases::{f32, f64};
 pub use attenuation::{Attenuation, Falloff, attenuation};
 pub use cone::{Beam, Cone};
 pub use direction::{half_vector, reflection};
@@ -157,20 +166,15 @@ pub use real::Real;
 pub use rgb::Rgb;
 pub use shade::Shaded;
 pub use soft_cone::SoftCone;
-
 pub use unit::UnitVec3;
 pub use vector::Vec3;
 
-// the types of a scene in one number type
-mod aliases;
-pub use aliases::{f32, f64};
-
-/// Pages on one topic each, beside the pages of the functions.
+/// Pages that each explain one topic, beside the pages of the functions.
 #[cfg(doc)]
 pub mod guide {
     #[doc = include_str!("../docs/architecture.md")]
     pub mod architecture {}
-    #[cfg(not(doctest))] // it needs more crates: `tests/features` runs its examples
+    #[cfg(not(doctest))] // its examples need other crates; `tests/features` runs them
     #[doc = include_str!("../docs/buffers.md")]
     pub mod buffers {}
     #[doc = include_str!("../docs/embedded.md")]
@@ -183,7 +187,7 @@ pub mod guide {
     pub mod precision {}
     #[doc = include_str!("../docs/recipes.md")]
     pub mod recipes {}
-    #[cfg(not(doctest))] // it needs more crates: `tests/features` runs its examples
+    #[cfg(not(doctest))] // its examples need other crates; `tests/features` runs them
     #[doc = include_str!("../docs/schema.md")]
     pub mod schema {}
     #[doc = include_str!("../docs/totality.md")]
@@ -192,7 +196,7 @@ pub mod guide {
     pub mod vectors {}
 }
 
-/// The README's code blocks, compiled as doc-tests.
+/// The README's code blocks, compiled as documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

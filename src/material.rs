@@ -1,11 +1,11 @@
-//! Floor 4: the material of a surface.
+//! The material of a surface.
 
 use crate::rgb::Rgb;
 
-/// The material of a surface: three reflectances per channel, and the shininess.
+/// The material of a surface: three reflectances, each with three channels, and the shininess.
 ///
-/// A reflectance is at least 0; at 1 the surface returns all the light. `M` is the type of the shininess,
-/// an [`Exponent`](crate::Exponent); a `u32` is faster than a float.
+/// A reflectance is 0 or more; at 1, the surface reflects all the light. `M` is the type of the
+/// shininess, an [`Exponent`](crate::Exponent); a `u32` is faster than a float.
 ///
 /// ```
 /// use shading::f32::{Material, Rgb};
@@ -30,8 +30,8 @@ pub struct Material<T = f32, M = u32> {
 }
 
 impl<T, M> Material<T, M> {
-    /// The same material in another number type: `f` converts each number, and may do no more
-    /// than round it. The shininess stays as it is.
+    /// The same material in another number type. `f` converts each reflectance and may only round
+    /// it. The shininess does not change.
     ///
     /// ```
     /// use shading::f32::{Material, Rgb};

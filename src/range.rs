@@ -1,14 +1,15 @@
-//! Floor 3: attenuation that ends at a distance.
+//! Attenuation that ends at a range.
 
 use crate::attenuation::{Attenuation, Falloff};
 use crate::real::Real;
 use crate::rgb::Rgb;
 
-/// An [`Attenuation`] within a range r: smaller and smaller towards r, and exactly 0 from there on.
+/// An [`Attenuation`] that ends at a range r: the light falls off toward r and is exactly 0 from r
+/// on.
 ///
-/// A light without a range lights everything a little, and none can be left out for being far away.
-/// `in_front` leaves out a [`PointLight`](crate::PointLight) and a
-/// [`SpotLight`](crate::SpotLight) out of whose range the point is.
+/// A light without a range lights every point a little, so no light may be skipped for being far
+/// away. With a range, `in_front` of a [`PointLight`](crate::PointLight) or a
+/// [`SpotLight`](crate::SpotLight) returns `None` if the point is out of range.
 ///
 /// ```
 /// use shading::{Attenuation, PointLight, Ranged, Rgb, UnitVec3, Vec3};
@@ -22,6 +23,7 @@ use crate::rgb::Rgb;
 /// assert!(at(2.0).unwrap().intensity.r > 0.0);
 /// assert_eq!(at(5.0), None); // more than 4 away
 /// ```
+#[doc(alias = "cutoff")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ranged<T = f32> {
     attenuation: Attenuation<T>,
@@ -35,12 +37,24 @@ impl<T: Real> Ranged<T> {
     /// w(q) / (a + bq + cq²),  w(q) = max(0, 1 − (q/r)⁴)²
     /// ```
     ///
-    /// It never rises with q and is never more than the attenuation without a range, to the bit. The
-    /// square lets it end smoothly at r. *KHR_lights_punctual*, a glTF 2.0 extension, recommends
-    /// max(0, 1 − (q/r)⁴) without it.
+    /// q is the distance, not its square, and r > 0 the range, in the same unit. The factor never
+    /// rises as q rises, and it never exceeds the attenuation without a range, to the bit. The
+    /// outer square lets it end smoothly at r. *KHR_lights_punctual*, a glTF 2.0 extension,
+    /// recommends max(0, 1 − (q/r)⁴) without the square.
     ///
-    /// Source: Karis, *Real Shading in Unreal Engine 4*, SIGGRAPH course, 2013; Filament and three.js
-    /// do the same. (A `distance` of 0 in three.js is no range; here it is refused, and ∞ is no range.)
+    /// The factor is 0 for q ≥ r and for NaN.
+    ///
+    /// Source: Brian Karis, *Real Shading in Unreal Engine 4*, SIGGRAPH course, 2013; Filament and
+    /// three.js use the same formula. In three.js, a `distance` of 0 means no range. This crate
+    /// refuses 0; ∞ means no range.
+    ///
+    /// ```
+    /// use shading::f32::Attenuation;
+    ///
+    /// let lamp = Attenuation::NONE.within(2.0).unwrap();
+    /// assert_eq!(lamp.at(1.0), 0.9375 * 0.9375); // (1 − (1/2)⁴)²
+    /// assert_eq!(lamp.at(2.0), 0.0);
+    /// ```
     #[inline]
     #[must_use]
     pub fn at(self, q: T) -> T {
@@ -57,6 +71,13 @@ impl<T: Real> Ranged<T> {
     }
 
     /// The attenuation without the range.
+    ///
+    /// ```
+    /// use shading::f32::Attenuation;
+    ///
+    /// let attenuation = Attenuation::new(1.0, 0.0, 0.25).unwrap();
+    /// assert_eq!(attenuation.within(8.0).unwrap().attenuation(), attenuation);
+    /// ```
     #[inline]
     #[must_use]
     pub const fn attenuation(self) -> Attenuation<T>
@@ -66,7 +87,14 @@ impl<T: Real> Ranged<T> {
         self.attenuation
     }
 
-    /// The range r.
+    /// The range r, which is ∞ for a light without a range.
+    ///
+    /// ```
+    /// use shading::f32::{Attenuation, Ranged};
+    ///
+    /// assert_eq!(Attenuation::NONE.within(8.0).unwrap().range(), 8.0);
+    /// assert_eq!(Ranged::from(Attenuation::NONE).range(), f32::INFINITY);
+    /// ```
     #[inline]
     #[must_use]
     pub const fn range(self) -> T
@@ -76,8 +104,15 @@ impl<T: Real> Ranged<T> {
         self.range
     }
 
-    /// The same attenuation in another number type: `f` converts each number, and may do no more
-    /// than round it.
+    /// The same attenuation and range in another number type. `f` converts each number and may only
+    /// round it.
+    ///
+    /// ```
+    /// use shading::f32::Attenuation;
+    ///
+    /// let lamp = Attenuation::NONE.within(8.0).unwrap();
+    /// assert_eq!(lamp.cast(f64::from).range(), 8.0_f64);
+    /// ```
     #[inline]
     #[must_use]
     pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> Ranged<U> {
@@ -98,8 +133,8 @@ impl<T: Real> Falloff<T> for Ranged<T> {
 
     #[inline]
     fn reaches(&self, square: T) -> bool {
-        // A square above that of r has a root of at least r, for the root of r² is r; where r² may have
-        // lost bits, it is in doubt.
+        // A square above r² has a root of at least r, because the rounded root of the rounded r² is
+        // r. If r² may have lost bits, the light is kept.
         let reach = self.range * self.range + T::ONE / T::EXTREME;
         square.if_above(reach, T::ZERO, T::ONE).any_positive()
     }
@@ -113,8 +148,9 @@ impl<T: Real> Falloff<T> for Ranged<T> {
 macro_rules! checked {
     ($float:ident) => {
         impl Attenuation<$float> {
-            /// The same attenuation within a range: 0 from the distance r on. `None` for an r of 0 or
-            /// below, and for NaN. ∞ is no range.
+            /// The same attenuation, ended by a range: the factor is 0 from the distance r on.
+            /// Returns `None` if r is 0, negative or NaN. ∞ means no range. [`Ranged::at`] gives
+            /// the formula.
             ///
             /// ```
             #[doc = concat!("use shading::", stringify!($float), "::Attenuation;")]
@@ -140,7 +176,7 @@ macro_rules! checked {
             }
         }
 
-        /// No range.
+        /// The attenuation with a range of ∞, which means no range.
         impl From<Attenuation<$float>> for Ranged<$float> {
             #[inline]
             fn from(attenuation: Attenuation<$float>) -> Self {

@@ -1,12 +1,12 @@
-//! Floor 0: the number that every formula is written over.
+//! The number type that every formula is written over.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A real number: `f32`, `f64`, a dual number, a set of SIMD lanes, or a type of your own.
 ///
-/// It holds the operations that the formulas of this crate need and no more. All of them round
-/// correctly, which is why a result has the same bits on every machine. There is no comparison:
-/// a decision is taken lane by lane, by [`if_positive`](Real::if_positive).
+/// The trait has the operations that the formulas of this crate need, and no more. All of them
+/// round correctly, so a result has the same bits on every machine. There is no comparison:
+/// [`if_positive`](Real::if_positive) makes each decision, separately for each lane.
 ///
 /// ```
 /// use shading::Real;
@@ -21,19 +21,22 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 ///
 /// # A number of your own
 ///
-/// Write the constants, [`of`](Real::of), [`sqrt`](Real::sqrt), [`if_positive`](Real::if_positive) and
-/// [`any_positive`](Real::any_positive), which stand first. The rest is derived; where a processor has
-/// better, replace it by what gives the same result.
+/// Write the items without a default: the constants, [`of`](Real::of), [`sqrt`](Real::sqrt),
+/// [`if_positive`](Real::if_positive) and [`any_positive`](Real::any_positive). The other methods
+/// are derived from them. If a processor has a better way, override the method, provided that it
+/// gives the same result.
 ///
-/// - No operation panics. Division by zero gives an infinity or, in a type without one, any number.
-/// - [`if_positive`](Real::if_positive) chooses lane by lane and computes nothing;
-///   [`any_positive`](Real::any_positive) is whether it would choose `then` in some lane.
-/// - Operations that round correctly give the same bits on every machine, and the error bounds of
-///   [`mod@crate::guide::precision`] in units of the type's roundoff. Others cost no more than that.
+/// - No operation may panic. A division by zero gives an infinity or, in a type without infinities,
+///   any number.
+/// - [`if_positive`](Real::if_positive) selects lane by lane and computes nothing.
+///   [`any_positive`](Real::any_positive) says whether it would select `then` in some lane.
+/// - If the operations round correctly, results have the same bits on every machine, and the error
+///   bounds of [`mod@crate::guide::precision`] hold in units of the type's roundoff. If they do
+///   not, nothing else is lost.
 ///
-/// [`mod@crate::guide::invariants`] tells how to test it.
+/// [`mod@crate::guide::invariants`] explains how to test such a type.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a number that this crate computes with",
+    message = "`{Self}` is not a number type that this crate computes with",
     label = "expected `f32`, `f64`, `Dual<_>` or SIMD lanes",
     note = "write numbers with a decimal point: `Vec3::new(0.0, 0.0, 1.0)`, not `Vec3::new(0, 0, 1)`"
 )]
@@ -53,77 +56,91 @@ pub trait Real:
     const NEG_ONE: Self;
     /// The largest finite number.
     const MAX: Self;
-    /// A power of two *p* that tames a vector of any length: where |v|² is not within [1/p, p], the
-    /// vector is extreme, and v/p or p·v is squared in its place.
+    /// A power of two *p* for scaling vectors whose squared length is out of range. If |v|² is not
+    /// within [1/p, p], the formulas square v/p or p·v instead of v.
     ///
-    /// So 1/p and p are far enough from the ends of the range for a sum of three squares within them to
-    /// lose no bits; the largest vector over p has its square below p, and the smallest number times p
-    /// is not below 1/p. It is 2¹⁰⁰ for `f32` and 2⁷²⁰ for `f64`; for a number with 16 bits before its point
-    /// and 16 behind it, 2⁹ is best.
+    /// Choose p so that a sum of three squares within [1/p, p] loses no bits, the largest vector
+    /// divided by p has its square below p, and the smallest number times p is not below 1/p. For
+    /// `f32` p is 2¹⁰⁰ and for `f64` 2⁷²⁰. For a fixed-point number with 16 bits before the point
+    /// and 16 after it, 2⁹ is best.
     const EXTREME: Self;
 
-    /// The number nearest to a literal. It is an `f64` so that users of `f64` lose nothing; where single
-    /// precision holds the literal, [`of_f32`](Real::of_f32) has no `f64` even in constants.
+    /// The number nearest to a literal. The literal is an `f64`, so that users of `f64` lose
+    /// nothing. If single precision holds the literal, [`of_f32`](Real::of_f32) avoids `f64` even
+    /// in constants.
     #[must_use]
     fn of(literal: f64) -> Self;
 
-    /// The square root; not a number below zero.
+    /// The square root. The root of a negative number is NaN.
     #[must_use]
     fn sqrt(self) -> Self;
 
-    /// `then` where `self` > 0, and `otherwise` where it is not (0, −0 and NaN included), lane by
-    /// lane. Maximum, clamp and every guard against a degenerate case are made of it.
+    /// `then` where `self` > 0, and `otherwise` elsewhere, which includes 0, −0 and NaN. Lanes are
+    /// selected one by one. Maximum, clamp and every guard against a degenerate case are built from
+    /// this method.
+    ///
+    /// ```
+    /// use shading::Real;
+    ///
+    /// assert_eq!(2.0_f32.if_positive(10.0, 20.0), 10.0);
+    /// assert_eq!(0.0_f32.if_positive(10.0, 20.0), 20.0);
+    /// ```
+    #[doc(alias = "select")]
     #[must_use]
     fn if_positive(self, then: Self, otherwise: Self) -> Self;
 
-    /// Whether `self` > 0, for lanes: in at least one of them. It tells whether a computation may
-    /// be skipped as a whole.
+    /// Whether `self` > 0 or, for lanes, whether any lane is. If it is false, a whole computation
+    /// may be skipped.
     #[must_use]
     fn any_positive(self) -> bool;
 
-    // what follows is derived
+    // the methods below are derived
 
-    /// [`of`](Real::of) a literal in single precision: for processors without double precision, as
-    /// GPUs often are.
+    /// The number nearest to a single-precision literal, for processors without double precision,
+    /// such as many GPUs.
     #[inline]
     #[must_use]
     fn of_f32(literal: f32) -> Self {
         Self::of(literal.into())
     }
 
-    /// `then` where `self` > `threshold`, and `otherwise` where it is not, lane by lane.
+    /// `then` where `self` > `threshold`, and `otherwise` elsewhere, lane by lane.
+    #[doc(alias = "select")]
     #[inline]
     #[must_use]
     fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
         (self - threshold).if_positive(then, otherwise)
     }
 
-    /// The absolute value. At 0 its derivative is taken to be 0, the mean of the two sides.
+    /// The absolute value. Its derivative at 0 is taken to be 0, the mean of the slopes on the two
+    /// sides.
     #[inline]
     #[must_use]
     fn abs(self) -> Self {
-        // neither above nor below 0 are 0, −0 and NaN, which stays
+        // 0, −0 and NaN are neither above nor below 0; NaN stays NaN
         self.if_positive(self, (-self).if_positive(-self, self + -self))
     }
 
-    /// max(self, floor), and the floor for NaN. A signaling NaN, which no operation produces, may stay
-    /// NaN on AArch64 and POWER.
+    /// The maximum, max(self, floor); `floor` if `self` is NaN. A signaling NaN, which no operation
+    /// produces, may stay NaN on AArch64 and POWER.
+    #[doc(alias = "max")]
     #[inline]
     #[must_use]
     fn at_least(self, floor: Self) -> Self {
         self.if_above(floor, self, floor)
     }
 
-    /// min(self, limit).
+    /// The minimum, min(self, limit).
+    #[doc(alias = "min")]
     #[inline]
     #[must_use]
     fn at_most(self, limit: Self) -> Self {
         self.if_above(limit, limit, self)
     }
 
-    /// Whether `self` is outside [low, high], for lanes: in at least one of them. The limits are
-    /// not negative, NaN is outside, and for −0 and the limits themselves, but a `high` of 1, the answer
-    /// is open.
+    /// Whether `self` or, for lanes, any lane is outside [low, high]. The limits must not be
+    /// negative. NaN is outside. For −0 and for the limits themselves, except a `high` of 1, the
+    /// result is unspecified.
     #[doc(hidden)]
     #[inline]
     #[must_use]
@@ -133,8 +150,8 @@ pub trait Real:
     }
 }
 
-/// A constant as the sum of three numbers in single precision, which the compiler computes:
-/// `constant(const { parts(PI) })` has no `f64` on the path of `f32`.
+/// A constant as the sum of three numbers in single precision, split by the compiler.
+/// `constant(const { parts(PI) })` uses no `f64` on the path of `f32`.
 #[inline]
 pub(crate) fn constant<T: Real>([first, second, third]: [f32; 3]) -> T {
     T::of_f32(first) + T::of_f32(second) + T::of_f32(third)
@@ -185,9 +202,9 @@ macro_rules! float {
                 self > 0.0
             }
 
-            // the bits of positive numbers are ordered as the numbers are, and one comparison
-            // of whole numbers takes the place of two subtractions; where `high` itself is outside,
-            // Arm has the two constants of that comparison in its instructions
+            // Positive floats are ordered as their bits are, so one integer comparison replaces two
+            // subtractions. If `high` itself counts as outside, both constants of that comparison
+            // fit into Arm's instructions.
             #[inline]
             fn any_outside(self, low: Self, high: Self) -> bool {
                 let above_low = self.to_bits().wrapping_sub(low.to_bits());
@@ -204,8 +221,8 @@ macro_rules! float {
                 $float::abs(self)
             }
 
-            // a comparison that the compiler can turn into the processor's minimum or maximum;
-            // `f32::min` is a library call on Arm
+            // The compiler can turn this comparison into the processor's minimum or maximum.
+            // `f32::min` is a library call on Arm.
             #[inline]
             fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
                 if self > threshold { then } else { otherwise }

@@ -1,13 +1,13 @@
-//! Floor 1: vectors of any size, whose squared lengths overflow, vanish or lose bits.
+//! Vectors of any length, even if their squared lengths overflow, underflow or lose bits.
 //!
-//! Such a vector is *extreme*. Before it is squared it is tamed: multiplied by a power of two. Growing rounds
-//! nothing. Shrinking rounds only a component below 2⁻⁷⁵ (`f32`) or 2⁻⁶⁶⁰ (`f64`) of the largest, far below
-//! the unit roundoff.
+//! Such a vector is called *extreme*. Before it is squared, it is *tamed*: multiplied by a power of
+//! two. Scaling it up is exact. Scaling it down rounds only components below 2⁻⁷⁵ (`f32`) or 2⁻⁶⁶⁰
+//! (`f64`) of the largest one, which is far below the unit roundoff.
 
 use crate::real::Real;
 use crate::vector::Vec3;
 
-/// Whether |v|², given as `square`, over- or underflowed or may be inexact, in any lane.
+/// Whether `square` = |v|² overflowed, underflowed or may be inexact, in any lane.
 #[inline]
 pub(crate) fn is_extreme<T: Real>(square: T) -> bool {
     square.any_outside(T::ONE / T::EXTREME, T::EXTREME)
@@ -42,16 +42,19 @@ pub(crate) fn tame_difference<T: Real>(to: Vec3<T>, from: Vec3<T>) -> Vec3<T> {
     }
 }
 
-/// [`tame_difference`] where |to − from|² = `square` is extreme, and the power of two. The points
-/// shrink before they are subtracted, since the difference may overflow, and it grows afterwards, since
-/// the points may be far out.
+/// [`tame_difference`] for an extreme `square` = |to − from|², with the power of two that tamed the
+/// difference.
+///
+/// The points are scaled down before the subtraction, since their difference may overflow. The
+/// difference is scaled up after it, since the points may be far from the origin.
 #[inline]
 pub(crate) fn extreme_difference<T: Real>(to: Vec3<T>, from: Vec3<T>, square: T) -> (Vec3<T>, T) {
     let [shrink, grow] = scales(square);
     ((to * shrink - from * shrink) * grow, shrink * grow)
 }
 
-/// The power of two that tames a vector of that |v|², as a factor of at most 1 and one of at least 1.
+/// The power of two that tames a vector, from its |v|²: one factor of at most 1 and one of at least
+/// 1.
 #[inline]
 fn scales<T: Real>(square: T) -> [T; 2] {
     [

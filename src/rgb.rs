@@ -1,4 +1,4 @@
-//! Floor 1: color.
+//! Colors.
 
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub, SubAssign};
@@ -6,11 +6,12 @@ use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub, SubAssign};
 use crate::componentwise::componentwise;
 use crate::real::Real;
 
-/// Linear light, or the reflectance of a material, in three channels.
+/// A color: linear light, or the reflectance of a material, in three channels.
 ///
-/// The numbers are proportional to power: never encoded, and not limited to 1.
-/// [`from_srgb8`](Rgb::from_srgb8) decodes the bytes of a texture before shading;
-/// [`to_srgb8`](Rgb::to_srgb8) and [`to_rgb565`](Rgb::to_rgb565) clamp and encode, once, after the sum.
+/// The numbers are proportional to power: they are not encoded and may exceed 1.
+/// [`from_srgb8`](Rgb::from_srgb8) decodes the bytes of a texture before shading.
+/// [`to_srgb8`](Rgb::to_srgb8) and [`to_rgb565`](Rgb::to_rgb565) clamp and encode once, after the
+/// sum.
 ///
 /// ```
 /// use shading::Rgb;
@@ -36,9 +37,9 @@ pub struct Rgb<T = f32> {
 componentwise!(Rgb { r, g, b });
 
 impl<T: Real> Rgb<T> {
-    /// No light.
+    /// Black: 0 in each channel.
     pub const BLACK: Self = Self::gray(T::ZERO);
-    /// One in each channel.
+    /// White: 1 in each channel.
     pub const WHITE: Self = Self::gray(T::ONE);
 
     /// The same value in each channel.
@@ -54,22 +55,23 @@ impl<T: Real> Rgb<T> {
         Self::new(value, value, value)
     }
 
-    /// Each channel limited to [0, 1], for a display; NaN becomes 0.
+    /// The color with each channel clamped to [0, 1], for a display. NaN becomes 0.
     ///
     /// ```
     /// use shading::Rgb;
     /// assert_eq!(Rgb::new(1.5_f32, -0.5, 0.5).clamped(), Rgb::new(1.0, 0.0, 0.5));
     /// ```
+    #[doc(alias = "clamp")]
     #[doc(alias = "saturate")]
     #[inline]
     #[must_use]
     pub fn clamped(self) -> Self {
-        // not `at_least`, which may leave a signaling NaN as it is
+        // not `at_least`, which may let a signaling NaN through
         self.map(|channel| channel.if_positive(channel.at_most(T::ONE), T::ZERO))
     }
 
     /// The product with a reflectance. A channel that overflowed to infinity counts as the largest
-    /// number, so that its product with a reflectance of 0 is 0.
+    /// finite number, so its product with a reflectance of 0 is 0.
     #[inline]
     pub(crate) fn reflected(self, k: Self) -> Self {
         self.map(|channel| channel.at_most(T::MAX)) * k

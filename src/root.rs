@@ -1,12 +1,12 @@
-//! Floor 0: the square roots, and the one place where unsafe code is allowed.
+//! Square roots. This is the only file with unsafe code, apart from the `bytemuck` feature.
 //!
-//! IEEE 754 requires a root to be rounded correctly, so an instruction and software give the same
-//! bits. Those of `libm` are the best there are, but on two processors:
+//! IEEE 754 requires a correctly rounded root, so an instruction and a software routine give the
+//! same bits. `libm`'s roots are the best choice except on two kinds of processors:
 //!
-//! - **x86-64.** `libm` writes the instruction of SSE as assembly code. In a build for AVX it stays one
-//!   of SSE, and a processor of Intel that goes from one to the other and back took ten times as
-//!   long for a sum over lights. Of the intrinsic a compiler makes the instruction that fits.
-//! - **Arm with an FPU.** `libm` takes the root in software, in 55 instructions.
+//! - **x86-64.** `libm` emits the SSE instruction as assembly code, which stays an SSE instruction
+//!   in a build for AVX. Switching between the two made a sum over lights ten times slower on an
+//!   Intel processor. The compiler turns the intrinsic into the instruction that fits the build.
+//! - **Arm with an FPU.** `libm` computes the root in software, in 55 instructions.
 
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 pub(crate) use x86_64::{sqrt, sqrtf};
@@ -47,11 +47,12 @@ pub(crate) use libm::sqrtf;
 #[inline]
 pub(crate) fn sqrtf(x: f32) -> f32 {
     let mut bits = x.to_bits();
-    // The compiler gives floating-point registers to assembly code only where the FPU has
-    // doubles, and the Cortex-M4's has none. So the number comes and goes by a core register.
+    // The compiler passes floating-point registers to assembly code only if the FPU has double
+    // precision, and the Cortex-M4's has not. The number is therefore passed through a core
+    // register.
     //
-    // SAFETY: the hard-float ABI is only for cores with an FPU, and every Arm FPU has
-    // `vsqrt.f32`. It writes the two registers that are declared, and touches neither memory nor
+    // SAFETY: The hard-float ABI exists only for cores with an FPU, and every Arm FPU has
+    // `vsqrt.f32`. The code writes only the two declared registers. It touches neither memory nor
     // the stack nor the flags.
     #[allow(unsafe_code)]
     unsafe {
@@ -67,15 +68,15 @@ pub(crate) fn sqrtf(x: f32) -> f32 {
     f32::from_bits(bits)
 }
 
-/// The root of a positive normal number, correctly rounded, in a constant. The integer root has at
-/// least three bits more than the result, and its lowest bit also says whether it is inexact.
+/// The correctly rounded root of a positive normal number, for constants. The integer root has at
+/// least three bits more than the result; its lowest bit also records whether the root is inexact.
 #[allow(
     clippy::cast_possible_wrap,
     clippy::cast_precision_loss,
     clippy::cast_sign_loss
 )]
 pub(crate) const fn const_sqrtf(x: f32) -> f32 {
-    // x = n 2^(2h) with an even exponent, n of 53 or 54 bits
+    // x = n 2^(2h), where n has 53 or 54 bits
     let exponent = (x.to_bits() >> 23) as i32 - 127 - 23 - 29;
     let n = ((x.to_bits() & 0x007F_FFFF | 0x0080_0000) as u64) << (29 + (exponent & 1));
     let root = n.isqrt();

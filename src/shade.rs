@@ -1,18 +1,33 @@
-//! Floor 5: the illumination model, the sum over all lights.
+//! The illumination model: one sum over all lights.
 //!
 //! ```text
 //! I_r = k_a I_a + Σ (k_d I max(0, N·L) + k_s I highlight)
 //! ```
 //!
-//! [`lambert`] has no highlight, [`phong`] has max(0, R·V)ᵐ and
-//! [`blinn_phong`] max(0, N·H)ᵐ. A light with N·L ≤ 0 is behind the surface:
-//! it adds nothing, not even a highlight, as in OpenGL.
+//! [`lambert`] has no highlight. The highlight of [`phong`] is max(0, R·V)ᵐ, and that of
+//! [`blinn_phong`] max(0, N·H)ᵐ. A light with N·L ≤ 0 is behind the surface. It adds nothing, not
+//! even a highlight, as in OpenGL.
 //!
-//! The lights are anything that iterates over [`IncidentLight`]. Shadows, culling and area lights
-//! are adaptors of your own.
+//! The functions take these arguments:
 //!
-//! **A shadow** is a light left out. The ray from the surface ends at the light, at its
-//! [`distance`](IncidentLight::distance): a wall behind a lamp casts no shadow.
+//! | argument | is | is made by |
+//! |---|---|---|
+//! | `n` | N, the normal of the surface at the point | [`mod@crate::normal`] |
+//! | `v` | V, the direction from the point to the eye | [`Vec3::unit`](crate::Vec3::unit) |
+//! | `material` | k_a, k_d, k_s and m | [`Material`] |
+//! | `i_a` | I_a, the ambient light of the scene, once for all lights | [`Rgb`] |
+//! | `lights` | L and I of each light, as it arrives at the point | [`Light::at`](crate::Light::at) and `at` of each kind of light |
+//!
+//! The directions N, V and L all point away from the surface. Lights and reflectances should be 0
+//! or more; the result is then 0 or more too. Intensities have any unit, and the result has the
+//! same one.
+//!
+//! `lights` is any iterator over [`IncidentLight`]. You can write shadows, culling and area lights
+//! as iterator adaptors.
+//!
+//! **Shadows.** Leave out the lights that do not reach the point. The shadow ray from the surface
+//! ends at the light, at its [`distance`](IncidentLight::distance), so a wall behind a lamp casts
+//! no shadow.
 //!
 //! ```
 //! use shading::f32::{Attenuation, IncidentLight, Material, PointLight, Rgb, UnitVec3, Vec3};
@@ -38,7 +53,7 @@
 //! assert_eq!(shaded.diffuse, Rgb::WHITE); // of one lamp
 //! ```
 //!
-//! **An area light** is many point lights, each with a share of the light:
+//! **Area lights.** Use many point lights, each with a share of the light:
 //!
 //! ```
 //! use shading::f32::{Attenuation, Material, PointLight, Rgb, UnitVec3, Vec3};
@@ -56,12 +71,12 @@
 //! assert!(soft.diffuse.r > 0.98 && soft.diffuse.r < 1.0); // a little aside, a little less
 //! ```
 //!
-//! The directions N and V and all L point away from the surface. With lights and reflectances
-//! that are not negative the result is not. A sum of lights that overflows counts as the largest
-//! number; an infinity can come only of a reflectance above 1 or of the total, a NaN of nothing
-//! finite.
+//! **Overflow.** If the sum over the lights overflows, it counts as the largest finite number. The
+//! result can then be infinite only through a reflectance above 1 or in the total. It cannot be NaN
+//! if all numbers are finite. Without lights, the result is the ambient term.
 //!
-//! Source: Foley, van Dam et al., *Computer Graphics*, §16.1; OpenGL 2.1 §2.14.1.
+//! Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
+//! 1990, §16.1; *The OpenGL Graphics System: A Specification*, version 2.1, 2006, §2.14.1.
 
 use core::iter::Sum;
 use core::ops::{Add, Mul};
@@ -75,12 +90,13 @@ use crate::rgb::Rgb;
 use crate::term;
 use crate::unit::UnitVec3;
 
-/// The light that a point sends to the eye, part by part.
+/// The light that a point reflects to the eye, in three parts.
 ///
-/// A texture multiplies `ambient` and `diffuse`; a plain surface wants the
+/// A texture multiplies `ambient` and `diffuse`. A surface without a texture needs only the
 /// [`total`](Shaded::total).
 ///
-/// Results add up, part by part, and scale: several passes, or the corners of a triangle (Gouraud).
+/// Results can be added and scaled, part by part, to combine several passes or to interpolate
+/// between the corners of a triangle (Gouraud shading).
 ///
 /// ```
 /// use shading::f32::{Rgb, Shaded};
@@ -91,16 +107,23 @@ use crate::unit::UnitVec3;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shaded<T = f32> {
-    /// k_a I_a.
+    /// k_a I_a, the ambient term.
     pub ambient: Rgb<T>,
-    /// Σ k_d I max(0, N·L).
+    /// Σ k_d I max(0, N·L), the diffuse term.
     pub diffuse: Rgb<T>,
-    /// Σ k_s I highlight.
+    /// Σ k_s I highlight, the specular term.
     pub specular: Rgb<T>,
 }
 
 impl<T: Real> Shaded<T> {
-    /// The sum of the three, linear and not clamped.
+    /// The sum of the three parts, linear and not clamped.
+    ///
+    /// ```
+    /// use shading::f32::{Rgb, Shaded};
+    ///
+    /// let shaded = Shaded { ambient: Rgb::gray(0.125), diffuse: Rgb::gray(0.5), specular: Rgb::gray(0.25) };
+    /// assert_eq!(shaded.total(), Rgb::gray(0.875));
+    /// ```
     #[inline]
     #[must_use]
     pub fn total(self) -> Rgb<T> {
@@ -144,13 +167,20 @@ impl<T: Real> Sum for Shaded<T> {
     }
 }
 
-/// Diffuse surfaces.
+/// Shades a diffuse surface.
 ///
 /// ```text
 /// I_r = k_a I_a + Σ k_d I max(0, N·L)
 /// ```
 ///
-/// The highlight is black, and the place of the eye does not matter.
+/// `n` is the normal N, which points away from the surface. `material` gives k_a and k_d; its k_s
+/// and m are not used. `i_a` is the ambient light I_a of the scene. `lights` gives the L and I of
+/// each light at the point. The specular part of the result is black. The direction to the eye does
+/// not matter, so it is not an argument. The [module page](crate::shade) lists the ranges and the
+/// degenerate cases.
+///
+/// Source: Johann Heinrich Lambert, *Photometria*, 1760; Foley, van Dam, Feiner, Hughes, *Computer
+/// Graphics: Principles and Practice*, 2nd ed., 1990, §16.1.2.
 ///
 /// ```
 /// use shading::*;
@@ -168,15 +198,21 @@ pub fn lambert<T: Real, M>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    // a cosine of 0 gives no highlight, whatever m
+    // a cosine of 0 gives no highlight, whatever m is
     sum(n, material, i_a, lights, 0_u32, |_| T::ZERO)
 }
 
-/// Shiny surfaces after Phong.
+/// Shades a shiny surface with Phong's highlight.
 ///
 /// ```text
 /// I_r = k_a I_a + Σ I (k_d max(0, N·L) + k_s max(0, R·V)ᵐ)
 /// ```
+///
+/// `n` is the normal N and `v` the direction V to the eye; both point away from the surface.
+/// `material` gives k_a, k_d, k_s and m. `i_a` is the ambient light I_a of the scene. `lights`
+/// gives the L and I of each light at the point; R is the [`reflection`](crate::reflection()) of L.
+/// A light with N·L ≤ 0 adds nothing. The [module page](crate::shade) lists the ranges and the
+/// degenerate cases.
 ///
 /// ```
 /// use shading::*;
@@ -188,7 +224,7 @@ pub fn lambert<T: Real, M>(
 /// assert_eq!(shaded.total(), Rgb::gray(0.75));
 /// ```
 ///
-/// Source: Phong 1975.
+/// Source: Bui Tuong Phong, *Illumination for Computer Generated Pictures*, 1975.
 #[inline]
 #[must_use]
 pub fn phong<T: Real, M: Exponent<T>>(
@@ -202,13 +238,17 @@ pub fn phong<T: Real, M: Exponent<T>>(
     sum(n, material, i_a, lights, material.m, r_dot_v)
 }
 
-/// Shiny surfaces after Blinn: Phong's model with the half vector.
+/// Shades a shiny surface with Blinn's highlight: Phong's model with the half vector.
 ///
 /// ```text
 /// I_r = k_a I_a + Σ I (k_d max(0, N·L) + k_s max(0, N·H)ᵐ)
 /// ```
 ///
-/// Where L = −V there is no half vector and no highlight.
+/// `n` is the normal N and `v` the direction V to the eye; both point away from the surface.
+/// `material` gives k_a, k_d, k_s and m. `i_a` is the ambient light I_a of the scene. `lights`
+/// gives the L and I of each light at the point; H is the [`half_vector`](crate::half_vector()) of
+/// L and V. A light with N·L ≤ 0 adds nothing. If L = −V, there is no half vector and no highlight.
+/// The [module page](crate::shade) lists the ranges and the other degenerate cases.
 ///
 /// ```
 /// use shading::*;
@@ -220,7 +260,7 @@ pub fn phong<T: Real, M: Exponent<T>>(
 /// assert_eq!(shaded.total(), Rgb::gray(0.75));
 /// ```
 ///
-/// Source: Blinn 1977.
+/// Source: James F. Blinn, *Models of Light Reflection for Computer Synthesized Pictures*, 1977.
 #[inline]
 #[must_use]
 pub fn blinn_phong<T: Real, M: Exponent<T>>(
@@ -249,7 +289,7 @@ pub fn blinn_phong<T: Real, M: Exponent<T>>(
     )
 }
 
-/// The sum over lights, whose highlights are the m-th powers of cosines.
+/// The sum over the lights. Their highlights are the m-th powers of the cosines.
 #[inline]
 fn sum<T: Real, M, E: Exponent<T>>(
     n: UnitVec3<T>,
@@ -259,7 +299,7 @@ fn sum<T: Real, M, E: Exponent<T>>(
     m: E,
     cosine: impl Fn(UnitVec3<T>) -> T,
 ) -> Shaded<T> {
-    // the ambient light goes first into the result: then I_a need not be kept
+    // the ambient term is stored first, so that I_a need not be kept
     let mut shaded = Shaded {
         ambient: term::ambient(material.k_a, i_a),
         diffuse: Rgb::BLACK,
@@ -273,7 +313,8 @@ fn sum<T: Real, M, E: Exponent<T>>(
         let n_dot_l = term::lambert(n, l);
         if n_dot_l.any_positive() {
             highlights.take(intensity, n_dot_l.if_positive(cosine(l), T::ZERO));
-            // last: so compilers put it into SIMD registers together with the highlight
+            // this line comes last, so that LLVM packs it into SIMD registers together with the
+            // highlight
             diffuse += intensity * n_dot_l;
         }
     }

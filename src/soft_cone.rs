@@ -1,14 +1,14 @@
-//! Floor 3: the cone of a spot light with a soft edge.
+//! The cone of a spot light with a soft edge.
 
 use crate::cone::{Beam, Cone};
 use crate::real::Real;
 use crate::unit::UnitVec3;
 
-/// The cone of a spot light with a soft edge: full light up to an inner **half**-angle, none from an
-/// outer one on, and less and less between.
+/// The cone of a spot light with a soft edge: the light is full up to an inner **half**-angle,
+/// falls off beyond it, and is 0 from an outer half-angle on.
 ///
-/// It takes the place of the hard [`Cone`] in a [`SpotLight`](crate::SpotLight). Equal angles make
-/// the hard cone, to the bit, so one scene may have both.
+/// Use it in place of the hard [`Cone`] in a [`SpotLight`](crate::SpotLight). Equal angles make the
+/// hard cone, to the bit, so one scene may have both.
 ///
 /// ```
 /// use shading::{Attenuation, PointLight, Rgb, SoftCone, SpotLight, UnitVec3, Vec3};
@@ -27,32 +27,50 @@ use crate::unit::UnitVec3;
 /// assert!(0.0 < brightness(1.0) && brightness(1.0) < 0.5); // 27°
 /// assert_eq!(brightness(1.5), 0.0); // 37°
 /// ```
+#[doc(alias = "penumbra")]
+#[doc(alias = "spotlight")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SoftCone<T = f32> {
     inner: T,
     outer: T,
-    /// Whether the edge is a smoothstep, and not a square.
+    /// Whether the edge is a smoothstep instead of a square.
     smoothstep: bool,
 }
 
 impl<T: Real> SoftCone<T> {
-    /// 1 inside the inner cone and on its edge, 0 on the outer edge and outside, the square of t
-    /// between.
+    /// The share of the light that arrives: 1 inside the inner cone and on its edge, 0 on the outer
+    /// edge and outside it, and the square of t between the edges.
     ///
     /// ```text
     /// t²,  t = (−L·axis − cos(outer)) / (cos(inner) − cos(outer)) within [0, 1]
     /// ```
     ///
-    /// It does not fall towards the axis, to the bit. Where the angles are equal, it is 1 on the edge
-    /// and the factor of the hard [`Cone`]. glTF's and Filament's sample code keeps the edge a little
-    /// soft there.
+    /// `axis` is the direction in which the spot shines, away from the light, and L the direction
+    /// from the surface to the light. inner and outer are the half-angles.
+    /// [`smoothstep`](SoftCone::smoothstep) replaces t² with t²(3 − 2t).
+    ///
+    /// The factor never falls, to the bit, as L turns toward the axis. If the two angles are equal,
+    /// the factor is that of the hard [`Cone`], 1 on the edge. The sample code of glTF and Filament
+    /// keeps the edge slightly soft there.
     ///
     /// Source: Khronos, *KHR_lights_punctual*, a glTF 2.0 extension, “Inner and Outer Cone Angles”;
-    /// Filament does the same.
+    /// Filament uses the same formula.
+    ///
+    /// ```
+    /// use shading::{SoftCone, UnitVec3};
+    ///
+    /// let cone = SoftCone::<f32>::from_cosines(0.8, 0.0).unwrap();
+    /// let between = UnitVec3::<f32>::new(0.916_515_1, 0.0, 0.4).unwrap();
+    /// let inside = UnitVec3::<f32>::new(0.6, 0.0, 0.8).unwrap();
+    /// assert!((cone.factor(UnitVec3::NEG_Z, between) - 0.25).abs() < 1e-6); // t = ½
+    /// assert_eq!(cone.factor(UnitVec3::NEG_Z, inside), 1.0);
+    /// assert_eq!(cone.factor(UnitVec3::NEG_Z, UnitVec3::X), 0.0);
+    /// ```
     #[inline]
     #[must_use]
     pub fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
-        // 0 on the inner edge, 1 on the outer; where they are one, ∞ outside and NaN on it
+        // 0 on the inner edge and 1 on the outer one; if the edges coincide, ∞ outside and NaN on
+        // the edge
         let outward = (self.inner - (-axis).dot(l)) / (self.inner - self.outer);
         let t = outward
             .if_positive(T::ONE - outward, T::ONE)
@@ -64,8 +82,8 @@ impl<T: Real> SoftCone<T> {
         }
     }
 
-    /// The same cone with an edge that begins as smoothly as it ends: t²(3 − 2t) in place of t². Towards
-    /// the axis it does not fall by more than a unit in the last place.
+    /// The same cone, with an edge that begins as smoothly as it ends: t²(3 − 2t) in place of t².
+    /// As L turns toward the axis, the factor never falls by more than a unit in the last place.
     ///
     /// Source: three.js, `getSpotAttenuation`; POV-Ray 3.7, `radius` and `falloff` with a
     /// `tightness` of 0.
@@ -90,7 +108,13 @@ impl<T: Real> SoftCone<T> {
         }
     }
 
-    /// The cosines of the inner and of the outer half-angle.
+    /// The cosines of the inner and the outer half-angle, in this order, within [−1, 1].
+    ///
+    /// ```
+    /// use shading::f32::SoftCone;
+    ///
+    /// assert_eq!(SoftCone::from_cosines(0.75, 0.5).unwrap().cosines(), [0.75, 0.5]);
+    /// ```
     #[inline]
     #[must_use]
     pub fn cosines(self) -> [T; 2] {
@@ -98,6 +122,13 @@ impl<T: Real> SoftCone<T> {
     }
 
     /// Whether the edge is that of [`smoothstep`](SoftCone::smoothstep).
+    ///
+    /// ```
+    /// use shading::f32::SoftCone;
+    ///
+    /// let cone = SoftCone::from_cosines(0.75, 0.5).unwrap();
+    /// assert!(!cone.is_smoothstep() && cone.smoothstep().is_smoothstep());
+    /// ```
     #[inline]
     #[must_use]
     pub const fn is_smoothstep(self) -> bool
@@ -107,8 +138,14 @@ impl<T: Real> SoftCone<T> {
         self.smoothstep
     }
 
-    /// The same cone in another number type: `f` converts each number, and may do no more
-    /// than round it.
+    /// The same cone in another number type. `f` converts each cosine and may only round it.
+    ///
+    /// ```
+    /// use shading::f32::SoftCone;
+    ///
+    /// let cone = SoftCone::from_cosines(0.75, 0.5).unwrap();
+    /// assert_eq!(cone.cast(f64::from).cosines(), [0.75_f64, 0.5]);
+    /// ```
     #[inline]
     #[must_use]
     pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> SoftCone<U> {
@@ -134,7 +171,7 @@ impl<T: Real> Beam<T> for SoftCone<T> {
     }
 }
 
-/// A hard edge.
+/// The hard cone, as a soft cone with equal angles.
 impl<T: Copy> From<Cone<T>> for SoftCone<T> {
     #[inline]
     fn from(cone: Cone<T>) -> Self {
@@ -155,10 +192,19 @@ impl<T: Copy> SoftCone<T> {
 macro_rules! checked {
     ($float:ident) => {
         impl SoftCone<$float> {
-            /// The cone of an inner and an outer half-angle in radians, 0 ≤ inner ≤ outer ≤ π. `None`
-            /// for others, and for NaN.
+            /// The cone of an inner and an outer half-angle in radians, 0 ≤ inner ≤ outer ≤ π.
+            /// Returns `None` for other angles and for NaN.
             ///
-            /// It takes each as [`Cone::from_half_angle`] does, also in a constant.
+            /// Each angle is converted as in [`Cone::from_half_angle`], and the constructor works
+            /// in constants.
+            ///
+            /// ```
+            #[doc = concat!("use shading::", stringify!($float), "::SoftCone;")]
+            ///
+            /// const CONE: SoftCone = SoftCone::from_half_angles(0.0, 0.6).unwrap();
+            /// assert!(CONE.cosines()[0] > CONE.cosines()[1]);
+            /// assert_eq!(SoftCone::from_half_angles(0.6, 0.3), None); // the inner angle comes first
+            /// ```
             #[must_use]
             pub const fn from_half_angles(inner: $float, outer: $float) -> Option<Self> {
                 let cones = (
@@ -167,7 +213,7 @@ macro_rules! checked {
                 );
                 match cones {
                     (Some(inner_cone), Some(outer_cone)) if inner <= outer => {
-                        // next to each other their cosines may have changed places by rounding
+                        // rounding may have swapped the cosines of nearly equal angles
                         let inner_cone = if inner_cone.cosine < outer_cone.cosine {
                             outer_cone
                         } else {
@@ -179,10 +225,18 @@ macro_rules! checked {
                 }
             }
 
-            /// The cone of an inner and an outer half-angle given by their cosines,
-            /// 1 ≥ inner ≥ outer ≥ −1. `None` for others, and for NaN.
+            /// The cone whose inner and outer half-angles have the given cosines,
+            /// 1 ≥ inner ≥ outer ≥ −1. Returns `None` for other cosines and for NaN.
             ///
-            /// It takes each as [`Cone::from_cosine`] does.
+            /// Each cosine is treated as in [`Cone::from_cosine`], and the constructor works in
+            /// constants.
+            ///
+            /// ```
+            #[doc = concat!("use shading::", stringify!($float), "::SoftCone;")]
+            ///
+            /// assert!(SoftCone::from_cosines(0.75, 0.5).is_some());
+            /// assert_eq!(SoftCone::from_cosines(0.5, 0.75), None); // the inner cosine is the larger one
+            /// ```
             #[must_use]
             pub const fn from_cosines(inner: $float, outer: $float) -> Option<Self> {
                 match (

@@ -1,4 +1,13 @@
-//! Floor 3: the terms of the illumination model, literal as in the books.
+//! The terms of the illumination model, exactly as in the textbooks.
+//!
+//! Each term is the factor of one kind of light. The sums in [`mod@crate::shade`] multiply the
+//! terms by the material and the intensity of the lights, and add them:
+//!
+//! ```text
+//! I_r = k_a I_a + Σ I (k_d max(0, N·L) + k_s highlight)
+//! ```
+//!
+//! The directions N, L, V, R and H are [`UnitVec3`] and point away from the surface.
 
 use core::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
 
@@ -8,15 +17,18 @@ use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
-/// The ambient term: light that has no direction.
+/// The ambient term, for light without a direction.
 ///
 /// ```text
 /// k_a I_a
 /// ```
 ///
-/// Counted once for the scene, not once a light, and never attenuated.
+/// k_a is the reflectance of the material for ambient light, and I_a the intensity of the ambient
+/// light of the scene; both are 0 or more in each channel. Add this term once per scene, not once
+/// per light. It is never attenuated.
 ///
-/// Source: Foley, van Dam et al. §16.1.1.
+/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
+/// 1990, §16.1.1.
 ///
 /// ```
 /// use shading::{Rgb, term::ambient};
@@ -28,15 +40,17 @@ pub fn ambient<T: Real>(k_a: Rgb<T>, i_a: Rgb<T>) -> Rgb<T> {
     k_a * i_a
 }
 
-/// The factor of diffuse reflection, Lambert's cosine law.
+/// The diffuse factor, by Lambert's cosine law.
 ///
 /// ```text
 /// max(0, N·L)
 /// ```
 ///
-/// It is multiplied by k_d and I; there is no 1/π in it. 0 for a light behind the surface.
+/// N is the normal and L the direction to the light. The result is within [0, 1], up to rounding;
+/// it is 0 for a light behind the surface. Multiply it by k_d and I. It contains no 1/π.
 ///
-/// Source: Lambert 1760; Foley, van Dam et al. §16.1.2.
+/// Source: Johann Heinrich Lambert, *Photometria*, 1760; Foley, van Dam, Feiner, Hughes, *Computer
+/// Graphics: Principles and Practice*, 2nd ed., 1990, §16.1.2.
 ///
 /// ```
 /// use shading::{UnitVec3, term::lambert};
@@ -59,13 +73,15 @@ pub fn lambert<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> T {
 /// max(0, R·V)ᵐ
 /// ```
 ///
-/// R is the [`reflection`](crate::reflection()) of L, V the direction to the eye, m ≥ 0 the
-/// shininess: a `u32`, or a real number of the type of the cosine. It is multiplied by k_s and I.
-/// The cosine is at most 1, whatever the rounding; where R·V ≤ 0 the factor is 0 for every m,
-/// also for m = 0. The factor alone does not know whether the light is behind the surface: the
-/// [sum over lights](crate::shade) does.
+/// R is the [`reflection`](crate::reflection()) of L, V the direction to the eye, and m ≥ 0 the
+/// shininess: a `u32`, or a real number of the scene's type. The result is within [0, 1]. Multiply
+/// it by k_s and I.
 ///
-/// Source: Phong 1975.
+/// The cosine is limited to 1, so rounding cannot make the highlight brighter. If R·V ≤ 0, the
+/// factor is 0 for every m, even m = 0. The factor alone does not know whether the light is behind
+/// the surface; the [sum over lights](crate::shade) does.
+///
+/// Source: Bui Tuong Phong, *Illumination for Computer Generated Pictures*, 1975.
 ///
 /// ```
 /// use shading::{UnitVec3, term::phong};
@@ -90,10 +106,15 @@ pub fn phong<T: Real, M: Exponent<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T
 /// max(0, N·H)ᵐ
 /// ```
 ///
-/// H is the [`half_vector`](crate::half_vector). With about four times the m it looks like
-/// [`phong`], and the same holds of m, of the cosine and of a light behind the surface.
+/// N is the normal, H the [`half_vector`](crate::half_vector) of L and V, and m ≥ 0 the shininess:
+/// a `u32`, or a real number of the scene's type. The result is within [0, 1]. Multiply it by k_s
+/// and I. With about four times the m, the highlight looks like that of [`phong`].
 ///
-/// Source: Blinn 1977.
+/// The cosine is limited to 1, so rounding cannot make the highlight brighter. If N·H ≤ 0, the
+/// factor is 0 for every m, even m = 0. The factor alone does not know whether the light is behind
+/// the surface; the [sum over lights](crate::shade) does.
+///
+/// Source: James F. Blinn, *Models of Light Reflection for Computer Synthesized Pictures*, 1977.
 ///
 /// ```
 /// use shading::{UnitVec3, term::blinn};
@@ -117,37 +138,40 @@ pub fn blinn<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: UnitVec3<T>, m: M) -> T
 /// (m + 2)/(2π)
 /// ```
 ///
-/// The books' highlight returns less light the larger m is. With this factor it becomes a BRDF, which N·L
-/// multiplies as it does the diffuse term:
+/// The larger m is, the less light the textbooks' highlight returns. This factor turns it into a
+/// BRDF, which is multiplied by N·L as the diffuse term is:
 ///
 /// ```text
 /// Σ I max(0, N·L) (k_d/π + k_s (m + 2)/(2π) max(0, R·V)ᵐ)
 /// ```
 ///
-/// Integrated over all directions of L, the highlight then returns exactly k_s of what arrives where
-/// V = N, for every m, and less the farther V is from N: at grazing V, at most half of k_s. So a material
-/// with k_d + k_s ≤ 1 never returns more than arrives. The same holds with L and V exchanged. The sums in
-/// [`mod@crate::shade`] keep the books' formula.
+/// Integrated over all directions L, the highlight then returns exactly k_s of the arriving light
+/// if V = N, for every m. The farther V is from N, the less it returns: at a grazing V, at most
+/// half of k_s. A material with k_d + k_s ≤ 1 therefore never returns more light than arrives. The
+/// same holds with L and V exchanged. The sums in [`mod@crate::shade`] keep the textbooks' formula.
 ///
-/// m is the shininess as a number: an integer one is converted first. Below 0, or not a number, it counts
-/// as 0; an infinite one counts as the largest number.
+/// m ≥ 0 is the shininess as a number of the scene's type; convert an integer first. If it is
+/// negative or NaN, it counts as 0; if it is infinite, it counts as the largest finite number.
 ///
-/// Source: Lewis, *Making Shaders More Physically Plausible*, 1994; Lafortune and Willems, *Using the
-/// Modified Phong Reflectance Model for Physically Based Rendering*, 1994.
+/// Source: Robert R. Lewis, *Making Shaders More Physically Plausible*, 1994; Eric P. Lafortune and
+/// Yves D. Willems, *Using the Modified Phong Reflectance Model for Physically Based Rendering*,
+/// 1994.
 ///
 /// ```
 /// use core::f32::consts::FRAC_1_PI;
-/// use shading::{PointLight, Rgb, UnitVec3, Vec3, reflection, term};
+/// use shading::f32::{DirectionalLight, Rgb, UnitVec3, Vec3};
+/// use shading::{reflection, term};
 ///
-/// # let (n, v) = (UnitVec3::<f32>::Z, UnitVec3::Z);
-/// # let [k_d, k_s] = [0.5, 0.25].map(Rgb::gray);
-/// # let lamp = PointLight { position: Vec3::new(0.0, 0.0, 1.0), intensity: Rgb::WHITE, attenuation: shading::Attenuation::NONE };
-/// # let light = lamp.at(Vec3::ZERO);
-/// let normalization = term::phong_normalization(32.0); // once for a material
+/// let (n, v) = (UnitVec3::Z, UnitVec3::Z);
+/// let (k_d, k_s) = (Rgb::gray(0.5), Rgb::gray(0.25));
+/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
+///
+/// let normalization = term::phong_normalization(32.0); // once per material
+/// let light = sun.at(Vec3::ZERO);
 /// let highlight = normalization * term::phong(reflection(n, light.l), v, 32);
 /// let brdf = k_d * FRAC_1_PI + k_s * highlight;
 /// let returned = light.intensity * brdf * term::lambert(n, light.l);
-/// # assert!((returned.r - (0.5 + 0.25 * 17.0) * FRAC_1_PI).abs() < 1e-6);
+/// assert!((returned.r - (0.5 + 0.25 * 17.0) * FRAC_1_PI).abs() < 1e-6);
 /// ```
 #[doc(alias = "energy")]
 #[inline]
@@ -162,15 +186,17 @@ pub fn phong_normalization<T: Real>(m: T) -> T {
 /// (m + 2)(m + 4)/(8π(2^(−m/2) + m))
 /// ```
 ///
-/// It is used as [`phong_normalization`] is: the highlight returns exactly k_s of what arrives where V = N,
-/// for every m, and never more elsewhere. With m = 0 the highlight is Lambert's, 1/π.
+/// Use it as you would use [`phong_normalization`]. The highlight then returns exactly k_s of the
+/// arriving light if V = N, for every m, and never more for other V. With m = 0 the highlight is
+/// Lambert's, 1/π.
 ///
-/// The usual (m + 8)/(8π) is simpler, and returns up to 7.5 % more than arrives, near m = 9.
+/// The common (m + 8)/(8π) is simpler, but near m = 9 it returns up to 7.5 % more light than
+/// arrives.
 ///
-/// m is the shininess as a number: an integer one is converted first. Below 0, or not a number, it counts
-/// as 0; an infinite one counts as the largest number.
+/// m ≥ 0 is the shininess as a number of the scene's type; convert an integer first. If it is
+/// negative or NaN, it counts as 0; if it is infinite, it counts as the largest finite number.
 ///
-/// Source: Giesen, *Derivation of Phong and Blinn-Phong BRDF Normalization Factors*, 2009.
+/// Source: Fabian Giesen, *Derivation of Phong and Blinn-Phong BRDF Normalization Factors*, 2009.
 ///
 /// ```
 /// use core::f64::consts::FRAC_1_PI;
@@ -185,33 +211,33 @@ pub fn phong_normalization<T: Real>(m: T) -> T {
 pub fn blinn_normalization<T: Real + Exponent<T>>(m: T) -> T {
     let m = valid(m);
     let power = m.raise(constant(const { parts(FRAC_1_SQRT_2) }));
-    // divided first: the product of the two sums could overflow
+    // the division comes first, because the product of the two sums could overflow
     let eighth = constant(const { parts(0.125 * FRAC_1_PI) });
     (m + T::of_f32(2.0)) * eighth * ((m + T::of_f32(4.0)) / (m + power))
 }
 
-/// The shininess as a number, at least 0 and finite.
+/// The shininess as a number, finite and at least 0.
 #[inline]
 fn valid<T: Real>(m: T) -> T {
-    // not `at_least`, which may leave a signaling NaN as it is
+    // not `at_least`, which may let a signaling NaN through
     m.if_positive(m.at_most(T::MAX), T::ZERO)
 }
 
-/// (N·H)², with the sign of N·H, for an h = L + V that is not normalised: (N·h)²/(h·h) takes a
-/// division; normalising h would take a square root and a division. Rounding may leave it above 1.
+/// (N·H)², with the sign of N·H, for an unnormalized h = L + V. (N·h)²/(h·h) takes one division;
+/// normalizing h would take a square root and a division. Rounding may leave the result above 1.
 #[inline(always)] // on a Cortex-M0 a call from the sum would take 56 bytes of stack
 pub(crate) fn n_dot_h_squared<T: Real>(n: UnitVec3<T>, mut h: Vec3<T>) -> T {
-    // Not h.dot(h): of two sums in the same order compilers make one in SIMD registers, and to bring
-    // the numbers there takes longer than the second sum.
+    // Not h.dot(h): LLVM would pack two sums of the same order into one SIMD register, and moving
+    // the operands there costs more than the second sum.
     let square = |h: Vec3<T>| h.z * h.z + h.y * h.y + h.x * h.x;
     let mut h_dot_h = square(h);
-    // L next to −V, where the square loses bits or all of itself
+    // if L is close to −V, the square loses some or all of its bits
     let least = T::ONE / T::EXTREME;
     if least.if_above(h_dot_h, T::ONE, T::ZERO).any_positive() {
         h *= least.if_above(h_dot_h, T::EXTREME, T::ONE);
         h_dot_h = square(h);
     }
     let n_dot_h = n.dot(h);
-    // not a number, which counts as 0, where L = −V
+    // NaN if L = −V; NaN counts as 0
     n_dot_h * n_dot_h.abs() / h_dot_h
 }

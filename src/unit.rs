@@ -1,4 +1,4 @@
-//! Floor 1: lengths, and vectors whose length was proved to be 1.
+//! Lengths, and vectors whose length is known to be 1.
 
 use core::ops::{Deref, Neg};
 
@@ -8,8 +8,14 @@ use crate::root;
 use crate::vector::Vec3;
 
 impl<T: Real> Vec3<T> {
-    /// The length |v| = √(v·v), right from the smallest subnormal to the largest finite number.
-    /// Infinite where it overflows or a component is infinite.
+    /// The length of the vector.
+    ///
+    /// ```text
+    /// |v| = √(v·v)
+    /// ```
+    ///
+    /// The result is accurate from the smallest subnormal number to the largest finite one. It is
+    /// infinite if it overflows or if a component is infinite.
     ///
     /// ```
     /// use shading::Vec3;
@@ -30,9 +36,14 @@ impl<T: Real> Vec3<T> {
         }
     }
 
-    /// The vector of length 1 in the same direction, v/|v|, right from the smallest subnormal to
-    /// the largest finite number. `None` for the zero vector and where a component is infinite or
-    /// not a number.
+    /// The direction of the vector: the vector of length 1 that points the same way.
+    ///
+    /// ```text
+    /// v / |v|
+    /// ```
+    ///
+    /// The result is accurate from the smallest subnormal vector to the largest finite one. It is
+    /// `None` for the zero vector, and if a component is infinite or NaN.
     ///
     /// ```
     /// use shading::Vec3;
@@ -54,8 +65,8 @@ impl<T: Real> Vec3<T> {
         (length > T::ZERO && length <= T::MAX).then(|| UnitVec3(tame / length))
     }
 
-    /// [`unit`](Vec3::unit), or `fallback` where that is `None`. It has no branches and works in SIMD
-    /// lanes too.
+    /// [`unit`](Vec3::unit), or `fallback` if that is `None`. This method does not branch on the
+    /// result, so it also works in SIMD lanes.
     ///
     /// ```
     /// use shading::{UnitVec3, Vec3};
@@ -68,7 +79,7 @@ impl<T: Real> Vec3<T> {
     pub fn unit_or(self, fallback: UnitVec3<T>) -> UnitVec3<T> {
         let tame = tame(self);
         let length = tame.dot(tame).sqrt();
-        // positive for a length that is neither zero nor infinite nor NaN
+        // positive if the length is neither zero nor infinite nor NaN
         let valid = length.if_positive(T::MAX / length, T::ZERO);
         let unit = tame / valid.if_positive(length, T::ONE);
         let or = |a, b| valid.if_positive(a, b);
@@ -82,24 +93,25 @@ impl<T: Real> Vec3<T> {
 
 /// A vector of length 1: a direction.
 ///
-/// **It dereferences to its [`Vec3`]**, so all fields and methods of that work: `n.dot(l)`, `n.x`,
-/// `*n * 2.0`.
+/// **It dereferences to its [`Vec3`]**, so you can use all fields and methods of the vector:
+/// `n.dot(l)`, `n.x`, `*n * 2.0`.
 ///
-/// All directions in this crate are of this type, and all of them point **away** from the surface.
-/// The field is private, so that the length is proved once, where the direction is made:
+/// All directions in this crate have this type and point **away** from the surface. The field is
+/// private, so the length is checked once, where the direction is made:
 ///
-/// - [`Vec3::unit`] divides a vector by its length;
-/// - [`UnitVec3::new`] checks coordinates that you know, also in a constant;
-/// - [`UnitVec3::normalized`] divides literals by their length, also in a constant;
-/// - [`UnitVec3::assume_unit`] trusts you.
+/// - [`Vec3::unit`] divides a vector by its length.
+/// - [`UnitVec3::new`] checks known coordinates, also in a constant.
+/// - [`UnitVec3::normalized`] divides literals by their length, also in a constant.
+/// - [`UnitVec3::assume_unit`] trusts the caller.
 #[doc(alias = "direction")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(transparent)]
 pub struct UnitVec3<T = f32>(Vec3<T>);
 
 impl<T> UnitVec3<T> {
-    /// Trusts the caller that the length is 1, to rounding: for a normal read from a file, or a
-    /// direction that another library normalized. If it is not, colors are wrong, but nothing panics.
+    /// A direction whose length the caller guarantees to be 1 up to rounding, such as a normal from
+    /// a file or a direction that another library normalized. Nothing is checked. If the length
+    /// differs from 1, colors are wrong, but nothing panics.
     ///
     /// ```
     /// use shading::{UnitVec3, Vec3};
@@ -112,8 +124,8 @@ impl<T> UnitVec3<T> {
         Self(v)
     }
 
-    /// The same direction in another number type: `f` converts each number, and may do no more
-    /// than round it.
+    /// The same direction in another number type. `f` converts each coordinate and may only round
+    /// it.
     ///
     /// ```
     /// use shading::UnitVec3;
@@ -127,27 +139,28 @@ impl<T> UnitVec3<T> {
 }
 
 impl<T: Real> UnitVec3<T> {
-    /// The direction of the first axis.
+    /// The direction of the x axis.
     pub const X: Self = Self(Vec3::new(T::ONE, T::ZERO, T::ZERO));
-    /// The direction of the second axis.
+    /// The direction of the y axis.
     pub const Y: Self = Self(Vec3::new(T::ZERO, T::ONE, T::ZERO));
-    /// The direction of the third axis.
+    /// The direction of the z axis.
     pub const Z: Self = Self(Vec3::new(T::ZERO, T::ZERO, T::ONE));
-    /// Against the first axis.
+    /// The direction opposite to the x axis.
     pub const NEG_X: Self = Self(Vec3::new(T::NEG_ONE, T::ZERO, T::ZERO));
-    /// Against the second axis.
+    /// The direction opposite to the y axis.
     pub const NEG_Y: Self = Self(Vec3::new(T::ZERO, T::NEG_ONE, T::ZERO));
-    /// Against the third axis.
+    /// The direction opposite to the z axis.
     pub const NEG_Z: Self = Self(Vec3::new(T::ZERO, T::ZERO, T::NEG_ONE));
 }
 
 macro_rules! literals {
     ($float:ident, $sqrt:path) => {
         impl UnitVec3<$float> {
-            /// The direction (x, y, z), if its length is 1 to rounding (|v|² within 4ε of 1), else
-            /// `None`. For a vector of any length see [`normalized`](Self::normalized).
+            /// The direction (x, y, z) if its length is 1 up to rounding (|v|² within 4ε of 1),
+            /// otherwise `None`. For vectors of any length, use [`normalized`](Self::normalized) or
+            /// [`Vec3::unit`].
             ///
-            /// In a constant, a vector of another length fails the build:
+            /// In a constant, a vector of any other length fails the build:
             ///
             /// ```
             #[doc = concat!("use shading::", stringify!($float), "::UnitVec3;")]
@@ -160,7 +173,8 @@ macro_rules! literals {
             #[inline]
             #[must_use]
             pub const fn new(x: $float, y: $float, z: $float) -> Option<Self> {
-                // rounded literals are off by 1 epsilon and the sum by 2 more
+                // the rounding of the literals changes the sum by up to 1 epsilon, and the sum
+                // itself rounds by up to 2 more
                 let excess = x * x + y * y + z * z - 1.0;
                 if -4.0 * $float::EPSILON <= excess && excess <= 4.0 * $float::EPSILON {
                     Some(Self(Vec3::new(x, y, z)))
@@ -169,9 +183,14 @@ macro_rules! literals {
                 }
             }
 
-            /// The direction of (x, y, z), divided by its length: for literals, in a constant. It
-            /// has the bits of [`Vec3::unit`], and is `None` where that is; at run time `unit` is
-            /// faster.
+            /// The direction of the vector (x, y, z), of any length, for literals in constants.
+            ///
+            /// ```text
+            /// v / |v|
+            /// ```
+            ///
+            /// It has the same bits as [`Vec3::unit`] and is `None` in the same cases. At run time,
+            /// `unit` is faster.
             ///
             /// ```
             #[doc = concat!("use shading::", stringify!($float), "::{UnitVec3, Vec3};")]

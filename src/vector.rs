@@ -1,4 +1,4 @@
-//! Floor 1: vectors.
+//! Vectors.
 
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -6,7 +6,7 @@ use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 use crate::componentwise::componentwise;
 use crate::real::Real;
 
-/// A vector or a point in space.
+/// A vector or a point in space, with operators for sums, differences and scaling.
 ///
 /// ```
 /// use shading::Vec3;
@@ -40,7 +40,7 @@ impl<T: Real> Neg for Vec3<T> {
 }
 
 impl<T: Real> Vec3<T> {
-    /// The origin, and the vector without length.
+    /// The origin, and the vector of length 0.
     pub const ZERO: Self = Self::new(T::ZERO, T::ZERO, T::ZERO);
 
     /// The dot product. `other` is a vector or a [`UnitVec3`](crate::UnitVec3).
@@ -49,7 +49,7 @@ impl<T: Real> Vec3<T> {
     /// a·b = a.x b.x + a.y b.y + a.z b.z
     /// ```
     ///
-    /// Where products overflow with opposite signs it is ∞ − ∞, not a number.
+    /// If products overflow with opposite signs, the result is ∞ − ∞, which is NaN.
     ///
     /// ```
     /// use shading::{UnitVec3, Vec3};
@@ -62,14 +62,14 @@ impl<T: Real> Vec3<T> {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
-    /// The cross product: perpendicular to both, right-handed. `other` is a vector or a
+    /// The cross product, perpendicular to both vectors and right-handed. `other` is a vector or a
     /// [`UnitVec3`](crate::UnitVec3).
     ///
     /// ```text
     /// a × b = (a.y b.z − a.z b.y, a.z b.x − a.x b.z, a.x b.y − a.y b.x)
     /// ```
     ///
-    /// a × a is exactly zero unless a product overflows; then it is ∞ − ∞, not a number.
+    /// a × a is exactly zero unless a product overflows. Then the result is ∞ − ∞, which is NaN.
     ///
     /// ```
     /// use shading::{UnitVec3, Vec3};
