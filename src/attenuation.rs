@@ -93,7 +93,7 @@ pub fn attenuation<T: Real>(a: T, b: T, c: T, q: T) -> T {
 /// An impossible constant fails the build:
 ///
 /// ```compile_fail
-/// # use shading::f32::Attenuation;
+/// use shading::f32::Attenuation;
 /// const NONSENSE: Attenuation = Attenuation::new(1.0, -0.5, 0.0).unwrap();
 /// ```
 #[doc(alias = "inverse square")]

@@ -56,7 +56,7 @@ pub trait Beam<T>: Copy {
 /// An impossible constant fails the build:
 ///
 /// ```compile_fail
-/// # use shading::f32::Cone;
+/// use shading::f32::Cone;
 /// const NONSENSE: Cone = Cone::from_half_angle(30.0).unwrap(); // degrees
 /// ```
 #[doc(alias = "cutoff")]

@@ -37,7 +37,8 @@ use crate::real::Real;
 ///     }
 /// }
 ///
-/// let toon = Material { k_a: Rgb::BLACK, k_d: Rgb::gray(0.5), k_s: Rgb::gray(0.5), m: Disk(0.9) };
+/// let (k_a, k_d, k_s) = (Rgb::BLACK, Rgb::gray(0.5), Rgb::gray(0.5));
+/// let toon = Material { k_a, k_d, k_s, m: Disk(0.9) };
 /// let (n, v) = (UnitVec3::Z, UnitVec3::new(0.6, 0.0, 0.8).unwrap()); // N·H = 0.95
 /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
 /// let shaded = shade::blinn_phong(n, v, &toon, Rgb::BLACK, [sun.at(Vec3::ZERO)]);
@@ -46,7 +47,7 @@ use crate::real::Real;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be the shininess of a highlight in numbers of type `{T}`",
     label = "expected `u32` or `{T}`",
-    note = "an integer shininess is a `u32`, as in `m: 32`; a real shininess has the scene's number type, as in `m: 32.5`",
+    note = "an integer shininess is a `u32`, as in `m: 32`; a real one has the scene's number type, as in `m: 32.5`",
     note = "`term::phong` and `term::blinn` are factors; the functions that take a material are in `shade`"
 )]
 pub trait Exponent<T: Real>: Copy {

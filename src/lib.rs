@@ -5,6 +5,10 @@
 //! no scene and knows nothing of screens. Use it in a ray tracer or a rasterizer, on a
 //! microcontroller with a display, or to check a shader.
 //!
+// Inside the page, because a registry shows no relative links and a page without a network no absolute ones. Renew it by
+// convert docs/pictures/16_teapot.png -crop 800x530+0+30 -resize 480x -quality 85 -strip jpg:- | base64 --wrap=0
+#![cfg_attr(doc, doc = include_str!("teapot.html"))]
+//!
 //! ```
 //! use shading::f32::{Attenuation, DirectionalLight, Material, PointLight, Rgb, UnitVec3, Vec3};
 //! use shading::{normal, shade};
@@ -164,6 +168,7 @@ pub use material::Material;
 pub use range::Ranged;
 pub use real::Real;
 pub use rgb::Rgb;
+#[doc(inline)]
 pub use shade::Shaded;
 pub use soft_cone::SoftCone;
 pub use unit::UnitVec3;

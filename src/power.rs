@@ -113,7 +113,7 @@ pub(crate) const EXPONENT: i32 = -0x0080_0000;
 impl Binary32 for f32 {
     #[inline]
     #[allow(
-        clippy::cast_possible_wrap,  // the bits are meant
+        clippy::cast_possible_wrap,  // only the bits matter
         clippy::cast_sign_loss,      // likewise
         clippy::cast_precision_loss  // e has eight bits
     )]

@@ -20,13 +20,13 @@ mod x86_64 {
 
     #[inline]
     pub(crate) fn sqrtf(x: f32) -> f32 {
-        // SAFETY: this is compiled for processors with SSE2 alone.
+        // SAFETY: This is compiled only for processors with SSE2.
         unsafe { _mm_cvtss_f32(_mm_sqrt_ss(_mm_set_ss(x))) }
     }
 
     #[inline]
     pub(crate) fn sqrt(x: f64) -> f64 {
-        // SAFETY: this is compiled for processors with SSE2 alone.
+        // SAFETY: This is compiled only for processors with SSE2.
         unsafe {
             let x = _mm_set_sd(x);
             _mm_cvtsd_f64(_mm_sqrt_sd(x, x))

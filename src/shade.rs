@@ -12,7 +12,7 @@
 //!
 //! | argument | is | is made by |
 //! |---|---|---|
-//! | `n` | N, the normal of the surface at the point | [`mod@crate::normal`] |
+//! | `n` | N, the normal of the surface at the point | [`normal`](mod@crate::normal) |
 //! | `v` | V, the direction from the point to the eye | [`Vec3::unit`](crate::Vec3::unit) |
 //! | `material` | k_a, k_d, k_s and m | [`Material`] |
 //! | `i_a` | I_a, the ambient light of the scene, once for all lights | [`Rgb`] |
@@ -48,9 +48,12 @@
 //! let clay = Material { k_a: Rgb::WHITE, k_d: Rgb::WHITE, k_s: Rgb::BLACK, m: 1 };
 //!
 //! let (p, n, v) = (Vec3::ZERO, UnitVec3::Z, UnitVec3::Z);
-//! let lit = lights.iter().filter_map(|light| light.in_front(p, n)).filter(|light| !is_blocked(p, light));
+//! let lit = lights
+//!     .iter()
+//!     .filter_map(|light| light.in_front(p, n))
+//!     .filter(|light| !is_blocked(p, light));
 //! let shaded = shade::blinn_phong(n, v, &clay, Rgb::BLACK, lit);
-//! assert_eq!(shaded.diffuse, Rgb::WHITE); // of one lamp
+//! assert_eq!(shaded.diffuse, Rgb::WHITE); // from the lower lamp alone
 //! ```
 //!
 //! **Area lights.** Use many point lights, each with a share of the light:
@@ -68,7 +71,7 @@
 //!
 //! let square = (0..16).map(|i| lamp(i).at(Vec3::ZERO));
 //! let soft = shade::lambert(UnitVec3::Z, &clay, Rgb::BLACK, square);
-//! assert!(soft.diffuse.r > 0.98 && soft.diffuse.r < 1.0); // a little aside, a little less
+//! assert!(soft.diffuse.r > 0.98 && soft.diffuse.r < 1.0); // oblique rays bring a little less
 //! ```
 //!
 //! **Overflow.** If the sum over the lights overflows, it counts as the largest finite number. The
@@ -121,7 +124,8 @@ impl<T: Real> Shaded<T> {
     /// ```
     /// use shading::f32::{Rgb, Shaded};
     ///
-    /// let shaded = Shaded { ambient: Rgb::gray(0.125), diffuse: Rgb::gray(0.5), specular: Rgb::gray(0.25) };
+    /// let (ambient, diffuse, specular) = (Rgb::gray(0.125), Rgb::gray(0.5), Rgb::gray(0.25));
+    /// let shaded = Shaded { ambient, diffuse, specular };
     /// assert_eq!(shaded.total(), Rgb::gray(0.875));
     /// ```
     #[inline]
@@ -183,9 +187,10 @@ impl<T: Real> Sum for Shaded<T> {
 /// Graphics: Principles and Practice*, 2nd ed., 1990, §16.1.2.
 ///
 /// ```
-/// use shading::*;
+/// use shading::f32::{DirectionalLight, Material, Rgb, UnitVec3, Vec3};
+/// use shading::shade;
 ///
-/// let chalk = Material { k_a: Rgb::gray(0.1), k_d: Rgb::gray(0.5_f32), k_s: Rgb::BLACK, m: 1 };
+/// let chalk = Material { k_a: Rgb::gray(0.1), k_d: Rgb::gray(0.5), k_s: Rgb::BLACK, m: 1 };
 /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
 /// let shaded = shade::lambert(UnitVec3::Z, &chalk, Rgb::WHITE, [sun.at(Vec3::ZERO)]);
 /// assert_eq!(shaded.total(), Rgb::gray(0.6));
@@ -215,12 +220,13 @@ pub fn lambert<T: Real, M>(
 /// degenerate cases.
 ///
 /// ```
-/// use shading::*;
+/// use shading::f32::{DirectionalLight, Material, Rgb, UnitVec3, Vec3};
+/// use shading::shade;
 ///
-/// let wax = Material { k_a: Rgb::BLACK, k_d: Rgb::gray(0.5_f32), k_s: Rgb::gray(0.25), m: 10 };
+/// let wax = Material { k_a: Rgb::BLACK, k_d: Rgb::gray(0.5), k_s: Rgb::gray(0.25), m: 10 };
 /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
-/// let mirrored = UnitVec3::Z;
-/// let shaded = shade::phong(UnitVec3::Z, mirrored, &wax, Rgb::BLACK, [sun.at(Vec3::ZERO)]);
+/// let (n, v) = (UnitVec3::Z, UnitVec3::Z); // the eye is where the light is reflected to
+/// let shaded = shade::phong(n, v, &wax, Rgb::BLACK, [sun.at(Vec3::ZERO)]);
 /// assert_eq!(shaded.total(), Rgb::gray(0.75));
 /// ```
 ///
@@ -251,12 +257,13 @@ pub fn phong<T: Real, M: Exponent<T>>(
 /// The [module page](crate::shade) lists the ranges and the other degenerate cases.
 ///
 /// ```
-/// use shading::*;
+/// use shading::f32::{DirectionalLight, Material, Rgb, UnitVec3, Vec3};
+/// use shading::shade;
 ///
-/// let wax = Material { k_a: Rgb::BLACK, k_d: Rgb::gray(0.5_f32), k_s: Rgb::gray(0.25), m: 40 };
+/// let wax = Material { k_a: Rgb::BLACK, k_d: Rgb::gray(0.5), k_s: Rgb::gray(0.25), m: 40 };
 /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
-/// let mirrored = UnitVec3::Z;
-/// let shaded = shade::blinn_phong(UnitVec3::Z, mirrored, &wax, Rgb::BLACK, [sun.at(Vec3::ZERO)]);
+/// let (n, v) = (UnitVec3::Z, UnitVec3::Z); // the eye is where the light is reflected to
+/// let shaded = shade::blinn_phong(n, v, &wax, Rgb::BLACK, [sun.at(Vec3::ZERO)]);
 /// assert_eq!(shaded.total(), Rgb::gray(0.75));
 /// ```
 ///

@@ -1,7 +1,8 @@
 //! The terms of the illumination model, exactly as in the textbooks.
 //!
-//! Each term is the factor of one kind of light. The sums in [`mod@crate::shade`] multiply the
-//! terms by the material and the intensity of the lights, and add them:
+//! Each function gives one part of the reflected light, or a factor of it. The sums in
+//! [`shade`](mod@crate::shade) multiply these by the material and the intensity of the lights, and
+//! add them:
 //!
 //! ```text
 //! I_r = k_a I_a + Σ I (k_d max(0, N·L) + k_s highlight)
@@ -148,7 +149,7 @@ pub fn blinn<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: UnitVec3<T>, m: M) -> T
 /// Integrated over all directions L, the highlight then returns exactly k_s of the arriving light
 /// if V = N, for every m. The farther V is from N, the less it returns: at a grazing V, at most
 /// half of k_s. A material with k_d + k_s ≤ 1 therefore never returns more light than arrives. The
-/// same holds with L and V exchanged. The sums in [`mod@crate::shade`] keep the textbooks' formula.
+/// same holds with L and V exchanged. The sums in [`shade`](mod@crate::shade) keep the textbooks' formula.
 ///
 /// m ≥ 0 is the shininess as a number of the scene's type; convert an integer first. If it is
 /// negative or NaN, it counts as 0; if it is infinite, it counts as the largest finite number.

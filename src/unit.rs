@@ -103,6 +103,15 @@ impl<T: Real> Vec3<T> {
 /// - [`UnitVec3::new`] checks known coordinates, also in a constant.
 /// - [`UnitVec3::normalized`] divides literals by their length, also in a constant.
 /// - [`UnitVec3::assume_unit`] trusts the caller.
+///
+/// ```
+/// use shading::f32::{UnitVec3, Vec3};
+///
+/// const UP: UnitVec3 = UnitVec3::Z;
+/// let l = Vec3::new(0.0, 3.0, 4.0).unit().unwrap();
+/// assert_eq!(UP.dot(l), 0.8);
+/// assert_eq!(Vec3::ZERO.unit(), None);
+/// ```
 #[doc(alias = "direction")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(transparent)]
@@ -167,7 +176,7 @@ macro_rules! literals {
             /// const UP_AND_RIGHT: UnitVec3 = UnitVec3::new(0.6, 0.0, 0.8).unwrap();
             /// ```
             /// ```compile_fail
-            #[doc = concat!("# use shading::", stringify!($float), "::UnitVec3;")]
+            #[doc = concat!("use shading::", stringify!($float), "::UnitVec3;")]
             /// const TOO_LONG: UnitVec3 = UnitVec3::new(1.0, 0.0, 1.0).unwrap();
             /// ```
             #[inline]

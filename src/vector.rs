@@ -21,11 +21,11 @@ use crate::real::Real;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct Vec3<T = f32> {
-    /// The first coordinate.
+    /// The x coordinate.
     pub x: T,
-    /// The second coordinate.
+    /// The y coordinate.
     pub y: T,
-    /// The third coordinate.
+    /// The z coordinate.
     pub z: T,
 }
 

@@ -49,8 +49,9 @@ use crate::vector::Vec3;
 /// lights without a range fit into that type:
 ///
 /// ```
-/// use shading::f32::{Attenuation, Cone, PointLight, Ranged, Rgb, SoftCone, SpotLight, UnitVec3, Vec3};
 /// use shading::Light;
+/// use shading::f32::{Attenuation, Cone, PointLight, Ranged, Rgb};
+/// use shading::f32::{SoftCone, SpotLight, UnitVec3, Vec3};
 ///
 /// let point = PointLight {
 ///     position: Vec3::new(0.0, 0.0, 2.0),

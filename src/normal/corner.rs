@@ -41,17 +41,19 @@ use crate::vector::Vec3;
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
 ///
-/// let positions = [[0.0_f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from);
+/// let positions: [Vec3; 4] = [Vec3::ZERO, *UnitVec3::X, *UnitVec3::Y, *UnitVec3::Z];
 /// let triangles = [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]];
 ///
 /// let mut sums = [Vec3::ZERO; 4];
 /// for triangle in triangles {
-///     for [i, j, k] in [[0, 1, 2], [1, 2, 0], [2, 0, 1]].map(|corner| corner.map(|i| triangle[i])) {
+///     let [a, b, c] = triangle;
+///     for [i, j, k] in [[a, b, c], [b, c, a], [c, a, b]] {
 ///         sums[i] += normal::corner(positions[i], positions[j], positions[k]);
 ///     }
 /// }
 /// let normals = sums.map(|sum| sum.unit().unwrap());
-/// let diagonal = Vec3::new(-1.0, -1.0, -1.0).unit().unwrap(); // three faces meet at the origin
+/// // three faces meet at the origin
+/// let diagonal = Vec3::new(-1.0, -1.0, -1.0).unit().unwrap();
 /// assert!((*normals[0] - *diagonal).length() < 1e-6);
 /// ```
 #[doc(alias = "vertex normal")]
