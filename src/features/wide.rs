@@ -14,8 +14,8 @@ use crate::real::Real;
 // x87 rounds a number in a register differently from a number in memory
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
 compile_error!(
-    "feature `wide`: without SSE2 a SIMD lane would not have the bits of the scalar. Enable SSE2, or \
-     compute with `f32` and `f64`: lanes are no faster there"
+    "the feature `wide` needs SSE2: without it, a SIMD lane would not have the bits of the scalar. \
+     Enable SSE2, or compute with `f32` and `f64`; lanes would be no faster here"
 );
 
 /// Whether lanes are SSE2 registers. The maximum and minimum of SSE2 return the second operand

@@ -40,15 +40,15 @@ impl<T: Number> Display for Complaint<T> {
             }
             Problem::NotHalfAngle(x) => write!(
                 f,
-                "{x:?} is not from 0 to π; it is half of the opening, in radians"
+                "{x:?} is not between 0 and π; write half of the opening angle, in radians"
             ),
             Problem::NotPositive(x) => write!(f, "{x:?} is not above 0"),
-            Problem::NotCosine(x) => write!(f, "{x:?} is not from -1 to 1"),
+            Problem::NotCosine(x) => write!(f, "{x:?} is not between -1 and 1"),
             Problem::NotInnerHalfAngle(x, outer) => {
-                write!(f, "{x:?} is not from 0 to the half_angle, {outer:?}")
+                write!(f, "{x:?} is not between 0 and the half_angle, {outer:?}")
             }
             Problem::NotInnerCosine(x, outer) => {
-                write!(f, "{x:?} is not from the cosine, {outer:?}, to 1")
+                write!(f, "{x:?} is not between the cosine, {outer:?}, and 1")
             }
         }
     }

@@ -12,7 +12,7 @@ use super::complaint::{Complaint, Problem};
 use super::record::{Field, Form, Key, Named, entries, next};
 use crate::{Cone, SoftCone};
 
-const EXPECTED: &str = "a map of `half_angle` or `cosine` for cone";
+const EXPECTED: &str = "a map with `half_angle` or `cosine` for cone";
 const BOTH: &str = "cone: half-angles and cosines cannot both be given";
 
 fn of_half_angle<T: Number, E: Error>(angle: T) -> Result<Cone<T>, E> {

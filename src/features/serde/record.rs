@@ -162,7 +162,7 @@ macro_rules! record {
             type Value = $type<$($parameter),+>;
 
             fn expecting(&self, f: &mut Formatter) -> fmt::Result {
-                write!(f, "a map of {:?}", [$(stringify!($field)),+])
+                write!(f, "a map with the fields {:?}", [$(stringify!($field)),+])
             }
 
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {

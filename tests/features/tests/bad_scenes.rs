@@ -41,7 +41,7 @@ fn ron_refuses(good: &str, bad: &str, why: &str) {
 const TOO_LONG: &str =
     "l: [1.0, 1.0, 1.0] has length 1.7320508, not 1; write [0.57735026, 0.57735026, 0.57735026]";
 const IN_DEGREES: &str =
-    "half_angle: 30.0 is not from 0 to π; it is half of the opening, in radians";
+    "half_angle: 30.0 is not between 0 and π; write half of the opening angle, in radians";
 
 #[test]
 fn numbers_that_no_scene_can_have_are_refused() {
@@ -136,7 +136,7 @@ fn impossible_cones_are_refused() {
     json_refuses(
         "\"half_angle\": 0.5",
         "\"cosine\": 1.5",
-        "cosine: 1.5 is not from -1 to 1",
+        "cosine: 1.5 is not between -1 and 1",
     );
     json_refuses("\"half_angle\": 0.5", "", "missing field `half_angle`");
     let both = "\"half_angle\": 0.5, \"cosine\": 0.5";
@@ -158,12 +158,12 @@ fn impossible_ranges_and_soft_edges_are_refused() {
     json_refuses(
         good,
         "\"half_angle\": 0.5, \"inner_half_angle\": 0.6",
-        "inner_half_angle: 0.6 is not from 0 to the half_angle, 0.5",
+        "inner_half_angle: 0.6 is not between 0 and the half_angle, 0.5",
     );
     json_refuses(
         good,
         "\"cosine\": 0.5, \"inner_cosine\": 0.4",
-        "inner_cosine: 0.4 is not from the cosine, 0.5, to 1",
+        "inner_cosine: 0.4 is not between the cosine, 0.5, and 1",
     );
     json_refuses(
         good,
@@ -230,9 +230,9 @@ fn wrong_types_are_refused() {
     json_refuses("[2, 0, 2]", "[2, \"0\", 2]", why);
     json_refuses("32", "\"32\"", "invalid type: string \"32\", expected f32");
     json_refuses("true", "null", "invalid type: null, expected a boolean");
-    let why = "invalid type: sequence, expected a map of";
+    let why = "invalid type: sequence, expected a map with";
     json_refuses("{\"half_angle\": 0.5}", "[0.5]", why);
-    let why = "invalid type: null, expected a map of `half_angle` or `cosine` for cone";
+    let why = "invalid type: null, expected a map with `half_angle` or `cosine` for cone";
     json_refuses("{\"half_angle\": 0.5}", "null", why);
     let why = "invalid type: null, expected a list of 3 numbers, or a map, for attenuation";
     json_refuses("[1, 0, 0.25]", "null", why);
