@@ -174,7 +174,7 @@ pub use soft_cone::SoftCone;
 pub use unit::UnitVec3;
 pub use vector::Vec3;
 
-/// Pages that each explain one topic, beside the pages of the functions.
+/// The guide, with one topic per page.
 #[cfg(doc)]
 pub mod guide {
     #[doc = include_str!("../docs/architecture.md")]

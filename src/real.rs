@@ -31,10 +31,10 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// - [`if_positive`](Real::if_positive) selects lane by lane and computes nothing.
 ///   [`any_positive`](Real::any_positive) says whether it would select `then` in some lane.
 /// - If the operations round correctly, results have the same bits on every machine, and the error
-///   bounds of [`mod@crate::guide::precision`] hold in units of the type's roundoff. If they do
-///   not, nothing else is lost.
+///   bounds of [`guide::precision`](mod@crate::guide::precision) hold in units of the type's
+///   roundoff. If they do not, nothing else is lost.
 ///
-/// [`mod@crate::guide::invariants`] explains how to test such a type.
+/// [`guide::invariants`](mod@crate::guide::invariants) explains how to test such a type.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a number type that this crate computes with",
     label = "expected `f32`, `f64`, `Dual<_>` or SIMD lanes",

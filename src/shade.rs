@@ -19,8 +19,8 @@
 //! | `lights` | L and I of each light, as it arrives at the point | [`Light::at`](crate::Light::at) and `at` of each kind of light |
 //!
 //! The directions N, V and L all point away from the surface. Lights and reflectances should be 0
-//! or more; the result is then 0 or more too. Intensities have any unit, and the result has the
-//! same one.
+//! or more; the result is then 0 or more too. Intensities may be in any unit; the result is in the
+//! same unit.
 //!
 //! `lights` is any iterator over [`IncidentLight`]. You can write shadows, culling and area lights
 //! as iterator adaptors.

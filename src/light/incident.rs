@@ -48,8 +48,8 @@ pub struct IncidentLight<T = f32> {
     /// q, the distance to the light. A shadow ray ends there; anything farther away casts no
     /// shadow.
     ///
-    /// It is always finite. It is [`MAX`](Real::MAX) if the light is not at a point, as the sun is
-    /// not, if q overflows, or if there is no direction to the light, which is then black.
+    /// It is always finite. It is [`MAX`](Real::MAX) if the light has no position, like the sun, if
+    /// q overflows, or if there is no direction to the light, which is then black.
     pub distance: T,
 }
 
