@@ -10,7 +10,8 @@
 #![cfg_attr(doc, doc = include_str!("teapot.html"))]
 //!
 //! ```
-//! use shading::f32::{Attenuation, DirectionalLight, Material, PointLight, Rgb, UnitVec3, Vec3};
+//! use shading::f32::{Attenuation, DirectionalLight, Material};
+//! use shading::f32::{PointLight, Rgb, UnitVec3, Vec3};
 //! use shading::{normal, shade};
 //!
 //! static SUN: DirectionalLight = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
@@ -19,7 +20,8 @@
 //!     intensity: Rgb::new(1.0, 0.8, 0.6),
 //!     attenuation: Attenuation::new(1.0, 0.0, 0.25).unwrap(), // 1/(1 + q²/4)
 //! };
-//! let clay = Material { k_a: Rgb::gray(0.1), k_d: Rgb::gray(0.6), k_s: Rgb::gray(0.3), m: 32 };
+//! let [k_a, k_d, k_s] = [0.1, 0.6, 0.3].map(Rgb::gray);
+//! let clay = Material { k_a, k_d, k_s, m: 32 };
 //!
 //! let p = Vec3::new(0.0, 0.0, 1.0);
 //! let n = normal::implicit(|p| p.dot(p) - 1.0, p).unwrap(); // the unit sphere
