@@ -1017,7 +1017,7 @@ fn dual_power_of_zero_is_one_and_flat<T: Float>() {
 fn every_row_of_the_table_names_a_test() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
     let read = |file: &str| std::fs::read_to_string(root.join(file)).expect(file);
-    let tests = ["totality", "conventions", "extremes", "shadows"]
+    let tests = ["totality", "conventions", "extremes", "shadows", "lengths"]
         .map(|name| read(&format!("tests/{name}.rs")));
     let table = read("docs/totality.md");
     let cited = table
@@ -1038,5 +1038,5 @@ fn every_row_of_the_table_names_a_test() {
         let is_there = tests.iter().any(defines);
         assert!(is_there, "no test {name}");
     }
-    assert_eq!(cited.len(), 83, "rows");
+    assert_eq!(cited.len(), 86, "rows");
 }

@@ -60,6 +60,12 @@ pub fn unit<T: Float>(numbers: &mut Numbers) -> f64 {
     of_result(v.unit().expect("not 0"), &exact::unit(&vector(v)))
 }
 
+pub fn length<T: Float>(numbers: &mut Numbers) -> f64 {
+    let v = point::<T>(numbers);
+    let expected = exact::length(&vector(v));
+    error(v.length(), &expected, &expected)
+}
+
 pub fn sphere<T: Float>(numbers: &mut Numbers) -> f64 {
     let [center, p] = [point::<T>(numbers), point(numbers)];
     let outward = exact::subtract(&vector(p), &vector(center));

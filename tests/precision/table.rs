@@ -4,7 +4,7 @@ use shading::term::{self, blinn, phong};
 
 use crate::measure::{
     Model, attenuated, blinn_normalization, corner, diffuse, half, highlight, implicit,
-    lamp_direction, lamp_intensity, mapped, mirrored, normalization, parametric,
+    lamp_direction, lamp_intensity, length, mapped, mirrored, normalization, parametric,
     phong_normalization, ranged, real_power, shaded, soft_cone, sphere, transformed, triangle,
     unit, whole_power,
 };
@@ -43,6 +43,7 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
     let real = |m: f64| 1.5 * m + power;
     let t = T::of;
     vec![
+        of_result("`Vec3::length`", 2.5, &length::<T>),
         of_result("`Vec3::unit`, `normal::plane`", 3.5, &unit::<T>),
         of_result("`normal::sphere`", 5.5, &sphere::<T>),
         row(
