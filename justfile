@@ -1,29 +1,29 @@
-# Recipes for everyday work. `.ci/run` is the whole.
+# Recipes for everyday work. `.ci/run` runs every check.
 
 # list the recipes
 default:
     @just --list
 
-# format, clippy, formulas: seconds
+# check the format, run clippy, test the formulas: takes seconds
 quick:
     cargo fmt --all
     cargo clippy --all-targets --all-features -- -D warnings
     cargo test --test formulas --test conventions
 
-# every test, with all features
+# run every test, with all features
 test:
     cargo test --all-features
 
-# the same bits, instructions, flash and stack on emulated chips
+# compare bits and measure instructions, flash and stack on emulated chips
 chips:
     tests/firmware/run.sh
 
-# the race against handwritten code, and the instructions of every function
+# race against handwritten code, and count the instructions of every function
 bench:
     cargo bench --bench versus
     cargo bench --bench instructions -- --check
 
-# the gallery into target/gallery, and the README's pictures
+# draw the gallery into target/gallery, and redraw the README's pictures
 pictures:
     cargo run --release -p gallery
     cargo run --release -p gallery -- --readme
@@ -31,10 +31,10 @@ pictures:
     cp target/display/ball.png docs/pictures/ball_on_a_display.png
     tests/firmware/frame.sh
 
-# the documentation, in a browser
+# open the documentation in a browser
 doc:
     cargo doc --no-deps --all-features --open
 
-# every f32 of a domain: minutes
+# test every f32 of a domain: takes minutes
 exhaustive:
     cargo test --release -- --ignored
