@@ -1,5 +1,5 @@
-// Runs a WebAssembly program of wasm32-wasip1: node --no-warnings wasi.mjs PROGRAM ARGUMENT...
-// A panic ends the program before its test can print what it caught, so nothing is caught.
+// Runs a WebAssembly program built for wasm32-wasip1: node --no-warnings wasi.mjs PROGRAM ARGUMENT...
+// A panic ends the program before its test can print the output that it captured, so no output is captured.
 import { readFile } from "node:fs/promises";
 import { WASI } from "node:wasi";
 
