@@ -1,8 +1,8 @@
-# Sourced: the single measurements. `features` names a promise that is broken on purpose, if any.
+# Source this file: it defines the single measurements. If a promise is broken on purpose, `features` names it.
 
 features=""
 
-# The directory in which cargo puts what it builds under a profile.
+# Prints the directory into which cargo builds under a profile.
 directory() { if [ "$1" = dev ]; then echo debug; else echo "$1"; fi; }
 
 # Builds a program for a target under a profile and prints its path.
@@ -22,11 +22,11 @@ emulate() {
     thumbv7em-*) machine="qemu-system-arm -machine mps2-an386 -cpu cortex-m4" ;;
     riscv32*) machine="qemu-system-riscv32 -machine virt -bios none" ;;
     esac
-    # shellcheck disable=SC2086 # one word an argument
+    # shellcheck disable=SC2086 # one word per argument
     timeout 120 $machine -nographic -semihosting-config enable=on,target=native "$@" -kernel "$program" </dev/null
 }
 
-# The digests for a target, or `host`, under a profile: SINGLE-DOUBLE.
+# Prints the digests for a target, or `host`, under a profile: SINGLE-DOUBLE.
 digest() {
     local target=$1 profile=$2 program
     case $target in
@@ -40,33 +40,33 @@ digest() {
     esac
 }
 
-# Instructions per point light, under `release` unless another profile is named: "whole real".
+# Prints the instructions per point light, with an integer m and with a real one, under `release` or the profile given.
 instructions() {
     local shift=10 program
     case $1 in riscv32*) shift=0 ;; esac
     program=$(build "$1" "${2-release}" count) && emulate "$1" "$program" -icount "shift=$shift"
 }
 
-# The same of the C kernel at -O2.
+# Prints the same for the C kernel at -O2.
 instructions_of_c() {
     compile_c "$1" target/kernel -O2 c/kernel.c c/count.c
-    emulate "$1" target/kernel -icount shift=10 2>&1 # where a plain debugger's text goes
+    emulate "$1" target/kernel -icount shift=10 2>&1 # the debug console is standard error
 }
 
-# Instructions per color: to sRGB bytes, from them, to RGB565.
+# Prints the instructions per color: to sRGB bytes, from sRGB bytes, to RGB565.
 instructions_to_encode() {
     local shift=10 program
     case $1 in riscv32*) shift=0 ;; esac
     program=$(build "$1" "${2-release}" encode) && emulate "$1" "$program" -icount "shift=$shift"
 }
 
-# The same in C: to sRGB bytes by powf, by a table, to RGB565 by powf.
+# Prints the same in C: to sRGB bytes with powf, to sRGB bytes with a table, to RGB565 with powf.
 instructions_to_encode_in_c() {
     compile_c "$1" target/encode -O2 c/encode.c c/count_encode.c
     emulate "$1" target/encode -icount shift=10 2>&1
 }
 
-# The bytes that each of the three adds to flash.
+# Prints the bytes that each of the three adds to flash.
 flash_to_encode_in_c() {
     local function sizes=()
     for function in nothing powf8 table8 powf565; do
@@ -76,7 +76,7 @@ flash_to_encode_in_c() {
     for i in 1 2 3; do echo $((sizes[i] - sizes[0])); done | xargs
 }
 
-# Links C for a target: compile_c TARGET PROGRAM ARGUMENT...
+# compile_c TARGET PROGRAM ARGUMENT...: compiles and links C for a target.
 compile_c() {
     local target=$1 program=$2 flags
     shift 2
@@ -85,12 +85,12 @@ compile_c() {
     thumbv7em-*) flags="-mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard" ;;
     esac
     srgb_table >target/table.h
-    # shellcheck disable=SC2086 # one word a flag
+    # shellcheck disable=SC2086 # one word per flag
     arm-none-eabi-gcc -mthumb $flags -Wall -Wextra -Werror -ffunction-sections -nostartfiles \
         -T c/link.ld -Wl,--gc-sections -Itarget c/start.c "$@" -lm -o "$program"
 }
 
-# The sRGB byte of each 4095th of linear light.
+# Prints the sRGB byte of each 4095th of linear light.
 srgb_table() {
     awk 'BEGIN {
         for (i = 0; i < 4096; i++) {
@@ -101,34 +101,35 @@ srgb_table() {
     }'
 }
 
-# The bytes that a public function adds to flash at opt-level s, as src/bin/flash.rs names it.
+# Prints the bytes that a public function, named as in src/bin/flash.rs, adds to flash at opt-level s.
 flash() { echo $(($(program_size "$1" "$2") - $(program_size "$1" nothing))); }
 
-# .text and .rodata of the program that calls one function.
+# Prints the size of .text and .rodata of the program that calls one function.
 program_size() {
     local program
     program=$(MEASURED=$2 build "$1" small flash) || return
     arm-none-eabi-size -A "$program" | awk '$1 ~ /^\.(text|rodata)$/ { bytes += $2 } END { print bytes }'
 }
 
-# Bytes of stack below the caller under a profile, as src/bin/stack.rs lists them.
+# Prints the bytes of stack below the caller under a profile, in the order of src/bin/stack.rs.
 stack() {
     local program
     program=$(build "$1" "$2" stack) && emulate "$1" "$program"
 }
 
-# Succeeds where the proof links, which it does where nothing can panic.
+# Succeeds if the proof links, which it does if nothing can panic.
 cannot_panic() { build "$1" "$2" proof >/dev/null 2>&1; }
 
-# Succeeds where the proof has no routine for doubles, of the Arm run-time ABI or of libgcc's.
+# Succeeds if the proof contains no routine for doubles, neither of the Arm run-time ABI nor of libgcc.
 has_no_doubles() {
     local program symbols
     program=$(build "$1" "$2" proof) && symbols=$(arm-none-eabi-nm "$program") || return
     ! grep -E ' (__aeabi_(c?d[a-z]+|d2[a-z]+|[a-z]+2d)|__[a-z]*df[a-z]*[0-9]?)$' <<<"$symbols"
 }
 
-# Succeeds where the unoptimized code of what a shader would call has no double, not even in a constant. All of it must
-# be in one file, or nothing is proved; but `Vec3::new`, which computes nothing, the library has compiled for itself.
+# Succeeds if the unoptimized code of the functions that a shader would call contains no double, not even as a constant. All
+# of the code must be in one file, or the check shows nothing. `Vec3::new` is the exception: the library compiles it for
+# itself, but it computes nothing.
 has_no_f64() {
     local code=target/single.ll
     CARGO_INCREMENTAL=0 cross "$1" rustc --quiet --features "$features" --example single -- \

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Prints, as a table in Markdown, what each public function adds to flash at opt-level s, in bytes.
+# Prints a Markdown table of the bytes that each public function adds to flash at opt-level s.
 set -euo pipefail
 cd "$(dirname "$0")"
 . ./toolchain.sh

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Draws the frame of the example `display` on an emulated Cortex-M0, and shows it beside the desktop's
-# with their difference, in docs/pictures/desktop_and_chip.png. Fails where a pixel differs.
+# Draws the frame of the example `display` on an emulated Cortex-M0. Writes the desktop's frame, the chip's frame and their
+# difference to docs/pictures/desktop_and_chip.png. Fails if a pixel differs.
 set -euo pipefail
 cd "$(dirname "$0")"
 . ./toolchain.sh

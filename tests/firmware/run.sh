@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Holds the crate to its promises on microcontrollers: builds the programs of this folder, runs them on the host, in
-# Node and in emulators, and fails where a digest differs or a budget is passed. Installs what it needs.
+# Tests the crate's promises on microcontrollers. Builds the programs in this folder, runs them on the host, in Node and in
+# emulators, and fails if a digest differs or a budget is exceeded. Installs what it needs.
 set -euo pipefail
 cd "$(dirname "$0")"
 . ./toolchain.sh
@@ -14,26 +14,26 @@ complain() {
     failures=$((failures + 1))
 }
 
-# within WHAT VALUE LIMIT
-within() { [ "$2" -le "$3" ] || complain "$1: $2, more than $3"; }
+# within WHAT VALUE LIMIT: complains if the value exceeds the limit
+within() { [ "$2" -le "$3" ] || complain "$1: $2 exceeds $3"; }
 
-echo "== what is missing"
+echo "== install what is missing"
 install_packages qemu-system-arm qemu-system-misc gcc-arm-none-eabi libnewlib-arm-none-eabi binutils-arm-none-eabi
 command -v node >/dev/null || install_packages nodejs
 prepare_cross
 mkdir -p target
 
-echo "== the library alone"
+echo "== the library builds for every target"
 for target in $no_std_targets; do
     (cd ../.. && cross "$target" build --quiet --package shading --lib --no-default-features) ||
         complain "$target: the library does not build"
 done
 
-echo "== the program of the page on embedded use"
+echo "== the program on the page about embedded use"
 awk '/^<!-- main.rs -->/ { page = 1 } /^<!-- end -->/ { page = 0 } /^```/ { code = !code; next } page && code' \
-    ../../docs/embedded.md | diff --ignore-blank-lines - src/bin/first.rs || complain "docs/embedded.md differs from first.rs"
+    ../../docs/embedded.md | diff --ignore-blank-lines - src/bin/first.rs || complain "the program in docs/embedded.md differs from first.rs"
 for target in $m0 $m4f; do
-    build "$target" small first >/dev/null || complain "$target: the page's program does not build"
+    build "$target" small first >/dev/null || complain "$target: the program in docs/embedded.md does not build"
 done
 
 echo "== the same bits, at opt-level 0, 3 and s"
@@ -42,7 +42,7 @@ declare -A digest_of
 for target in host $no_std_targets; do
     for profile in dev release small; do
         got=$(digest "$target" "$profile") || got=none
-        [ "$got" = "$expected" ] || complain "$target $profile: digest $got, on the host $expected"
+        [ "$got" = "$expected" ] || complain "$target $profile: the digest is $got, but $expected on the host"
         digest_of[$target]=$got
     done
 done
@@ -54,33 +54,34 @@ for target in $chip_targets; do
         has_no_doubles "$target" "$profile" || complain "$target $profile: something computes in doubles"
     done
 done
-has_no_f64 $m4f || complain "$m4f: a path of f32 has a double, if only in a constant"
+has_no_f64 $m4f || complain "$m4f: an f32 path contains a double, perhaps only as a constant"
 
-echo "== instructions of a point light, whole and real m: C at -O2, Rust at opt-level 3"
+echo "== instructions of a point light, with an integer and a real m: C at -O2, Rust at opt-level 3"
 declare -A instructions_of
 for target in $chip_targets; do
     instructions_of[$target]=$(instructions "$target")
     echo "$target at opt-level s: $(instructions "$target" small)"
 done
-# what C takes with an integer m; 0.6 and 0.7 of what it takes with powf. Measured with gcc 12.2 and newlib 3.3
+# budgets TARGET INTEGER REAL PERCENT: complains above these budgets, above what C takes with an integer m, or above this
+# share of what C takes with powf. They suit gcc 12.2 and newlib 3.3.
 budgets() {
     local target=$1 whole_budget=$2 real_budget=$3 percent=$4 whole real c_whole c_real
     read -r whole real <<<"${instructions_of[$target]}"
     read -r c_whole c_real <<<"$(instructions_of_c "$target")"
     echo "$target C: $c_whole $c_real, Rust: $whole $real"
     within "$target instructions, integer m" "$whole" "$whole_budget"
-    within "$target instructions, integer m, beside C" "$whole" "$c_whole"
+    within "$target instructions, integer m, compared with C" "$whole" "$c_whole"
     within "$target instructions, real m" "$real" "$real_budget"
-    within "$target instructions, real m, beside C" "$real" $((c_real * percent / 100))
+    within "$target instructions, real m, compared with C" "$real" $((c_real * percent / 100))
 }
 budgets $m4f 121 204 60
 budgets $m0 7500 11060 70
 
-echo "== instructions of a color: to sRGB, from sRGB, to RGB565; in C: to sRGB by powf, by a table, to RGB565 by powf"
+echo "== instructions of a color: to sRGB, from sRGB, to RGB565; in C: to sRGB with powf, with a table, to RGB565 with powf"
 for target in $chip_targets; do
     echo "$target Rust: $(instructions_to_encode "$target"), at opt-level s: $(instructions_to_encode "$target" small)"
 done
-# encodes TARGET TO_SRGB TO_RGB565: no more than these, and a quarter of what C takes with powf
+# encodes TARGET TO_SRGB TO_RGB565: complains above these budgets, or above a quarter of what C takes with powf
 encodes() {
     local target=$1 srgb _ rgb565 c_srgb c_table c_rgb565
     read -r srgb _ rgb565 <<<"$(instructions_to_encode "$target")"
@@ -88,13 +89,13 @@ encodes() {
     echo "$target C: $c_srgb $c_table $c_rgb565, flash: $(flash_to_encode_in_c "$target")"
     within "$target instructions to sRGB" "$srgb" "$2"
     within "$target instructions to RGB565" "$rgb565" "$3"
-    within "$target instructions to sRGB, beside C" "$srgb" $((c_srgb / 4))
-    within "$target instructions to RGB565, beside C" "$rgb565" $((c_rgb565 / 4))
+    within "$target instructions to sRGB, compared with C" "$srgb" $((c_srgb / 4))
+    within "$target instructions to RGB565, compared with C" "$rgb565" $((c_rgb565 / 4))
 }
 encodes $m4f 140 102
 encodes $m0 213 139
 
-echo "== flash at opt-level s, over an empty program"
+echo "== flash that a function adds to an empty program, at opt-level s"
 declare -A flash_of
 for target in $chip_targets; do
     flash_of[$target]=$(flash "$target" "shade::blinn_phong, integer m")
@@ -104,19 +105,19 @@ kilobyte_and_tenth=1126 # 1.1 × 1024
 within "$m4f flash, integer m" "${flash_of[$m4f]}" $kilobyte_and_tenth
 within "$m4f flash, real m" "$real" $((${flash_of[$m4f]} + kilobyte_and_tenth))
 
-echo "== stack below the caller, each model, whole and real m, all lights and those in front, opt-level 3 and s"
+echo "== stack below the caller: each model, integer and real m, all lights and those in front, opt-levels 3 and s"
 for target in $chip_targets; do
     depths="$(stack "$target" release) $(stack "$target" small)"
     echo "$target stack_bytes=${depths// /,}"
     for depth in $depths; do within "$target stack" "$depth" 256; done
 done
 
-echo "== the checks can fail"
-# broken FEATURE CHECK...: the check must fail where the promise is broken
+echo "== each check can fail"
+# broken FEATURE CHECK...: the check must fail when the feature breaks its promise
 broken() {
     features=broken-$1
     shift
-    if "$@" >/dev/null 2>&1; then complain "with $features, this passes: $*"; fi
+    if "$@" >/dev/null 2>&1; then complain "with $features, this check should fail but passes: $*"; fi
     features=""
 }
 same_bits() { [ "$(digest $m0 release)" = "$expected" ]; }

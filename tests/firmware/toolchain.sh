@@ -1,12 +1,12 @@
-# Sourced: cargo for targets without an operating system, on a machine that may have nothing for them.
+# Source this file: it provides cargo for targets without an operating system, on a machine that may lack them.
 #
-# rustup fetches the compiled `core` of each target. Where it is missing or can fetch nothing, Debian's compiler and
-# its sources build `core` instead. Either way `cross TARGET CARGO-ARGUMENTS...` is cargo for that target.
+# rustup fetches the compiled `core` of each target. If rustup is missing or cannot fetch, Debian's compiler builds `core`
+# from Debian's sources instead. Either way, `cross TARGET COMMAND ARGUMENT...` runs cargo for a target.
 
 chip_targets="thumbv6m-none-eabi thumbv7em-none-eabihf riscv32imac-unknown-none-elf"
 no_std_targets="$chip_targets wasm32-unknown-unknown"
 
-# Installs those of the Debian packages that are missing.
+# Installs the given Debian packages that are missing.
 install_packages() {
     local package missing="" as_root=""
     for package in "$@"; do
@@ -17,21 +17,21 @@ install_packages() {
     echo "installing$missing" >&2
     {
         $as_root apt-get update
-        # shellcheck disable=SC2086 # one word a package
+        # shellcheck disable=SC2086 # one word per package
         $as_root env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends $missing
     } >/dev/null
 }
 
-# Decides between the two; the first call installs what is missing.
+# Chooses one of the two, and installs what it needs.
 prepare_cross() {
-    # shellcheck disable=SC2086 # one word a target
+    # shellcheck disable=SC2086 # one word per target
     if [ -z "${WITHOUT_RUSTUP-}" ] && timeout 120 rustup --quiet target add $no_std_targets; then
         cross_by=rustup
     else
         cross_by=debian
         install_packages rustc-web cargo-web rust-web-src lld
     fi
-    echo "targets by $cross_by" >&2
+    echo "using $cross_by for the targets" >&2
 }
 
 cross() {
