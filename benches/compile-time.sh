@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Prints how long a clean release build takes: of the crate with its dependency and of glam, and of
-# a renderer that uses the one and of one that uses the other. The least of five, downloads apart.
+# Prints how long a clean release build takes for four packages: this crate with its dependency, glam, a renderer that uses
+# this crate, and one that uses glam. Each figure is the least of five builds, without downloads.
 set -euo pipefail
 crate=$(cd "$(dirname "$0")/.." && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# package NAME DEPENDENCY: a binary with that dependency and the source on stdin
+# package NAME DEPENDENCY: makes a binary with that dependency, from the source on standard input
 package() {
     mkdir -p "$work/$1/src"
     cat > "$work/$1/src/main.rs"
@@ -14,7 +14,7 @@ package() {
     cargo fetch --quiet --manifest-path "$work/$1/Cargo.toml"
 }
 
-# build LABEL NAME PACKAGES...: the least time
+# build LABEL NAME PACKAGES...: prints the least time
 build() {
     local label=$1 name=$2 least=999999 start took; shift 2
     for _ in 1 2 3 4 5; do
