@@ -33,7 +33,7 @@ for_f32_and_f64!(
     a_degenerate_triangle_has_no_normal,
     unit_is_right_from_the_smallest_to_the_largest_number,
     new_takes_unit_vectors_only,
-    assume_unit_takes_your_word,
+    assume_unit_trusts_the_caller,
     singular_points_have_no_normal,
     parametric_normals_follow_the_order_of_u_and_v,
 );
@@ -447,7 +447,7 @@ fn new_takes_unit_vectors_only<T: Float>() {
     }
 }
 
-fn assume_unit_takes_your_word<T: Float>() {
+fn assume_unit_trusts_the_caller<T: Float>() {
     let v = vector::<T>([1.0, 2.0, 3.0]);
     assert_eq!(*UnitVec3::assume_unit(v), v);
 }
