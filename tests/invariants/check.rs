@@ -1,4 +1,4 @@
-//! Runs a property, and compares.
+//! Runs a property and compares results.
 
 use std::fmt::Debug;
 
@@ -7,8 +7,8 @@ use proptest::test_runner::{TestCaseResult, TestRunner};
 
 use crate::number::Number;
 
-/// Runs a property on many cases, and reports the smallest that fails. `PROPTEST_CASES` says on how
-/// many.
+/// Runs a property on many cases, and reports the smallest case that fails. `PROPTEST_CASES` sets
+/// their number.
 pub fn check<S: Strategy<Value: Debug>>(inputs: S, property: impl Fn(S::Value) -> TestCaseResult) {
     let mut config = ProptestConfig {
         failure_persistence: None,
@@ -17,7 +17,7 @@ pub fn check<S: Strategy<Value: Debug>>(inputs: S, property: impl Fn(S::Value) -
     if std::env::var_os("PROPTEST_CASES").is_none() {
         config.cases = 1000;
     }
-    config.max_global_rejects = 4 * config.cases; // assumptions may leave out four of five
+    config.max_global_rejects = 4 * config.cases; // assumptions may reject four out of five
     if let Err(failure) = TestRunner::new(config).run(&inputs, property) {
         panic!("{failure}");
     }
@@ -27,7 +27,7 @@ pub fn to_f64<T: Number>(components: impl Into<[T; 3]>) -> [f64; 3] {
     components.into().map(T::to_f64)
 }
 
-/// Bit for bit.
+/// Compares bit for bit.
 pub fn same<T: Number, V: Into<[T; 3]>>(a: V, b: V) -> TestCaseResult {
     let (a, b) = (to_f64(a), to_f64(b));
     prop_assert_eq!(
@@ -40,13 +40,13 @@ pub fn same<T: Number, V: Into<[T; 3]>>(a: V, b: V) -> TestCaseResult {
     Ok(())
 }
 
-/// Equal as numbers: bit for bit, but for the sign of a zero.
+/// Compares as numbers: bit for bit, except for the sign of a zero.
 pub fn equal<T: Number, V: Into<[T; 3]>>(a: V, b: V) -> TestCaseResult {
     prop_assert_eq!(to_f64(a), to_f64(b));
     Ok(())
 }
 
-/// Within an absolute `tolerance`, component by component.
+/// Compares component by component within an absolute `tolerance`.
 pub fn near<T: Number, V: Into<[T; 3]>>(a: V, b: V, tolerance: f64) -> TestCaseResult {
     let (a, b) = (to_f64(a), to_f64(b));
     for i in 0..3 {
@@ -55,8 +55,8 @@ pub fn near<T: Number, V: Into<[T; 3]>>(a: V, b: V, tolerance: f64) -> TestCaseR
     Ok(())
 }
 
-/// Within `k` units of roundoff of the larger, component by component; an operation that
-/// underflows loses half of the smallest number instead.
+/// Compares component by component within `k` units of roundoff of the larger number. An operation
+/// that underflows loses half of the smallest number instead.
 pub fn nearly<T: Number, V: Into<[T; 3]>>(a: V, b: V, k: f64) -> TestCaseResult {
     let (a, b) = (to_f64(a), to_f64(b));
     for i in 0..3 {
@@ -66,7 +66,7 @@ pub fn nearly<T: Number, V: Into<[T; 3]>>(a: V, b: V, k: f64) -> TestCaseResult 
     Ok(())
 }
 
-/// |error| ≤ tolerance; says by how much not.
+/// Checks that |error| ≤ tolerance, and reports the excess.
 pub fn within(error: f64, tolerance: f64) -> TestCaseResult {
     prop_assert!(
         error.abs() <= tolerance,
@@ -76,7 +76,7 @@ pub fn within(error: f64, tolerance: f64) -> TestCaseResult {
     Ok(())
 }
 
-/// a ≥ b but for `tolerance`.
+/// Checks that a ≥ b − `tolerance`.
 pub fn at_least(a: f64, b: f64, tolerance: f64) -> TestCaseResult {
     prop_assert!(
         a >= b - tolerance,

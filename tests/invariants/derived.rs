@@ -1,4 +1,4 @@
-//! What is done with normals: turned to the eye, transformed, averaged over a mesh, mapped.
+//! What can be done with normals: face the viewer, transform, average over a mesh, map.
 
 use std::f64::consts::PI;
 
@@ -14,14 +14,14 @@ use crate::number::Number;
 
 type Matrix<T> = [Vec3<T>; 3];
 
-/// (57) N·V is not negative, turning twice is turning once, and it is N or −N.
+/// (57) N·V is not negative, facing twice is the same as facing once, and the result is N or −N.
 fn facing_normals_face_the_viewer<T: Number>() {
     check(pair::<T>(), |[n, v]| {
         let facing = normal::facing(n, v);
         prop_assert!(facing.dot(v) >= T::ZERO);
         same(normal::facing(facing, v), facing)?;
         same(facing, if n.dot(v) < T::ZERO { -n } else { n })?;
-        // and the same for both sides, edge-on aside
+        // both sides give the same, except edge-on
         if n.dot(v) != T::ZERO {
             same(normal::facing(-n, v), facing)?;
         }
@@ -32,7 +32,7 @@ fn facing_normals_face_the_viewer<T: Number>() {
 fn matrix<T: Number>() -> impl Strategy<Value = Matrix<T>> {
     let usual = [point(), point(), point()];
     let grid = [dyadic_point(), dyadic_point(), dyadic_point()];
-    // each column of another size
+    // the columns have different sizes
     let stretched =
         (usual, [-20..20, -20..20, -20..20]).prop_map(|(columns, k): (Matrix<T>, [i32; 3])| {
             let scale = k.map(|k| T::of(f64::from(k).exp2()));
@@ -41,7 +41,7 @@ fn matrix<T: Number>() -> impl Strategy<Value = Matrix<T>> {
     prop_oneof![grid, stretched]
 }
 
-/// M v.
+/// The product M v.
 fn times<T: Number>(columns: Matrix<T>, v: [f64; 3]) -> [f64; 3] {
     let columns = columns.map(to_f64);
     [0, 1, 2].map(|i| dot([0, 1, 2].map(|j| columns[j][i]), v))
@@ -60,9 +60,9 @@ fn cofactors<T: Number>(columns: Matrix<T>, n: UnitVec3<T>) -> ([f64; 3], f64) {
     (sum, dot(n.map(f64::abs), sizes) / length(sum))
 }
 
-/// The error of a transformed normal: the products of a cofactor and their difference are off by 2u
-/// of the product of two lengths, the factor by 1u and the two sums by 2u; the unit vector by 4u. The
-/// expected one is computed in `f64` and off by as much.
+/// The error of a transformed normal. The products of a cofactor and their difference are off by 2u
+/// of the product of two lengths, the factor by 1u, and the two sums by 2u; the unit vector is off
+/// by 4u. The expected normal is computed in `f64`, and is off by as many units of `f64`.
 fn transformed_tolerance<T: Number>(conditioning: f64) -> f64 {
     (5.0 * conditioning + 4.0) * (T::U + f64::EPSILON)
 }
@@ -83,7 +83,7 @@ fn transformed_normal_is_perpendicular_to_transformed_tangents<T: Number>() {
         for axis in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
             let tangent = cross(n, axis);
             let moved = times(columns, tangent);
-            // the tangent is made in `f64`
+            // the tangent is computed in `f64`
             let moving = columns.map(to_f64).map(length).into_iter().sum::<f64>();
             within(
                 dot(transformed, moved),
@@ -94,12 +94,12 @@ fn transformed_normal_is_perpendicular_to_transformed_tangents<T: Number>() {
     });
 }
 
-/// (58) It is the normal of the transformed triangle, also where the matrix mirrors: on a grid, where
-/// the transformed vertices are exact.
+/// (58) It is the normal of the transformed triangle, even if the matrix mirrors. The test uses a
+/// grid, on which the transformed vertices are exact.
 fn transformed_normal_is_that_of_the_transformed_triangle<T: Number>() {
     let grid = || [dyadic_point::<T>(), dyadic_point(), dyadic_point()];
     check((grid(), grid()), |(vertices, columns)| {
-        let scale = T::of(8.0); // to whole numbers up to 16; the transformed vertices are up to 768
+        let scale = T::of(8.0); // to integers up to 16; the transformed vertices go up to 768
         let coarse = |v: Vec3<T>| v.map(|c| T::of((c * scale).to_f64().trunc()));
         let (vertices, columns) = (vertices.map(coarse), columns.map(coarse));
         let moved = vertices.map(|v| Vec3::from(times(columns, to_f64(v)).map(T::of)));
@@ -107,7 +107,7 @@ fn transformed_normal_is_that_of_the_transformed_triangle<T: Number>() {
         let Some(n) = normal::triangle(a, b, c) else {
             return Ok(());
         };
-        // the whole numbers of the triangle's plane, not rounded
+        // the plane of the triangle in integers, without rounding
         let plane = cross(to_f64(b - a), to_f64(c - a)).map(T::of);
         let plane = UnitVec3::assume_unit(Vec3::from(plane));
         let (_, conditioning) = cofactors(columns, plane);
@@ -116,8 +116,8 @@ fn transformed_normal_is_that_of_the_transformed_triangle<T: Number>() {
             normal::triangle(p, q, r),
         ) {
             (Some(by_matrix), Some(by_vertices)) => {
-                // two normals, each to its own error: that of a triangle is (2√3κ + 1)u of its own
-                // conditioning κ ≥ 1, and 3.5u of its length, together at most 8κu
+                // two normals, each with its own error: that of a triangle is (2√3κ + 1)u for its
+                // own conditioning κ ≥ 1, and 3.5u for its length, together at most 8κu
                 let edges = [q - p, r - p].map(to_f64);
                 let length = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
                 let own = length(edges[0]) * length(edges[1]) / length(cross(edges[0], edges[1]));
@@ -135,9 +135,9 @@ fn transformed_normal_is_that_of_the_transformed_triangle<T: Number>() {
     });
 }
 
-/// (58) A rotation transforms a normal as a vector: its columns are off by 1u each and the normal by
-/// 5u of √3.
-fn rotation_transforms_a_normal_as_a_vector<T: Number>() {
+/// (58) A rotation transforms a normal like a vector: its columns are off by 1u each, and the
+/// normal by 5u of √3.
+fn rotation_transforms_a_normal_like_a_vector<T: Number>() {
     check((direction(), direction(), direction()), |(x, aside, n)| {
         let z = cross(x, aside);
         prop_assume!(length(z) > 0.01);
@@ -153,7 +153,7 @@ fn rotation_transforms_a_normal_as_a_vector<T: Number>() {
     });
 }
 
-/// (58) A matrix 2^k times as large gives the same normal, and so does one of opposite sign.
+/// (58) A matrix 2^k times as large gives the same normal, and so does one of the opposite sign.
 fn scaling_the_matrix_by_a_power_of_two_is_exact<T: Number>() {
     check((matrix::<T>(), unit::<T>(), -30..=30), |(columns, n, k)| {
         let scale = T::of(f64::from(k).exp2());
@@ -163,9 +163,10 @@ fn scaling_the_matrix_by_a_power_of_two_is_exact<T: Number>() {
     });
 }
 
-/// (58) What is flattened to a line or a point has no normal, and only that: with two columns the same
-/// (here a multiple by a power of two), the plane that they leave has.
-fn only_what_becomes_a_line_has_no_transformed_normal<T: Number>() {
+/// (58) A plane that the matrix flattens to a line or a point has no normal, and no other plane
+/// lacks one. Here two columns are the same, up to a power of two, and the test also takes a plane
+/// that stays a plane.
+fn only_a_plane_flattened_to_a_line_has_no_transformed_normal<T: Number>() {
     check(
         (point::<T>(), point(), 0..3_usize, -8..=8),
         |(a, b, i, k)| {
@@ -174,7 +175,8 @@ fn only_what_becomes_a_line_has_no_transformed_normal<T: Number>() {
             let mut columns = [a; 3];
             columns[j] = b;
             columns[l] = b * T::of(f64::from(k).exp2());
-            // the direction that is crushed is j − l/2^k: a plane that contains it becomes a line
+            // the matrix crushes the direction j − l/2^k, so a plane that contains it becomes a
+            // line
             let axes = [UnitVec3::<T>::X, UnitVec3::Y, UnitVec3::Z];
             prop_assert!(normal::transformed(axes[i], columns).is_none());
             let expected = a.cross(b).unit().expect("not parallel");
@@ -203,7 +205,7 @@ fn optionally<T: Number>(
     }
 }
 
-/// The normal at a vertex with the neighbors around it, in order.
+/// The sum of the shares at a vertex whose neighbors are given in order.
 fn vertex_normal<T: Number>(vertex: Vec3<T>, around: &[Vec3<T>]) -> Vec3<T> {
     let next = around.iter().cycle().skip(1);
     around
@@ -213,9 +215,10 @@ fn vertex_normal<T: Number>(vertex: Vec3<T>, around: &[Vec3<T>]) -> Vec3<T> {
         .sum()
 }
 
-/// (59) A share has the direction of the triangle's normal and the length of its angle, below π; and
-/// the three angles of a triangle are π. The unit vector is off by 4u, the sine and the cosine by 8u,
-/// the angle by 16u; and by the conditioning of the triangle, 4u of the cross product.
+/// (59) A share has the direction of the triangle's normal and the length of the angle, which is
+/// below π; the three angles of a triangle add up to π. The unit vector is off by 4u, the sine and
+/// the cosine by 8u, and the angle by 16u; the conditioning of the triangle magnifies 4u of the
+/// cross product.
 fn shares_are_angles<T: Number>() {
     check([point::<T>(), point(), point()], |[a, b, c]| {
         let [ab, ac] = [b - a, c - a].map(to_f64);
@@ -233,7 +236,7 @@ fn shares_are_angles<T: Number>() {
     });
 }
 
-/// (59) The order of the triangles does not matter, beyond the rounding of a sum.
+/// (59) The order of the triangles does not matter, apart from the rounding of a sum.
 fn order_of_the_triangles_does_not_matter<T: Number>() {
     check(
         (point::<T>(), vec(point::<T>(), 3..9)),
@@ -247,9 +250,9 @@ fn order_of_the_triangles_does_not_matter<T: Number>() {
     );
 }
 
-/// (59) To split a flat polygon otherwise changes nothing: the angle of two triangles side by side is
-/// the sum of theirs. On a grid, so that the polygon is flat.
-fn splitting_a_flat_polygon_otherwise_changes_nothing<T: Number>() {
+/// (59) Splitting a flat polygon differently changes nothing: the angle of two adjacent triangles
+/// is the sum of their angles. The polygon lies on a grid, so that it is flat.
+fn splitting_a_flat_polygon_differently_changes_nothing<T: Number>() {
     let grid = dyadic_point::<T>;
     let inputs = ([grid(), grid(), grid()], [-4..=4_i8, -4..=4]);
     check(inputs, |([a, b, c], [k, l])| {
@@ -259,7 +262,7 @@ fn splitting_a_flat_polygon_otherwise_changes_nothing<T: Number>() {
         prop_assume!(length(cross(ab, ac)) > 0.01);
         let whole = normal::corner(a, b, c);
         let split = normal::corner(a, b, d) + normal::corner(a, d, c);
-        // the normals of slivers of the grid are right, but for the unit vector
+        // the normals of slivers on the grid are right, apart from the rounding of the unit vector
         let thinnest = [[ab, ad], [ad, ac], [ab, ac]]
             .map(|[e, f]| length(cross(e, f)) / (length(e) * length(f)))
             .into_iter()
@@ -297,7 +300,8 @@ fn corner_of_a_cube_gets_its_diagonal<T: Number>() {
     );
 }
 
-/// The size of a triangle does not matter for its share: exactly for a power of two.
+/// The size of a triangle does not matter for its share; for a power of two, the share is exactly
+/// the same.
 fn size_of_a_triangle_does_not_matter_for_its_share<T: Number>() {
     check(
         ([point::<T>(), point(), point()], -0.9..0.9_f64),
@@ -311,13 +315,13 @@ fn size_of_a_triangle_does_not_matter_for_its_share<T: Number>() {
             let sine = length(cross(ab, ac)) / (length(ab) * length(ac));
             prop_assume!(sine > 1e-2);
             same(share(T::of(0.125)), share(T::ONE))?;
-            // down to where the coordinates lose bits
+            // the smallest size is that at which the coordinates lose bits
             near(share(scale), share(T::ONE), 80.0 * T::U / sine)
         },
     );
 }
 
-/// Whatever the vertices: a share is finite, and no longer than π.
+/// For any vertices, a share is finite and no longer than π.
 fn shares_are_finite<T: Number>() {
     let any = adversarial_vector::<T>;
     check([any(), any(), any()], |[a, b, c]| {
@@ -328,7 +332,7 @@ fn shares_are_finite<T: Number>() {
     });
 }
 
-/// A tangent, at least a hundredth of a radian off N.
+/// N, and a tangent at least a hundredth of a radian away from it.
 fn frame<T: Number>() -> impl Strategy<Value = (UnitVec3<T>, Vec3<T>)> {
     (unit::<T>(), point::<T>()).prop_filter("parallel", |(n, t)| {
         let (n, t) = (to_f64(*n), to_f64(*t));
@@ -336,8 +340,9 @@ fn frame<T: Number>() -> impl Strategy<Value = (UnitVec3<T>, Vec3<T>)> {
     })
 }
 
-/// In the frame, the mapped normal has the coordinates of the sample. N × T is off by 4u of |T|, a
-/// hundred times as much of its length; the axes that are made of it by 8u more.
+/// In the frame, the mapped normal has the coordinates of the sample. N × T is off by 4u of |T|,
+/// which is up to a hundred times as much relative to its own length; the axes made from it are off
+/// by 8u more.
 fn mapped_normal_has_the_coordinates_of_the_sample<T: Number>() {
     check(
         (frame::<T>(), unit::<T>(), any::<bool>()),
@@ -356,8 +361,9 @@ fn mapped_normal_has_the_coordinates_of_the_sample<T: Number>() {
     );
 }
 
-/// A flat sample gives N. The length of sample and tangent does not matter, exactly for a power of
-/// two, nor any length of the handedness; the other handedness turns y over.
+/// A flat sample gives N. The lengths of the sample and of the tangent do not matter, exactly so
+/// for powers of two, and neither does the size of the handedness; the opposite handedness negates
+/// y.
 fn length_of_sample_and_tangent_do_not_matter<T: Number>() {
     let inputs = (frame::<T>(), point::<T>(), -20..=20, 0.1..10.0);
     check(inputs, |((n, tangent), sample, k, h)| {
@@ -384,7 +390,7 @@ fn length_of_sample_and_tangent_do_not_matter<T: Number>() {
     });
 }
 
-/// Whatever the numbers: a unit vector or none.
+/// For any numbers, the result is a unit vector or `None`.
 fn derived_normals_have_length_one_or_are_none<T: Number>() {
     let any = adversarial_vector::<T>;
     check((unit::<T>(), [any(), any(), any()]), |(n, [a, b, c])| {
@@ -403,12 +409,12 @@ invariants! {
     facing_normals_face_the_viewer,
     transformed_normal_is_perpendicular_to_transformed_tangents,
     transformed_normal_is_that_of_the_transformed_triangle,
-    rotation_transforms_a_normal_as_a_vector,
+    rotation_transforms_a_normal_like_a_vector,
     scaling_the_matrix_by_a_power_of_two_is_exact,
-    only_what_becomes_a_line_has_no_transformed_normal,
+    only_a_plane_flattened_to_a_line_has_no_transformed_normal,
     shares_are_angles,
     order_of_the_triangles_does_not_matter,
-    splitting_a_flat_polygon_otherwise_changes_nothing,
+    splitting_a_flat_polygon_differently_changes_nothing,
     corner_of_a_cube_gets_its_diagonal,
     size_of_a_triangle_does_not_matter_for_its_share,
     shares_are_finite,

@@ -8,20 +8,21 @@ use crate::exact::{determinant, dot, dot_difference, length, square_excess, sum_
 use crate::generators::{pair, shine};
 use crate::number::Number;
 
-// R = 2(N·L)N − L in units of u: N·L is off by 2 (three products and two partial sums below 1), so
-// 2(N·L)N by 4 along N and by 2 in the product, and the difference by 1: a vector off by 7. N itself
-// is longer than 1 by up to 1, which stretches 2(N·L)N by 2 more along N.
+// The error of R = 2(N·L)N − L, in units of u: N·L is off by 2 (three products, and two partial
+// sums below 1), so 2(N·L)N is off by 4 along N and by 2 in the product; the difference adds 1.
+// Together, the vector is off by 7. N itself is longer than 1 by up to 1u, which stretches 2(N·L)N
+// by 2 more along N.
 
-/// (19) |R| = |L|, to 11u.
+/// (19) |R| = |L|, within 11u.
 fn reflection_keeps_the_length<T: Number>() {
     check(pair::<T>(), |[n, l]| {
         let (r, l) = (to_f64(reflection(n, l)), to_f64(l));
-        // |R| − |L| is half of the difference of the squares
+        // |R| − |L| is half the difference of the squares
         within(0.5 * dot_difference([r, r], [l, l]), 11.0 * T::U)
     });
 }
 
-/// (20) N·R = N·L, to 9u.
+/// (20) N·R = N·L, within 9u.
 fn reflection_keeps_the_angle_to_the_normal<T: Number>() {
     check(pair::<T>(), |[n, l]| {
         let [n, l, r] = [n, l, reflection(n, l)].map(to_f64);
@@ -29,22 +30,22 @@ fn reflection_keeps_the_angle_to_the_normal<T: Number>() {
     });
 }
 
-/// (21) The reflection of the reflection is L, to 14u.
+/// (21) The reflection of the reflection is L, within 14u.
 fn reflection_is_its_own_inverse<T: Number>() {
     check(pair::<T>(), |[n, l]| {
         near(reflection(n, reflection(n, l)), l, 14.0 * T::U)
     });
 }
 
-/// (22) N and −N reflect alike; but for the sign of a zero.
+/// (22) N and −N reflect alike, except for the sign of a zero.
 fn reflection_does_not_depend_on_the_side<T: Number>() {
     check(pair::<T>(), |[n, l]| {
         equal(reflection(-n, l), reflection(n, l))
     });
 }
 
-/// (23) R, N and L lie in a plane, to 7u: R = 2(N·L)N − L without its rounding has no part that
-/// leaves it.
+/// (23) R, N, and L lie in a plane, within 7u: before rounding, R = 2(N·L)N − L has no component
+/// outside it.
 fn reflection_stays_in_the_plane<T: Number>() {
     check(pair::<T>(), |[n, l]| {
         within(
@@ -54,7 +55,7 @@ fn reflection_stays_in_the_plane<T: Number>() {
     });
 }
 
-/// (24) L and V may be exchanged.
+/// (24) L and V are interchangeable.
 fn half_vector_is_symmetric<T: Number>() {
     check(pair::<T>(), |[l, v]| {
         let (lv, vl) = (half_vector(l, v), half_vector(v, l));
@@ -66,8 +67,9 @@ fn half_vector_is_symmetric<T: Number>() {
     });
 }
 
-/// (25) H is as far from L as from V. H·L − H·V = (|L|² − |V|²)/|L + V|, and the lengths differ by
-/// 2u; then H is off by 1 for the sum and by 2 for the division by the length: 4u/|L + V| + 6u.
+/// (25) H makes the same angle with L as with V. H·L − H·V = (|L|² − |V|²)/|L + V|, and the lengths
+/// differ by 2u. In addition, H is off by 1u for the sum and by 2u for the division by the length:
+/// 4u/|L + V| + 6u in all.
 fn half_vector_halves_the_angle<T: Number>() {
     check(pair::<T>(), |[l, v]| {
         let Some(h) = half_vector(l, v) else {
@@ -79,8 +81,8 @@ fn half_vector_halves_the_angle<T: Number>() {
     });
 }
 
-/// (25) |L + V|² = 2 + 2 L·V, as H·(L + V) = |L + V|. The lengths of L and V make 4u, H is off by 3u
-/// of the sum's square.
+/// (25) |L + V|² = 2 + 2 L·V, because H·(L + V) = |L + V|. The lengths of L and V contribute 4u,
+/// and H is off by 3u of the square of the sum.
 fn half_vector_belongs_to_the_sum<T: Number>() {
     check(pair::<T>(), |[l, v]| {
         let Some(h) = half_vector(l, v) else {
@@ -98,8 +100,8 @@ fn half_vector_belongs_to_the_sum<T: Number>() {
     });
 }
 
-/// (26) |H| = 1, also where L and V are nearly opposite. The sum of squares is off by 3u at most and
-/// its root by 1.5u, the root and the division round: 3.5u. More than 2u is rare.
+/// (26) |H| = 1, even if L and V are nearly opposite. The sum of squares is off by at most 3u and
+/// its root by 1.5u, and the root and the division round: 3.5u. More than 2u is rare.
 fn half_vector_has_length_one<T: Number>() {
     check(pair::<T>(), |[l, v]| {
         let Some(h) = half_vector(l, v) else {
@@ -110,9 +112,9 @@ fn half_vector_has_length_one<T: Number>() {
     });
 }
 
-/// (27) Seen along the mirrored direction, V = R, H is N: N·H = 1, to 4u, and the highlight is full,
-/// but not brighter. For N·L near 0, H turns by up to 8u/(N·L), of which the cosine keeps half the
-/// square.
+/// (27) Seen along the mirror direction, V = R, H is N: N·H = 1 within 4u, and the highlight is
+/// full but no brighter. For N·L near 0, H turns by up to 8u/(N·L), and the cosine falls by half
+/// the square of that angle.
 fn mirrored_eye_sees_the_full_highlight<T: Number>() {
     check((pair::<T>(), shine(10_000)), |([n, l], m)| {
         let cosine = dot(to_f64(n), to_f64(l));

@@ -7,7 +7,7 @@ use crate::check::{check, equal, near, nearly, same, to_f64};
 use crate::generators::point;
 use crate::number::Number;
 
-/// A dual number with any gradient; its value within [½, 2), of either sign.
+/// A dual number with any gradient and with a value in [½, 2), of either sign.
 fn dual<T: Number>() -> impl Strategy<Value = Dual<T>> {
     (0.5..2.0, any::<bool>(), point()).prop_map(|(value, negative, gradient): (f64, _, _)| Dual {
         value: T::of(if negative { -value } else { value }),
@@ -15,7 +15,7 @@ fn dual<T: Number>() -> impl Strategy<Value = Dual<T>> {
     })
 }
 
-/// A dual number greater than 0.
+/// A positive dual number.
 fn positive<T: Number>() -> impl Strategy<Value = Dual<T>> {
     dual().prop_map(|x: Dual<T>| if x.value < T::ZERO { -x } else { x })
 }
@@ -51,8 +51,8 @@ fn product_rule<T: Number>() {
     });
 }
 
-/// (f/g)′ = (f′g − g′f)/g²: to 8u of the two products' magnitudes, three roundings here and four
-/// there. |f|, |g| and 1/|g| are at most 2, and the slopes 1.
+/// (f/g)′ = (f′g − g′f)/g², within 8u of the magnitudes of the two products: three roundings here
+/// and four there. |f|, |g|, and 1/|g| are at most 2, and the slopes at most 1.
 fn quotient_rule<T: Number>() {
     check((dual::<T>(), dual::<T>()), |(f, g)| {
         value(f / g, f.value / g.value)?;
@@ -62,7 +62,7 @@ fn quotient_rule<T: Number>() {
     });
 }
 
-/// A plain number is a constant: the same as a dual number without a gradient.
+/// A plain number is a constant: it acts like a dual number with a gradient of zero.
 fn plain_numbers_are_constants<T: Number>() {
     check((dual::<T>(), dual::<T>()), |(f, c)| {
         let c = c.value;
@@ -82,7 +82,7 @@ fn plain_numbers_are_constants<T: Number>() {
     });
 }
 
-/// g(f)′ = g′(f) f′, for √: f′/(2√f), to 4u.
+/// g(f)′ = g′(f) f′. For √ that is f′/(2√f), within 4u.
 fn chain_rule<T: Number>() {
     check((positive::<T>(), dual::<T>()), |(f, slope)| {
         let chained = f.chain(slope.value, slope.value);
@@ -96,8 +96,9 @@ fn chain_rule<T: Number>() {
     });
 }
 
-/// The derivatives of sine, cosine, exponential, logarithm and absolute value. Each function is off
-/// by at most one unit in the last place, 2u, and the product by 1u, on either side: 6u.
+/// The derivatives of sine, cosine, exponential, logarithm, and absolute value. On either side,
+/// each function is off by at most one unit in the last place, 2u, and the product by 1u: 6u in
+/// all.
 fn elementary_derivatives<T: Number>() {
     check(dual::<T>(), |f| {
         let x = f.value.to_f64();
@@ -121,7 +122,8 @@ fn elementary_derivatives<T: Number>() {
     });
 }
 
-/// (fⁿ)′ = n fⁿ⁻¹ f′, negative n included: |n| roundings of the power and its product rules, twice.
+/// (fⁿ)′ = n fⁿ⁻¹ f′, also for negative n: |n| roundings for the power and for its product rules,
+/// twice.
 fn power_rule<T: Number>() {
     check((dual::<T>(), -9..=9), |(f, n)| {
         let power = f.powi(n);
@@ -132,7 +134,8 @@ fn power_rule<T: Number>() {
     });
 }
 
-/// Linear in the tangent: twice the gradient of the inputs gives twice that of the result, exactly.
+/// The result is linear in the tangent: doubling the gradients of the inputs doubles its gradient
+/// exactly.
 fn linear_in_the_tangent<T: Number>() {
     check((positive::<T>(), dual::<T>(), -8..=8), |(f, g, k)| {
         let scale = T::of(f64::from(k).exp2());
@@ -147,8 +150,8 @@ fn linear_in_the_tangent<T: Number>() {
     });
 }
 
-/// Comparisons and selections look at the value alone, and a selection carries its gradient along.
-fn decisions_look_at_the_value<T: Number>() {
+/// Comparisons and selections depend on the value alone, and a selection keeps its gradient.
+fn decisions_depend_on_the_value<T: Number>() {
     check((dual::<T>(), dual::<T>()), |(f, g)| {
         prop_assert_eq!(f < g, f.value < g.value);
         prop_assert_eq!(f == g, f.value == g.value);
@@ -169,7 +172,7 @@ fn decisions_look_at_the_value<T: Number>() {
     });
 }
 
-/// The three coordinates of a point are the variables: ∇x, ∇y, ∇z are the axes.
+/// The three coordinates of a point are the variables: ∇x, ∇y, and ∇z are the axes.
 fn variables_have_the_axes_as_gradients<T: Number>() {
     check(point::<T>(), |p| {
         let variables = Dual::point(p);
@@ -192,6 +195,6 @@ invariants! {
     elementary_derivatives,
     power_rule,
     linear_in_the_tangent,
-    decisions_look_at_the_value,
+    decisions_depend_on_the_value,
     variables_have_the_axes_as_gradients,
 }

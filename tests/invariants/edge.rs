@@ -1,36 +1,37 @@
-//! Soft cones, and attenuation within a range: where light ends.
+//! Soft cones and attenuation with a range: where light ends.
 
 use proptest::prelude::*;
 use shading::{Light, PointLight, Ranged, Rgb, SoftCone, SpotLight, UnitVec3, shade, term};
 
 use crate::check::{check, same, to_f64, within};
 use crate::generators::{
-    adversarial, adversarial_colour, adversarial_vector, coefficients, cone, light_colour, pair,
+    adversarial, adversarial_color, adversarial_vector, coefficients, cone, light_color, pair,
     point, triple, unit,
 };
 use crate::number::Number;
 
-/// A soft cone by its cosines, as `cone` is by its one.
+/// A soft cone from its cosines, as `cone` makes a hard one.
 fn soft_cone<T: Number>(inner: f64, outer: f64) -> SoftCone<T> {
     let narrowest = 1.0 - 8.0 * T::U;
     let cone = SoftCone::<f64>::from_cosines(inner.min(narrowest), outer.min(narrowest));
     cone.expect("cosines").cast(T::of)
 }
 
-/// Two cosines, the larger first; often the same.
+/// Two cosines, the larger first; often equal.
 fn cosines() -> impl Strategy<Value = [f64; 2]> {
     let cosine = || prop_oneof![4 => -1.0..=1.0, 1 => Just(1.0), 1 => Just(-1.0), 1 => Just(0.0)];
     let one = cosine().prop_map(|c: f64| [c, c]);
     prop_oneof![1 => one, 4 => [cosine(), cosine()].prop_map(|[a, b]: [f64; 2]| [a.max(b), a.min(b)])]
 }
 
-/// Both edges of a cone, a square and a smoothstep.
+/// Soft cones with both kinds of edge: a square and a smoothstep.
 fn both<T: Number>([inner, outer]: [f64; 2]) -> [SoftCone<T>; 2] {
     let squared = soft_cone(inner, outer);
     [squared, squared.smoothstep()]
 }
 
-/// (55) 1 inside the inner edge and on it, 0 on the outer edge and outside, between 0 and 1 between.
+/// (55) The factor is 1 inside the inner edge and on it, 0 on the outer edge and outside, and in
+/// between it is between 0 and 1.
 fn soft_cone_is_full_inside_and_dark_outside<T: Number>() {
     check((pair::<T>(), cosines()), |([axis, l], cosines)| {
         let cosine = (-axis).dot(l);
@@ -49,9 +50,9 @@ fn soft_cone_is_full_inside_and_dark_outside<T: Number>() {
     });
 }
 
-/// (55) Towards the axis the square does not fall; the smoothstep has three roundings of 1u, in which a
-/// rise may get lost.
-fn soft_cone_does_not_fall_towards_the_axis<T: Number>() {
+/// (55) Toward the axis, the square does not fall. The smoothstep has three roundings of 1u, which
+/// may hide a rise.
+fn soft_cone_does_not_fall_toward_the_axis<T: Number>() {
     check((triple::<T>(), cosines()), |([axis, a, b], cosines)| {
         let (near, far) = if (-axis).dot(a) >= (-axis).dot(b) {
             (a, b)
@@ -66,7 +67,7 @@ fn soft_cone_does_not_fall_towards_the_axis<T: Number>() {
     });
 }
 
-/// (55) Where both edges are one, it is the hard cone.
+/// (55) If both edges are the same, it is the hard cone.
 fn soft_cone_with_one_edge_is_the_hard_cone<T: Number>() {
     check(
         (pair::<T>(), -1.0..=1.0_f64, any::<bool>()),
@@ -86,8 +87,9 @@ fn soft_cone_with_one_edge_is_the_hard_cone<T: Number>() {
     );
 }
 
-/// (55) Between the edges it is t² and t²(3 − 2t) of the cosine: the cosine is off by 3u, which counts
-/// as much more as the edge is narrower, and 3 times in the slope; eight roundings more.
+/// (55) Between the edges, the factor is t² or t²(3 − 2t) of the cosine. The cosine is off by 3u,
+/// which counts more the narrower the edge is, and 3 times in the slope; there are eight more
+/// roundings.
 fn soft_cone_follows_its_formula<T: Number>() {
     check((pair::<T>(), cosines()), |([axis, l], cosines)| {
         let cones = both::<T>(cosines);
@@ -105,7 +107,7 @@ fn soft_cone_follows_its_formula<T: Number>() {
     });
 }
 
-/// An attenuation within a range: usual, or any that the type has.
+/// An attenuation with a range: an ordinary range, or any that the type can hold.
 fn ranged<T: Number>() -> impl Strategy<Value = Ranged<T>> {
     let octaves = 0.9 * T::MAX.to_f64().log2();
     let range = prop_oneof![
@@ -120,7 +122,8 @@ fn ranged<T: Number>() -> impl Strategy<Value = Ranged<T>> {
     })
 }
 
-/// (56) Exactly 0 from r on, never above the attenuation without it, and never rising with q.
+/// (56) It is exactly 0 from r on, never above the attenuation without the range, and never rises
+/// with q.
 fn ranged_attenuation_ends_at_its_range<T: Number>() {
     let inputs = (
         ranged::<T>(),
@@ -145,8 +148,8 @@ fn ranged_attenuation_ends_at_its_range<T: Number>() {
     });
 }
 
-/// (56) It is the attenuation times (1 − (q/r)⁴)², or 0: the quotient is off by 1u, its fourth power by
-/// 7u, which counts twice; the attenuation by 6u; three roundings more.
+/// (56) It is the attenuation times (1 − (q/r)⁴)², or 0. The quotient is off by 1u and its fourth
+/// power by 7u, which counts twice; the attenuation is off by 6u; there are three more roundings.
 fn ranged_attenuation_follows_its_formula<T: Number>() {
     let inputs = (coefficients::<T>(), 0.1..10.0, 0.0..1.5);
     check(inputs, |(attenuation, range, share)| {
@@ -161,11 +164,11 @@ fn ranged_attenuation_follows_its_formula<T: Number>() {
     });
 }
 
-/// (56) No range is none: the light has the bits of one without.
+/// (56) An infinite range has no effect: the light has the bits of one without a range.
 fn infinite_range_is_no_range<T: Number>() {
     let inputs = (
         coefficients::<T>(),
-        light_colour::<T>(),
+        light_color::<T>(),
         adversarial_vector::<T>(),
         adversarial_vector(),
     );
@@ -196,7 +199,7 @@ fn infinite_range_is_no_range<T: Number>() {
 fn soft_light<T: Number>() -> impl Strategy<Value = Light<T, SoftCone<T>, Ranged<T>>> {
     let parts = (
         point(),
-        adversarial_colour(),
+        adversarial_color(),
         ranged(),
         unit(),
         cosines(),
@@ -219,8 +222,9 @@ fn soft_light<T: Number>() -> impl Strategy<Value = Light<T, SoftCone<T>, Ranged
     )
 }
 
-/// (13, 56) What `in_front` leaves out, for being behind, out of range or outside the cone, adds nothing,
-/// and the rest is what it was; also for many lights at once.
+/// (13, 56) A light that `in_front` leaves out, because it is behind the surface, out of range, or
+/// pointed elsewhere, adds nothing, and any other light is unchanged. The same holds for many
+/// lights at once.
 fn lights_out_of_range_are_left_out<T: Number>() {
     let inputs = (
         unit::<T>(),
@@ -248,7 +252,7 @@ fn lights_out_of_range_are_left_out<T: Number>() {
                 }
                 Light::Directional(_) => T::MAX,
             };
-            // clear of the range by more than the rounding of a distance
+            // out of range by more than the rounding of a distance
             let is_far = all.distance.to_f64() > range.to_f64() * (1.0 + 16.0 * T::U) + 1e-10;
             prop_assert!(!is_far || light.in_front(p, n).is_none());
         }
@@ -272,7 +276,7 @@ fn lights_out_of_range_are_left_out<T: Number>() {
 
 invariants! {
     soft_cone_is_full_inside_and_dark_outside,
-    soft_cone_does_not_fall_towards_the_axis,
+    soft_cone_does_not_fall_toward_the_axis,
     soft_cone_with_one_edge_is_the_hard_cone,
     soft_cone_follows_its_formula,
     ranged_attenuation_ends_at_its_range,

@@ -1,16 +1,16 @@
-//! sRGB and RGB565. The encodings are those of `f32` alone.
+//! sRGB and RGB565. The encodings exist for `f32` only.
 
 use proptest::prelude::*;
 use shading::Rgb;
 
 use crate::check::{check, within};
 
-/// A number of any bits, or one that is displayed.
+/// A number of arbitrary bits, or one that a display can show.
 fn any_number() -> impl Strategy<Value = f32> {
     prop_oneof![any::<u32>().prop_map(f32::from_bits), 0.0..=1.0_f32]
 }
 
-/// A color that is displayed.
+/// A color that a display can show.
 fn displayed() -> impl Strategy<Value = Rgb> {
     let channel = || prop_oneof![3 => 0.0..=1.0_f32, 1 => 0.0..=0.01_f32];
     [channel(), channel(), channel()].prop_map(Rgb::from)
@@ -22,7 +22,7 @@ fn levels(color: Rgb) -> [u16; 3] {
     [bits >> 11, bits >> 5 & 63, bits & 31]
 }
 
-/// (60) More light never gets a lower level. What is not a number is darkest.
+/// (60) More light never gets a lower level. NaN is darkest.
 #[test]
 fn more_light_never_gets_a_lower_level() {
     check((any_number(), any_number()), |(a, b)| {
@@ -34,7 +34,7 @@ fn more_light_never_gets_a_lower_level() {
     });
 }
 
-/// (60) Decoding and encoding gives every byte back.
+/// (60) Decoding a byte and encoding the result gives the byte back.
 #[test]
 fn every_byte_survives_the_round_trip() {
     for byte in 0..=255 {
@@ -43,7 +43,7 @@ fn every_byte_survives_the_round_trip() {
     }
 }
 
-/// (60) Black and white are exact, from either side.
+/// (60) Black and white are exact in both directions.
 #[test]
 fn ends_are_exact() {
     for (light, byte, bits) in [(0.0, 0, 0), (-0.0, 0, 0), (1.0, 255, u16::MAX)] {
@@ -53,8 +53,8 @@ fn ends_are_exact() {
     }
 }
 
-/// (60) The levels of RGB565 are those of the bytes to half a level of each, so without more rounding than
-/// that of the bytes.
+/// (60) The levels of RGB565 agree with the bytes to half a level of each, so no rounding is added
+/// to that of the bytes.
 #[test]
 fn rgb565_agrees_with_the_bytes() {
     check(displayed(), |color| {

@@ -9,7 +9,7 @@ use crate::check::{check, within};
 use crate::generators::{Shine, rounded, shine};
 use crate::number::Number;
 
-/// A normalized highlight: its value for N = Z, L and V.
+/// A normalized highlight: its value for N = Z, L, and V.
 type Lobe<T> = fn(UnitVec3<T>, UnitVec3<T>, Shine) -> T;
 
 fn phong<T: Number>(l: UnitVec3<T>, v: UnitVec3<T>, m: Shine) -> T {
@@ -21,10 +21,12 @@ fn blinn<T: Number + Exponent<T>>(l: UnitVec3<T>, v: UnitVec3<T>, m: Shine) -> T
     term::blinn_normalization(T::of(m.m)) * term::blinn(UnitVec3::Z, h, m)
 }
 
-/// How much of the light from everywhere is returned along V, or of that from V to everywhere.
+/// The share of light from all directions that is returned along V, or of light from V that is
+/// returned in all directions.
 ///
-/// The rule of Gauss and Legendre for the height s² of L over the horizon, and equal steps around N. At
-/// normal incidence s²ᵐ⁺³ is left, which so many nodes integrate to 10⁻⁹ or better for every m.
+/// Gauss–Legendre quadrature in s, where s² is the height of L above the horizon, and equal steps
+/// around N. At normal incidence the integrand is s²ᵐ⁺³, which this many nodes integrate to 10⁻⁹ or
+/// better for every m.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small count
 fn returned<T: Number>(lobe: Lobe<T>, v: UnitVec3<T>, m: Shine) -> f64 {
     let count = 20 + (3.0 * m.m.sqrt()) as u32;
@@ -43,8 +45,8 @@ fn returned<T: Number>(lobe: Lobe<T>, v: UnitVec3<T>, m: Shine) -> f64 {
     gauss_legendre(count).map(ring).sum()
 }
 
-/// The nodes of the rule on [0, 1], and their weights: the roots of Legendre's polynomial by Newton's
-/// iteration.
+/// The nodes of the rule on [0, 1] and their weights. The nodes are the roots of the Legendre
+/// polynomial, found by Newton's iteration.
 fn gauss_legendre(count: u32) -> impl Iterator<Item = (f64, f64)> {
     let n = f64::from(count);
     (0..count).map(move |i| {
@@ -62,20 +64,20 @@ fn gauss_legendre(count: u32) -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
-/// Mostly a small m: a large one takes many nodes.
+/// Mostly a small m: a large one needs many nodes.
 fn shininess() -> impl Strategy<Value = Shine> {
     prop_oneof![9 => shine(16), 1 => shine(250)]
 }
 
-/// The tolerance: 1e-9 for the rule. m counts the error of the cosine, at most 21u for R·V and less for
-/// N·H; the power has its own, and the remaining factors nine roundings.
+/// The tolerance is 1e-9 for the rule. The error of the cosine, at most 21u for R·V and less for
+/// N·H, counts m times; the power has its own error, and the remaining factors have nine roundings.
 fn tolerance<T: Number>(Shine { m, .. }: Shine) -> f64 {
     1e-9 + (21.0 * m + (m + 2.0) * (1.0 + 0.5 * T::POWER_ERROR) + 9.0) * T::U
 }
 
-/// (61) No more is returned than arrives, for every m and every V. Phong's lobe around R and the cosine
-/// around N both fall with the angle to their axis, and two such functions overlap most where the axes
-/// coincide. For Blinn's lobe the integral says it.
+/// (61) No more is returned than arrives, for every m and every V. Phong's lobe around R and the
+/// cosine around N both fall with the angle from their axis, and two such functions overlap most
+/// where the axes coincide. For Blinn's lobe, only the integral shows it.
 fn normalized_highlight_returns_no_more_than_arrives<T: Number + Exponent<T>>() {
     let polar = prop_oneof![3 => 0.0..=FRAC_PI_2, 1 => 0.0..=0.1, 1 => Just(FRAC_PI_2)];
     check((polar, 0.0..TAU, shininess()), |(polar, azimuth, m)| {
@@ -89,7 +91,7 @@ fn normalized_highlight_returns_no_more_than_arrives<T: Number + Exponent<T>>() 
     });
 }
 
-/// (61) All of it where V = N, for every m.
+/// (61) All of it is returned where V = N, for every m.
 fn normalized_highlight_returns_all_at_normal_incidence<T: Number + Exponent<T>>() {
     check(shininess(), |m| {
         for lobe in [phong, blinn] {

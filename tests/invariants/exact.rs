@@ -1,4 +1,4 @@
-//! Sums of products beyond double precision, to measure errors with.
+//! Sums of products beyond double precision, for measuring errors.
 
 use std::array::from_fn;
 

@@ -1,7 +1,7 @@
-//! What the properties are tried on.
+//! The inputs on which the properties are tested.
 //!
-//! Directions are made of angles, or taken from a list: no strategy here can shrink to the zero
-//! vector. Degenerate constellations are not left to chance.
+//! Directions are made from angles or taken from a list, so no strategy here can shrink to the zero
+//! vector. Degenerate configurations are generated on purpose, not left to chance.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -49,9 +49,9 @@ pub fn direction() -> impl Strategy<Value = [f64; 3]> {
     ]
 }
 
-/// Rounds a direction: the components have a relative error of u each, and so has the length.
+/// Rounds a direction: each component has a relative error of u, and so does the length.
 pub fn rounded<T: Number>(direction: [f64; 3]) -> UnitVec3<T> {
-    // a step of Newton's method, so that nothing is left of the errors of sine and cosine
+    // one step of Newton's method removes the errors of sine and cosine
     let excess = 0.5 * exact::square_excess(direction);
     UnitVec3::assume_unit(Vec3::from(direction.map(|c| T::of(c - c * excess))))
 }
@@ -61,12 +61,12 @@ pub fn unit<T: Number>() -> impl Strategy<Value = UnitVec3<T>> {
     direction().prop_map(rounded)
 }
 
-/// How a second direction lies to a first one.
+/// How a second direction is placed relative to a first.
 #[derive(Clone, Copy, Debug)]
 pub enum Relation {
-    /// Anyhow.
+    /// Without any relation.
     Independent([f64; 3]),
-    /// At an angle (0: coincident, π: opposite), towards an azimuth.
+    /// At an angle (0: coincident, π: opposite), toward an azimuth.
     Angle(f64, f64),
 }
 
@@ -77,7 +77,7 @@ impl Relation {
             Self::Angle(angle, azimuth) => {
                 let [s, t] = tangents(n);
                 let (sin, cos) = angle.sin_cos();
-                // exactly perpendicular and exactly opposite where it is meant
+                // exactly perpendicular or exactly opposite where that is intended
                 let cos = if angle == FRAC_PI_2 { 0.0 } else { cos };
                 let sin = if angle == PI { 0.0 } else { sin };
                 [0, 1, 2].map(|i| n[i] * cos + (s[i] * azimuth.cos() + t[i] * azimuth.sin()) * sin)
@@ -109,7 +109,7 @@ pub fn relation() -> impl Strategy<Value = Relation> {
     prop_oneof![
         3 => direction().prop_map(Relation::Independent),
         2 => special.prop_map(|(angle, off, azimuth)| Relation::Angle(angle + off, azimuth)),
-        // above the surface, where light falls
+        // above the surface, where light arrives
         3 => (0.0..FRAC_PI_2, 0.0..TAU).prop_map(|(a, azimuth)| Relation::Angle(a, azimuth)),
     ]
 }
@@ -124,7 +124,7 @@ pub fn pair<T: Number>() -> impl Strategy<Value = [UnitVec3<T>; 2]> {
     two_directions().prop_map(|pair| pair.map(rounded))
 }
 
-/// N, L and V, in `f64`: each of L and V in relation to N, or V to L, or V as the mirrored L.
+/// N, L, and V, in `f64`: L and V are each related to N, or V to L, or V is the mirrored L.
 pub fn three_directions() -> impl Strategy<Value = [[f64; 3]; 3]> {
     (two_directions(), relation(), 0..4).prop_map(|([n, l], relation, to)| {
         let cosine = exact::dot(n, l);
@@ -142,7 +142,8 @@ pub fn triple<T: Number>() -> impl Strategy<Value = [UnitVec3<T>; 3]> {
     three_directions().prop_map(|triple| triple.map(rounded))
 }
 
-/// A shininess: whole, and on the way of whole numbers, or real. Steps of ¼, which every type has.
+/// A shininess: an integer, passed as an integer or as a real number, or a real number. It is a
+/// multiple of ¼, which every type can hold.
 #[derive(Clone, Copy, Debug)]
 pub struct Shine {
     pub m: f64,
@@ -160,7 +161,7 @@ impl<T: Number> Exponent<T> for Shine {
     }
 
     fn half(self) -> Option<Self> {
-        // a type without real powers has an integer shininess
+        // a type without real powers has only an integer shininess
         let is_integer = self.whole || T::POWER_ERROR == 0.0;
         let m = if is_integer { self.m.floor() } else { self.m } / 2.0;
         (!is_integer || m.fract() == 0.0).then_some(Self { m, ..self })
@@ -174,8 +175,9 @@ impl From<Shine> for f64 {
 }
 
 impl Shine {
-    /// How far the power of a given cosine may be off, in units of u: by m roundings of a whole one,
-    /// and by the error of a real one. An error of the cosine itself counts m times.
+    /// The largest error of a power of a given cosine, in units of u: m roundings for an integer
+    /// power, and the type's own bound for a real one. An error of the cosine itself counts m
+    /// times.
     pub fn error<T: Number>(self) -> f64 {
         if self.whole || T::POWER_ERROR == 0.0 {
             self.m
@@ -211,7 +213,7 @@ pub fn model() -> impl Strategy<Value = Model> {
     select(&MODELS[..])
 }
 
-/// All that the sum over lights takes.
+/// Everything that the sum over lights takes.
 #[derive(Clone, Debug)]
 pub struct Scene<T> {
     pub n: UnitVec3<T>,
@@ -267,17 +269,17 @@ impl<T: Number> Scene<T> {
     }
 }
 
-/// A share within [0, 1], both ends included on purpose.
+/// A share in [0, 1]; both ends are included on purpose.
 fn share<T: Number>() -> impl Strategy<Value = T> {
     prop_oneof![1 => Just(0.0), 1 => Just(1.0), 4 => 0.0..1.0].prop_map(T::of)
 }
 
-/// A usual intensity, or none.
+/// An ordinary intensity, or 0.
 fn usual<T: Number>() -> impl Strategy<Value = T> {
     prop_oneof![1 => Just(0.0), 1 => Just(1.0), 4 => 0.001..4.0].prop_map(T::of)
 }
 
-/// Finite and not negative: the numbers that break formulas, and any size between.
+/// A finite number that is not negative: one that breaks formulas, or one of any size in between.
 pub fn adversarial<T: Number>() -> impl Strategy<Value = T> {
     let largest = T::MAX.to_f64();
     let exponent = largest.log2().floor();
@@ -302,13 +304,13 @@ pub fn adversarial<T: Number>() -> impl Strategy<Value = T> {
     ]
 }
 
-/// The same, of either sign.
+/// The same with either sign.
 pub fn adversarial_signed<T: Number>() -> impl Strategy<Value = T> {
     (adversarial(), any::<bool>())
         .prop_map(|(x, negative): (T, bool)| if negative { -x } else { x })
 }
 
-/// A point or vector of such numbers, or of any one size.
+/// A point or vector of such numbers, or a direction times one of them.
 pub fn adversarial_vector<T: Number>() -> impl Strategy<Value = Vec3<T>> {
     let component = adversarial_signed::<T>;
     prop_oneof![
@@ -317,23 +319,23 @@ pub fn adversarial_vector<T: Number>() -> impl Strategy<Value = Vec3<T>> {
     ]
 }
 
-fn colour<T: Number, S: Strategy<Value = T>>(channel: fn() -> S) -> impl Strategy<Value = Rgb<T>> {
+fn color<T: Number, S: Strategy<Value = T>>(channel: fn() -> S) -> impl Strategy<Value = Rgb<T>> {
     [channel(), channel(), channel()].prop_map(Rgb::from)
 }
 
-/// A colour of usual brightness.
-pub fn light_colour<T: Number>() -> impl Strategy<Value = Rgb<T>> {
-    colour(usual)
+/// A color of ordinary brightness.
+pub fn light_color<T: Number>() -> impl Strategy<Value = Rgb<T>> {
+    color(usual)
 }
 
 /// A reflectance.
 pub fn reflectance<T: Number>() -> impl Strategy<Value = Rgb<T>> {
-    colour(share)
+    color(share)
 }
 
-/// A colour out of the numbers that break formulas.
-pub fn adversarial_colour<T: Number>() -> impl Strategy<Value = Rgb<T>> {
-    colour(adversarial)
+/// A color made of the numbers that break formulas.
+pub fn adversarial_color<T: Number>() -> impl Strategy<Value = Rgb<T>> {
+    color(adversarial)
 }
 
 fn scene_of<T: Number, A, B>(
@@ -351,7 +353,7 @@ where
         reflectance(),
         shine(most_shiny),
     );
-    // none to many lights, and V as the mirrored direction of the first often enough
+    // zero to many lights, and often enough V is the mirror direction of the first
     let lights = vec((relation(), light()), 0..9);
     (three_directions(), material, light(), lights).prop_map(
         |([n, l, v], (k_a, k_d, k_s, m), i_a, mut lights)| {
@@ -374,18 +376,18 @@ where
     )
 }
 
-/// A scene with usual lights.
+/// A scene with ordinary lights.
 pub fn scene<T: Number>() -> impl Strategy<Value = Scene<T>> {
-    scene_of(reflectance, light_colour, 128)
+    scene_of(reflectance, light_color, 128)
 }
 
-/// A scene of numbers that break formulas.
+/// A scene made of the numbers that break formulas.
 pub fn adversarial_scene<T: Number>() -> impl Strategy<Value = Scene<T>> {
-    scene_of(adversarial_colour, adversarial_colour, 10_000)
+    scene_of(adversarial_color, adversarial_color, 10_000)
 }
 
-/// A multiple of 1/16 within [−2, 2]: differences of these, products of two differences, and the
-/// sum of three such products take 16 bits, and are exact.
+/// A multiple of 1/16 in [−2, 2]. Differences of these, products of two differences, and the sum of
+/// three such products fit in 16 bits, and are exact.
 pub fn dyadic<T: Number>() -> impl Strategy<Value = T> {
     (-32..=32).prop_map(|i| T::of(f64::from(i) / 16.0))
 }
@@ -401,7 +403,7 @@ pub fn point<T: Number>() -> impl Strategy<Value = Vec3<T>> {
     [coordinate(), coordinate(), coordinate()].prop_map(Vec3::from)
 }
 
-/// An attenuation, limited to 1 or not; many of its coefficients are 0, not all.
+/// An attenuation, clamped to 1 or not; many of its coefficients are 0, but not all.
 pub fn coefficients<T: Number>() -> impl Strategy<Value = Attenuation<T>> {
     let coefficient = || prop_oneof![1 => Just(0.0), 2 => 0.0..2.0];
     let abc = [coefficient(), coefficient(), coefficient()];
@@ -415,25 +417,26 @@ pub fn coefficients<T: Number>() -> impl Strategy<Value = Attenuation<T>> {
     })
 }
 
-/// The checked coefficients nearest to these.
+/// A valid attenuation with the coefficients nearest to these.
 pub fn coefficients_of<T: Number>(abc: [f64; 3]) -> Option<Attenuation<T>> {
     let [a, b, c] = abc.map(|k| T::of(k).to_f64());
     Some(Attenuation::<f64>::new(a, b, c)?.cast(T::of))
 }
 
-/// A cone by its cosine; the narrowest that contains its axis in spite of rounding.
+/// A cone from its cosine. The narrowest cone is limited so that it contains its axis in spite of
+/// rounding.
 pub fn cone<T: Number>(cosine: f64) -> Cone<T> {
     let cone = Cone::<f64>::from_cosine(cosine.min(1.0 - 8.0 * T::U));
     cone.expect("a cosine").cast(T::of)
 }
 
-/// Any light, in one of the places given.
+/// A light of any kind, at one of the given places.
 pub fn light<T: Number, P: Strategy<Value = Vec3<T>>>(
     places: P,
 ) -> impl Strategy<Value = Light<T>> {
     let parts = (
         places,
-        light_colour(),
+        light_color(),
         coefficients(),
         unit(),
         unit(),

@@ -1,4 +1,4 @@
-//! Attenuation, the cone, and what arrives of a light.
+//! Attenuation, the cone, and the light that arrives.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -10,8 +10,8 @@ use shading::{
 use crate::check::{check, near, same, to_f64, within};
 use crate::exact;
 use crate::generators::{
-    Relation, adversarial, adversarial_colour, adversarial_vector, coefficients, coefficients_of,
-    cone, direction, light, light_colour, pair, point, rounded, two_directions, unit,
+    Relation, adversarial, adversarial_color, adversarial_vector, coefficients, coefficients_of,
+    cone, direction, light, light_color, pair, point, rounded, two_directions, unit,
 };
 use crate::number::Number;
 
@@ -38,7 +38,7 @@ fn attenuation_does_not_rise<T: Number>() {
     });
 }
 
-/// (36) (1, 0, 0) gives exactly 1, and so does no attenuation.
+/// (36) (1, 0, 0) gives exactly 1, and so does `Attenuation::NONE`.
 fn constant_one_does_not_attenuate<T: Number>() {
     check(adversarial::<T>(), |q| {
         same([attenuation(T::ONE, T::ZERO, T::ZERO, q); 3], [T::ONE; 3])?;
@@ -46,8 +46,8 @@ fn constant_one_does_not_attenuate<T: Number>() {
     });
 }
 
-/// (37) At most 1/a; clamped it is the smaller of 1 and itself. With checked coefficients it is always
-/// finite.
+/// (37) The attenuation is at most 1/a; clamped, it is the smaller of 1 and itself. With checked
+/// coefficients it is always finite.
 fn attenuation_is_bounded<T: Number>() {
     check(
         (coefficients::<T>(), adversarial::<T>(), adversarial::<T>()),
@@ -62,8 +62,8 @@ fn attenuation_is_bounded<T: Number>() {
     );
 }
 
-/// (39) The cone's factor is 0 or 1: 1 on the axis, also in the narrowest cone, and on the edge; 0
-/// next to the edge.
+/// (39) The factor of the cone is 0 or 1. It is 1 on the axis, even in the narrowest cone, and on
+/// the edge; it is 0 just outside the edge.
 fn cone_contains_its_axis_and_its_edge<T: Number>() {
     check((pair::<T>(), -1.0..=1.0_f64), |([axis, l], cosine)| {
         same([cone::<T>(cosine).factor(axis, -axis); 3], [T::ONE; 3])?;
@@ -96,8 +96,8 @@ fn wider_cone_never_darkens<T: Number>() {
     );
 }
 
-/// (39) Turning L about the axis changes nothing, next to the edge aside: each cosine is off by 2u for
-/// its directions and by 2u for the dot product.
+/// (39) Turning L about the axis changes nothing, except next to the edge: each cosine is off by 2u
+/// for its directions and by 2u for the dot product.
 fn cone_is_round<T: Number>() {
     let azimuths = [0.0..TAU, 0.0..TAU];
     let inputs = (direction(), 0.0..3.0, azimuths, -1.0..=1.0_f64);
@@ -123,15 +123,15 @@ fn length_of_the_axis_does_not_matter<T: Number>() {
     });
 }
 
-/// L = (P − p)/|P − p| and I/(a + bq + cq²), within the cone. Of the direction the difference is off
-/// by 1u, the length by 3u and its reciprocal and the product by 1u each: 6u. In the worst case the
-/// distance counts twice in the attenuation, which has six more operations: 14u. A limit of 1 makes
-/// no error greater.
+/// L = (P − p)/|P − p|, and the intensity is I/(a + bq + cq²) inside the cone. For the direction,
+/// the difference is off by 1u, the length by 3u, and its reciprocal and the product by 1u each:
+/// 6u. In the worst case the distance counts twice in the attenuation, which has six more
+/// operations: 14u. Clamping to 1 does not increase any error.
 fn lamp_follows_its_formula<T: Number>() {
     let inputs = (
         point::<T>(),
         point::<T>(),
-        light_colour::<T>(),
+        light_color::<T>(),
         ([0.0..2.0, 0.0..2.0, 0.0..2.0], any::<bool>()),
     );
     check(inputs, |(position, p, intensity, (abc, clamped))| {
@@ -153,7 +153,7 @@ fn lamp_follows_its_formula<T: Number>() {
             attenuation,
         }
         .at(p);
-        let own_error = 6.0 * f64::U; // of the expected values
+        let own_error = 6.0 * f64::U; // the error of the expected values
         for (l, expected) in to_f64(incident.l).into_iter().zip(to_light) {
             within(l - expected / q, 6.0 * T::U + own_error)?;
         }
@@ -170,7 +170,7 @@ fn lamp_follows_its_formula<T: Number>() {
     });
 }
 
-/// Whatever the place and the light: the direction has length 1, and the light is finite and not
+/// For any place and any light, the direction has length 1, and the light is finite and not
 /// negative.
 fn lamp_is_finite_everywhere<T: Number>() {
     let inputs = (
@@ -179,7 +179,7 @@ fn lamp_is_finite_everywhere<T: Number>() {
         any::<bool>(),
     );
     let light = (
-        adversarial_colour::<T>(),
+        adversarial_color::<T>(),
         coefficients::<T>(),
         unit::<T>(),
         -1.0..=1.0,
@@ -215,8 +215,8 @@ fn lamp_is_finite_everywhere<T: Number>() {
     );
 }
 
-/// A spot is its point light inside the cone, and nothing outside; and a light of any kind is the
-/// light of that kind.
+/// A spotlight is its point light inside the cone and dark outside, and a `Light` of any kind is
+/// the light of that kind.
 fn spot_is_a_point_light_or_dark<T: Number>() {
     check((light::<T, _>(point()), point()), |(light, p)| {
         let (expected, incident) = match light {
@@ -238,7 +238,7 @@ fn spot_is_a_point_light_or_dark<T: Number>() {
     });
 }
 
-/// A distance: usual, or any that the type has.
+/// A distance: an ordinary one, or any that the type can hold.
 fn distance<T: Number>() -> impl Strategy<Value = f64> {
     let octaves = 0.9 * T::MAX.to_f64().log2();
     prop_oneof![
@@ -249,8 +249,8 @@ fn distance<T: Number>() -> impl Strategy<Value = f64> {
 }
 
 /// Leaving out what is not in front changes nothing: a light that is left out is behind the surface
-/// or dark, and any other is what it was, to the bit. On the horizon it is up to rounding on which
-/// side a light is, so many are there.
+/// or dark, and any other light keeps all its bits. On the horizon, rounding decides on which side
+/// a light is, so many of the lights are there.
 fn only_lights_that_add_nothing_are_left_out<T: Number>() {
     let grazing = (direction(), 0.0..TAU)
         .prop_map(|(n, azimuth)| [n, Relation::Angle(FRAC_PI_2, azimuth).to(n)]);
@@ -286,8 +286,8 @@ fn only_lights_that_add_nothing_are_left_out<T: Number>() {
     });
 }
 
-/// What is behind the surface by more than a quarter of a degree is left out, and what is outside
-/// the cone.
+/// A light is left out if it is behind the surface by more than a quarter of a degree, or if the
+/// point is outside its cone.
 fn lights_behind_are_left_out<T: Number>() {
     let angle = FRAC_PI_2 + 0.005..PI;
     let inputs = (
@@ -295,7 +295,7 @@ fn lights_behind_are_left_out<T: Number>() {
         angle,
         0.0..TAU,
         0.01..100.0_f64,
-        light_colour::<T>(),
+        light_color::<T>(),
     );
     check(inputs, |(n, angle, azimuth, q, intensity)| {
         let (l, n) = (
@@ -322,8 +322,8 @@ fn lights_behind_are_left_out<T: Number>() {
     });
 }
 
-/// Whatever the distance, L points to the light, to 10u: two unit vectors. Where the way to it
-/// overflows, that of a quarter of it does not.
+/// At any distance, L points to the light, within 10u for the two unit vectors. Where the vector to
+/// the light overflows, a quarter of it does not.
 fn lamp_is_seen_where_it_is<T: Number>() {
     let any = adversarial_vector::<T>;
     check((any(), any()), |(position, p)| {
@@ -348,7 +348,7 @@ fn lamp_is_seen_where_it_is<T: Number>() {
     });
 }
 
-/// A light in `f32` numbers is the same light in `f64`.
+/// A light with `f32` numbers is the same light in `f64`.
 fn lights_keep_their_numbers_in_another_type<T: Number>() {
     check((light::<T, _>(point()), point()), |(light, p)| {
         let (wide, narrow) = (light.cast(T::to_f64).cast(T::of).at(p), light.at(p));

@@ -10,7 +10,7 @@ use crate::exact::{determinant, dot};
 use crate::generators::{Relation, Shine, direction, rounded, shine, triple};
 use crate::number::Number;
 
-/// R·V, N·H, det[N, L, V] and 1 + L·V, exact for the R and H that were computed.
+/// R·V, N·H, det[N, L, V], and 1 + L·V, exact for the R and H that were computed.
 struct Cosines {
     r_dot_v: f64,
     n_dot_h: f64,
@@ -19,7 +19,7 @@ struct Cosines {
 }
 
 impl Cosines {
-    /// None where 1 + L·V ≤ 0.1: H is ill-conditioned.
+    /// `None` where 1 + L·V ≤ 0.1, since H is ill-conditioned there.
     fn of<T: Number>([n, l, v]: [UnitVec3<T>; 3]) -> Option<Self> {
         let (r, h) = (to_f64(reflection(n, l)), half_vector(l, v).map(to_f64)?);
         let [n, l, v] = [n, l, v].map(to_f64);
@@ -32,8 +32,8 @@ impl Cosines {
         })
     }
 
-    /// R is off by 7u, and by 2u for the length of N; N·H by 3u, so its square times two by 12u; the
-    /// lengths of L and V bring 2u/(1 + L·V) into H and as much into the last term.
+    /// R is off by 7u, and by 2u for the length of N. N·H is off by 3u, so twice its square is off
+    /// by 12u. The lengths of L and V add 2u/(1 + L·V) to H, and as much to the last term.
     fn tolerance<T: Number>(&self) -> f64 {
         (21.0 + 4.0 / self.one_plus_l_dot_v) * T::U
     }
@@ -50,8 +50,8 @@ fn phong_and_blinn_cosines_are_related<T: Number>() {
     });
 }
 
-/// (29) R·V ≥ 2(N·H)² − 1, and greater where N, L and V do not lie in a plane: by half the square of
-/// their determinant, since 1 + L·V ≤ 2.
+/// (29) R·V ≥ 2(N·H)² − 1. If N, L, and V do not lie in a plane, it is greater by at least half the
+/// square of their determinant, since 1 + L·V ≤ 2.
 fn phong_cosine_is_at_least_that_of_twice_the_angle<T: Number>() {
     check(triple::<T>(), |directions| {
         let Some(c) = Cosines::of(directions) else {
@@ -70,7 +70,7 @@ fn phong_cosine_is_at_least_that_of_twice_the_angle<T: Number>() {
     });
 }
 
-/// N, L and V in a plane: at angles to N, towards an azimuth.
+/// N, L, and V in a plane: L and V are at angles to N, toward an azimuth.
 fn coplanar<T: Number>() -> impl Strategy<Value = [UnitVec3<T>; 3]> {
     let angles = [-FRAC_PI_4..FRAC_PI_4, -FRAC_PI_4..FRAC_PI_4];
     (direction(), 0.0..TAU, angles).prop_map(|(n, azimuth, angles)| {
@@ -79,7 +79,7 @@ fn coplanar<T: Number>() -> impl Strategy<Value = [UnitVec3<T>; 3]> {
     })
 }
 
-/// (30) In a plane, Blinn's highlight with 4m is at least Phong's with m: cos⁴(α/2) ≥ cos α.
+/// (30) In a plane, Blinn's highlight with 4m is at least Phong's with m, since cos⁴(α/2) ≥ cos α.
 fn blinn_with_fourfold_shininess_covers_phong_in_a_plane<T: Number>() {
     check((coplanar::<T>(), 1..=500_u32), |([n, l, v], m)| {
         let h = half_vector(l, v).expect("within a right angle");
@@ -87,14 +87,14 @@ fn blinn_with_fourfold_shininess_covers_phong_in_a_plane<T: Number>() {
             term::blinn(n, h, 4 * m),
             term::phong(reflection(n, l), v, m),
         );
-        // cosines that are off by 5u and by 11u, to the powers 4m and m, with as many roundings
+        // the cosines are off by 5u and by 11u; their powers 4m and m add as many roundings
         let tolerance = f64::from(4 * m) * 6.0 + f64::from(m) * 12.0;
         at_least(blinn.to_f64(), phong.to_f64(), tolerance * T::U)
     });
 }
 
-/// (31) A trap: out of the plane Blinn's highlight may be smaller than Phong's with the same m. With L
-/// and V next to the horizon and 120° apart, R is 60° from V, and H nearly on the horizon.
+/// (31) A trap: out of the plane, Blinn's highlight may be smaller than Phong's with the same m. If
+/// L and V are next to the horizon and 120° apart, R is 60° from V, and H is nearly on the horizon.
 fn blinn_may_be_smaller_than_phong<T: Number>() {
     check((0.001..0.1, 1..=100_u32), |(height, m)| {
         let radius = f64::sqrt(1.0 - height * height);
@@ -108,7 +108,7 @@ fn blinn_may_be_smaller_than_phong<T: Number>() {
     });
 }
 
-/// (32) L and V may be exchanged: exactly for Blinn, whose H is the same.
+/// (32) L and V are interchangeable, exactly so for Blinn, whose H is the same.
 fn blinn_is_symmetric<T: Number>() {
     check((triple::<T>(), shine(1000)), |([n, l, v], m)| {
         if let (Some(lv), Some(vl)) = (half_vector(l, v), half_vector(v, l)) {
@@ -118,8 +118,8 @@ fn blinn_is_symmetric<T: Number>() {
     });
 }
 
-/// (32) To 8u of the cosine for Phong, times m: R·V = 2(N·L)(N·V) − L·V. Below m = 1 the power is
-/// steep at 0. And each of the two powers has its own error.
+/// (32) For Phong, they are interchangeable within 8u of the cosine, times m: R·V = 2(N·L)(N·V) −
+/// L·V. Below m = 1, the power is steep at 0. Each of the two powers also has its own error.
 fn phong_is_symmetric<T: Number>() {
     check((triple::<T>(), shine(1000)), |([n, l, v], m)| {
         prop_assume!(m.m >= 1.0);
@@ -134,22 +134,22 @@ fn phong_is_symmetric<T: Number>() {
     });
 }
 
-/// The highlight for a cosine of N·H or R·V.
+/// The highlight for a cosine N·H or R·V.
 fn highlight<T: Number>(cosine: T, m: Shine) -> T {
-    // next to the z axis only z counts
+    // only the z component counts next to the z axis
     let direction = UnitVec3::<T>::assume_unit(Vec3::new(T::ZERO, T::ZERO, cosine));
     let highlight = term::blinn(UnitVec3::Z, direction, m);
     assert!(
         highlight == term::phong(UnitVec3::Z, direction, m),
-        "one cosine, two highlights"
+        "one cosine gives two different highlights"
     );
     highlight
 }
 
-/// Below it a power would be subnormal in `f32`, and may be 0.
-const NEXT_TO_NOTHING: f64 = f32::MIN_POSITIVE as f64;
+/// Below this, a power would be subnormal in `f32`, and may be 0.
+const NEGLIGIBLE: f64 = f32::MIN_POSITIVE as f64;
 
-/// A cosine within [0, 1], also next to the ends.
+/// A cosine in [0, 1], often next to an end.
 fn cosine<T: Number>() -> impl Strategy<Value = T> {
     prop_oneof![
         4 => (0.0..=1.0).prop_map(T::of),
@@ -160,8 +160,8 @@ fn cosine<T: Number>() -> impl Strategy<Value = T> {
     ]
 }
 
-/// (33) A highlight does not rise with m: by no more than the roundings of two powers, m each, where
-/// m is whole, and by one unit in the last place where it is real.
+/// (33) A highlight does not rise with m, except by the roundings of two powers, m each, if m is an
+/// integer, and by one unit in the last place if m is real.
 fn highlight_does_not_rise_with_the_shininess<T: Number>() {
     check(
         (cosine::<T>(), shine(10_000), shine(10_000)),
@@ -175,13 +175,13 @@ fn highlight_does_not_rise_with_the_shininess<T: Number>() {
                 highlight(cosine, large).to_f64(),
             );
             let k = if whole { small.m + large.m } else { 2.0 };
-            at_least(brighter, darker, k * T::U * brighter + NEXT_TO_NOTHING)
+            at_least(brighter, darker, k * T::U * brighter + NEGLIGIBLE)
         },
     );
 }
 
-/// (33) It does not fall with the cosine: not at all for a whole m, since each multiplication is
-/// monotone, and by at most one unit in the last place for a real one.
+/// (33) It does not fall as the cosine rises: not at all for an integer m, since each
+/// multiplication is monotone, and by at most one unit in the last place for a real m.
 fn highlight_does_not_fall_with_the_cosine<T: Number>() {
     check(
         (cosine::<T>(), cosine::<T>(), shine(10_000)),
@@ -198,8 +198,8 @@ fn highlight_does_not_fall_with_the_cosine<T: Number>() {
     );
 }
 
-/// (33) Where the cosine is not positive there is no highlight, whatever m; at a cosine of 1, or
-/// above by rounding, it is exactly 1.
+/// (33) Where the cosine is not positive, the highlight is 0 for every m. Where the cosine is 1, or
+/// more than 1 by rounding, the highlight is exactly 1.
 fn highlight_ends_at_the_horizon<T: Number>() {
     check((cosine::<T>(), shine(10_000)), |(cosine, m)| {
         same([highlight(-cosine, m); 3], [T::ZERO; 3])?;
@@ -208,8 +208,8 @@ fn highlight_ends_at_the_horizon<T: Number>() {
     });
 }
 
-/// (34) f^(m₁ + m₂) = f^m₁ · f^m₂ for whole m, to 2(m + 1)u: m roundings on either side. Both
-/// are 0, or may be, where they would be next to nothing.
+/// (34) f^(m₁ + m₂) = f^m₁ · f^m₂ for integer m, within 2(m + 1)u: m roundings on either side. Both
+/// sides may be 0 where they would be negligible.
 fn whole_powers_add_up<T: Number>() {
     check(
         (cosine::<T>(), 0..5000_u32, 0..5000_u32),
@@ -226,12 +226,12 @@ fn whole_powers_add_up<T: Number>() {
             let (product, power) = (highlight(a) * highlight(b), highlight(a + b));
             let (product, power) = (product.to_f64(), power.to_f64());
             let roundings = 2.0 * f64::from(a + b + 1) * T::U * power.max(product);
-            within(power - product, roundings.max(NEXT_TO_NOTHING))
+            within(power - product, roundings.max(NEGLIGIBLE))
         },
     );
 }
 
-/// (34) The same for real m: to the error of each of the three powers, and u for the product.
+/// (34) The same for real m, within the error of each of the three powers, and u for the product.
 fn real_powers_add_up<T: Number<Shininess = T>>() {
     check(
         (cosine::<T>(), shine(5000), shine(5000)),
@@ -243,7 +243,7 @@ fn real_powers_add_up<T: Number<Shininess = T>>() {
     );
 }
 
-/// (√s)^m as the sum takes it after Blinn.
+/// (√s)^m as the sum over lights computes it for Blinn–Phong.
 fn raise_root<T: Number>(m: impl Exponent<T>, square: T) -> T {
     match m.half() {
         Some(half) => half.raise(square),
@@ -251,8 +251,8 @@ fn raise_root<T: Number>(m: impl Exponent<T>, square: T) -> T {
     }
 }
 
-/// (34) (√s)^2m = s^m, exactly for whole m: no root need be taken. An odd power has the root's
-/// rounding, m times, and its own.
+/// (34) (√s)^2m = s^m, exactly for integer m, since no root is needed. An odd power has the
+/// rounding of the root, m times, and its own.
 fn power_of_a_root_is_half_the_power<T: Number>() {
     check((cosine::<T>(), 0..5000_u32), |(square, m)| {
         same([raise_root(2 * m, square); 3], [m.raise(square); 3])?;
@@ -262,11 +262,11 @@ fn power_of_a_root_is_half_the_power<T: Number>() {
             m.raise(square.sqrt()).to_f64(),
         );
         let roundings = 3.0 * f64::from(m) * T::U * expected;
-        within(power - expected, roundings.max(NEXT_TO_NOTHING))
+        within(power - expected, roundings.max(NEGLIGIBLE))
     });
 }
 
-/// (34) (√s)^m of a real m, to the errors of both, and m times the rounding of the root.
+/// (34) (√s)^m for real m, within the errors of both powers, and m times the rounding of the root.
 fn real_power_of_a_root_is_half_the_power<T: Number<Shininess = T>>() {
     check((cosine::<T>(), shine(5000)), |(square, m)| {
         let real = Shine { whole: false, ..m };
@@ -277,13 +277,13 @@ fn real_power_of_a_root_is_half_the_power<T: Number<Shininess = T>>() {
     });
 }
 
-/// A whole power is right to m − 1 roundings down to the least normal number of `f32`: nothing that
-/// single precision can hold in full is taken for nothing. What is expected is rounded once.
+/// An integer power is right to m − 1 roundings down to the smallest normal `f32`: a result that
+/// single precision can hold in full never becomes 0. The expected value is rounded once.
 fn faint_highlights_are_kept<T: Number>() {
     check((1..=10_000_u32, 0.0..126.0_f64), |(m, octaves)| {
         let cosine = T::of((-octaves / f64::from(m)).exp2());
         let expected = cosine.to_f64().powf(m.into());
-        prop_assume!(expected >= NEXT_TO_NOTHING);
+        prop_assume!(expected >= NEGLIGIBLE);
         let (m, whole) = (f64::from(m), true);
         let error = highlight(cosine, Shine { m, whole }).to_f64() - expected;
         let roundings = ((m - 1.0) * T::U).exp_m1(); // (1 + u)^(m − 1) − 1
@@ -291,7 +291,7 @@ fn faint_highlights_are_kept<T: Number>() {
     });
 }
 
-/// (34) Whole m and the same real m agree.
+/// (34) An integer m and the same m as a real number agree.
 fn whole_and_real_powers_agree<T: Number>() {
     check((cosine::<T>(), shine(10_000)), |(cosine, shine)| {
         let m = shine.m.floor();

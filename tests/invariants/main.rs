@@ -1,14 +1,14 @@
 //! The invariants of local illumination, as properties of every number type.
 //!
 //! Each property is a generic function over [`Number`](number::Number), and each file ends with a
-//! list of its properties, which [`invariants!`] turns into tests for each number type. How to run
-//! them for a type of your own: see `docs/invariants.md`.
+//! list of its properties, which [`invariants!`] turns into tests for each number type. To run them
+//! for a type of your own, see `docs/invariants.md`.
 //!
-//! Tolerances are in units of u, the unit roundoff, and each has its reason beside it. Where
-//! nothing is said, two results are compared bit for bit.
+//! Tolerances are in units of u, the unit roundoff, and each has its reason beside it. Results
+//! without a tolerance are compared bit for bit.
 
-#![allow(clippy::float_cmp)] // where floats are compared, the very number is meant
-#![allow(clippy::cast_precision_loss)] // numbers of lights
+#![allow(clippy::float_cmp)] // floats are compared exactly, on purpose
+#![allow(clippy::cast_precision_loss)] // counts of lights
 
 mod check;
 mod exact;
@@ -41,7 +41,6 @@ macro_rules! invariants {
     };
 }
 
-// in the order of the list
 mod derived;
 mod direction;
 mod dual;

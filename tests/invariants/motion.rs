@@ -1,4 +1,4 @@
-//! What happens when things are turned, moved or scaled.
+//! What happens when everything is turned, moved, or scaled.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -11,14 +11,14 @@ use shading::{
 use crate::check::{at_least, check, near, same, to_f64};
 use crate::exact;
 use crate::generators::{
-    Relation, coefficients_of, direction, dyadic_point, light, light_colour, model, point, rounded,
+    Relation, coefficients_of, direction, dyadic_point, light, light_color, model, point, rounded,
     scene, unit,
 };
 use crate::number::Number;
 
-/// (14) Tilting L towards N never lowers the diffuse term. Two dot products are off by 2u each: three
-/// products and two partial sums, none above 1. So pairs closer than 4u are left out.
-fn tilting_the_light_to_the_normal_brightens<T: Number>() {
+/// (14) Tilting L toward N never lowers the diffuse term. The two dot products are off by 2u each:
+/// three products and two partial sums, none above 1. So pairs closer than 4u are left out.
+fn tilting_the_light_toward_the_normal_brightens<T: Number>() {
     let angles = [0.0..=FRAC_PI_2, 0.0..=FRAC_PI_2];
     check((direction(), 0.0..TAU, angles), |(n, azimuth, angles)| {
         let [a, b] = angles.map(|angle| rounded::<T>(Relation::Angle(angle, azimuth).to(n)));
@@ -31,15 +31,15 @@ fn tilting_the_light_to_the_normal_brightens<T: Number>() {
     });
 }
 
-/// (15) Turning everything together changes nothing, to 20u of a cosine and m times as much of a
-/// highlight. Each turned direction is rounded anew, by u; N·L moves by 2u and is computed with 2u,
+/// (15) Turning everything together changes a cosine by at most 20u, and a highlight by m times as
+/// much. Each turned direction is rounded again, by u; N·L moves by 2u and is computed to 2u,
 /// twice: 8u. N·H and R·V have three to five such steps. H is ill-conditioned where L + V is short.
 fn rotation_changes_nothing<T: Number>() {
     check(
         (model(), scene::<T>(), direction(), 0.0..TAU),
         |(model, scene, axis, angle)| {
             let m = scene.material.m.m;
-            // the horizon is an edge, and the power has one at a cosine of 0 for m < 1
+            // the light jumps at the horizon, and for m < 1 the power is steep at a cosine of 0
             prop_assume!(m >= 1.0);
             let is_clear = |light: &IncidentLight<T>| {
                 scene.n.dot(light.l).to_f64().abs() > 20.0 * T::U
@@ -64,7 +64,8 @@ fn rotation_changes_nothing<T: Number>() {
     );
 }
 
-/// (15) Turning everything by 180° about an axis changes the signs of two coordinates: exact.
+/// (15) Turning everything by 180° about an axis only changes the signs of two coordinates, which
+/// is exact.
 fn half_a_turn_changes_nothing<T: Number>() {
     check((model(), scene::<T>(), 0..3), |(model, scene, axis)| {
         let turn = |d: UnitVec3<T>| {
@@ -95,8 +96,8 @@ fn translation_on_a_grid_is_exact<T: Number>() {
     });
 }
 
-/// (16) Elsewhere the direction changes by the rounding of the moved points, a √3·u of the largest
-/// coordinate each, as seen from the distance; and by the 4u of each of the two directions.
+/// (16) Off the grid, the direction changes by the rounding of the moved points, √3·u of the
+/// largest coordinate each, divided by the distance, and by 4u for each of the two directions.
 fn translation_changes_little<T: Number>() {
     let inputs = (point::<T>(), point::<T>(), point::<T>(), 1.0..100.0);
     check(inputs, |(position, p, offset, size)| {
@@ -114,13 +115,14 @@ fn translation_changes_little<T: Number>() {
     });
 }
 
-/// (17) The unit of length does not matter: a scene 2^k times as large with b/2^k and c/4^k.
+/// (17) The unit of length does not matter: a scene 2^k times as large, with b/2^k and c/4^k, looks
+/// the same.
 fn scaling_the_scene_by_a_power_of_two_is_exact<T: Number>() {
     let coefficients = [0.01..2.0, 0.0..2.0, 0.0..2.0];
     let inputs = (
         point::<T>(),
         point::<T>(),
-        light_colour(),
+        light_color(),
         coefficients,
         -10..=10,
     );
@@ -140,10 +142,11 @@ fn scaling_the_scene_by_a_power_of_two_is_exact<T: Number>() {
     });
 }
 
-/// (18) A lamp at a large distance D, not attenuated, is a sun: within a unit of length the angle
-/// is at most 1/D, and then 6u: 2u of its position, and 4u of the direction.
+/// (18) A lamp at a large distance D without attenuation is a sun: within a unit of length, its
+/// direction changes by at most 1/D, and by 6u in addition: 2u for its position, and 4u for the
+/// direction.
 fn distant_lamp_is_a_sun<T: Number>() {
-    let inputs = (unit::<T>(), point::<T>(), light_colour::<T>(), 0.0..40.0);
+    let inputs = (unit::<T>(), point::<T>(), light_color::<T>(), 0.0..40.0);
     check(inputs, |(l, p, intensity, exponent)| {
         let p = p * T::of(0.5); // within the unit ball
         let distance = f64::exp2(exponent + 2.0);
@@ -161,7 +164,7 @@ fn distant_lamp_is_a_sun<T: Number>() {
     });
 }
 
-/// A direction turned about an axis (Rodrigues' formula), and rounded.
+/// A direction turned about an axis (Rodrigues' formula) and rounded.
 fn turn<T: Number>(d: UnitVec3<T>, axis: [f64; 3], angle: f64) -> UnitVec3<T> {
     let d = to_f64(d);
     let (sin, cos) = angle.sin_cos();
@@ -186,7 +189,7 @@ fn map_position<T: Number>(light: Light<T>, f: impl Fn(Vec3<T>) -> Vec3<T>) -> L
 }
 
 invariants! {
-    tilting_the_light_to_the_normal_brightens,
+    tilting_the_light_toward_the_normal_brightens,
     rotation_changes_nothing,
     half_a_turn_changes_nothing,
     translation_on_a_grid_is_exact,

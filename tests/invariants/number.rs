@@ -1,23 +1,23 @@
-//! What the invariants must know of a number type beyond [`Real`](shading::Real).
+//! What the invariants need from a number type beyond [`Real`](shading::Real).
 
 use std::fmt::Debug;
 
 use shading::{Dual, Elementary, Exponent, Real};
 
-/// A number type that the invariants hold for. Implement it for yours: see `short.rs`.
+/// A number type for which the invariants are tested. Implement it for your own: see `short.rs`.
 pub trait Number: Elementary + PartialOrd + Debug + 'static {
     /// The unit roundoff u: half the distance from 1 to the next number above.
     const U: f64;
     /// The smallest positive number.
     const TINY: Self;
-    /// How far the power by a [`Shininess`](Number::Shininess) may be off, in units of u.
+    /// The largest error of a power by a [`Shininess`](Number::Shininess), in units of u.
     const POWER_ERROR: f64;
-    /// A real shininess, or `u32` for a type without a power by real numbers.
+    /// A real shininess, or `u32` for a type without real powers.
     type Shininess: Exponent<Self> + Debug;
 
     /// The shininess nearest to m.
     fn shininess(m: f64) -> Self::Shininess;
-    /// The same number; rounded where the type is wider than `f64`.
+    /// The same number, rounded if the type is wider than `f64`.
     fn to_f64(self) -> f64;
 }
 
@@ -49,7 +49,8 @@ impl Number for f64 {
     }
 }
 
-/// The value of a dual number follows every invariant; its gradient has its own in `dual.rs`.
+/// The value of a dual number obeys every invariant; its gradient has invariants of its own in
+/// `dual.rs`.
 impl<T: Number> Number for Dual<T> {
     const U: f64 = T::U;
     const TINY: Self = Self::constant(T::TINY);

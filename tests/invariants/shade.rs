@@ -6,11 +6,11 @@ use shading::{IncidentLight, Material, Rgb, Shaded, term};
 
 use crate::check::{at_least, check, nearly, same, to_f64};
 use crate::generators::{
-    MODELS, Model, Scene, adversarial_scene, light_colour, model, pair, reflectance, scene, unit,
+    MODELS, Model, Scene, adversarial_scene, light_color, model, pair, reflectance, scene, unit,
 };
 use crate::number::Number;
 
-/// (1) There is no negative light.
+/// (1) No light is negative.
 fn no_light_is_negative<T: Number>() {
     check((model(), adversarial_scene::<T>()), |(model, scene)| {
         let shaded = scene.shade(model);
@@ -27,15 +27,16 @@ fn no_light_is_negative<T: Number>() {
     });
 }
 
-/// (3) The light of many lamps is the sum of the light of each:
+/// (3) The light of several lamps is the sum of the light of each:
 ///
 /// ```text
 /// shade(A ∪ B) − ambient = (shade(A) − ambient) + (shade(B) − ambient)
 /// ```
 ///
-/// to (n + 2)u of the sum, for n lights. A comes first on both sides, with the same roundings. Then
-/// on the left |B| additions and the product with k; on the right |B| − 1 additions, the product,
-/// and the addition of the two: 2|B| + 2 roundings, and B is the shorter half.
+/// within (n + 2)u of the sum, for n lights. A comes first on both sides, with the same roundings.
+/// After that, the left side has |B| additions and the product with k; the right side has |B| − 1
+/// additions, the product, and the addition of the two: 2|B| + 2 roundings, and B is the shorter
+/// half.
 fn light_is_additive<T: Number>() {
     check(
         (model(), scene::<T>(), any::<Index>()),
@@ -56,11 +57,11 @@ fn light_is_additive<T: Number>() {
     );
 }
 
-/// (2) No NaN, and no infinity unless the result overflows, by the bound of (10).
+/// (2) There is no NaN, and no infinity unless the result overflows by the bound of (10).
 fn nothing_is_nan_or_overflows_early<T: Number>() {
     check((model(), adversarial_scene::<T>()), |(model, scene)| {
         let total = to_f64(scene.shade(model).total());
-        // a 2⁻⁵⁰⁰th of each factor, so that f64 does not overflow where T does
+        // each factor times 2⁻⁵⁰⁰, so that f64 does not overflow where T does
         let tame = |rgb: Rgb<T>| to_f64(rgb).map(|c| c * 2_f64.powi(-500));
         let [k_a, k_d, k_s] =
             [scene.material.k_a, scene.material.k_d, scene.material.k_s].map(tame);
@@ -81,8 +82,9 @@ fn nothing_is_nan_or_overflows_early<T: Number>() {
     });
 }
 
-/// (4) The order of the lights does not matter, to 2nu of the sum: n − 1 additions and the product
-/// with k, twice. Not exact, since floating-point addition is not associative.
+/// (4) The order of the lights does not matter, within 2nu of the sum: n − 1 additions and the
+/// product with k, twice. The result is not exact, since floating-point addition is not
+/// associative.
 fn order_of_lights_does_not_matter<T: Number>() {
     let shuffled = scene::<T>().prop_flat_map(|scene| {
         let lights = Just(scene.lights.clone()).prop_shuffle();
@@ -112,7 +114,7 @@ fn black_light_changes_nothing<T: Number>() {
     });
 }
 
-/// (6) Twice the light gives twice the result: exactly for powers of two.
+/// (6) Twice the light gives twice the result, exactly for powers of two.
 fn scaling_light_by_a_power_of_two_is_exact<T: Number>() {
     check((model(), scene::<T>(), -8..=8), |(model, scene, k)| {
         prop_assume!(is_far_from_underflow(&scene, model));
@@ -122,7 +124,7 @@ fn scaling_light_by_a_power_of_two_is_exact<T: Number>() {
         same(scaled.ambient, shaded.ambient * s)?;
         same(scaled.diffuse, shaded.diffuse * s)?;
         same(scaled.specular, shaded.specular * s)?;
-        // without the ambient light the result is affine: the ambient part stays
+        // if the ambient light is not scaled, the result is affine: the ambient part stays
         let lights = scene.map_intensities(|i| i * s).lights;
         let affine = scene.lit_by(model, &lights);
         same(affine.ambient, shaded.ambient)?;
@@ -131,8 +133,8 @@ fn scaling_light_by_a_power_of_two_is_exact<T: Number>() {
     });
 }
 
-/// (6) By any s: (2n + 4)u. Either side has n − 1 additions, the products with the factor, with k and
-/// with s.
+/// (6) For any s, within (2n + 4)u. Either side has n − 1 additions, and the products with the
+/// factor, with k, and with s.
 fn scaling_light_scales_the_result<T: Number>() {
     check((model(), scene::<T>(), 0.01..100.0), |(model, scene, s)| {
         prop_assume!(is_far_from_underflow(&scene, model));
@@ -145,8 +147,9 @@ fn scaling_light_scales_the_result<T: Number>() {
     });
 }
 
-/// (7) Linear in each of `k_a`, `k_d` and `k_s`, and each has its own part: 4u, for a sum and a product
-/// on the left, and two products and a sum one after the other on the right.
+/// (7) The result is linear in each of `k_a`, `k_d`, and `k_s`, and each has its own part. The
+/// tolerance is 4u: a sum and a product on the left, and two products and a sum in a row on the
+/// right.
 fn linear_in_each_reflectance<T: Number>() {
     let inputs = (model(), scene::<T>(), reflectance(), 0..3_usize);
     check(inputs, |(model, scene, more, which)| {
@@ -170,7 +173,7 @@ fn linear_in_each_reflectance<T: Number>() {
     });
 }
 
-/// (8) Channels are independent: exchanging them exchanges those of the result.
+/// (8) Channels are independent: permuting them permutes those of the result.
 fn permuting_channels_permutes_the_result<T: Number>() {
     let turn = |rgb: Rgb<T>| Rgb::new(rgb.g, rgb.b, rgb.r);
     check((model(), scene::<T>()), |(model, scene)| {
@@ -186,13 +189,13 @@ fn permuting_channels_permutes_the_result<T: Number>() {
     });
 }
 
-/// (8) Changing red leaves green and blue as they are.
+/// (8) Changing red leaves green and blue unchanged.
 fn red_does_not_bleed<T: Number>() {
     let inputs = (
         model(),
         scene::<T>(),
         reflectance::<T>(),
-        light_colour::<T>(),
+        light_color::<T>(),
     );
     check(inputs, |(model, scene, k, i)| {
         let mut redder = scene.map_intensities(|old| Rgb { r: i.r, ..old });
@@ -207,7 +210,7 @@ fn red_does_not_bleed<T: Number>() {
     });
 }
 
-/// (9) Without lights there is `k_a I_a`.
+/// (9) Without lights, the result is `k_a I_a`.
 fn no_lights_give_the_ambient_light<T: Number>() {
     check((model(), scene::<T>()), |(model, scene)| {
         let (k_a, i_a) = (scene.material.k_a, scene.i_a);
@@ -216,10 +219,10 @@ fn no_lights_give_the_ambient_light<T: Number>() {
     });
 }
 
-/// (10) Not more light leaves than a mirror and a white wall would send: `k_a I_a + Σ I (k_d + k_s)`,
-/// to (n + 8)u. A cosine of rounded unit vectors exceeds 1 by 2u, and its three products and two
-/// additions by 2u more; then the product with I, n − 1 additions, the product with k, and two
-/// additions in the total.
+/// (10) No more light leaves than a mirror and a white wall would send: `k_a I_a + Σ I (k_d +
+/// k_s)`, within (n + 8)u. The cosine of two rounded unit vectors exceeds 1 by 2u, and its three
+/// products and two additions add 2u. After that come the product with I, n − 1 additions, the
+/// product with k, and two additions in the total.
 fn no_more_light_than_falls_on_the_surface<T: Number>() {
     check((model(), scene::<T>()), |(model, scene)| {
         let total = to_f64(scene.shade(model).total());
@@ -239,7 +242,7 @@ fn no_more_light_than_falls_on_the_surface<T: Number>() {
     });
 }
 
-/// (11) Diffuse light does not depend on where the eye is, nor on the model; without `k_s` nothing
+/// (11) Diffuse light depends neither on where the eye is nor on the model; without `k_s`, nothing
 /// does.
 fn diffuse_light_does_not_depend_on_the_eye<T: Number>() {
     check((model(), scene::<T>(), unit()), |(model, scene, v)| {
@@ -248,22 +251,22 @@ fn diffuse_light_does_not_depend_on_the_eye<T: Number>() {
         for model in MODELS {
             same(moved.shade(model).diffuse, diffuse)?;
         }
-        let [mut matt, mut matt_moved] = [scene, moved];
-        for scene in [&mut matt, &mut matt_moved] {
+        let [mut matte, mut matte_moved] = [scene, moved];
+        for scene in [&mut matte, &mut matte_moved] {
             scene.material.k_s = Rgb::BLACK;
         }
-        same(matt.shade(model).total(), matt_moved.shade(model).total())
+        same(matte.shade(model).total(), matte_moved.shade(model).total())
     });
 }
 
-/// (12) Turning N and L over changes nothing.
+/// (12) Reversing both N and L changes nothing.
 fn lambert_of_both_reversed_is_the_same<T: Number>() {
     check(pair::<T>(), |[n, l]| {
         same([term::lambert(-n, -l); 3], [term::lambert(n, l); 3])
     });
 }
 
-/// (13) A light on the horizon or below adds nothing, not even a highlight.
+/// (13) A light on or below the horizon adds nothing, not even a highlight.
 fn light_from_behind_adds_nothing<T: Number>() {
     check((model(), scene::<T>()), |(model, mut scene)| {
         scene.lights.retain(|light| scene.n.dot(light.l) <= T::ZERO);
@@ -285,8 +288,8 @@ fn reflectance_of<T: Number>(scene: &mut Scene<T>, which: usize) -> &mut Rgb<T> 
         .expect("one of three")
 }
 
-/// Whether no highlight is so faint that its products with I and k lose bits. One that vanished is
-/// exactly 0, and stays it.
+/// Whether no highlight is so faint that its products with I and k lose bits. A highlight that has
+/// vanished is exactly 0, and stays 0.
 fn is_far_from_underflow<T: Number>(scene: &Scene<T>, model: Model) -> bool {
     let faint = (T::TINY.to_f64() / T::U).sqrt();
     let mut white = scene.map_intensities(|_| Rgb::WHITE);

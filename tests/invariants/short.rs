@@ -1,8 +1,8 @@
-//! A number type that is not the crate's own, put through the whole suite: what a user writes who
-//! wants to know that the invariants hold for theirs.
+//! A number type from outside the crate, put through the whole suite. This is what users write to
+//! check that the invariants hold for a type of their own.
 //!
-//! It is a float with 16 significant bits. So short a number is also a touchstone for the
-//! tolerances: they are stated in units of its roundoff u, and mistakes in them show early.
+//! It is a float with 16 significant bits. Such a short number also tests the tolerances: they are
+//! stated in units of its roundoff u, so mistakes in them show early.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -20,7 +20,7 @@ pub struct Short(f64);
 /// The bits of an `f64` that a [`Short`] does not have.
 const DROPPED: u32 = 53 - 16;
 
-/// To the nearest [`Short`], ties to even.
+/// Rounds to the nearest [`Short`], ties to even.
 #[allow(clippy::cast_possible_truncation)]
 fn round(x: f64) -> Short {
     let bits = x.to_bits();

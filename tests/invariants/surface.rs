@@ -10,10 +10,10 @@ use crate::check::{check, equal, near, same, to_f64, within};
 use crate::exact::dot;
 use crate::number::Number;
 
-/// A surface that has an implicit and a parametric form.
+/// A surface with both an implicit and a parametric form.
 #[derive(Clone, Copy, Debug)]
 enum Surface {
-    /// Half axes.
+    /// The lengths of the semi-axes.
     Ellipsoid([f64; 3]),
     /// The radii of the ring and of its tube.
     Torus([f64; 2]),
@@ -36,7 +36,7 @@ impl Surface {
         }
     }
 
-    /// ∇f, by hand.
+    /// ∇f, derived by hand.
     fn gradient<T: Elementary>(self, p: Vec3<T>) -> Vec3<T> {
         match self {
             Ellipsoid(axes) => Vec3::from(scaled(scaled(p, axes).into(), axes)),
@@ -48,7 +48,7 @@ impl Surface {
         }
     }
 
-    /// s(u, v): u the azimuth; v the polar angle, or the angle in the tube.
+    /// s(u, v), where u is the azimuth, and v is the polar angle or the angle in the tube.
     fn parametric<T: Elementary>(self, u: T, v: T) -> Vec3<T> {
         match self {
             Ellipsoid([a, b, c]) => Vec3::new(
@@ -63,7 +63,7 @@ impl Surface {
         }
     }
 
-    /// ∂s/∂u and ∂s/∂v, by hand.
+    /// ∂s/∂u and ∂s/∂v, derived by hand.
     fn tangents<T: Elementary>(self, u: T, v: T) -> [Vec3<T>; 2] {
         let ((sin_u, cos_u), (sin_v, cos_v)) = ((u.sin(), u.cos()), (v.sin(), v.cos()));
         match self {
@@ -89,7 +89,8 @@ impl Surface {
         }
     }
 
-    /// By how much a parametric normal magnifies rounding: the poles of an ellipsoid have none.
+    /// The factor by which a parametric normal magnifies rounding. An ellipsoid has no normal at
+    /// its poles.
     fn conditioning(self, v: f64) -> f64 {
         match self {
             Ellipsoid(_) => 1.0 / v.sin(),
@@ -114,10 +115,10 @@ fn places<T: Number>() -> impl Strategy<Value = (Surface, T, T)> {
     (surface, 0.0..TAU, 0.01..PI - 0.01).prop_map(|(surface, u, v)| (surface, T::of(u), T::of(v)))
 }
 
-/// The error of a normal of these surfaces: sine and cosine are off by 2u each, the products by 2u
-/// more, the cross product by 4u: 10u of the tangents. The axes of the ellipsoids differ by up to 4,
-/// which turns an error of a tangent into up to four times that of the normal; 3u for the unit
-/// vector.
+/// The error of a normal of these surfaces. Sine and cosine are off by 2u each, the products by 2u
+/// more, and the cross product by 4u: 10u of the tangents. The axes of the ellipsoids differ by a
+/// factor of up to 4, so an error of a tangent may be four times as large in the normal; the unit
+/// vector adds 3u.
 fn tolerance<T: Number>(conditioning: f64) -> f64 {
     (40.0 * conditioning + 3.0) * T::U
 }
@@ -130,8 +131,8 @@ fn parametric<T: Number>(surface: Surface, u: T, v: T) -> UnitVec3<T> {
     normal::parametric(|u, v| surface.parametric(u, v), u, v).expect("away from the pole")
 }
 
-/// (47) Implicit and parametric normals agree up to sign: to the errors of both. The point itself is
-/// off by as much, and the surfaces bend by up to 8 within a unit of length.
+/// (47) Implicit and parametric normals agree up to sign, within the errors of both. The point
+/// itself is off by as much, and the surfaces bend by up to 8 within a unit of length.
 fn implicit_and_parametric_normals_agree<T: Number>() {
     check(places::<T>(), |(surface, u, v)| {
         let of_parametric = parametric(surface, u, v);
@@ -153,8 +154,9 @@ fn implicit_and_parametric_normals_agree<T: Number>() {
     });
 }
 
-/// (48) f and c·f have the same normal for c > 0, exactly for a power of two, and the opposite for
-/// c < 0. Otherwise each component of the gradient is off by 1u, and the two unit vectors by 3u.
+/// (48) f and c·f have the same normal for c > 0, exactly for a power of two, and opposite normals
+/// for c < 0. Otherwise, each component of the gradient is off by 1u, and the two unit vectors by
+/// 3u.
 fn factor_of_an_implicit_surface_does_not_matter<T: Number>() {
     check(
         (places::<T>(), 0.01..100.0, -10..=10),
@@ -192,7 +194,7 @@ fn gradient_is_perpendicular_to_both_tangents<T: Number>() {
     });
 }
 
-/// (50) Swapping u and v turns the normal over.
+/// (50) Swapping u and v negates the normal.
 fn swapping_the_parameters_negates<T: Number>() {
     check(places::<T>(), |(surface, u, v)| {
         let swapped = normal::parametric(|v, u| surface.parametric(u, v), v, u);
@@ -203,9 +205,9 @@ fn swapping_the_parameters_negates<T: Number>() {
     });
 }
 
-/// (50) Going along u and v at another pace changes nothing: exactly at a power of two, else to the
-/// rounding of each component of the tangents and of their product, 3u each.
-fn pace_of_the_parameters_does_not_matter<T: Number>() {
+/// (50) Going along u and v at another speed changes nothing: exactly for a power of two, otherwise
+/// within the rounding of each component of the tangents and of their product, 3u each.
+fn speed_of_the_parameters_does_not_matter<T: Number>() {
     check(
         (places::<T>(), 0.1..10.0, -3..=3),
         |((surface, u, v), pace, k)| {
@@ -226,7 +228,7 @@ fn pace_of_the_parameters_does_not_matter<T: Number>() {
     );
 }
 
-/// (51) The differentiated normal is the one derived by hand.
+/// (51) The differentiated normal is the same as the one derived by hand.
 fn differentiated_normals_equal_those_derived_by_hand<T: Number>() {
     check(places::<T>(), |(surface, u, v)| {
         let tolerance = 2.0 * tolerance::<T>(surface.conditioning(v.to_f64()));
@@ -240,7 +242,7 @@ fn differentiated_normals_equal_those_derived_by_hand<T: Number>() {
     });
 }
 
-/// (46) No normal at the apex of a cone and at the pole of a sphere.
+/// (46) The apex of a cone and the pole of a sphere have no normal.
 fn singular_points_have_no_normal<T: Number>() {
     check((0.1..10.0, 0.0..TAU), |(slope, u)| {
         let slope = T::of(slope);
@@ -259,7 +261,7 @@ invariants! {
     factor_of_an_implicit_surface_does_not_matter,
     gradient_is_perpendicular_to_both_tangents,
     swapping_the_parameters_negates,
-    pace_of_the_parameters_does_not_matter,
+    speed_of_the_parameters_does_not_matter,
     differentiated_normals_equal_those_derived_by_hand,
     singular_points_have_no_normal,
 }

@@ -11,7 +11,7 @@ use crate::number::Number;
 type Triangle<T> = [Vec3<T>; 3];
 
 fn triangle<T: Number>() -> impl Strategy<Value = Triangle<T>> {
-    // every other one a sliver: the third vertex next to the line through the first two
+    // every other triangle is a sliver: its third vertex is next to the line through the first two
     let sliver = (point::<T>(), point(), point(), -2.0..2.0, 0.0..12.0).prop_map(
         |(a, b, aside, along, thin): (Vec3<T>, Vec3<T>, Vec3<T>, f64, f64)| {
             [
@@ -28,7 +28,7 @@ fn normal<T: Number>([a, b, c]: Triangle<T>) -> Option<UnitVec3<T>> {
     normal::triangle(a, b, c)
 }
 
-/// |e|²/(2·area) for the longest edge: by how much a triangle magnifies rounding.
+/// |e|²/(2·area) for the longest edge: the factor by which a triangle magnifies rounding.
 fn conditioning<T: Number>(triangle: Triangle<T>) -> f64 {
     let [a, b, c] = triangle.map(to_f64);
     let [ab, ac, bc] = [subtract(b, a), subtract(c, a), subtract(c, b)];
@@ -36,8 +36,8 @@ fn conditioning<T: Number>(triangle: Triangle<T>) -> f64 {
     longest * longest / length(cross(ab, ac))
 }
 
-/// The error of a normal: edges are off by 1u each, the products of the cross product and their
-/// difference by 2u, relative to the edges' lengths; the unit vector by 3u.
+/// The error of a normal: the edges are off by 1u each, and the products of the cross product and
+/// their difference by 2u, relative to the lengths of the edges; the unit vector is off by 3u.
 fn tolerance<T: Number>(conditioning: f64) -> f64 {
     (4.0 * conditioning + 3.0) * T::U
 }
@@ -49,7 +49,7 @@ fn well_conditioned<T: Number>() -> impl Strategy<Value = (Triangle<T>, f64)> {
         .prop_filter("a line", |(_, conditioning)| *conditioning < 0.01 / T::U)
 }
 
-/// (41) A cyclic shift of the vertices changes little: two normals, each to its own error.
+/// (41) A cyclic shift of the vertices changes little: each of the two normals has its own error.
 fn cyclic_shift_changes_little<T: Number>() {
     check(well_conditioned::<T>(), |([a, b, c], conditioning)| {
         let n = normal([a, b, c]).expect("a triangle");
@@ -61,7 +61,7 @@ fn cyclic_shift_changes_little<T: Number>() {
     });
 }
 
-/// (42) Swapping two vertices turns the normal over: exactly, where the first stays.
+/// (42) Swapping two vertices negates the normal, exactly if the first vertex stays.
 fn swapping_two_vertices_negates<T: Number>() {
     check(well_conditioned::<T>(), |([a, b, c], conditioning)| {
         let n = -normal([a, b, c]).expect("a triangle");
@@ -74,7 +74,7 @@ fn swapping_two_vertices_negates<T: Number>() {
     });
 }
 
-/// (43) The normal is perpendicular to each edge, and the vertices are seen counter-clockwise.
+/// (43) The normal is perpendicular to each edge, and the vertices appear counter-clockwise.
 fn normal_is_perpendicular_to_each_edge<T: Number>() {
     check(well_conditioned::<T>(), |(triangle, conditioning)| {
         let n = to_f64(normal(triangle).expect("a triangle"));
@@ -95,7 +95,8 @@ fn translating_a_triangle_on_a_grid_is_exact<T: Number>() {
     });
 }
 
-/// (45) A triangle 2^k times as large has the same normal, and so has the one mirrored in the origin.
+/// (45) A triangle 2^k times as large has the same normal, and so does the one mirrored in the
+/// origin.
 fn scaling_a_triangle_by_a_power_of_two_is_exact<T: Number>() {
     check((triangle::<T>(), -16..=16), |(triangle, k)| {
         let scale = T::of(f64::from(k).exp2());
@@ -104,8 +105,8 @@ fn scaling_a_triangle_by_a_power_of_two_is_exact<T: Number>() {
     });
 }
 
-/// (45) Down to where the coordinates lose bits and up to where edges overflow, the error stays as it
-/// is.
+/// (45) From sizes at which the coordinates lose bits to sizes at which the edges overflow, the
+/// error stays the same.
 fn size_of_a_triangle_does_not_matter<T: Number>() {
     check(
         (well_conditioned::<T>(), -0.9..0.9_f64),
@@ -121,7 +122,7 @@ fn size_of_a_triangle_does_not_matter<T: Number>() {
     );
 }
 
-/// (46) No normal of a triangle with a vertex twice, or with three in a line.
+/// (46) A triangle has no normal if two vertices coincide or all three lie on a line.
 fn degenerate_triangles_have_no_normal<T: Number>() {
     let grid = dyadic_point::<T>;
     check(
@@ -137,7 +138,7 @@ fn degenerate_triangles_have_no_normal<T: Number>() {
     );
 }
 
-/// (46) Whatever the vertices: a unit vector or none, never NaN.
+/// (46) For any vertices, the result is a unit vector or `None`, never NaN.
 fn normals_have_length_one_or_are_none<T: Number>() {
     let any = adversarial_vector::<T>;
     check([any(), any(), any()], |[a, b, c]| {
@@ -155,8 +156,8 @@ fn normals_have_length_one_or_are_none<T: Number>() {
     });
 }
 
-/// v/|v| for v of any size: the direction to 3u, and only zero has none. `unit_or` gives the same,
-/// and its fallback for zero.
+/// v/|v| for v of any size: the direction is right to 3u, and only zero has none. `unit_or` gives
+/// the same, and its fallback for zero.
 fn unit_vectors_are_right_at_any_size<T: Number>() {
     check((adversarial_vector::<T>(), unit()), |(v, fallback)| {
         let Some(n) = v.unit() else {
@@ -164,7 +165,7 @@ fn unit_vectors_are_right_at_any_size<T: Number>() {
             return same(v.unit_or(fallback), fallback);
         };
         same(v.unit_or(fallback), n)?;
-        // tame first, in steps that f64 takes without loss
+        // first scaled to a moderate size, in steps that are exact in f64
         let v = to_f64(v);
         let largest = v.into_iter().fold(0.0, |a: f64, c| a.max(c.abs()));
         let exponent = largest.log2().floor();
@@ -178,7 +179,8 @@ fn unit_vectors_are_right_at_any_size<T: Number>() {
     });
 }
 
-/// A plane's normal is that of its equation; a sphere's points from the center, also from near it.
+/// The normal of a plane is that of its equation; the normal of a sphere points away from the
+/// center, even near it.
 fn planes_and_spheres_point_outward<T: Number>() {
     check(
         (point::<T>(), dyadic_point::<T>(), unit::<T>()),
@@ -186,7 +188,7 @@ fn planes_and_spheres_point_outward<T: Number>() {
             optionally(normal::plane(v.x, v.y, v.z), v.unit())?;
             optionally(normal::from_gradient(v), v.unit())?;
             let on_sphere = center + *n * T::of(2.0);
-            // the point is off by 4u of a radius of 2, and the unit vectors by 4u
+            // the point is off by 4u for a radius of 2, and the unit vectors by 4u
             near(
                 normal::sphere(center, on_sphere).expect("not the center"),
                 n,

@@ -1,5 +1,5 @@
-//! (52) A number type agrees with `f64`, rounded, and decides as [`Real`](shading::Real) promises.
-//! (Lanes agree with their scalar bit for bit; that has a test of its own.)
+//! (52) A number type agrees with rounded `f64`, and decides as [`Real`](shading::Real) promises.
+//! (Another test checks that lanes agree with their scalar bit for bit.)
 
 use proptest::prelude::*;
 use shading::{IncidentLight, Material, UnitVec3, half_vector, reflection, term};
@@ -13,12 +13,12 @@ fn wide<T: Number>(n: UnitVec3<T>) -> UnitVec3<f64> {
     n.cast(T::to_f64)
 }
 
-/// A vector of R is off by 7u, one of H by 3u, and a cosine by 2.5u: one of its products
-/// may be above ½, the sum of two is below 1, and the sum of all may reach it.
+/// R is off by 7u, H by 3u, and a cosine by 2.5u: one of its products may be above ½, the sum of
+/// two is below 1, and the sum of all three may reach it.
 fn directions_agree_with_double<T: Number>() {
     check(pair::<T>(), |[n, l]| {
         let [wide_n, wide_l] = [n, l].map(wide);
-        let own = f64::U; // the error of the f64 results is as many of its units
+        let own = f64::U; // the f64 results are off by as many units of their own
         near(
             wide(reflection(n, l)),
             reflection(wide_n, wide_l),
@@ -41,14 +41,14 @@ fn directions_agree_with_double<T: Number>() {
     });
 }
 
-/// The sum over lights: a cosine is off by 2u, its product with I, the n − 1 additions and the
-/// product with k by n + 1. Of a highlight the cosine is off by 11u, which counts m times.
+/// The sum over lights. A cosine is off by 2u; its product with I, the n − 1 additions, and the
+/// product with k add n + 1. In a highlight, the cosine is off by 11u, which counts m times.
 fn shading_agrees_with_double<T: Number>() {
     check((model(), scene::<T>()), |(model, mut scene)| {
         let m = scene.material.m;
-        // below m = 1 the power is steep at 0, and whole-number types have another m
+        // below m = 1 the power is steep at 0, and a type with integer powers has another m
         prop_assume!(m.m >= 1.0 && m.m.fract() == 0.0);
-        // the horizon is an edge
+        // the light jumps at the horizon
         scene
             .lights
             .retain(|light| scene.n.dot(light.l).to_f64().abs() > 4.0 * T::U);
@@ -69,7 +69,7 @@ fn shading_agrees_with_double<T: Number>() {
     });
 }
 
-/// Every decision, also between equal numbers and for what is not a number.
+/// Every decision, also between equal numbers and for NaN.
 fn decisions_are_as_promised<T: Number>() {
     let numbers = (
         adversarial_signed::<T>(),
@@ -100,7 +100,7 @@ fn decisions_are_as_promised<T: Number>() {
         }
 
         let nan = T::of(f64::NAN);
-        // a type may do without
+        // a type need not have NaN
         if nan.partial_cmp(&nan).is_none() {
             value(nan.if_positive(then, otherwise), otherwise)?;
             value(nan.if_above(y, then, otherwise), otherwise)?;
