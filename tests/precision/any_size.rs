@@ -1,4 +1,4 @@
-//! What is done with normals, with numbers of any size, against 150 bits.
+//! Operations on normals with numbers of any size, checked against 150 bits.
 
 use std::fmt::Debug;
 
@@ -17,24 +17,24 @@ for_f32_and_f64!(
     mapped_normals_of_any_size_are_right,
 );
 
-/// A whole number of a few bits, often 0.
+/// An integer of a few bits, often 0.
 fn whole() -> impl Strategy<Value = f64> {
     prop_oneof![2 => Just(0.0), 5 => (-64..=64_i32).prop_map(f64::from)]
 }
 
-/// A whole vector times a power of two from where it is subnormal to where it all but overflows.
+/// An integer vector times a power of two, from where it is subnormal to where it almost overflows.
 fn of_any_size<T: Float>() -> impl Strategy<Value = Vec3<T>> {
     let largest = T::MAX.to_f64().log2().floor() - 16.0;
     let least = T::TINIEST.log2();
     ([whole(), whole(), whole()], least..largest).prop_map(|(v, exponent)| {
         Vec3::from(v.map(|c| T::of(c)))
-            // in two steps, since the power may be out of range by itself
+            // in two steps, since the power itself may be out of range
             .map(|c| c * T::of((exponent / 2.0).floor().exp2()))
             .map(|c| c * T::of((exponent / 2.0).ceil().exp2()))
     })
 }
 
-/// A matrix: its columns of one size or each of its own.
+/// A matrix whose columns have one size, or each a size of its own.
 fn matrix<T: Float>() -> impl Strategy<Value = [Vec3<T>; 3]> {
     let column = of_any_size::<T>;
     let whole = || [whole(), whole(), whole()].prop_map(|v| Vec3::from(v.map(|c| T::of(c))));
@@ -45,7 +45,7 @@ fn matrix<T: Float>() -> impl Strategy<Value = [Vec3<T>; 3]> {
     ]
 }
 
-/// A direction: whole numbers, which the formula takes as well, with small ones among them.
+/// A direction of integers, which the formula accepts as well, with small numbers among them.
 fn direction<T: Float>() -> impl Strategy<Value = UnitVec3<T>> {
     let component = || (whole(), prop_oneof![3 => Just(0), 1 => -100..0]);
     [component(), component(), component()]
@@ -56,24 +56,25 @@ fn direction<T: Float>() -> impl Strategy<Value = UnitVec3<T>> {
         .prop_map(UnitVec3::assume_unit)
 }
 
-/// Tries 5,000 inputs, the same in each run, and prints the largest share of the tolerance.
+/// Tries 5,000 inputs, the same in each run, and prints the largest error as a share of the
+/// tolerance.
 fn try_all<S: Strategy<Value: Debug>>(inputs: S, share: impl Fn(S::Value) -> f64) {
     let mut runner = TestRunner::deterministic();
     let mut largest = 0.0_f64;
     for _ in 0..5_000 {
         let input = inputs
             .new_tree(&mut runner)
-            .expect("few are refused")
+            .expect("few are rejected")
             .current();
         let described = format!("{input:?}");
         let share = share(input);
         assert!(share <= 1.0, "{described}: {share} times the tolerance");
         largest = largest.max(share);
     }
-    println!("at most {:.0} % of a tolerance", 100.0 * largest);
+    println!("at most {:.0}% of a tolerance", 100.0 * largest);
 }
 
-/// The largest error of a component as a share of so many u.
+/// The largest error of a component as a share of `units` u.
 fn share<T: Float>(computed: impl Into<[T; 3]>, expected: &Vector, units: f64) -> f64 {
     let computed = vector::<T>(computed);
     let errors = exact::subtract(&computed, expected);
@@ -85,13 +86,13 @@ fn is_zero(v: &Vector) -> bool {
     v.iter().all(|c| *c == Number::ZERO)
 }
 
-/// The products of a cofactor and their difference are off by 2u of the product of two lengths, its
-/// factor by 1u, the two sums by 2u; the unit vector by 4u. Where the sum is zero there is no normal;
-/// where rounding may make it zero, there may be none.
+/// The products of a cofactor and their difference are off by 2u of the product of two lengths, the
+/// factor by 1u, and the two sums by 2u; the unit vector is off by 4u. If the sum is zero, there is
+/// no normal; if rounding may make it zero, there need not be one.
 fn check_transformed<T: Float>(n: UnitVec3<T>, columns: [Vec3<T>; 3], expected: &Vector) -> f64 {
     let transformed = normal::transformed(n, columns);
     if is_zero(expected) {
-        // cancels exactly only where the products are exact
+        // the terms cancel exactly only if the products are exact
         return transformed.map_or(0.0, |_| 0.5);
     }
     let conditioning = exact::conditioning(&columns.map(vector), &vector(n));
@@ -110,7 +111,8 @@ fn transformed_normals_of_any_size_are_right<T: Float>() {
     });
 }
 
-/// Whole points, transformed without rounding: the normal of the plane through them.
+/// Integer points transformed without rounding: the expected normal is that of the plane through
+/// them.
 fn transformed_normal_is_that_of_the_plane_of_three_points<T: Float>() {
     let point = || [whole(), whole(), whole()].prop_map(|v| Vec3::from(v.map(|c| T::of(c))));
     try_all(
@@ -123,20 +125,20 @@ fn transformed_normal_is_that_of_the_plane_of_three_points<T: Float>() {
             if is_zero(&n) {
                 return 0.0;
             }
-            // all the bits between the largest and the smallest number
+            // as many bits as lie between the largest and the smallest number
             let exactly = |v: Vec3<T>| vector(v).map(|c| c.with_precision(5000).value());
             let exact_columns = columns.map(exactly);
             let moved = points.map(|p| exact::product(&exact_columns, &exactly(p)));
             let expected = plane(moved).map(|c| c.with_precision(150).value());
-            // of at most 16 bits: exact in the type
+            // at most 16 bits, so it is exact in the type
             let n = Vec3::from(n.map(|c| T::of(c.to_f64().value())));
             check_transformed(UnitVec3::assume_unit(n), columns, &expected)
         },
     );
 }
 
-/// The product is off by 2u of the lengths' product, the edges are exact; 4u for the unit vector and
-/// 16u for the angle.
+/// The edges are exact. The product is off by 2u of the product of their lengths, the unit vector
+/// by 4u, and the angle by 16u.
 fn shares_of_any_size_are_right<T: Float>() {
     try_all([of_any_size::<T>(), of_any_size()], |[e1, e2]| {
         let share_of_triangle = normal::corner(Vec3::ZERO, e1, e2);
@@ -158,7 +160,7 @@ fn shares_of_any_size_are_right<T: Float>() {
     });
 }
 
-/// See `invariants/derived.rs`.
+/// The tolerance is derived in `invariants/derived.rs`.
 fn mapped_normals_of_any_size_are_right<T: Float>() {
     let handedness = prop_oneof![Just(1.0), Just(-1.0)];
     let direction = of_any_size::<T>().prop_filter_map("zero", Vec3::unit);

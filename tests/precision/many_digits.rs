@@ -1,4 +1,4 @@
-//! Vectors and the formulas of the books, in many digits.
+//! Vectors and the formulas of the books, with many digits.
 
 use std::array::from_fn;
 
@@ -8,7 +8,7 @@ use dashu_float::round::mode::HalfEven;
 
 use support::number::Float;
 
-/// A number of 150 bits, the result of each operation rounded.
+/// A number of 150 bits; the result of each operation is rounded.
 pub type Number = FBig<HalfEven, 2>;
 pub type Vector = [Number; 3];
 
@@ -94,9 +94,9 @@ pub fn highlight(cosine: Number, m: f64) -> Number {
     power(&positive_part(if cosine > one { one } else { cosine }), m)
 }
 
-/// baseᵐ for a whole 2m, quicker than by logarithms: (√base)²ᵐ.
+/// baseᵐ for an integer 2m, as (√base)²ᵐ, which is quicker than by logarithms.
 pub fn power(base: &Number, m: f64) -> Number {
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // whole
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // an integer
     let twice_m = (2.0 * m) as u32;
     base.sqrt().powi(twice_m.into())
 }
@@ -112,7 +112,8 @@ pub fn cofactors([a, b, c]: &[Vector; 3], n: &Vector) -> Vector {
     from_fn(|i| (0..3).fold(number(0.0), |sum, j| sum + &n[j] * &products[j][i]))
 }
 
-/// By how much rounding is magnified in cof(M) N: the lengths of its terms' factors over its own.
+/// The factor by which cof(M) N magnifies rounding: the lengths of the factors of its terms, over
+/// its own length.
 pub fn conditioning(columns: &[Vector; 3], n: &Vector) -> f64 {
     let [a, b, c] = columns.each_ref().map(length);
     let sizes = [&b * &c, &c * &a, &a * &b];
@@ -125,7 +126,7 @@ pub fn product(columns: &[Vector; 3], v: &Vector) -> Vector {
     from_fn(|i| (0..3).fold(number(0.0), |sum, j| sum + &columns[j][i] * &v[j]))
 }
 
-/// The angle between two vectors: its tangent halved until it is the angle.
+/// The angle between two vectors, halved until a short series of its tangent is enough.
 pub fn angle(a: &Vector, b: &Vector) -> Number {
     const HALVINGS: i32 = 30;
     let one = number(1.0);

@@ -1,4 +1,4 @@
-//! How far each function is from its formula, for an input that is made of some numbers.
+//! The error of each function for an input made from some numbers.
 
 use shading::{
     Elementary, Exponent, IncidentLight, Material, PointLight, Real, Rgb, Shaded, UnitVec3, Vec3,
@@ -9,16 +9,16 @@ use crate::many_digits::{self as exact, Number, Vector, number, vector};
 use crate::search::Numbers;
 use support::number::Float;
 
-/// |computed − exact| in units in the last place of `of`, those of the type T.
+/// |computed − exact| in units in the last place of `of`, in the type T.
 fn error<T: Float>(computed: T, exact: &Number, of: &Number) -> f64 {
     let difference = (number(computed.to_f64()) - exact).to_f64().value();
-    // the power of two below: the exponent without the other bits
+    // the power of two at or below it: the exponent without the other bits
     let power_of_two = f64::from_bits(of.to_f64().value().to_bits() & f64::INFINITY.to_bits());
     let last_place = 2.0 * T::U * power_of_two;
     (difference / last_place).abs()
 }
 
-/// The largest error of a component, in units in the last place of 1.
+/// The largest error of a component in units in the last place of 1.
 fn of_one<T: Float>(computed: UnitVec3<T>, exact: &Vector) -> f64 {
     let one = number(1.0);
     let components = <[T; 3]>::from(computed).into_iter().zip(exact);
@@ -27,7 +27,7 @@ fn of_one<T: Float>(computed: UnitVec3<T>, exact: &Vector) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// The largest error of a component, in units in its last place.
+/// The largest error of a component in units in its own last place.
 fn of_result<T: Float>(computed: UnitVec3<T>, exact: &Vector) -> f64 {
     let components = <[T; 3]>::from(computed).into_iter().zip(exact);
     components
@@ -35,7 +35,7 @@ fn of_result<T: Float>(computed: UnitVec3<T>, exact: &Vector) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// A point within a cube of side 2, off its middle planes.
+/// A point in a cube of side 2, away from the cube's middle planes.
 fn point<T: Float>(numbers: &mut Numbers) -> Vec3<T> {
     let mut coordinate = || {
         let x = numbers.next();
@@ -44,7 +44,7 @@ fn point<T: Float>(numbers: &mut Numbers) -> Vec3<T> {
     Vec3::new(coordinate(), coordinate(), coordinate())
 }
 
-/// A direction, by correctly rounded operations.
+/// A direction computed with correctly rounded operations.
 fn direction<T: Float>(numbers: &mut Numbers) -> UnitVec3<T> {
     toward(point(numbers))
 }
@@ -86,7 +86,7 @@ pub fn triangle<T: Float>(numbers: &mut Numbers) -> f64 {
     })
 }
 
-/// (√(x² + y²) − R)² + z² − r², whose gradient is along ((√(x² + y²) − R)/√(x² + y²) (x, y), z).
+/// (√(x² + y²) − R)² + z² − r². Its gradient is along ((√(x² + y²) − R)/√(x² + y²) (x, y), z).
 pub fn implicit<T: Float>(numbers: &mut Numbers) -> f64 {
     fn torus<T: Real>(p: Vec3<T>) -> T {
         let aside = (p.x * p.x + p.y * p.y).sqrt() - T::of(2.0);
@@ -101,7 +101,7 @@ pub fn implicit<T: Float>(numbers: &mut Numbers) -> f64 {
     of_one(n, &exact::unit(&gradient))
 }
 
-/// (u, v, u² + uv + v²): its tangents are (1, 0, 2u + v) and (0, 1, u + 2v).
+/// (u, v, u² + uv + v²), whose tangents are (1, 0, 2u + v) and (0, 1, u + 2v).
 pub fn parametric<T: Float>(numbers: &mut Numbers) -> f64 {
     fn paraboloid<T: Elementary>(u: T, v: T) -> Vec3<T> {
         Vec3::new(u, v, u * u + u * v + v * v)
@@ -123,7 +123,7 @@ pub fn transformed<T: Float>(numbers: &mut Numbers) -> f64 {
     })
 }
 
-/// The share of a triangle, whose length is the angle.
+/// A triangle's share, whose length is the angle.
 pub fn corner<T: Float>(numbers: &mut Numbers) -> f64 {
     let [a, b, c] = [point::<T>(numbers), point(numbers), point(numbers)];
     let [ab, ac] = [b, c].map(|p| exact::subtract(&vector(p), &vector(a)));
@@ -175,7 +175,7 @@ pub fn diffuse<T: Float>(numbers: &mut Numbers) -> f64 {
     error(term::lambert(n, l), &cosine, &number(1.0))
 }
 
-/// Phong's of R and V, or Blinn's of N and H: two directions near each other.
+/// Phong's factor of R and V, or Blinn's of N and H, for two directions near each other.
 pub fn highlight<T: Float, M: Exponent<T>>(
     factor: fn(UnitVec3<T>, UnitVec3<T>, M) -> T,
     m: M,
@@ -191,7 +191,7 @@ pub fn highlight<T: Float, M: Exponent<T>>(
     }
 }
 
-/// A whole power of a cosine; of one so near to 1 that no power is below 2⁻¹⁰⁰.
+/// An integer power of a cosine so near to 1 that no power is below 2⁻¹⁰⁰.
 pub fn whole_power<T: Float>(m: u32, least: f64) -> impl Fn(&mut Numbers) -> f64 {
     move |numbers| {
         let cosine = T::of(numbers.within(least, 1.0));
@@ -209,8 +209,7 @@ pub fn real_power<T: Float>(m: f64, least: f64) -> impl Fn(&mut Numbers) -> f64 
     }
 }
 
-/// The coefficients a, b, c.
-/// A factor of m, from 0 to 1000.
+/// A factor that depends on m, for m from 0 to 1000.
 pub fn normalization<T: Float>(
     factor: fn(T) -> T,
     formula: fn(&Number) -> Number,
@@ -231,6 +230,7 @@ pub fn blinn_normalization(m: &Number) -> Number {
     (m + number(2.0)) * (m + number(4.0)) / (number(8.0) * exact::pi() * (power + m))
 }
 
+/// The coefficients a, b, c.
 fn coefficients<T: Float>(numbers: &mut Numbers) -> [T; 3] {
     [(); 3].map(|()| T::of(numbers.within(0.01, 2.0)))
 }
@@ -242,7 +242,7 @@ pub fn attenuated<T: Float>(numbers: &mut Numbers) -> f64 {
     error(attenuation(a, b, c, q), &expected, &expected)
 }
 
-/// At the cosine of a cone whose edge is 0.01 to 1 wide, times the width.
+/// The factor of a cone whose edge is 0.01 to 1 wide, times the width.
 pub fn soft_cone<T: Float>(is_smooth: bool) -> impl Fn(&mut Numbers) -> f64 {
     move |numbers| {
         let [axis, l] = [direction::<T>(numbers), direction(numbers)];
@@ -262,7 +262,7 @@ pub fn soft_cone<T: Float>(is_smooth: bool) -> impl Fn(&mut Numbers) -> f64 {
     }
 }
 
-/// Up to where the light ends.
+/// The attenuation up to the range, where the light ends.
 pub fn ranged<T: Float>(numbers: &mut Numbers) -> f64 {
     let [a, b, c] = coefficients::<T>(numbers);
     let free = T::new_attenuation(a, b, c).expect("positive");
@@ -276,7 +276,8 @@ pub fn ranged<T: Float>(numbers: &mut Numbers) -> f64 {
     error(ranged.at(q), &expected, &free_factor)
 }
 
-/// Under a lamp of white light: its coefficients, the way to it, and what arrives; not at the lamp.
+/// A lamp of white light: its coefficients, the vector to it, and the light that arrives; `None` at
+/// the lamp.
 fn lamp<T: Float>(numbers: &mut Numbers) -> Option<([T; 3], Vector, IncidentLight<T>)> {
     let [a, b, c] = coefficients::<T>(numbers);
     let [position, p] = [point(numbers), point(numbers)];
@@ -309,7 +310,8 @@ pub enum Model {
     BlinnPhong,
 }
 
-/// A channel of the total under four lights, in units in the last place of k_a I_a + Σ I (k_d + k_s).
+/// A channel of the total under four lights, in units in the last place of k_a I_a + Σ I (k_d +
+/// k_s).
 pub fn shaded<T: Float>(model: Model) -> impl Fn(&mut Numbers) -> f64 {
     move |numbers| {
         let [n, v] = [direction::<T>(numbers), direction(numbers)];
@@ -322,7 +324,7 @@ pub fn shaded<T: Float>(model: Model) -> impl Fn(&mut Numbers) -> f64 {
             k_s,
             m: 32_u32,
         };
-        // the highlight has an edge on the horizon
+        // the highlight jumps at the horizon
         let lights = lights
             .into_iter()
             .filter(|(l, _)| n.dot(*l).to_f64().abs() > 1e-3);

@@ -1,40 +1,40 @@
-//! A search for the largest error: hill climbing from random places.
+//! Searches for the largest error by climbing hills from random places.
 
-/// How many random places are looked at before the climb, and how many steps are tried on it.
+/// The number of random places tried before a climb, and the number of steps tried during it.
 const LOOKS: u32 = 100;
 const STEPS: u32 = 2000;
 
-/// How many numbers an input is made of at most.
+/// The largest number of numbers that an input is made from.
 const MOST: usize = 32;
 
-/// The numbers that an input is made of, one after the other.
+/// The numbers that an input is made from, one after the other.
 pub struct Numbers<'a> {
     all: &'a [f64; MOST],
     used: usize,
 }
 
 impl Numbers<'_> {
-    /// The next number, within [−1, 1].
+    /// The next number, in [−1, 1].
     pub fn next(&mut self) -> f64 {
         self.used += 1;
         self.all[self.used - 1]
     }
 
-    /// The next number, within [low, high].
+    /// The next number, in [low, high].
     pub fn within(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.next().abs()
     }
 }
 
-/// The largest error that is found on so many hills, for numbers of so many binary digits. Each hill
-/// has random numbers of its own, so on more hills at least as much is found.
+/// The largest error found on `hills` hills, for numbers of `digits` binary digits. Each hill has
+/// its own random numbers, so more hills never find less.
 pub fn largest(error: &dyn Fn(&mut Numbers) -> f64, digits: usize, hills: u64) -> f64 {
     let heights = (0..hills).map(|hill| climb(error, digits, Random(hill)));
     heights.fold(0.0, f64::max)
 }
 
-/// From the highest of some random places, every step that does not lead down. A step changes one of
-/// the numbers or two, by anything from 2 down to their last digit.
+/// Starts at the highest of some random places, and takes every step that does not lead down. A
+/// step changes one or two of the numbers, by anything from 2 down to their last digit.
 #[allow(clippy::cast_precision_loss)] // powers of two
 fn climb(error: &dyn Fn(&mut Numbers) -> f64, digits: usize, mut random: Random) -> f64 {
     let (mut top, mut height, mut used) = ([0.0; MOST], 0.0, 0);
@@ -62,7 +62,7 @@ fn climb(error: &dyn Fn(&mut Numbers) -> f64, digits: usize, mut random: Random)
     height
 }
 
-/// SplitMix64 (Steele, Lea and Flood 2014): the same numbers in each run, on every machine.
+/// SplitMix64 (Steele, Lea, and Flood 2014): the same numbers in each run, on every machine.
 struct Random(u64);
 
 impl Random {
@@ -79,7 +79,7 @@ impl Random {
         (self.next() % limit as u64) as usize
     }
 
-    /// A number within [−1, 1).
+    /// A number in [−1, 1).
     #[allow(clippy::cast_precision_loss)] // 53 bits
     fn signed(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0

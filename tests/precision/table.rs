@@ -1,4 +1,4 @@
-//! The table: each function, the largest error that is found, and the bound of all errors.
+//! The table of each function, the largest error found, and the bound of all errors.
 
 use shading::term::{self, blinn, phong};
 
@@ -15,16 +15,17 @@ use support::number::Float;
 pub struct Row {
     pub function: &'static str,
     pub unit: &'static str,
-    /// The largest error that was found.
+    /// The largest error found.
     pub found: f64,
-    /// What no error exceeds.
+    /// The bound that no error exceeds.
     pub bound: f64,
 }
 
-/// The table. The page says where the bounds come from.
-#[allow(clippy::too_many_lines)] // a row each
+/// The table. The page explains where the bounds come from.
+#[allow(clippy::too_many_lines)] // one row per function
 pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
-    // a real power: 2⁻²² in `f32`, a unit in the last place of a number below 1 in `f64`
+    // the error of a real power: 2⁻²² in `f32`, one unit in the last place of a number below 1 in
+    // `f64`
     let (digits, power) = match T::NAME {
         "f32" => (24, 2.0),
         _ => (53, 0.5),
@@ -165,7 +166,7 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
     ]
 }
 
-/// A line of the table in `f32` and `f64`, as the page has it.
+/// A line of the table in `f32` and `f64`, as on the page.
 pub fn line((single, double): (&Row, &Row)) -> String {
     let found = [single, double].map(|row| tenths(row.found));
     let bounds = [single, double].map(|row| tenths(row.bound));
@@ -181,7 +182,7 @@ pub fn line((single, double): (&Row, &Row)) -> String {
     )
 }
 
-/// Rounded up to a tenth.
+/// Rounds up to a tenth.
 fn tenths(x: f64) -> String {
     format!("{:.1}", (x * 10.0).ceil() / 10.0)
 }

@@ -1,5 +1,5 @@
-//! The edges of lights against what the shaders of three.js and Filament and the extension
-//! `KHR_lights_punctual` of glTF compute, by their formulas.
+//! The edges of lights against three.js, Filament, and the glTF extension `KHR_lights_punctual`, by
+//! the formulas of their shaders.
 
 use shading::{Attenuation, UnitVec3, Vec3};
 use support::number::{Number, for_f32_and_f64};
@@ -9,11 +9,11 @@ use crate::table::Tally;
 
 for_f32_and_f64!(soft_cones, ranges);
 
-/// Angles of the cone in degrees, and the inner one as a share of the outer.
+/// Angles of the cone in degrees, and the inner angles as shares of the outer.
 const ANGLES: [f64; 5] = [5.0, 30.0, 45.0, 72.5, 90.0];
 const SHARES: [f64; 4] = [0.0, 0.25, 0.5, 0.9];
 
-/// The factors of the square and of the smoothstep, seen at a cosine off the axis.
+/// The factors of the square and of the smoothstep, for a light whose axis is at this cosine.
 fn factors<T: Number>(degrees: [f64; 2], cosine: f64) -> [T; 2] {
     let cone = T::soft_cone(degrees).expect("two half-angles");
     let sine = (1.0 - cosine * cosine).sqrt();
@@ -21,22 +21,23 @@ fn factors<T: Number>(degrees: [f64; 2], cosine: f64) -> [T; 2] {
     [cone, cone.smoothstep()].map(|cone| cone.factor(-UnitVec3::Z, l))
 }
 
-/// three.js 0.170, `getSpotAttenuation`: smoothstep(coneCos, penumbraCos, angleCos), as GLSL defines it.
+/// three.js 0.170, `getSpotAttenuation`: smoothstep(coneCos, penumbraCos, angleCos), as defined by
+/// GLSL.
 fn three_js(inner: f64, outer: f64, cosine: f64) -> f64 {
     let t = ((cosine - outer) / (inner - outer)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
 
-/// Filament, `getAngleAttenuation`, and the sample code of `KHR_lights_punctual`: scale and offset are
-/// computed on the CPU. Both keep the edge wider than that of the cones here, which are not concerned.
+/// Filament, `getAngleAttenuation`, and the sample code of `KHR_lights_punctual`: scale and offset
+/// are computed on the CPU. Both enforce a minimum width of the edge, but all cones here are wider.
 fn filament(inner: f64, outer: f64, cosine: f64) -> f64 {
     let scale = 1.0 / f64::max(1.0 / 1024.0, inner - outer);
     let offset = -outer * scale;
     (cosine * scale + offset).clamp(0.0, 1.0).powi(2)
 }
 
-/// To the error that running analysis finds, and to that of the formulas in `f64`: a cosine is off by 1u
-/// and counts as much more as the edge is narrower.
+/// The tolerance is the error that running analysis finds, and the error of the formulas in `f64`:
+/// a cosine is off by 1u, which counts more the narrower the edge is.
 fn soft_cones<T: Float>() {
     let mut tally = Tally::new::<T>("soft cones");
     for (angle, share) in ANGLES.into_iter().flat_map(|a| SHARES.map(|s| (a, s))) {
@@ -60,7 +61,8 @@ fn soft_cones<T: Float>() {
     tally.close(ANGLES.len() * SHARES.len() * 201, &[]);
 }
 
-/// three.js 0.170, `getDistanceAttenuation` with a `decay` of 2, from 0.1 on, where it does not clamp.
+/// three.js 0.170, `getDistanceAttenuation` with a `decay` of 2, from a distance of 0.1 on, where
+/// it does not clamp.
 fn three_js_distance(q: f64, cutoff: f64) -> f64 {
     1.0 / f64::max(q.powi(2), 0.01) * (1.0 - (q / cutoff).powi(4)).clamp(0.0, 1.0).powi(2)
 }
@@ -72,13 +74,13 @@ fn filament_distance(q: f64, r: f64) -> f64 {
     smooth * smooth / f64::max(q * q, 1e-4)
 }
 
-/// What `KHR_lights_punctual` recommends has no square: its square is the window here.
+/// The window that `KHR_lights_punctual` recommends is not squared: its square is the window here.
 fn khr_distance(q: f64, r: f64) -> f64 {
     (1.0 - (q / r).powi(4)).clamp(0.0, 1.0) / (q * q)
 }
 
-/// The attenuation is off by 4u; the window's root by 6u of 1 and what is left of it by that twice, and
-/// two roundings more; the expected values by as much in `f64`.
+/// The attenuation is off by 4u. The root of the window is off by 6u of 1, and the window by twice
+/// that. There are two more roundings, and the expected values are off by as many units of `f64`.
 fn ranges<T: Float>() {
     let mut tally = Tally::new::<T>("ranges");
     let free = T::attenuation([0.0, 0.0, 1.0]).expect("coefficients");
@@ -100,10 +102,12 @@ fn ranges<T: Float>() {
     }
     tally.close(226, &[("three.js clamps", 14)]);
 
-    // a `distance` of 0 is no range in three.js; here it is refused, and ∞ is
+    // in three.js a `distance` of 0 means no range; here 0 is refused, and ∞ means no range
     assert_eq!(T::within(free, T::ZERO), None);
     assert_eq!(
-        T::within(free, T::INFINITY).expect("none").at(T::of(2.0)),
+        T::within(free, T::INFINITY)
+            .expect("no range")
+            .at(T::of(2.0)),
         T::of(0.25)
     );
     assert_eq!(T::within(Attenuation::NONE, T::NAN), None);

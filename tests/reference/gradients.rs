@@ -1,5 +1,5 @@
-//! Normals that the dual numbers differentiate against normals from gradients and tangents
-//! derived by hand, at every point of the reference files.
+//! Normals differentiated by dual numbers against normals from gradients and tangents derived by
+//! hand, at every point of the reference files.
 
 use shading::{UnitVec3, Vec3, normal};
 use support::number::{Number, for_f32_and_f64, vector};
@@ -10,7 +10,7 @@ use crate::table::{Row, Tally, rows};
 
 for_f32_and_f64!(gradients_by_hand, tangents_by_hand);
 
-/// Both ways round on their own, so each brings its own bound.
+/// Compares the two normals; each is computed independently, so each has its own bound.
 fn compare<T: Float>(
     tally: &mut Tally,
     row: &Row,
@@ -26,7 +26,7 @@ fn compare<T: Float>(
 }
 
 fn gradients_by_hand<T: Float>() {
-    let mut tally = Tally::new::<T>("implicit surfaces, by hand");
+    let mut tally = Tally::new::<T>("implicit surfaces, derived by hand");
     for row in rows("normals_implicit.csv") {
         compare::<T>(&mut tally, &row, both_gradients(&row), both_gradients(&row));
     }
@@ -42,7 +42,7 @@ fn both_gradients<T: Number>(row: &Row) -> [UnitVec3<T>; 2] {
 /// ∇f, up to a positive factor.
 fn gradient<T: Number>(row: &Row, p: Vec3<T>) -> Vec3<T> {
     let number = |name| T::of(row.parameter(name));
-    // ∂/∂x x²/a² = 2x/a²; the factor 2 is left out
+    // ∂/∂x x²/a² = 2x/a²; the factor 2 is omitted
     let over = |x: T, name| x / (number(name) * number(name));
     let Vec3 { x, y, z } = p;
     match row.text("surface") {
@@ -52,7 +52,7 @@ fn gradient<T: Number>(row: &Row, p: Vec3<T>) -> Vec3<T> {
         "hyperboloid1" | "hyperboloid2" | "cone" => {
             Vec3::new(over(x, "a"), over(y, "b"), -over(z, "c"))
         }
-        // the term −z is linear: −1, and −½ without the factor 2
+        // the term −z is linear, so its derivative is −1, or −½ without the factor 2
         "paraboloid" => Vec3::new(over(x, "a"), over(y, "b"), T::of(-0.5)),
         "cylinder" => Vec3::new(x, y, T::ZERO),
         // with ρ = √(x² + y²): ∂f/∂x = 2(ρ − R) x/ρ, ∂f/∂z = 2z
@@ -61,7 +61,7 @@ fn gradient<T: Number>(row: &Row, p: Vec3<T>) -> Vec3<T> {
             let ring = (rho - number("R")) / rho;
             Vec3::new(x * ring, y * ring, z)
         }
-        // with S = |p|² + R² − r²: ∂f/∂x = 4x S − 8R² x, ∂f/∂z = 4z S; 4 is left out
+        // with S = |p|² + R² − r²: ∂f/∂x = 4x S − 8R² x, ∂f/∂z = 4z S; the factor 4 is omitted
         "torus_quartic" => {
             let [outer, inner] = [number("R"), number("r")].map(|x| x * x);
             let s = p.dot(p) + outer - inner;
@@ -71,7 +71,7 @@ fn gradient<T: Number>(row: &Row, p: Vec3<T>) -> Vec3<T> {
                 z * s,
             )
         }
-        // ∂f/∂x = a(cos ax cos ay − sin az sin ax), and so on in turn; a > 0 is left out
+        // ∂f/∂x = a(cos ax cos ay − sin az sin ax), and the others by rotation; a > 0 is omitted
         "gyroid" => {
             let p = p * number("a");
             let (sin, cos) = (p.map(T::sin), p.map(T::cos));
@@ -81,13 +81,13 @@ fn gradient<T: Number>(row: &Row, p: Vec3<T>) -> Vec3<T> {
                 cos.z * cos.x - sin.y * sin.z,
             )
         }
-        other => panic!("the implicit surface {other}"),
+        other => panic!("unknown implicit surface {other}"),
     }
 }
 
 fn tangents_by_hand<T: Float>() {
-    const POLYNOMIAL: &str = "a patch: its derivative by hand is another patch";
-    let mut tally = Tally::new::<T>("parametric surfaces, by hand");
+    const POLYNOMIAL: &str = "a patch, whose derivative is another patch";
+    let mut tally = Tally::new::<T>("parametric surfaces, derived by hand");
     for row in rows("normals_parametric.csv") {
         match row.text("surface") {
             "bezier33" | "rational_sphere" => tally.leave_out(POLYNOMIAL),
@@ -155,7 +155,7 @@ fn tangents<T: Number>(row: &Row, u: T, v: T) -> [Vec3<T>; 2] {
                 Vec3::new(two_u * v, T::ONE - v * v + u * u, -two_v),
             ]
         }
-        // cosh′ = sinh; the c outside cancels the 1/c inside
+        // cosh′ = sinh; the factor c outside cancels the 1/c inside
         "catenoid" => {
             let (c, half) = (number("c"), T::of(0.5));
             let (grows, falls) = ((v / c).exp(), (-v / c).exp());
@@ -165,6 +165,6 @@ fn tangents<T: Number>(row: &Row, u: T, v: T) -> [Vec3<T>; 2] {
                 Vec3::new(sinh * cos_u, sinh * sin_u, T::ONE),
             ]
         }
-        other => panic!("the parametric surface {other}"),
+        other => panic!("unknown parametric surface {other}"),
     }
 }

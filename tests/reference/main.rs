@@ -1,6 +1,6 @@
-//! Values that others computed (`tests/data/README.md`), a module for each source.
+//! Values computed by others (`tests/data/README.md`), one module per source.
 
-// what the comparisons share
+// shared by the comparisons
 mod running;
 mod scene;
 mod surfaces;

@@ -1,4 +1,4 @@
-//! Normals of planes, triangles, implicit and parametric surfaces against 60-digit arithmetic
+//! Normals of planes, triangles, and implicit and parametric surfaces against 60-digit arithmetic
 //! (`tests/data/README.md`).
 
 use std::collections::BTreeMap;
@@ -12,9 +12,9 @@ use crate::table::{Row, Tally, rows};
 
 for_f32_and_f64!(planes, triangles, implicit_surfaces, parametric_surfaces);
 
-/// The reason for which an `f32` leaves a row of an `f64` out.
+/// Why `f32` leaves out a row that `f64` compares.
 const OUT_OF_RANGE: &str = "beyond the range of f32";
-const TOO_THIN: &str = "too thin for f32: rounding the vertices may turn it over";
+const TOO_THIN: &str = "too thin for f32: rounding the vertices may reverse its normal";
 
 fn components<T: Float>(n: UnitVec3<T>) -> [f64; 3] {
     n.map(T::to_f64).into()
@@ -28,7 +28,7 @@ fn in_range<T: Float>(numbers: impl IntoIterator<Item = f64>) -> bool {
     numbers.into_iter().all(T::in_range)
 }
 
-/// The rows of an `f64` that are left out in `f32`, and how many are compared.
+/// The number of rows compared, and the rows that are left out in `f32` only.
 fn account<T: Float>(
     rows: usize,
     left_out: &[(&'static str, usize)],
@@ -62,12 +62,13 @@ fn planes<T: Float>() {
     tally.close(compared, &left_out);
 }
 
-/// The error of a triangle of representable vertices, in units u.
+/// The error of a triangle with representable vertices, in units u.
 ///
-/// Each component of an edge is rounded once: relative u. A component of the cross product is the
-/// difference of two products: 3u of the sum of their magnitudes, which as a vector is at most √2
-/// |e₁||e₂| long, and u of itself. Divided by |e₁×e₂| that is 3√2 times the conditioning, and 1.
-/// Normalising adds 3.5: three squares and two sums under the root, the root, the division.
+/// Each component of an edge is rounded once, by a relative u. A component of the cross product is
+/// the difference of two products: it is off by 3u of the sum of their magnitudes, which as a
+/// vector is at most √2 |e₁||e₂| long, and by u of itself. Divided by |e₁×e₂|, that is 3√2 times
+/// the conditioning, plus 1. Normalizing adds 3.5: three squares and two sums under the root, the
+/// root, and the division.
 fn triangle_units(conditioning: f64) -> f64 {
     3.0 * 2.0_f64.sqrt() * conditioning + 4.5
 }
@@ -107,7 +108,7 @@ fn triangles<T: Float>() {
         let class = classes.entry(row.text("class").to_owned()).or_default();
         *class = class.max(error / (T::U * row.number("cond")));
     }
-    println!("  largest error in units of u times the conditioning: {classes:.2?}");
+    println!("  largest error in units of u times the conditioning, by class: {classes:.2?}");
     let (compared, left_out) = account::<T>(350, &[(OUT_OF_RANGE, 27), (TOO_THIN, 28)]);
     tally.close(compared, &left_out);
 }

@@ -1,5 +1,5 @@
-//! The sum over lights against OpenGL's fixed function, as Mesa's two software renderers compute
-//! it (`tests/data/README.md`).
+//! The sum over lights against OpenGL's fixed-function pipeline, as computed by Mesa's two software
+//! renderers (`tests/data/README.md`).
 
 use support::number::for_f32_and_f64;
 
@@ -17,9 +17,9 @@ fn multi_light<T: Float>() {
     compare::<T>("gl_multi_light.csv", 80);
 }
 
-/// The tolerance is the reference's own: Mesa's power is right to 2·10⁻⁵, and multiplied out in
-/// single precision. An `f32` of ours adds m·u·k, with m up to 128 and k ≈ 10 roundings on the way
-/// to the cosine: 8·10⁻⁵.
+/// The tolerance is that of the reference: Mesa's power is right to 2·10⁻⁵, and the result is
+/// multiplied out in single precision. Our own `f32` adds m·u·k, with m up to 128 and k ≈ 10
+/// roundings before the cosine: 8·10⁻⁵.
 fn compare<T: Float>(file: &str, count: usize) {
     let (absolute, relative) = if T::NAME == "f32" {
         (1e-6, 1e-4)
@@ -29,10 +29,10 @@ fn compare<T: Float>(file: &str, count: usize) {
     for renderer in ["soft", "llvm"] {
         let mut tally = Tally::new::<T>(format!("{file}, {renderer}pipe"));
         for row in rows(file) {
-            let colour: [T; 3] = scene(&row).shade::<T>().into();
+            let color: [T; 3] = scene(&row).shade::<T>().into();
             let expected = ["r", "g", "b"].map(|c| bits(row.text(&format!("{renderer}_{c}"))));
             let tolerance = expected.map(|c| absolute + relative * c);
-            tally.compare(row.text("id"), colour.map(T::to_f64), expected, tolerance);
+            tally.compare(row.text("id"), color.map(T::to_f64), expected, tolerance);
         }
         tally.close(count, &[]);
     }
@@ -51,13 +51,13 @@ impl Reader<'_> {
     }
 }
 
-/// The columns in their order: the row's length depends on the number of lights.
+/// Reads the columns in order: the length of a row depends on the number of lights.
 fn scene(row: &Row) -> Scene {
     let mut fields = Reader(row.fields[9..].iter());
     let [p, n, emission, k_a, k_d, k_s] = [(); 6].map(|()| fields.three());
     let m = fields.number();
     let i_a = fields.three();
-    let count: usize = row.text("nlights").parse().expect("a number of lights");
+    let count: usize = row.text("nlights").parse().expect("the number of lights");
     let lamps = (0..count).map(|_| lamp(&mut fields)).collect();
     assert!(fields.0.next().is_none(), "fields left over");
     Scene {

@@ -9,20 +9,20 @@ use crate::table::{Tally, read};
 
 for_f32_and_f64!(povray);
 
-/// POV-Ray writes 16 bits a channel: half a step is its tolerance. What rounding adds is bounded by
-/// running error analysis of this very case.
+/// POV-Ray writes 16 bits per channel: the tolerance is half a step, plus the rounding error that
+/// running error analysis bounds for each case.
 fn povray<T: Float>() {
     const FILE: &str = "povray_cases.jsonl";
     let mut tally = Tally::new::<T>(FILE);
     for line in read(FILE).lines() {
         let case: Value = serde_json::from_str(line).expect("a JSON object");
         let scene = scene(&case);
-        let colour: [T; 3] = scene.shade::<T>().clamped().into();
+        let color: [T; 3] = scene.shade::<T>().clamped().into();
         let expected = three(&case["pov_rgb16"]).map(|c| c / 65535.0);
         let tolerance = scene
             .rounding::<T::Running>()
             .map(|rounding| 0.5 / 65535.0 + rounding);
-        tally.compare(&case["id"], colour.map(T::to_f64), expected, tolerance);
+        tally.compare(&case["id"], color.map(T::to_f64), expected, tolerance);
     }
     tally.close(250, &[]);
 }
@@ -64,13 +64,13 @@ fn scene(case: &Value) -> Scene {
 }
 
 fn lamp(light: &Value) -> Lamp {
-    let (position, colour) = (three(&light["pos"]), three(&light["color"]));
-    let towards = || minus(three(&light["at"]), position);
+    let (position, color) = (three(&light["pos"]), three(&light["color"]));
+    let toward = || minus(three(&light["at"]), position);
     let (source, spot) = match light["kind"].as_str().expect("a kind") {
-        "parallel" => (Source::Directional(towards().map(|c| -c)), None),
+        "parallel" => (Source::Directional(toward().map(|c| -c)), None),
         "point" => (Source::Point(position), None),
-        "spot" => (Source::Point(position), Some(spot(light, towards()))),
-        other => panic!("a light of kind {other}"),
+        "spot" => (Source::Point(position), Some(spot(light, toward()))),
+        other => panic!("unknown kind of light {other}"),
     };
     Lamp {
         source,
@@ -80,25 +80,25 @@ fn lamp(light: &Value) -> Lamp {
         ),
         spot,
         ambient: [0.0; 3],
-        diffuse: colour,
-        specular: colour,
+        diffuse: color,
+        specular: color,
         bare_highlight_above: None,
     }
 }
 
 /// 2/(1 + (q/d)^power) as 1/(a + bq + cq²).
-#[allow(clippy::float_cmp)] // whole numbers
+#[allow(clippy::float_cmp)] // integers
 fn fade(distance: f64, power: f64) -> [f64; 3] {
     match power {
         0.0 => [1.0, 0.0, 0.0],
         1.0 => [0.5, 0.5 / distance, 0.0],
         2.0 => [0.5, 0.0, 0.5 / (distance * distance)],
-        _ => panic!("a fade power of {power}"),
+        _ => panic!("unknown fade power {power}"),
     }
 }
 
-/// A cone that is smooth between `radius` and `falloff`, and hard where they are equal. The cosine to
-/// the power `tightness` is the caller's.
+/// A cone that is smooth between `radius` and `falloff`, and hard if they are equal. The caller
+/// multiplies by the cosine to the power `tightness`.
 fn spot(light: &Value, axis: [f64; 3]) -> Spot {
     let [radius, falloff, tightness] =
         ["radius", "falloff", "tightness"].map(|key| number(&light[key]));

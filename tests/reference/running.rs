@@ -1,10 +1,9 @@
-//! Running error analysis: a number that carries a bound of its own rounding error.
+//! Running error analysis: a number that carries a bound on its own rounding error.
 //!
-//! The formulas of the crate are written over any `Real`, so this number goes through the same
-//! code as the floats, in the same order, and says afterwards how far the float may be from the
-//! true value: the tolerance of a comparison is derived from the operations themselves, and from
-//! how well conditioned this very input is. Nobody counts operations by hand, and no tolerance is
-//! tuned.
+//! The formulas of the crate are generic over `Real`, so this number runs through the same code as
+//! the floats, in the same order, and then reports how far the float may be from the true value.
+//! The tolerance of a comparison thus follows from the operations themselves and from the
+//! conditioning of each input. Nobody counts operations, and no tolerance is tuned.
 //!
 //! Source: Higham, *Accuracy and Stability of Numerical Algorithms*, §3.3.
 
@@ -15,7 +14,7 @@ use shading::{Attenuation, Cone, Elementary, Exponent, Real, SoftCone};
 
 use support::number::{self, Number};
 
-/// `f32` or `f64`, with a number that bounds its error.
+/// `f32` or `f64`, together with a number type that bounds its error.
 pub trait Float: number::Float {
     type Running: Number + Bounded;
 }
@@ -28,14 +27,14 @@ impl Float for f64 {
     type Running = Running<53>;
 }
 
-/// A number that knows how far the float in its place may be from it.
+/// A number that bounds the error of the float in its place.
 pub trait Bounded {
     fn error(self) -> f64;
 }
 
 /// A value, and how far a float with this many BITS of precision may be from it: 24 for `f32`, 53
-/// for `f64`. The value is computed in `f64`; for 53 bits that doubles the error, which is counted
-/// in [`Running::rounded`].
+/// for `f64`. The value is computed in `f64`, which doubles the error for 53 bits;
+/// [`Running::rounded`] accounts for that.
 #[derive(Clone, Copy, Debug)]
 pub struct Running<const BITS: u32> {
     value: f64,
@@ -44,25 +43,26 @@ pub struct Running<const BITS: u32> {
 
 impl<const BITS: u32> Running<BITS> {
     const IS_F32: bool = BITS == 24;
-    /// u, and for `f64` 2u: the float rounds, and so does the value that it is compared with.
+    /// u for `f32`, and 2u for `f64`: both the float and the value that it is compared with are
+    /// rounded.
     const U: f64 = if Self::IS_F32 {
         f32::EPSILON as f64 / 2.0
     } else {
         f64::EPSILON
     };
-    /// What underflow may take in one operation.
+    /// The most that underflow may lose in one operation.
     const UNDERFLOW: f64 = if Self::IS_F32 {
         f32::from_bits(1) as f64 / 2.0
     } else {
         f64::from_bits(1)
     };
-    /// A function of `libm` is right to within one unit in the last place, 2u. The power of `f32`
-    /// is right to 2⁻²² = 4u absolutely.
+    /// A function of `libm` is right to one unit in the last place, which is 2u. The power of `f32`
+    /// has an absolute error of at most 2⁻²² = 4u.
     const FUNCTION: f64 = 2.0 * Self::U;
     const POWER: f64 = if Self::IS_F32 { 4.0 * Self::U } else { 0.0 };
 
-    /// The result of a correctly rounded operation on numbers with errors, which alone would make
-    /// it wrong by `error`.
+    /// The result of a correctly rounded operation. The errors of its operands alone would make it
+    /// wrong by `error`.
     fn rounded(value: f64, error: f64) -> Self {
         let rounding = if value == 0.0 {
             0.0
@@ -83,7 +83,7 @@ impl<const BITS: u32> Running<BITS> {
         }
     }
 
-    /// base^m over the box that the errors span: monotone in both for a base in [0, 1].
+    /// base^m over the box that the errors span: it is monotone in both for a base in [0, 1].
     fn power(base: Self, m: Self) -> Self {
         let value = base.value.powf(m.value);
         let corner = |sign: f64| {
@@ -185,7 +185,7 @@ impl<const BITS: u32> Real for Running<BITS> {
         error: 0.0,
     };
 
-    /// The literal, and the error of writing it in fewer bits.
+    /// The literal, with the error of writing it in fewer bits.
     #[allow(clippy::cast_possible_truncation)]
     fn of(literal: f64) -> Self {
         let float = if Self::IS_F32 {
@@ -213,7 +213,7 @@ impl<const BITS: u32> Real for Running<BITS> {
         )
     }
 
-    /// Where the error leaves the sign open, the float may have taken the other side.
+    /// If the error leaves the sign undecided, the float may have taken the other side.
     fn if_positive(self, then: Self, otherwise: Self) -> Self {
         let (taken, other) = if self.value > 0.0 {
             (then, otherwise)

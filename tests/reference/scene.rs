@@ -1,5 +1,5 @@
-//! What the reference renderers have in common: a point, a surface and lights with a colour for
-//! each part of the reflection, shaded by this crate in any number type.
+//! What the reference renderers have in common: a point, a surface, and lights with a separate
+//! color for each part of the reflection, shaded by this crate in any number type.
 
 use shading::{
     DirectionalLight, IncidentLight, Material, PointLight, Rgb, SpotLight, UnitVec3, shade, term,
@@ -8,17 +8,17 @@ use support::number::{Number, direction, vector};
 
 use crate::running::Bounded;
 
-/// One reference case, in the numbers of its file.
+/// A reference case with the numbers of its file.
 pub struct Scene {
     pub p: [f64; 3],
     pub n: [f64; 3],
-    /// Whether N is taken as it is given, or normalised in the number type first.
+    /// Whether N is used as given; otherwise it is normalized in the number type first.
     pub n_as_given: bool,
     pub eye: [f64; 3],
     pub emission: [f64; 3],
     /// k_a and I_a of the scene.
     pub ambient: [[f64; 3]; 2],
-    /// k_a for the lights that bring ambient light of their own.
+    /// k_a for lights with ambient light of their own.
     pub k_a: [f64; 3],
     pub k_d: [f64; 3],
     /// k_s and m of Phong's highlight.
@@ -28,7 +28,7 @@ pub struct Scene {
     pub lamps: Vec<Lamp>,
 }
 
-/// A light with a colour for each part of the reflection.
+/// A light with a separate color for each part of the reflection.
 pub struct Lamp {
     pub source: Source,
     /// a, b, c.
@@ -37,8 +37,8 @@ pub struct Lamp {
     pub ambient: [f64; 3],
     pub diffuse: [f64; 3],
     pub specular: [f64; 3],
-    /// For a renderer that does not attenuate the highlight: what N·L times the attenuation has to
-    /// exceed for there to be one.
+    /// For a renderer that does not attenuate the highlight: the threshold that N·L times the
+    /// attenuation must exceed for a highlight.
     pub bare_highlight_above: Option<f64>,
 }
 
@@ -52,10 +52,10 @@ pub enum Source {
 pub struct Spot {
     pub axis: [f64; 3],
     pub half_angle_degrees: f64,
-    /// Where a soft edge, a smoothstep, begins.
+    /// Where a soft edge with a smoothstep begins.
     pub inner_half_angle_degrees: Option<f64>,
-    /// What else the renderer multiplies by inside the cone, as a function of −L·axis: for the caller to
-    /// multiply the incident light by.
+    /// The renderer's additional factor inside the cone as a function of −L·axis. The caller
+    /// multiplies the incident light by it.
     pub profile: Box<dyn Fn(f64) -> f64>,
 }
 
@@ -72,17 +72,17 @@ pub fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-pub fn rgb<T: Number>(colour: [f64; 3]) -> Rgb<T> {
-    Rgb::from(colour).map(T::of)
+pub fn rgb<T: Number>(color: [f64; 3]) -> Rgb<T> {
+    Rgb::from(color).map(T::of)
 }
 
 impl Lamp {
-    /// What arrives at p of the crate's light of this colour.
-    fn incident<T: Number>(&self, p: [f64; 3], colour: [f64; 3]) -> IncidentLight<T> {
+    /// The crate's light of this color that arrives at p, without the profile.
+    fn incident<T: Number>(&self, p: [f64; 3], color: [f64; 3]) -> IncidentLight<T> {
         let p = vector(p);
         let position = match self.source {
             Source::Directional(l) => {
-                let (l, intensity) = (direction(l), rgb(colour));
+                let (l, intensity) = (direction(l), rgb(color));
                 return DirectionalLight { l, intensity }.at(p);
             }
             Source::Point(position) => vector(position),
@@ -90,7 +90,7 @@ impl Lamp {
         let attenuation = T::attenuation(self.attenuation).expect("coefficients");
         let point = PointLight {
             position,
-            intensity: rgb(colour),
+            intensity: rgb(color),
             attenuation,
         };
         let Some(spot) = &self.spot else {
@@ -107,7 +107,7 @@ impl Lamp {
         }
     }
 
-    /// What the renderer multiplies by inside its cone: the caller's part, from the exact inputs.
+    /// The renderer's additional factor inside its cone, from the exact inputs.
     fn profile(&self, p: [f64; 3]) -> f64 {
         match (&self.spot, &self.source) {
             (Some(spot), Source::Point(position)) => {
@@ -117,9 +117,9 @@ impl Lamp {
         }
     }
 
-    /// The light of this colour that arrives at p.
-    fn arriving<T: Number>(&self, p: [f64; 3], colour: [f64; 3]) -> IncidentLight<T> {
-        let incident = self.incident::<T>(p, colour);
+    /// The light of this color that arrives at p.
+    fn arriving<T: Number>(&self, p: [f64; 3], color: [f64; 3]) -> IncidentLight<T> {
+        let incident = self.incident::<T>(p, color);
         let profile = T::of(self.profile(p));
         IncidentLight {
             intensity: incident.intensity * profile,
@@ -146,7 +146,7 @@ impl Scene {
         }
     }
 
-    /// The light that makes the highlight of a lamp.
+    /// The light that makes a lamp's highlight.
     fn highlight_light<T: Number>(&self, lamp: &Lamp) -> IncidentLight<T> {
         let incident = lamp.arriving::<T>(self.p, lamp.specular);
         let Some(threshold) = lamp.bare_highlight_above else {
@@ -165,7 +165,7 @@ impl Scene {
         }
     }
 
-    /// The colour of the point, by the formulas of this crate.
+    /// The color of the point by the formulas of this crate.
     pub fn shade<T: Number>(&self) -> Rgb<T> {
         const NONE: [f64; 3] = [0.0; 3];
         let n = self.normal::<T>();
@@ -194,7 +194,7 @@ impl Scene {
             + shade::blinn_phong(n, v, &blinn, Rgb::BLACK, highlight_lights()).specular
     }
 
-    /// How far each channel may be off by rounding, computed in a number type with error bounds.
+    /// The rounding error of each channel, bounded by computing in a number type with error bounds.
     pub fn rounding<T: Number + Bounded>(&self) -> [f64; 3] {
         <[T; 3]>::from(self.shade::<T>()).map(Bounded::error)
     }

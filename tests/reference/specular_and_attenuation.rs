@@ -1,4 +1,4 @@
-//! R, H, both highlights and the attenuation against 60-digit arithmetic (`tests/data/README.md`).
+//! R, H, both highlights, and the attenuation against 60-digit arithmetic (`tests/data/README.md`).
 
 use shading::{
     DirectionalLight, Material, Real, Rgb, UnitVec3, Vec3, attenuation, half_vector, reflection,
@@ -12,8 +12,8 @@ use crate::table::{Row, Tally, rows};
 for_f32_and_f64!(
     reflections,
     half_vectors,
-    highlights_by_real_m,
-    highlights_by_whole_m,
+    highlights_with_real_m,
+    highlights_with_integer_m,
     highlights_in_the_sum,
     attenuations,
     checked_attenuations
@@ -22,7 +22,7 @@ for_f32_and_f64!(
 const SPECULAR: &str = "scalar_specular.csv";
 const ATTENUATION: &str = "scalar_attenuation.csv";
 
-/// N, L and V as they are given: normalised or not, nothing is done to them.
+/// N, L, and V exactly as given, whether normalized or not.
 fn directions<T: Number>(row: &Row) -> [UnitVec3<T>; 3] {
     ["N{}_hex32", "L{}_hex32", "V{}_hex32"]
         .map(|pattern| UnitVec3::assume_unit(vector(row.vector(pattern))))
@@ -66,16 +66,16 @@ fn half_vectors<T: Float>() {
     tally.close(600, &[]);
 }
 
-/// Both highlights of a row, in any number type.
+/// Both highlights of a row in any number type.
 fn highlights<T: Number, M: shading::Exponent<T>>(row: &Row, m: M) -> [T; 2] {
     let [n, l, v] = directions::<T>(row);
-    // where there is no H there is no highlight
+    // without H there is no highlight
     let of_blinn = half_vector(l, v).map_or(T::ZERO, |h| term::blinn(n, h, m));
     [term::phong(reflection(n, l), v, m), of_blinn]
 }
 
-/// What the crate decides otherwise than the bare power does: nothing at or below a cosine of 0,
-/// also for m = 0; and a cosine above 1, of vectors that are not unit, is 1.
+/// Where the crate differs from the bare power: the highlight is 0 for a cosine of 0 or below, even
+/// for m = 0, and a cosine above 1, from vectors that are not unit vectors, counts as 1.
 fn expected(row: &Row) -> [f64; 2] {
     [("RdotV", "phong"), ("NdotH", "blinn")].map(|(cosine, power)| {
         let cosine = row.number(cosine);
@@ -89,7 +89,7 @@ fn expected(row: &Row) -> [f64; 2] {
     })
 }
 
-fn highlights_by_real_m<T: Float>() {
+fn highlights_with_real_m<T: Float>() {
     let mut tally = Tally::new::<T>(format!("{SPECULAR}, real m"));
     for row in rows(SPECULAR) {
         let m = row.number("m_hex32");
@@ -101,27 +101,27 @@ fn highlights_by_real_m<T: Float>() {
     tally.close(600, &[]);
 }
 
-fn highlights_by_whole_m<T: Float>() {
-    let mut tally = Tally::new::<T>(format!("{SPECULAR}, whole m"));
+fn highlights_with_integer_m<T: Float>() {
+    let mut tally = Tally::new::<T>(format!("{SPECULAR}, integer m"));
     for row in rows(SPECULAR) {
         let m = row.number("m_hex32");
         if m.fract() != 0.0 {
-            tally.leave_out("m is not whole");
+            tally.leave_out("m is not an integer");
             continue;
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let m = m as u32;
         let actual = highlights::<T, u32>(&row, m).map(T::to_f64);
         let tolerance = highlights::<T::Running, u32>(&row, m).map(Bounded::error);
-        // in f32 a power that would be subnormal may be 0
+        // in f32, a power that would be subnormal may be 0
         let tolerance = tolerance.map(|t| t.max(T::MIN_POSITIVE));
         tally.compare(row.text("id"), actual, expected(&row), tolerance);
     }
-    tally.close(144, &[("m is not whole", 456)]);
+    tally.close(144, &[("m is not an integer", 456)]);
 }
 
-/// The same highlights as the sum over lights computes them: from R, and from L + V without
-/// normalising it, and only for a light before the surface.
+/// The same highlights as computed in the sum over lights: from R, and from L + V without
+/// normalizing it, and only for a light in front of the surface.
 fn highlights_in_the_sum<T: Float>() {
     let mut tally = Tally::new::<T>(format!("{SPECULAR}, in the sum"));
     for row in rows(SPECULAR) {
@@ -168,14 +168,14 @@ fn attenuation_of<T: Number>(row: &Row) -> T {
     attenuation(a, b, c, q)
 }
 
-/// What to multiply by so that errors are relative; 1 for values that have no relative precision.
+/// The factor that makes errors relative; 1 for values that have no relative precision.
 fn relative<T: Float>(expected: f64) -> f64 {
     let is_normal = expected >= T::MIN_POSITIVE && expected <= T::MAX.to_f64();
     if is_normal { 1.0 / expected } else { 1.0 }
 }
 
-/// Running error analysis, and where the denominator overflows the factor is 0 instead of something
-/// below 1/MAX.
+/// The bound of running error analysis. Where the denominator overflows, the factor is 0 instead of
+/// a number below 1/MAX.
 fn attenuation_tolerance<T: Float>(row: &Row, expected: f64) -> f64 {
     let overflow = if expected < 1.0 / T::MAX.to_f64() {
         expected
@@ -208,7 +208,7 @@ fn checked_attenuations<T: Float>() {
             continue;
         };
         let tolerance = attenuation_tolerance::<T>(&row, expected);
-        // infinite is the largest finite number; all others are limited to 1 when clamped
+        // an infinite factor is the largest finite number; any other is limited to 1 when clamped
         let expected = expected.min(T::MAX.to_f64());
         let scale = relative::<T>(expected);
         let actual = [attenuation.at(q), attenuation.clamped().at(q)].map(|x| x.to_f64() * scale);

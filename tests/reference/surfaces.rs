@@ -1,4 +1,4 @@
-//! The surfaces of the reference files, written once for every number type, as a user would.
+//! The surfaces of the reference files, each written once for every number type, as users would.
 
 use shading::{Dual, Elementary, Real, Vec3};
 
@@ -6,7 +6,7 @@ use support::number::Number;
 
 use crate::table::Row;
 
-/// f(p) of the implicit surface that a row names; its parameters are constants.
+/// f(p) of the implicit surface that a row names; the parameters are constants.
 pub fn implicit<T: Number>(row: &Row, p: Vec3<Dual<T>>) -> Dual<T> {
     let number = |name| Dual::constant(T::of(row.parameter(name)));
     let square = |x: Dual<T>| x * x;
@@ -35,11 +35,11 @@ pub fn implicit<T: Number>(row: &Row, p: Vec3<Dual<T>>) -> Dual<T> {
             let p = p * number("a");
             p.x.sin() * p.y.cos() + p.y.sin() * p.z.cos() + p.z.sin() * p.x.cos() - number("b")
         }
-        other => panic!("the implicit surface {other}"),
+        other => panic!("unknown implicit surface {other}"),
     }
 }
 
-/// s(u, v) of the parametric surface that a row names. `control` are the points of a Bézier patch.
+/// s(u, v) of the parametric surface that a row names. `control` has the points of a Bézier patch.
 pub fn parametric<T: Number>(
     row: &Row,
     control: Option<&Row>,
@@ -78,11 +78,11 @@ pub fn parametric<T: Number>(
         }
         "bezier33" => bezier(control.expect("control points"), u, v),
         "rational_sphere" => rational_sphere(number("r"), number("w"), u, v),
-        other => panic!("the parametric surface {other}"),
+        other => panic!("unknown parametric surface {other}"),
     }
 }
 
-/// The sum of points, each times the weight of its row and of its column.
+/// The sum of the points, each times the weights of its row and column.
 fn blend<T: Number, const N: usize>(
     rows: [Dual<T>; N],
     columns: [Dual<T>; N],
@@ -108,7 +108,7 @@ fn bezier<T: Number>(control: &Row, u: Dual<T>, v: Dual<T>) -> Vec3<Dual<T>> {
     })
 }
 
-/// An eighth of a sphere as a biquadratic with weights wᵢwⱼ, w = (1, w, 1).
+/// An eighth of a sphere as a biquadratic patch with weights wᵢwⱼ, w = (1, w, 1).
 fn rational_sphere<T: Number>(r: Dual<T>, w: Dual<T>, u: Dual<T>, v: Dual<T>) -> Vec3<Dual<T>> {
     // (X, Y) along u, and (ρ, z) along v
     const CORNERS: [[f64; 2]; 3] = [[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];

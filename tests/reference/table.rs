@@ -1,4 +1,4 @@
-//! Reference values from outside, in `tests/data`, and the account of how near we come to them.
+//! Reference values in `tests/data`, and a tally of how close the crate comes to them.
 
 use std::collections::BTreeMap;
 use std::fmt::Display;
@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use support::number::Float;
 
-/// The text of a file of `tests/data`.
+/// Reads a file of `tests/data`.
 pub fn read(file: &str) -> String {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR"))
         .join("tests/data")
@@ -14,7 +14,7 @@ pub fn read(file: &str) -> String {
     std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// A row of a table without quoting, its fields by the names in the table's first line.
+/// A row of a table without quoting; its fields are named by the first line of the table.
 pub struct Row {
     header: std::rc::Rc<[String]>,
     pub fields: Vec<String>,
@@ -42,7 +42,7 @@ impl Row {
         &self.fields[column.unwrap_or_else(|| panic!("no column {name}"))]
     }
 
-    /// A decimal number, or the bit pattern of an `f32` where the column's name says so.
+    /// A decimal number, or the bit pattern of an `f32` if the column's name says so.
     pub fn number(&self, name: &str) -> f64 {
         let text = self.text(name);
         if name.ends_with("_hex32") {
@@ -52,7 +52,7 @@ impl Row {
         }
     }
 
-    /// Three numbers in columns such as `nx`, `ny`, `nz`: `{}` in the pattern stands for the axis.
+    /// Three numbers in columns such as `nx`, `ny`, `nz`; `{}` in the pattern stands for the axis.
     pub fn vector(&self, pattern: &str) -> [f64; 3] {
         ["x", "y", "z"].map(|axis| self.number(&pattern.replace("{}", axis)))
     }
@@ -71,20 +71,20 @@ impl Row {
     }
 }
 
-/// The number with this bit pattern, an `f32` in eight hexadecimal digits.
+/// The number with this bit pattern: an `f32` in eight hexadecimal digits.
 pub fn bits(hex: &str) -> f64 {
     f64::from(f32::from_bits(
         u32::from_str_radix(hex, 16).expect("eight hexadecimal digits"),
     ))
 }
 
-/// The account of one comparison: what was compared, what could not be, and the largest error.
+/// The tally of one comparison: what was compared, what could not be, and the largest error.
 pub struct Tally {
     title: String,
     compared: usize,
     left_out: BTreeMap<&'static str, usize>,
     worst: Worst,
-    /// The largest share of its tolerance that an error took.
+    /// The largest share of its tolerance that an error reached.
     share: f64,
 }
 
@@ -116,11 +116,11 @@ impl Tally {
         self.compared += 1;
         for i in 0..N {
             let (error, tolerance) = ((actual[i] - expected[i]).abs(), tolerance[i]);
-            #[allow(clippy::float_cmp)] // infinite, both
+            #[allow(clippy::float_cmp)] // both are infinite
             let equal = actual[i] == expected[i];
             assert!(
                 equal || error <= tolerance,
-                "{}, {row}: {actual:?} instead of {expected:?}, off by {error:e} in [{i}] where {tolerance:e} is tolerated",
+                "{}, {row}: {actual:?} instead of {expected:?}, off by {error:e} in [{i}] with a tolerance of {tolerance:e}",
                 self.title
             );
             if !equal && error > self.worst.error {
@@ -132,7 +132,7 @@ impl Tally {
         }
     }
 
-    /// Counts a row of which the answer was checked otherwise: it is none, or a limit.
+    /// Counts a row whose result was checked in another way: it is `None`, or a limit.
     pub fn checked(&mut self) {
         self.compared += 1;
     }
@@ -142,8 +142,8 @@ impl Tally {
         *self.left_out.entry(reason).or_default() += 1;
     }
 
-    /// Prints the account. Every row must be in it: so many compared, and so many left out for
-    /// each reason.
+    /// Prints the tally. It must account for every row: the number compared, and the number left
+    /// out for each reason.
     pub fn close(self, compared: usize, left_out: &[(&'static str, usize)]) {
         let Self {
             title,
@@ -152,7 +152,7 @@ impl Tally {
             ..
         } = &self;
         println!(
-            "{title}: {} rows, largest error {:.2e} (tolerance there {:.2e}), at most {:.0} % of a tolerance",
+            "{title}: {} rows, largest error {:.2e} (tolerance there {:.2e}), at most {:.0}% of its tolerance",
             self.compared,
             worst.error,
             worst.tolerance,

@@ -9,29 +9,30 @@ use crate::table::{Tally, read};
 
 for_f32_and_f64!(tachyon);
 
-/// Tachyon gives its values in single precision, to a relative 3·10⁻⁷. What our own rounding adds is
-/// bounded by running error analysis of this very case.
+/// Tachyon prints its values in single precision, with a relative error of 3·10⁻⁷. Running error
+/// analysis bounds our own rounding error for each case.
 fn tachyon<T: Float>() {
     const FILE: &str = "tachyon_cases.jsonl";
     let mut tally = Tally::new::<T>(FILE);
     for line in read(FILE).lines() {
         let case: Value = serde_json::from_str(line).expect("a JSON object");
         let scene = scene(&case);
-        let colour: [T; 3] = scene.shade::<T>().into();
+        let color: [T; 3] = scene.shade::<T>().into();
         let expected = three(&case["tachyon_rgb"]);
         let rounding = scene.rounding::<T::Running>();
         let relative = relative_precision(&case["id"]);
         let tolerance = [0, 1, 2].map(|i| relative * expected[i] + UNDERFLOW + rounding[i]);
-        tally.compare(&case["id"], colour.map(T::to_f64), expected, tolerance);
+        tally.compare(&case["id"], color.map(T::to_f64), expected, tolerance);
     }
     tally.close(250, &[]);
 }
 
-/// Half the smallest single: what it writes as 0.
+/// Half the smallest `f32`, which Tachyon prints as 0.
 const UNDERFLOW: f64 = f32::from_bits(1) as f64 / 2.0;
 
-/// In one case, a highlight of 5·10⁻⁸ with m = 151.6 from a light at a distance of 0.4, Tachyon is
-/// itself off by 4.9·10⁻⁷ from the closed form in `f64`: m amplifies what its intersection adds.
+/// In one case, a highlight of 5·10⁻⁸ with m = 151.6 and a light at a distance of 0.4, Tachyon
+/// itself differs by 4.9·10⁻⁷ from the closed form in `f64`: m amplifies the error of its
+/// intersection.
 fn relative_precision(id: &Value) -> f64 {
     if id == 607 { 5e-7 } else { 3e-7 }
 }
@@ -47,13 +48,13 @@ fn three(value: &Value) -> [f64; 3] {
 }
 
 fn scene(case: &Value) -> Scene {
-    let colour = three(&case["color"]);
+    let color = three(&case["color"]);
     let highlight = ([number(&case["phong"]); 3], number(&case["phong_exp"]));
     let none = ([0.0; 3], 1.0);
     let (phong, blinn) = match case["model"].as_str().expect("a model") {
         "phong" => (highlight, none),
         "blinn" => (none, highlight),
-        other => panic!("the model {other}"),
+        other => panic!("unknown model {other}"),
     };
     Scene {
         p: three(&case["P"]),
@@ -61,9 +62,9 @@ fn scene(case: &Value) -> Scene {
         n_as_given: false,
         eye: three(&case["eye"]),
         emission: [0.0; 3],
-        ambient: [colour, [number(&case["ambient"]); 3]],
+        ambient: [color, [number(&case["ambient"]); 3]],
         k_a: [0.0; 3],
-        k_d: colour.map(|c| c * number(&case["diffuse"])),
+        k_d: color.map(|c| c * number(&case["diffuse"])),
         phong,
         blinn,
         lamps: case["lights"]
@@ -75,10 +76,10 @@ fn scene(case: &Value) -> Scene {
     }
 }
 
-/// Tachyon attenuates the diffuse part alone. The highlight is the caller's: there where N·L times
-/// the attenuation exceeds 0.001959, and then of the light's whole colour.
+/// Tachyon attenuates only the diffuse part. The caller adds the highlight: if N·L times the
+/// attenuation exceeds 0.001959, it has the light's full color.
 fn lamp(light: &Value) -> Lamp {
-    let colour = three(&light["color"]);
+    let color = three(&light["color"]);
     let (source, spot) = match light["type"].as_str().expect("a type") {
         "directional" => (
             Source::Directional(three(&light["travel_dir"]).map(|c| -c)),
@@ -86,21 +87,21 @@ fn lamp(light: &Value) -> Lamp {
         ),
         "point" => (Source::Point(three(&light["pos"])), None),
         "spot" => (Source::Point(three(&light["pos"])), Some(spot(light))),
-        other => panic!("a light of type {other}"),
+        other => panic!("unknown type of light {other}"),
     };
     Lamp {
         source,
         attenuation: three(&light["att"]),
         spot,
         ambient: [0.0; 3],
-        diffuse: colour,
-        specular: colour,
+        diffuse: color,
+        specular: color,
         bare_highlight_above: Some(0.001_959),
     }
 }
 
-/// A cone that fades linearly in the angle from `start_deg` to `end_deg`. The crate's hard cone
-/// stands at the outer edge, the rest is the caller's.
+/// A cone that fades linearly with the angle from `start_deg` to `end_deg`. The crate's hard cone
+/// is at the outer edge, and the caller does the rest.
 fn spot(light: &Value) -> Spot {
     let (start, end) = (number(&light["start_deg"]), number(&light["end_deg"]));
     let profile = move |cosine: f64| {
