@@ -1,12 +1,12 @@
 //! The bits of every result.
 //!
-//! The other tests allow for errors, and a change of a formula may stay within them. Here a change of any
-//! bit of any result fails, and the failure names the function. **Bits change by decision only**, and
-//! the changelog says which do and why. Another version of `libm` may change the elementary functions
-//! and the powers of `f64`: to take it is such a decision.
+//! The other tests tolerate errors, and a changed formula may stay within their tolerances. This
+//! test fails if any bit of any result changes, and names the function. **Bits change only by
+//! decision**, and the changelog says which bits change and why. A new version of `libm` may change
+//! the elementary functions and the powers of `f64`: adopting it is such a decision.
 //!
-//! The list of functions and the inputs are in [`digest`]. The chips of `tests/firmware` run the same
-//! and give the same bits.
+//! The list of functions and the inputs are in [`digest`]. The chips in `tests/firmware` run the
+//! same code and must produce the same bits.
 
 mod digest;
 
@@ -15,7 +15,7 @@ use std::fs;
 
 use digest::{Float, Fnv, Of, absorb};
 
-/// A line a function and number type, with the digest of all results.
+/// One line per function and number type, with the digest of all its results.
 const PINNED: &str = include_str!("pinned.txt");
 
 #[test]

@@ -1,4 +1,4 @@
-//! Improved: a note on `Exponent` says which types are a shininess.
+//! Improved: a note on `Exponent` lists the types of a shininess.
 
 use shading::{UnitVec3, term};
 

@@ -1,5 +1,5 @@
 //! Accepted: the error names the constant and shows the call. The page of each constructor says what
-//! it refuses.
+//! the constructor refuses.
 
 use shading::f32::{Attenuation, UnitVec3};
 

@@ -1,5 +1,5 @@
-//! Accepted: no attribute adds to an error about the items of an iterator, and it names
-//! `IncidentLight`, whose page says where it comes from: `sun.at(p)`.
+//! Accepted: no attribute can add to an error about the items of an iterator. The error names
+//! `IncidentLight`, and the page of that type shows how to get one: `sun.at(p)`.
 
 use shading::f32::{DirectionalLight, Material, Rgb, UnitVec3};
 use shading::shade;

@@ -1,5 +1,5 @@
-//! Accepted: the operators are the standard library's, whose errors no attribute of ours changes. The
-//! page of `Real` has `T::of(2.0)`.
+//! Accepted: the operators belong to the standard library, so no attribute of ours changes the error.
+//! The page of `Real` shows `T::of(2.0)`.
 
 use shading::{Real, Vec3};
 

@@ -1,4 +1,4 @@
-//! Accepted: the compiler finds the trait that has it, and says where to write it.
+//! Accepted: the compiler finds the trait with this method and says where to write it.
 
 use shading::{Real, Vec3, normal};
 

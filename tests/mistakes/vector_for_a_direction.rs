@@ -1,4 +1,4 @@
-//! Accepted: no attribute adds to this error, and it names the type that is wanted. The page of
+//! Accepted: no attribute can add to this error, and it names the expected type. The page of
 //! `UnitVec3` begins with the ways to make one.
 
 use shading::f32::{UnitVec3, Vec3};

@@ -1,5 +1,5 @@
-//! Accepted: the error names both types, and with `.into()` it lists what a `Vec3` is made from: an
-//! array. The guide on vectors has the conversion.
+//! Accepted: the error names both types, and with `.into()` it lists the types that a `Vec3` is made
+//! from, such as an array. The guide on vectors shows the conversion.
 
 use shading::f32::{UnitVec3, Vec3};
 use shading::term;

@@ -1,6 +1,6 @@
-//! Calls every public function, with numbers from anywhere: for the tests with any bits, and for
-//! the fuzzer. Bits that are no valid input must not panic, and what the documentation promises
-//! for them holds; finite valid input gives neither NaN nor negative light.
+//! Calls every public function with numbers from any source, for the tests with arbitrary bits and
+//! for the fuzzer. Bits that are not valid input must not cause a panic, and whatever the
+//! documentation promises for them holds. Finite valid input gives neither NaN nor negative light.
 
 use shading::{
     Attenuation, DirectionalLight, Dual, Elementary, IncidentLight, Light, Material, PointLight,
@@ -10,10 +10,10 @@ use shading::{
 
 use super::number::Float;
 
-/// Where the numbers come from.
+/// The source of the numbers.
 pub struct Numbers<'a, T> {
     pub next: &'a mut dyn FnMut() -> T,
-    /// A whole m.
+    /// An integer m.
     pub m: u32,
 }
 
@@ -46,7 +46,7 @@ impl<T: Float> Numbers<'_, T> {
         }
     }
 
-    /// Checked coefficients, where these are any.
+    /// Checked coefficients, or none if these are invalid.
     fn attenuation(&mut self) -> Attenuation<T> {
         let [a, b, c] = [(); 3].map(|()| self.number());
         T::new_attenuation(a, b, c).unwrap_or(Attenuation::NONE)
@@ -82,14 +82,15 @@ fn within_0_and_1<T: Float>(x: T) -> bool {
     x >= T::ZERO && x <= T::ONE
 }
 
-/// A direction as promised: its length is 1 to rounding. The squares and sums of the check
-/// are off by 3u, the normalising by 3.5u, twice in the square; an orthogonal axis is exact.
+/// Checks that a direction has length 1 up to rounding. The squares and sums of the check are off
+/// by 3u, and the normalizing by 3.5u, which counts twice in the square; an orthogonal axis is
+/// exact.
 fn assert_unit<T: Float>(n: UnitVec3<T>) {
     let [x, y, z] = <[T; 3]>::from(n).map(T::to_f64);
     let excess = x * x + y * y + z * z - 1.0;
     assert!(
         excess.abs() <= 10.0 * T::U,
-        "{n:?} has the length 1 + {excess:e}/2"
+        "the length of {n:?} is 1 + {excess:e}/2"
     );
 }
 
@@ -97,7 +98,7 @@ fn assert_unit_if_any<T: Float>(n: Option<UnitVec3<T>>) {
     n.into_iter().for_each(assert_unit);
 }
 
-/// Not NaN, and not negative.
+/// Checks that light is neither NaN nor negative.
 fn assert_light<T: Float>(what: &str, light: Rgb<T>) {
     let is_light = <[T; 3]>::from(light)
         .into_iter()
@@ -105,7 +106,7 @@ fn assert_light<T: Float>(what: &str, light: Rgb<T>) {
     assert!(is_light, "{what}: {light:?}");
 }
 
-/// Every public function, with numbers of any bits.
+/// Calls every public function with numbers of arbitrary bits.
 pub fn any_bits<T: Float>(mut numbers: Numbers<T>) {
     vectors(&mut numbers);
     normals(&mut numbers);
@@ -133,13 +134,13 @@ fn vectors<T: Float>(numbers: &mut Numbers<T>) {
         [x, y].into_iter().sum::<Rgb<T>>(),
     );
     assert!(<[T; 3]>::from(x.clamped()).into_iter().all(within_0_and_1));
-    #[allow(clippy::cast_possible_truncation)] // encodings are those of f32
+    #[allow(clippy::cast_possible_truncation)] // the encodings exist for f32 only
     let single = x.map(|channel| channel.to_f64() as f32);
     let bytes = single.to_srgb8();
     assert_eq!(Rgb::from_srgb8(bytes).to_srgb8(), bytes);
     assert_eq!(single.clamped().to_rgb565(), single.to_rgb565());
     let _ = (s.sqrt(), s.abs(), s.sin(), s.cos(), s.exp(), s.ln());
-    // a signaling NaN, which no operation gives, may be its own positive part
+    // a signaling NaN, which no operation returns, may be its own positive part
     assert!((s + T::ZERO).at_least(T::ZERO) >= T::ZERO);
     let _ = [i32::MIN, -1, 0, 1, i32::MAX].map(|power| s.powi(power));
 }
@@ -224,7 +225,7 @@ fn shade_all<T: Real, M: shading::Exponent<T>>(
     lights: &[Light<T>],
     p: Vec3<T>,
 ) -> [Shaded<T>; 4] {
-    // twice, so that the sum may overflow where no light does
+    // twice, so that the sum may overflow even if no light does
     let twice = || lights.iter().chain(lights).map(|light| light.at(p));
     [
         shade::lambert(n, material, i_a, twice()),
@@ -264,8 +265,8 @@ fn duals<T: Float>(numbers: &mut Numbers<T>) {
     );
 }
 
-/// The whole model, with finite valid input made of any finite numbers: light is never negative
-/// and never NaN, and what is promised to be finite is.
+/// Runs the whole model on finite valid input made from any finite numbers. Light is never negative
+/// and never NaN, and whatever is promised to be finite is finite.
 pub fn finite_and_valid<T: Float>(numbers: Numbers<T>) {
     let Numbers { next, m: whole } = numbers;
     let mut finite = || {
@@ -281,7 +282,7 @@ pub fn finite_and_valid<T: Float>(numbers: Numbers<T>) {
     let position = signed.vector();
     assert_unit_if_any(normal::triangle(p, position, signed.vector()));
 
-    // −0 is not negative, and stays
+    // −0 is not negative, so it is kept
     let mut positive = || {
         let x = finite();
         if x < T::ZERO { -x } else { x }
@@ -319,7 +320,7 @@ pub fn finite_and_valid<T: Float>(numbers: Numbers<T>) {
 
 fn directions<T: Float>(n: UnitVec3<T>, v: UnitVec3<T>, l: UnitVec3<T>, [m, q]: [T; 2]) {
     let r = reflection(n, l);
-    // 2(N·L)N − L: eleven roundings, in the square twice
+    // 2(N·L)N − L has eleven roundings, which count twice in the square
     let square = r.dot(*r).to_f64();
     assert!((square - 1.0).abs() <= 30.0 * T::U, "|R|² = {square}");
     assert_unit_if_any(half_vector(l, v));
@@ -328,7 +329,7 @@ fn directions<T: Float>(n: UnitVec3<T>, v: UnitVec3<T>, l: UnitVec3<T>, [m, q]: 
     assert_eq!(factor, T::ONE);
 }
 
-/// What arrives is light, finite, from a direction.
+/// The light that arrives is finite and comes from a direction.
 fn incident<T: Float>(light: Light<T>, p: Vec3<T>) {
     let IncidentLight {
         l,
@@ -344,7 +345,7 @@ fn incident<T: Float>(light: Light<T>, p: Vec3<T>) {
     assert!(distance >= T::ZERO && distance <= T::MAX, "{distance:?}");
 }
 
-/// A dual number computes the value that its plain number computes, to the bit.
+/// The value of a dual number has the bits that its plain number computes.
 fn dual_values<T: Float>(
     n: UnitVec3<T>,
     v: UnitVec3<T>,

@@ -1,4 +1,5 @@
-//! A processor that takes subnormal numbers for 0 and never gives one, in software.
+//! A processor that treats subnormal operands as 0 and never returns subnormal results, simulated
+//! in software.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

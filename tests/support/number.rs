@@ -1,27 +1,27 @@
-//! The floats as one: tests are written once, generic, and run for `f32` and `f64`.
+//! Tests are written once, as generic functions, and run for `f32` and `f64`.
 
 use std::fmt::{Debug, Display, LowerExp};
 
 use shading::{Attenuation, Cone, Elementary, Exponent, Ranged, SoftCone, UnitVec3, Vec3};
 
-/// A number that a test computes with: a float, or one that carries its error bound.
+/// A number type that a test computes with: a float, or a number that carries its error bound.
 pub trait Number: Elementary + PartialOrd + Exponent<Self> + Debug {
-    /// The coefficients a, b, c of a light.
+    /// An attenuation with the coefficients a, b, c.
     fn attenuation(coefficients: [f64; 3]) -> Option<Attenuation<Self>>;
-    /// The cone of a half-angle in degrees.
+    /// The cone with a half-angle in degrees.
     fn cone(degrees: f64) -> Option<Cone<Self>>;
-    /// The soft cone of an inner and an outer half-angle in degrees.
+    /// The soft cone with an inner and an outer half-angle in degrees.
     fn soft_cone(degrees: [f64; 2]) -> Option<SoftCone<Self>>;
 }
 
 /// `f32` or `f64`.
 pub trait Float: Number + Into<f64> + Display + LowerExp + Debug + Default + 'static {
     const NAME: &str;
-    /// The unit roundoff u: half the distance from 1 to the next number.
+    /// The unit roundoff u: half the distance from 1 to the next larger number.
     const U: f64;
     /// The smallest subnormal number.
     const TINIEST: f64;
-    /// The smallest number that is not subnormal.
+    /// The smallest normal number.
     const MIN_POSITIVE: f64;
     const INFINITY: Self;
     const NAN: Self;
@@ -40,8 +40,8 @@ pub trait Float: Number + Into<f64> + Display + LowerExp + Debug + Default + 'st
         self.to_f64().is_finite()
     }
 
-    /// Whether `x` lies within the normal range of the type, so that only rounding is between it
-    /// and a number of the type.
+    /// Whether `x` is within the normal range of the type, so that it differs from a number of the
+    /// type only by rounding.
     fn in_range(x: f64) -> bool {
         x == 0.0 || Self::of(x).to_f64() == x || {
             Self::of(x).is_finite() && x.abs() >= Self::MIN_POSITIVE
@@ -59,7 +59,7 @@ macro_rules! float {
 
             #[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
             fn cone(degrees: f64) -> Option<Cone<Self>> {
-                // π rounds up in f32, and must not leave the range
+                // π rounds up in f32, and must stay in the valid range
                 let radians = (degrees.to_radians() as $float).min(core::$float::consts::PI);
                 Cone::<$float>::from_half_angle(radians)
             }
@@ -131,7 +131,7 @@ pub fn vector<T: Number>(xyz: [f64; 3]) -> Vec3<T> {
     Vec3::from(xyz).map(T::of)
 }
 
-/// The direction of this vector, normalised in `T`.
+/// The direction of this vector, normalized in `T`.
 pub fn direction<T: Number>(xyz: [f64; 3]) -> UnitVec3<T> {
     vector::<T>(xyz).unit().expect("a direction")
 }

@@ -1,10 +1,10 @@
 //! The formulas of IEC 61966-2-1 in 200 bits, which are 60 digits.
-#![allow(dead_code)] // each test program takes a part of it
+#![allow(dead_code)] // each test program uses part of it
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 
-/// A number of 200 bits, the result of each operation rounded.
+/// A number of 200 bits; the result of each operation is rounded.
 pub type Number = FBig<HalfEven, 2>;
 
 pub fn number(x: f64) -> Number {
@@ -14,12 +14,12 @@ pub fn number(x: f64) -> Number {
         .value()
 }
 
-/// A decimal of the standard.
+/// A decimal number of the standard.
 fn ratio(numerator: f64, denominator: f64) -> Number {
     number(numerator) / number(denominator)
 }
 
-/// The encoded light, from 0 to 1.
+/// The encoding of linear light, from 0 to 1.
 pub fn encoded(linear: &Number) -> Number {
     if *linear <= ratio(31_308.0, 1e7) {
         return ratio(1292.0, 100.0) * linear;
@@ -27,7 +27,7 @@ pub fn encoded(linear: &Number) -> Number {
     ratio(1055.0, 1e3) * linear.powf(&ratio(10.0, 24.0)) - ratio(55.0, 1e3)
 }
 
-/// The light of an encoded number.
+/// The linear light of an encoded number.
 pub fn decoded(encoded: &Number) -> Number {
     if *encoded <= ratio(4045.0, 1e5) {
         return encoded / ratio(1292.0, 100.0);
@@ -35,8 +35,8 @@ pub fn decoded(encoded: &Number) -> Number {
     ((encoded + ratio(55.0, 1e3)) / ratio(1055.0, 1e3)).powf(&ratio(24.0, 10.0))
 }
 
-/// The least `f32` of each level from 1 up: the first whose encoding reaches the level less a half. It
-/// is sought next to what decodes to that.
+/// The smallest `f32` of each level from 1 up: the first whose encoding reaches the level minus a
+/// half. The search starts at the decoded value.
 pub fn edges(highest: u16) -> Vec<f32> {
     let edge = |level: u16| {
         let edge = number(f64::from(level) - 0.5) / number(highest.into());

@@ -1,4 +1,4 @@
-//! The digest: FNV-1a, 64 bits (Fowler, Noll and Vo), over the bits of numbers.
+//! The digest: 64-bit FNV-1a (Fowler, Noll, and Vo) over the bits of numbers.
 
 use shading::{Dual, IncidentLight, Rgb, Shaded, UnitVec3, Vec3};
 
@@ -23,7 +23,7 @@ pub trait Absorb {
     fn absorb_into(self, digest: &mut Fnv);
 }
 
-// the bits of NaN differ from one processor to another
+// the bits of NaN differ between processors
 macro_rules! float {
     ($float:ident, $nan:literal) => {
         impl Absorb for $float {
@@ -61,7 +61,7 @@ impl<T: Absorb, const N: usize> Absorb for [T; N] {
     }
 }
 
-/// All that come.
+/// Every value of an iterator.
 pub struct Each<I>(pub I);
 
 impl<T: Absorb, I: IntoIterator<Item = T>> Absorb for Each<I> {

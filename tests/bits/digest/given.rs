@@ -1,4 +1,4 @@
-//! What the functions are given: exact numbers, the same on every machine.
+//! The inputs of the functions: exact numbers, the same on every machine.
 
 use shading::{
     Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, IncidentLight, Light,
@@ -7,16 +7,16 @@ use shading::{
 
 use super::fnv::Absorb;
 
-/// `f32` or `f64`, with what exists once for each.
+/// `f32` or `f64`, with the functions that exist separately for each.
 pub trait Float: Elementary + PartialOrd + Exponent<Self> + Absorb + From<f32> + 'static {
     const EPSILON: Self;
-    /// Sizes from nothing to the largest number, by way of subnormal ones.
+    /// Sizes from zero to the largest number, with subnormal ones.
     const SIZES: [Self; 10];
     const CONE: Cone<Self>;
 
-    /// A number within [−1, 1), of all the digits that it may have.
+    /// A number in [−1, 1), with all the digits that the type holds.
     fn draw(numbers: &mut Numbers) -> Self;
-    /// A number of any size, but finite.
+    /// A finite number of any size.
     fn draw_any(numbers: &mut Numbers) -> Self;
 
     fn single(self) -> f32;
@@ -42,7 +42,7 @@ macro_rules! float {
             const SIZES: [Self; 10] = $sizes;
             const CONE: Cone<Self> = Cone::<$float>::from_half_angle(0.9).unwrap();
 
-            #[allow(clippy::cast_precision_loss)] // there is none: as many bits are drawn as fit
+            #[allow(clippy::cast_precision_loss)] // nothing is lost: as many bits are drawn as fit
             fn draw(numbers: &mut Numbers) -> Self {
                 $draw(numbers)
             }
@@ -52,7 +52,7 @@ macro_rules! float {
                 if any.is_finite() { any } else { Self::MAX }
             }
 
-            #[allow(clippy::cast_possible_truncation)] // of a double, to be encoded
+            #[allow(clippy::cast_possible_truncation)] // of a double, on purpose: only `f32` is encoded
             fn single(self) -> f32 {
                 self as f32
             }
@@ -134,14 +134,14 @@ impl Numbers {
         u64::from(self.next()) << 32 | u64::from(self.next())
     }
 
-    /// One of the choices.
+    /// Chooses one of several values.
     fn choose<T: Copy, const N: usize>(&mut self, choices: [T; N]) -> T {
         const { assert!(N > 0) }
-        // the upper bits: those of a linear congruential generator are the better ones
+        // uses the upper bits, the better ones of a linear congruential generator
         choices[(self.next() >> 8) as usize % N]
     }
 
-    /// Each coordinate within [−1, 1).
+    /// A vector with each coordinate in [−1, 1).
     fn vector<T: Float>(&mut self) -> Vec3<T> {
         Vec3::new(T::draw(self), T::draw(self), T::draw(self))
     }
@@ -152,11 +152,12 @@ impl Numbers {
     }
 }
 
-/// How many places the functions are tried at.
+/// The number of places at which the functions are called.
 const PLACES: u32 = 1024;
 
-/// Most places are usual. An eighth of them have vectors of any size, an eighth vectors of numbers of any
-/// size, and an eighth vectors and directions along the axes, which often are the same or opposite.
+/// Most places are ordinary. An eighth of them have vectors of any size, an eighth have vectors
+/// whose components are of any size, and an eighth have vectors and directions along the axes, many
+/// of which coincide or are opposite.
 pub fn places<T: Float>() -> impl Iterator<Item = Given<T>> {
     let mut numbers = Numbers(1);
     (0..PLACES).map(move |i| {
@@ -170,7 +171,7 @@ pub fn places<T: Float>() -> impl Iterator<Item = Given<T>> {
     })
 }
 
-/// What the functions may want, at one place.
+/// Everything that a function may take, at one place.
 pub struct Given<T> {
     pub p: Vec3<T>,
     pub a: Vec3<T>,
@@ -180,7 +181,7 @@ pub struct Given<T> {
     pub v: UnitVec3<T>,
     pub x: T,
     pub y: T,
-    /// Of [0, 1], and often next to an end.
+    /// In [0, 1], and often next to an end.
     pub cosine: T,
     pub f: Dual<T>,
     pub h: Dual<T>,
@@ -190,7 +191,7 @@ pub struct Given<T> {
     pub k_s: Rgb<T>,
     pub attenuation: Attenuation<T>,
     pub sun: DirectionalLight<T>,
-    /// The attenuation of the second is clamped.
+    /// The attenuation of the second lamp is clamped.
     pub lamps: [PointLight<T>; 2],
     pub spot: SpotLight<T>,
 }
@@ -248,13 +249,13 @@ impl<T: Float> Given<T> {
         }
     }
 
-    /// The material with a shininess.
+    /// The material with a given shininess.
     pub fn material<M>(&self, m: M) -> Material<T, M> {
         let &Self { k_a, k_d, k_s, .. } = self;
         Material { k_a, k_d, k_s, m }
     }
 
-    /// The spot with a soft edge and a range that is often about the distance.
+    /// The spotlight with a soft edge and with a range that is often close to the distance.
     pub fn soft_spot(&self) -> Option<SpotLight<T, SoftCone<T>, Ranged<T>>> {
         let SpotLight { point, axis, .. } = self.spot;
         let range = self.y.abs() + (point.position - self.p).length();
@@ -277,7 +278,7 @@ impl<T: Float> Given<T> {
         ]
     }
 
-    /// What arrives of each light, twice: more than four in front of the surface.
+    /// The light that arrives from each light, twice: more than four are in front of the surface.
     pub fn arriving(&self) -> impl Iterator<Item = IncidentLight<T>> {
         let lights = self.lights().map(|light| light.at(self.p));
         lights.into_iter().chain(lights)

@@ -13,10 +13,10 @@ pub use fnv::Fnv;
 pub use given::Float;
 use given::{Given, places};
 
-/// A function by name, and what digests its results at a place.
+/// A function's name, and a function that digests its results at a place.
 pub type Function<T> = (&'static str, fn(&Given<T>, &mut Fnv));
 
-/// Digests the results of functions at all places.
+/// Digests the results of the functions at all places.
 pub fn absorb<T: Float>(functions: &[Function<T>], digest: &mut Fnv) {
     for given in places() {
         for (_, absorb_results) in functions {
@@ -42,7 +42,7 @@ macro_rules! functions {
 }
 
 functions! {
-    /// A line a function.
+    /// One line per function.
     FUNCTIONS {
         // numbers
         "Real::sqrt": |g| g.x.abs().sqrt();
@@ -57,7 +57,7 @@ functions! {
         "Elementary::ln": |g| g.x.abs().ln();
         "Exponent::raise, integer m": |g| INTEGER.map(|m| m.raise(g.cosine));
         "Exponent::raise, real m": |g| REAL.map(|m| T::from(m).raise(g.cosine));
-        "Exponent::raise, no valid m": |g| [f32::INFINITY, -1.0, f32::NAN].map(|m| T::from(m).raise(g.cosine));
+        "Exponent::raise, invalid m": |g| [f32::INFINITY, -1.0, f32::NAN].map(|m| T::from(m).raise(g.cosine));
         "Exponent::raise, where the power vanishes": |g| [2, 5, 33, 1000, 10_000].map(|m| vanishing(m, g.cosine));
         "Exponent::raise, where all coefficients count": |g| Each((0_u8..32).map(|i| difficult(i, g.cosine)));
 
@@ -160,7 +160,7 @@ functions! {
         "PointLight::cast": |g| g.lamps[0].cast(Dual::constant).at(Dual::point(g.p));
     }
 
-    /// What `libm` computes in doubles inside.
+    /// Functions for which `libm` uses doubles internally.
     ANGLES {
         "Elementary::sin": |g| g.x.sin();
         "Elementary::cos": |g| g.x.cos();
@@ -171,14 +171,14 @@ functions! {
     }
 }
 
-/// A power about the least normal number, below which it becomes 0.
+/// A power close to the smallest normal number, below which it becomes 0.
 fn vanishing<T: Float>(m: u16, share: T) -> T {
     let power = T::from(126.0) + share * T::from(4.0);
     u32::from(m).raise((power / T::from(m.into())).raise(T::from(0.5)))
 }
 
-/// A power of a cosine next to √½, where the logarithm takes its series farthest, by an odd m, where the
-/// exponential does.
+/// A power of a cosine next to √½ by an odd m: there the series of the logarithm and of the
+/// exponential have their largest arguments.
 fn difficult<T: Float>(i: u8, share: T) -> T {
     let i = T::from(i.into());
     (i + i + T::ONE).raise(T::from(0.707) + (i + share) * T::from(1e-5))

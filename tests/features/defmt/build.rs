@@ -1,4 +1,5 @@
-//! Links the tests as the program of a microcontroller is linked: the texts of log lines get numbers.
+//! Links the tests in the way a microcontroller's program is linked: the strings of log lines
+//! become numbers.
 
 fn main() {
     println!("cargo::rerun-if-changed=linux.x");

@@ -1,4 +1,4 @@
-//! What users of the features write, for the tests and for fuzzing.
+//! Code that users of the features write, for the tests and for fuzzing.
 
 pub mod gpu;
 
@@ -8,7 +8,7 @@ use shading::f32::{Material, Ranged, Rgb, SoftCone};
 /// A light of any kind, with or without a range, with a hard or a soft edge.
 pub type Light = shading::Light<f32, SoftCone, Ranged>;
 
-/// What a renderer loads.
+/// A scene as a renderer loads it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
@@ -29,7 +29,7 @@ mod pages {
     struct Schema;
 }
 
-/// A direction cannot be read from bytes: they may hold a vector of any length.
+/// A direction cannot be read from bytes, since they may hold a vector of any length.
 ///
 /// ```compile_fail
 /// let bytes = [0_u8; 12];

@@ -1,5 +1,5 @@
-//! A malformed scene file gives one error that says where and why. Nothing panics, and there is no
-//! partial scene: reading returns a scene or an error.
+//! A malformed scene file gives one error that says where and why. Nothing panics, and there are no
+//! partial scenes: reading returns either a scene or an error.
 
 use std::iter::repeat_n;
 
@@ -15,22 +15,25 @@ fn both_files_hold_the_same_scene() {
     assert_eq!(scene.lights.len(), 3);
 }
 
-/// The file with `good` replaced, which it holds once, and the line of that.
+/// The file with `bad` in place of `good`, which occurs once, and the line of that place.
 fn spoiled(file: &str, good: &str, bad: &str) -> (String, usize) {
     assert_eq!(file.matches(good).count(), 1, "{good}");
     let line = file[..file.find(good).unwrap()].lines().count();
     (file.replace(good, bad), line)
 }
 
-/// With `bad` in place of `good`, the JSON file is refused for `why`, at the line of it.
+/// The JSON file with `bad` in place of `good` is refused at that line, because of `why`.
 fn json_refuses(good: &str, bad: &str, why: &str) {
     let (file, line) = spoiled(JSON, good, bad);
     let error = serde_json::from_str::<Scene>(&file).unwrap_err();
-    assert!(error.to_string().starts_with(why), "{error}, not: {why}");
+    assert!(
+        error.to_string().starts_with(why),
+        "{error} does not start with: {why}"
+    );
     assert_eq!(error.line(), line, "{error}");
 }
 
-/// The same of the RON file.
+/// The same for the RON file.
 fn ron_refuses(good: &str, bad: &str, why: &str) {
     let (file, line) = spoiled(RON, good, bad);
     let error = ron::from_str::<Scene>(&file).unwrap_err();
@@ -85,7 +88,7 @@ fn directions_of_another_length_are_refused() {
         "axis: [0.0, 0.0, 0.0] has length 0.0, not 1",
     );
     ron_refuses("(0, -1, 0)", "(0, NaN, 0)", "axis: y = NaN is not finite");
-    // three decimals do not suffice
+    // three decimals are not enough
     json_refuses(
         "[0.0, 0.6, 0.8]",
         "[0.577, 0.577, 0.577]",
@@ -179,7 +182,7 @@ fn impossible_ranges_and_soft_edges_are_refused() {
     );
 }
 
-/// A type without a range or a soft edge does not lose them in silence.
+/// A type without a range or a soft edge does not drop them silently.
 #[test]
 fn what_a_type_cannot_hold_is_an_unknown_field() {
     let ranged = r#"{"coefficients": [1, 0, 0.25], "range": 8}"#;
@@ -239,7 +242,7 @@ fn wrong_types_are_refused() {
 }
 
 #[test]
-fn whole_m_is_whole() {
+fn integer_m_is_an_integer() {
     let material = r#"{"k_a": [0, 0, 0], "k_d": [0, 0, 0], "k_s": [0, 0, 0], "m": 32.5}"#;
     let error = serde_json::from_str::<shading::f32::Material>(material).unwrap_err();
     assert_eq!(
@@ -262,7 +265,7 @@ fn truncated_files_are_refused() {
     }
 }
 
-/// A file of as many lamps, one a line after the first line, and the last as given.
+/// A file with `count` lamps, one per line after the first line; `last` is the last of them.
 fn many_lamps(count: usize, last: &str) -> String {
     let lamp =
         r#"{"point": {"position": [2, 0, 2], "intensity": [1, 1, 1], "attenuation": [1, 0, 0]}}"#;

@@ -1,4 +1,5 @@
-//! Vectors, directions and colors as bytes, and the mirrors of `docs/buffers.md` as shaders see them.
+//! Vectors, directions, and colors as bytes, and the structs of `docs/buffers.md` as shaders see
+//! them.
 
 use std::collections::BTreeMap;
 
@@ -44,10 +45,10 @@ fn page_shows_the_structs_that_are_tested() {
     assert!(PAGE.contains(include_str!("../src/gpu.rs")));
 }
 
-/// The name, place and size in bytes of each member of a struct, and of the struct.
+/// The name, offset, and size in bytes of each member of a struct, and of the struct itself.
 type Layout = BTreeMap<String, (u32, u32)>;
 
-/// The layout of a struct of the page's shader in this language.
+/// The layout of a struct in the page's shader in this language.
 fn layout(language: &str, name: &str) -> Layout {
     let start = PAGE.find(&format!("```{language}\n")).unwrap() + 4 + language.len();
     let source = &PAGE[start..start + PAGE[start..].find("```").unwrap()];
@@ -69,7 +70,7 @@ fn layout(language: &str, name: &str) -> Layout {
     members.chain([(name.to_owned(), (0, *span))]).collect()
 }
 
-/// The shaders read these numbers from the bytes of this struct, and no others.
+/// Checks that the shaders read exactly these numbers from the bytes of this struct.
 fn shaders_read(name: &str, value: &impl Pod, expected: &[(&str, &[f32])]) {
     for language in ["glsl", "wgsl"] {
         let mut layout = layout(language, name);

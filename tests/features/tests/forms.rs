@@ -1,4 +1,4 @@
-//! What each type looks like in a file: these texts are a promise to everyone who has written one.
+//! The form of each type in a file: these texts are a promise to everyone who has written one.
 
 use std::fmt::Debug;
 
@@ -15,14 +15,14 @@ const LAMP: PointLight = PointLight {
     attenuation: Attenuation::new(1.0, 0.0, 0.25).unwrap(),
 };
 
-/// Both formats hold the value: written, it is this text, and read, the text is this value.
+/// In both formats, the value is written as this text, and the text is read as this value.
 fn is(value: &(impl Serialize + DeserializeOwned + PartialEq + Debug), json: &str, ron: &str) {
     assert_eq!(serde_json::to_string(value).unwrap(), json);
     assert_eq!(ron::to_string(value).unwrap(), ron);
     reads(json, ron, value);
 }
 
-/// Read, both texts are this value.
+/// Both texts are read as this value.
 fn reads<V: DeserializeOwned + PartialEq + Debug>(json: &str, ron: &str, value: &V) {
     assert_eq!(&serde_json::from_str::<V>(json).unwrap(), value, "{json}");
     assert_eq!(&ron::from_str::<V>(ron).unwrap(), value, "{ron}");
@@ -214,7 +214,7 @@ fn material_has_four_fields() {
 }
 
 #[test]
-fn whole_m_is_read_as_a_real_one() {
+fn integer_m_is_read_as_a_real_one() {
     let [k_a, k_d, k_s] = [1.0, 0.0, 0.0].map(Rgb::gray);
     reads(
         r#"{"m": 32, "k_s": [0, 0, 0], "k_d": [0, 0, 0], "k_a": [1, 1, 1]}"#,
@@ -228,7 +228,7 @@ fn whole_m_is_read_as_a_real_one() {
     );
 }
 
-/// Formats without names: the fields in order, a kind by its number.
+/// Formats without names hold the fields in order, and a kind as its number.
 #[test]
 fn binary_forms_hold_the_fields_in_order() {
     let light = shading::f32::Light::Spot(shading::f32::SpotLight {
@@ -290,7 +290,7 @@ fn binary_forms_hold_all_fields() {
 
 /// The page on scene files shows one light in two formats.
 #[test]
-fn page_shows_a_light_that_is_read() {
+fn page_shows_a_light_that_can_be_read() {
     let page = include_str!("../../../docs/schema.md");
     let block = |language: &str| {
         let start = page.find(&format!("```{language}\n")).unwrap() + 4 + language.len();

@@ -1,4 +1,4 @@
-//! Vectors come and go by way of `mint`, each coordinate to its place.
+//! Conversions to and from `mint` keep each coordinate in its place.
 
 use shading::{UnitVec3, Vec3};
 
@@ -23,7 +23,7 @@ fn a_vector_is_a_vector_of_mint() {
 }
 
 #[test]
-fn vectors_of_glam_come_and_go() {
+fn glam_vectors_convert_both_ways() {
     let there: glam::Vec3 = mint::Vector3::from(V).into();
     assert_eq!(there, glam::vec3(1.0, 2.0, 3.0));
     assert_eq!(Vec3::from(mint::Point3::from(there)), V);
@@ -33,7 +33,7 @@ fn vectors_of_glam_come_and_go() {
 }
 
 #[test]
-fn vectors_and_points_of_nalgebra_come_and_go() {
+fn nalgebra_vectors_and_points_convert_both_ways() {
     let vector: nalgebra::Vector3<f32> = mint::Vector3::from(V).into();
     assert_eq!(vector, nalgebra::Vector3::new(1.0, 2.0, 3.0));
     let back: mint::Vector3<f32> = vector.into();

@@ -1,5 +1,5 @@
-//! What is written is read again with the same bits, in every format. And what could not be read is not
-//! written.
+//! A value that is written is read back with the same bits, in every format. A value that could not
+//! be read back is not written.
 
 use std::fmt::Debug;
 
@@ -10,7 +10,7 @@ use shading::{
     SpotLight, UnitVec3, Vec3,
 };
 
-/// `{:?}` tells all bits of a finite number.
+/// `{:?}` shows all bits of a finite number.
 fn survives<V: Serialize + DeserializeOwned + Debug>(value: &V) {
     let expected = format!("{value:?}");
     let same = |read: V, text: &dyn Debug| assert_eq!(format!("{read:?}"), expected, "{text:?}");
@@ -31,7 +31,7 @@ macro_rules! round_trips {
         mod $float {
             use super::*;
 
-            /// Any finite number, each exponent as often as the others.
+            /// Any finite number; every exponent is equally likely.
             fn finite(random: &mut fastrand::Rng) -> $float {
                 loop {
                     let x = $float::from_bits(random.$bits(..));
@@ -59,7 +59,7 @@ macro_rules! round_trips {
                 }
             }
 
-            /// Of every width, from none to everything.
+            /// A cone of any width, from nothing to everything.
             fn cone(random: &mut fastrand::Rng) -> Cone<$float> {
                 let cosine = match random.u8(..8) {
                     0 => 1.0,
@@ -136,15 +136,15 @@ macro_rules! round_trips {
             }
 
             #[test]
-            fn direction_is_read_wherever_its_length_was_made_one() {
+            fn direction_normalized_elsewhere_is_read() {
                 let random = &mut fastrand::Rng::with_seed(15);
                 for _ in 0..3_000 {
                     survives(&direction(random));
-                    // one of single precision, in double precision
+                    // a direction of single precision, in double precision
                     #[allow(clippy::cast_possible_truncation)]
                     let single = direction(random).cast(|x| x as f32);
                     survives(&single.cast($float::from));
-                    // six decimals
+                    // a direction with six decimals
                     let [x, y, z] = direction(random).into();
                     let text = format!("[{x:.6}, {y:.6}, {z:.6}]");
                     survives(&serde_json::from_str::<UnitVec3<$float>>(&text).unwrap());
@@ -157,20 +157,20 @@ macro_rules! round_trips {
 round_trips!(f32, u32);
 round_trips!(f64, u64);
 
-/// The complaint about a value that could not be read again.
+/// The error for a value that could not be read back.
 fn complaint(value: &impl Serialize) -> String {
     let message = serde_json::to_string(value).unwrap_err().to_string();
     assert_eq!(
         ron::to_string(value).unwrap_err().to_string(),
         message,
-        "each format fails alike"
+        "every format fails in the same way"
     );
     assert!(postcard::to_allocvec(value).is_err());
     message
 }
 
 #[test]
-fn what_is_not_finite_is_not_written() {
+fn numbers_that_are_not_finite_are_not_written() {
     let lamp = PointLight {
         position: Vec3::<f32>::ZERO,
         intensity: Rgb::new(1.0, f32::INFINITY, 1.0),
@@ -202,7 +202,7 @@ fn what_is_not_finite_is_not_written() {
 }
 
 #[test]
-fn what_was_vouched_for_wrongly_is_not_written() {
+fn invalid_values_are_not_written() {
     let sun = DirectionalLight {
         l: UnitVec3::assume_unit(Vec3::new(0.0_f32, 3.0, 4.0)),
         intensity: Rgb::WHITE,
@@ -211,7 +211,7 @@ fn what_was_vouched_for_wrongly_is_not_written() {
         complaint(&sun),
         "l: [0.0, 3.0, 4.0] has length 5.0, not 1; write [0.0, 0.6, 0.8]"
     );
-    // (0, 0, 10⁻³⁰⁰) of doubles in single precision
+    // (0, 0, 10⁻³⁰⁰) in doubles becomes 0 in single precision
     let weak = Attenuation::<f64>::new(0.0, 0.0, 1e-300).unwrap();
     #[allow(clippy::cast_possible_truncation)]
     let none = weak.cast(|x| x as f32);

@@ -1,4 +1,4 @@
-//! Lists the public interface that a JSON file of rustdoc tells, a line for each item.
+//! Lists the public interface in a rustdoc JSON file, one line per item.
 
 use std::error::Error;
 

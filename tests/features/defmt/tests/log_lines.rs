@@ -8,13 +8,13 @@ use shading::f32::{
     SpotLight, UnitVec3, Vec3,
 };
 
-/// What was sent.
+/// The bytes sent so far.
 static SENT: Mutex<Vec<u8>> = Mutex::new(Vec::new());
 
 #[defmt::global_logger]
 struct Wire;
 
-// SAFETY: there is one thread of tests below, and nothing to take or give back.
+// SAFETY: only one thread of tests runs below, and there is nothing to acquire or release.
 unsafe impl defmt::Logger for Wire {
     fn acquire() {}
 
@@ -27,7 +27,7 @@ unsafe impl defmt::Logger for Wire {
     }
 }
 
-/// Sends a value, and reads what the host of the chip prints.
+/// Sends a value, and returns what the host prints.
 fn log(value: impl defmt::Format) -> String {
     defmt::println!("{}", value);
     let program = std::fs::read(std::env::current_exe().unwrap()).unwrap();
@@ -42,7 +42,7 @@ const LAMP: PointLight = PointLight {
     attenuation: Attenuation::new(1.0, 0.0, 0.25).unwrap(),
 };
 
-/// One test: the wire is one.
+/// A single test, since there is a single wire.
 #[test]
 fn each_type_has_a_line() {
     assert_eq!(log(LAMP.position), "Vec3(0.0, 1.5, -2.0)");
