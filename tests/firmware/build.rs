@@ -1,4 +1,4 @@
-//! Puts the memory map of the target where the linker looks for it.
+//! Puts the memory map of the target where the linker finds it.
 
 use std::path::Path;
 use std::{env, fs, io};

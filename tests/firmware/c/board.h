@@ -1,4 +1,4 @@
-/* Counts instructions, and prints by way of the debugger. */
+/* Counts instructions and prints through the debugger. */
 #ifndef BOARD_H
 #define BOARD_H
 

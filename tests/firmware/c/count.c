@@ -1,5 +1,5 @@
-/* Prints how many instructions a point light costs, whole and real: the same 8 calls as
-   ../src/bin/count.rs, with the same scene and the same count. */
+/* Prints how many instructions a point light costs with an integer and with a real shininess: the same
+   8 calls as ../src/bin/count.rs, with the same scene and the same counter. */
 #include "board.h"
 #include "kernel.h"
 

@@ -1,7 +1,6 @@
-/* Prints how many instructions a color takes: to sRGB bytes by powf, by a table, and to RGB565 by
-   powf. The colors are those of ../src/bin/encode.rs. With MEASURED, calls one of the three and nothing
-   else: what the program is larger than with `nothing` is what it adds to flash. */
-#include "board.h"
+/* Prints how many instructions a color takes: to sRGB bytes with powf, with a table, and to RGB565 with
+   powf. The colors are those of ../src/bin/encode.rs. With MEASURED, calls only one of the three: compared
+   with `nothing`, the program grows by the flash that the function takes. */
 #include "encode.h"
 
 static volatile uint32_t result;

@@ -20,7 +20,7 @@ uint16_t rgb565_by_powf(const float color[3]) {
     return (uint16_t)(r << 11 | g << 5 | b);
 }
 
-/* One byte for each 4095th: near black a step is 0.8 of a level. */
+/* One byte per step of 1/4095: near black a step is 0.8 of a level. */
 static const uint8_t table[4096] = {
 #include "table.h"
 };

@@ -1,4 +1,4 @@
-/* The encodings as a C programmer writes them. What the crate is compared with. */
+/* The encodings as a C programmer writes them, for comparison with the crate. */
 #ifndef ENCODE_H
 #define ENCODE_H
 

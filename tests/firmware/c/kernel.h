@@ -1,5 +1,5 @@
-/* The same illumination as a C programmer writes it: Blinn-Phong, three channels, point lights
-   with attenuation. What the crate is compared with. */
+/* The same illumination as a C programmer writes it, for comparison with the crate: Blinn-Phong,
+   three channels, point lights with attenuation. */
 #ifndef KERNEL_H
 #define KERNEL_H
 

@@ -1,4 +1,4 @@
-/* From reset to main, without a C library's start-up: nothing here needs more. */
+/* From reset to main without a C library's start-up code, which nothing here needs. */
 #include <stdint.h>
 
 extern uint32_t stack_top[], bss_start[], bss_end[];

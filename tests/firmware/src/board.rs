@@ -1,5 +1,5 @@
-//! The board: text and the exit status by way of the debugger, a count of instructions, and the
-//! depth of the stack.
+//! The board: text and the exit status through the debugger, an instruction counter, and the depth
+//! of the stack.
 
 use core::hint::black_box;
 use core::panic::PanicInfo;
@@ -16,18 +16,18 @@ mod chip;
 
 pub use chip::thousand_instructions;
 
-/// Ends the program as a success.
+/// Ends the program with success.
 pub fn done() -> ! {
     semihosting::process::exit(0)
 }
 
-/// Reports a panic and ends the program as a failure.
+/// Reports a panic and ends the program with failure.
 pub fn fail(info: &PanicInfo) -> ! {
     println!("{info}");
     semihosting::process::exit(1)
 }
 
-/// How many instructions `work` takes, its call included.
+/// How many instructions `work` takes, including the call.
 pub fn instructions(work: impl Fn()) -> u32 {
     let ticks = |work: &dyn Fn()| {
         let start = black_box(chip::now());
@@ -41,16 +41,17 @@ pub fn instructions(work: impl Fn()) -> u32 {
     (ticks * 1000 + thousand / 2) / thousand
 }
 
-/// How many bytes of the stack the one function that `work` calls takes, found by painting what is
-/// below. It is in line: the stack pointer is that of the caller, whose own frame does not count.
+/// How many bytes of stack are taken by the one function that `work` calls, measured by painting
+/// the memory below the stack pointer. This function is inlined, so the stack pointer is the
+/// caller's, and the caller's own frame does not count.
 #[inline(always)]
 pub fn stack(work: impl FnOnce()) -> usize {
     const PAINT: u32 = 0xa5a5_5a5a;
     const WORDS: usize = 512;
     let top = chip::stack_pointer();
     let mut depth = WORDS;
-    // SAFETY: below the stack pointer is unused RAM, nothing interrupts, and nothing is called
-    // until `work` is.
+    // SAFETY: the memory below the stack pointer is unused, nothing interrupts, and nothing is
+    // called before `work`.
     while depth > 0 {
         unsafe { top.wrapping_sub(depth).write_volatile(PAINT) };
         depth -= 1;

@@ -1,8 +1,9 @@
-//! Promises broken on purpose, one a feature: run.sh sees by them that each of its checks can fail.
+//! Promises broken on purpose, one per feature. With them, `run.sh` checks that each of its checks
+//! can fail.
 
 use core::hint::black_box;
 
-/// Returns the zero that it is given; with a feature, at the cost that the feature is named after.
+/// Returns the zero that it is given; a feature adds the defect that it is named after.
 #[inline(always)]
 pub fn promise(zero: f32) -> f32 {
     if cfg!(feature = "broken-bits") && cfg!(target_os = "none") {

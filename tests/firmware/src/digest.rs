@@ -1,5 +1,5 @@
-//! Everything that the crate computes, in numbers that change with any bit of any result: the functions
-//! and inputs of `tests/bits`, on every machine.
+//! Digests that change with any bit of any result that the crate computes: the functions and inputs
+//! of `tests/bits`, on every machine.
 
 #[path = "../../bits/digest/mod.rs"]
 mod functions;
@@ -19,7 +19,7 @@ pub fn single() -> u64 {
     digest.0
 }
 
-/// The digest of all that promises to link no routine for doubles.
+/// The digest of all functions that promise not to link any double-precision routine.
 #[must_use]
 pub fn without_doubles() -> u64 {
     let mut digest = Fnv::EMPTY;
@@ -28,7 +28,7 @@ pub fn without_doubles() -> u64 {
     digest.0
 }
 
-/// The digest of the same functions of `f64`.
+/// The digest of the same functions for `f64`.
 #[must_use]
 pub fn double() -> u64 {
     let mut digest = Fnv::EMPTY;

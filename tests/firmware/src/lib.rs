@@ -1,4 +1,4 @@
-//! What the firmware programs share: a scene in flash, the work that is digested, and the board.
+//! What the firmware programs share: a scene in flash, the digested work, and the board.
 #![no_std]
 
 #[cfg(target_os = "none")]

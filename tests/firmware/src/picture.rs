@@ -1,4 +1,4 @@
-//! The picture of the example on a display, drawn on the chip by the same code.
+//! The picture of the display example, drawn on the chip by the same code.
 
 #[path = "../../../examples/display/src/ball.rs"]
 pub mod ball;
@@ -12,7 +12,7 @@ use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Size};
 
 use crate::digest::Fnv;
 
-/// A display that keeps nothing but a digest of what it is told to show.
+/// A display that keeps only a digest of the pixels that it should show.
 struct Display<'a>(&'a mut Fnv);
 
 impl OriginDimensions for Display<'_> {

@@ -1,14 +1,14 @@
-//! A scene as firmware has it: constants, placed in flash.
+//! A scene as firmware stores it: constants in flash.
 
 use shading::{
     Attenuation, Cone, DirectionalLight, Light, Material, PointLight, Rgb, SpotLight, UnitVec3,
     Vec3,
 };
 
-/// The light of the surroundings.
+/// The ambient light.
 pub static AMBIENT: Rgb<f32> = Rgb::new(0.125, 0.125, 0.1875);
 
-/// A material that returns something in every channel, with a shininess of `m`.
+/// A material that reflects light in every channel, with a shininess of `m`.
 #[must_use]
 pub const fn brass<M: Copy>(m: M) -> Material<f32, M> {
     Material {
@@ -46,7 +46,7 @@ pub static LIGHTS: [Light<f32>; 4] = [
     }),
 ];
 
-/// Four point lights that all light the points of [`CAP`], each attenuated.
+/// Four point lights with attenuation, all of which light every point of [`CAP`].
 pub static LAMPS: [PointLight<f32>; 4] = [
     lamp(3.0, 1.0, 4.0),
     lamp(-2.0, 2.0, 5.0),
@@ -62,7 +62,7 @@ const fn lamp(x: f32, y: f32, z: f32) -> PointLight<f32> {
     }
 }
 
-/// Eight points of the unit sphere, each its own normal, around the pole that faces the
+/// Eight points of the unit sphere, each of which is its own normal, around the pole that faces the
 /// [`LAMPS`] and the eye at (0, 0, ∞).
 pub static CAP: [UnitVec3<f32>; 8] = [
     UnitVec3::<f32>::new(0.0, 0.0, 1.0).unwrap(),

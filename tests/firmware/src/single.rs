@@ -1,7 +1,8 @@
-//! What a shader would call, with `f32`. Its code, not optimized, is searched for doubles, even in constants.
+//! The `f32` functions that a shader would call. The unoptimized code is searched for doubles, even
+//! in constants.
 //!
-//! It does not use the library of this package, which has generic functions compiled for `f32` already: the
-//! compiler would not compile them here again.
+//! This does not use the library of this package, which already contains generic functions compiled
+//! for `f32`: the compiler would not compile them here again.
 #![no_std]
 
 use shading::f32::{Dual, Light, Material, Rgb, Shaded, UnitVec3, Vec3};
@@ -39,7 +40,7 @@ fn torus(p: shading::Vec3<Dual>) -> Dual {
     ring * ring + p.z * p.z - Dual::of_f32(0.25)
 }
 
-/// As in `broken.rs`.
+/// See `broken.rs`.
 fn promise(zero: f32) -> f32 {
     if cfg!(feature = "broken-doubles") {
         return (f64::from(zero) * 1.5) as f32;

@@ -1,4 +1,4 @@
-//! Prints how many instructions a point light costs, with a whole shininess and with a real one:
+//! Prints how many instructions a point light costs, with an integer and with a real shininess:
 //! Blinn–Phong, three channels, attenuation; 8 points, each lit by all of 4 lights.
 #![no_std]
 #![no_main]

@@ -1,4 +1,5 @@
-//! Prints the digest in double precision, in a program of its own: unoptimized, both do not fit in 256 KiB.
+//! Prints the digest in double precision. It is a separate program, since the two unoptimized
+//! digests do not fit in 256 KiB.
 #![no_std]
 #![no_main]
 

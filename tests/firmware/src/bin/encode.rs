@@ -1,5 +1,5 @@
-//! Prints how many instructions a color takes: to sRGB bytes, from them, and to RGB565. The mean of
-//! colors over the whole range, as `c/encode.c` has them.
+//! Prints how many instructions a color takes: to sRGB bytes, from them, and to RGB565. The figures
+//! are means over the colors of `c/count_encode.c`, which cover the whole range.
 #![no_std]
 #![no_main]
 

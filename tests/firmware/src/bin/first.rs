@@ -31,7 +31,7 @@ fn pixel(p: Vec3) -> u16 {
     let Some(n) = p.unit() else { return 0 };
     let lights = LAMPS.iter().filter_map(|lamp| lamp.in_front(p, n));
     let light = shade::blinn_phong(n, UnitVec3::Z, &BRASS, AMBIENT, lights).total();
-    light.to_rgb565() // clamped, in sRGB
+    light.to_rgb565() // clamped and sRGB-encoded
 }
 
 #[entry]

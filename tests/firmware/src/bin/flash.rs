@@ -1,6 +1,6 @@
-//! Calls one function of the crate and nothing else: what the program is larger than one that
-//! calls `nothing` is what the function adds to flash, with all that it pulls in. The variable
-//! `MEASURED` names the function when this is built.
+//! Calls one function of the crate and nothing else. Compared with a program that calls `nothing`,
+//! this program grows by the flash that the function takes, with everything that it pulls in. The
+//! variable `MEASURED` names the function at build time.
 #![no_std]
 #![no_main]
 
@@ -17,7 +17,7 @@ use shading::{
 type V = Vec3<f32>;
 type N = UnitVec3<f32>;
 
-/// Keeps the one call that is named, and compiles for no other name.
+/// Keeps only the named call, and rejects a name that is not in the list at compile time.
 macro_rules! measure {
     ($($name:literal => $call:expr,)*) => {
         const { assert!($(is_measured($name) ||)* false) }
@@ -38,7 +38,7 @@ const fn is_measured(name: &str) -> bool {
     name.is_empty() && measured.is_empty()
 }
 
-/// Arguments of which the compiler knows nothing, in RAM.
+/// Arguments in RAM about which the compiler knows nothing.
 struct Given {
     n: N,
     l: N,
@@ -64,12 +64,12 @@ fn main() -> ! {
     static MEMORY: [AtomicU32; size_of::<Given>() / 4] =
         [const { AtomicU32::new(0) }; size_of::<Given>() / 4];
     loop {
-        // SAFETY: zeros are a value of every type in it, and nothing writes to it.
+        // SAFETY: zeros are a valid value of every type in it, and nothing writes to it.
         measured(black_box(unsafe { &*MEMORY.as_ptr().cast() }));
     }
 }
 
-#[allow(clippy::too_many_lines)] // a line a function
+#[allow(clippy::too_many_lines)] // one line per function
 #[inline(never)]
 fn measured(given: &Given) {
     let &Given {
@@ -150,7 +150,7 @@ fn saddle(u: Dual<f32>, v: Dual<f32>) -> Vec3<Dual<f32>> {
     Vec3::new(u, v, u * u - v * v)
 }
 
-/// A result that is wanted.
+/// Keeps a result that would otherwise be optimized away.
 #[inline(always)]
 fn keep<T>(result: T) {
     black_box(&result);

@@ -1,5 +1,5 @@
-//! Prints the frame that the example on a display draws, as the display takes it: four hexadecimal digits
-//! a pixel, a row a line.
+//! Prints the frame that the display example draws, as a display receives it: four hexadecimal
+//! digits per pixel, one line per row.
 #![no_std]
 #![no_main]
 

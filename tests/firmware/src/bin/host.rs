@@ -1,4 +1,4 @@
-//! Prints the digests, on the machine that builds it.
+//! Prints the digests on the machine that builds it.
 
 use firmware::digest;
 

@@ -1,6 +1,5 @@
-//! Proves by being linked that nothing which the crate computes with `f32` can panic: a panic
-//! would call a function that is nowhere defined. The finished program is searched for routines
-//! for doubles.
+//! Proves, if it links, that nothing which the crate computes with `f32` can panic: a panic would
+//! call an undefined function. The finished program is searched for double-precision routines.
 #![no_std]
 #![no_main]
 
@@ -20,6 +19,6 @@ unsafe extern "C" {
 
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo) -> ! {
-    // SAFETY: none; a program that gets here does not link.
+    // SAFETY: none is needed, since a program that gets here does not link.
     unsafe { a_panic_can_happen() }
 }

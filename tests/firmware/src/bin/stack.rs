@@ -1,6 +1,6 @@
-//! Prints how many bytes of the stack, below the caller, the sum over a slice of lights takes: after
-//! Lambert, after Phong with a whole shininess and a real one, and after Blinn with both; each over
-//! all lights and over those in front of the surface alone.
+//! Prints how many bytes of stack, below the caller, the sum over a slice of lights takes: for
+//! Lambert, and for Phong and Blinn–Phong with an integer and a real shininess; each over all
+//! lights, and over only those in front of the surface.
 #![no_std]
 #![no_main]
 
@@ -32,7 +32,7 @@ fn main() -> ! {
     board::done()
 }
 
-/// What is measured, as firmware has it: one function, given all that it needs.
+/// The measured call, as firmware makes it: one function that gets everything it needs.
 type Sum<M> = fn(
     p: Vec3<f32>,
     n: UnitVec3<f32>,
@@ -74,7 +74,8 @@ fn shaded<M: Exponent<f32>, const MODEL: char>(
     }
 }
 
-/// Far away, so far that the way there overflows, at the place that is lit, and nowhere.
+/// A light far away, one so far away that the vector to it overflows, one at the lit point, and one that
+/// is nowhere.
 static OUTLYING: [Light<f32>; 4] = [
     lamp(Vec3::new(1e25, 2e25, 3e25)),
     lamp(Vec3::new(f32::MAX, f32::MAX, f32::MAX)),
@@ -93,7 +94,7 @@ const fn lamp(position: Vec3<f32>) -> Light<f32> {
 fn depth<M>(material: &Material<f32, M>, sum: Sum<M>) -> usize {
     let [n, v] = black_box([CAP[1], CAP[0]]);
     let i_a = black_box(AMBIENT);
-    let sum = black_box(sum); // a call that cannot be in line
+    let sum = black_box(sum); // a call that cannot be inlined
     let depth_with = |lights: &[Light<f32>]| {
         board::stack(|| _ = black_box(&sum(*n, n, v, material, i_a, lights)))
     };

@@ -1,4 +1,4 @@
-//! Instructions by the core's own counter of them.
+//! Counts instructions with the core's own counter.
 
 use core::arch::asm;
 
@@ -17,18 +17,18 @@ pub fn since(start: u32) -> u32 {
     now().wrapping_sub(start)
 }
 
-/// As many instructions as its name says.
+/// Takes as many instructions as its name says.
 #[inline(never)]
 pub fn thousand_instructions() {
-    // SAFETY: they do nothing. Compressed or not, each counts as one.
+    // SAFETY: the instructions do nothing. Compressed or not, each counts as one.
     unsafe { asm!(".rept 1000", "nop", ".endr", options(nomem, nostack)) }
 }
 
-/// Where the stack ends.
+/// The current end of the stack.
 #[inline(always)]
 pub fn stack_pointer() -> *mut u32 {
     let pointer;
-    // SAFETY: it reads a register.
+    // SAFETY: this only reads a register.
     unsafe { asm!("mv {}, sp", out(reg) pointer, options(nomem, nostack)) }
     pointer
 }
