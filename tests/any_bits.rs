@@ -1,5 +1,5 @@
-//! No function panics, for any bits; none makes NaN or negative light of finite valid input.
-//! `fuzz/` runs the same for as long as one likes.
+//! No function panics for any bit pattern, and none returns NaN or negative light for finite valid
+//! input. `fuzz/` runs the same checks for as long as you like.
 
 use proptest::prelude::*;
 use support::everything::{Numbers, any_bits, finite_and_valid};
@@ -7,7 +7,7 @@ use support::number::{Float, for_f32_and_f64};
 
 for_f32_and_f64!(any_bits_never_panic, finite_valid_input_gives_light);
 
-/// What formulas stumble over.
+/// Values that break formulas.
 const ADVERSARIAL: [f64; 30] = [
     0.0,
     -0.0,
@@ -41,14 +41,15 @@ const ADVERSARIAL: [f64; 30] = [
     65_536.0,
 ];
 
-/// A float by its bits. Not by way of another float: a conversion quiets a signaling NaN.
+/// A float made from its bits rather than converted from another float: a conversion quiets a
+/// signaling NaN.
 trait Bits: Float {
-    /// The number of these bits, the last ones where they are too many.
+    /// The number with these bits; a narrower type takes the low-order ones.
     fn of_bits(bits: u64) -> Self;
 }
 
 impl Bits for f32 {
-    #[allow(clippy::cast_possible_truncation)] // as said
+    #[allow(clippy::cast_possible_truncation)] // the low-order bits, on purpose
     fn of_bits(bits: u64) -> Self {
         f32::from_bits(bits as u32)
     }
@@ -60,11 +61,12 @@ impl Bits for f64 {
     }
 }
 
-/// The bits of a signaling NaN in double precision, and their last ones in single precision.
+/// The bits of a signaling NaN in double precision; their low-order half is one in single
+/// precision.
 const SIGNALING: u64 = 0x7FF0_0001_7F80_0001;
 
-/// A number of any bits, any `f32`, or one of the list. What a wide number is in single precision
-/// is often 0 or infinite, which is meant.
+/// A number of arbitrary bits, any `f32`, or one from the list. Many of the wide numbers are 0 or
+/// infinite in single precision; that is intended.
 fn number<T: Bits>() -> impl Strategy<Value = T> {
     prop_oneof![
         2 => any::<u64>().prop_map(T::of_bits),
@@ -79,7 +81,7 @@ fn whole() -> impl Strategy<Value = u32> {
     prop_oneof![0..200_u32, any::<u32>(), Just(u32::MAX)]
 }
 
-/// Feeds a check with numbers, over and over the same list.
+/// Runs a check on numbers from a list that repeats endlessly.
 fn with_numbers<T: Bits>(check: fn(Numbers<T>)) {
     let config = ProptestConfig {
         cases: 5000,

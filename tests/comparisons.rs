@@ -1,5 +1,5 @@
-//! Comparisons within a tolerance by the crate `approx` look at every component, and mean by their
-//! defaults what they mean for floats.
+//! Approximate comparison with the crate `approx` checks every component, and its defaults mean the
+//! same as for floats.
 
 use approx::{AbsDiffEq, RelativeEq, UlpsEq};
 use shading::{IncidentLight, Rgb, Shaded, UnitVec3, Vec3};
@@ -15,7 +15,7 @@ fn directions_are_compared_in_every_coordinate() {
 }
 
 #[test]
-fn colours_are_compared_in_every_channel() {
+fn colors_are_compared_in_every_channel() {
     looks_at_every_component(Rgb::from);
 }
 
@@ -50,7 +50,7 @@ where
         };
         assert!(one.abs_diff_eq(&with(1.5), 0.5));
         assert!(!one.abs_diff_eq(&with(1.5), 0.25));
-        // 1 is a half of 2
+        // they differ by 1, which is half of 2
         assert!(one.relative_eq(&with(2.0), 0.0, 0.5));
         assert!(!one.relative_eq(&with(2.0), 0.0, 0.25));
         let three_up = with(1.0 + 3.0 * f64::EPSILON);

@@ -1,4 +1,4 @@
-//! The conventions that trip people, each with the test that holds it.
+//! The conventions that trip people up, each with the test that checks it.
 
 use shading::{
     Attenuation, Dual, Exponent, IncidentLight, Light, Material, PointLight, Real, Rgb, SpotLight,
@@ -9,7 +9,7 @@ use support::number::{Float, direction, for_f32_and_f64, vector};
 for_f32_and_f64!(
     l_and_v_point_away_from_the_surface,
     r_is_l_mirrored_and_glsl_takes_minus_l,
-    h_is_half_way_and_none_for_opposite_directions,
+    h_is_halfway_and_none_for_opposite_directions,
     opposite_directions_give_no_highlight,
     lambert_has_no_pi,
     the_factors_are_literal_and_not_gated,
@@ -23,9 +23,9 @@ for_f32_and_f64!(
     a_light_at_the_point_lights_nothing,
     a_directional_light_is_not_attenuated,
     a_spot_is_given_by_its_half_angle_and_includes_its_edge,
-    colours_are_not_clamped_before_the_end,
-    the_parts_are_apart_and_total_adds_them,
-    lights_are_anything_that_iterates,
+    colors_are_not_clamped_before_the_end,
+    the_parts_are_separate_and_total_adds_them,
+    lights_can_come_from_any_iterator,
     a_triangle_is_counter_clockwise,
     facing_turns_to_the_viewer_and_glsl_takes_minus_v,
     transformed_follows_the_vertices_and_the_inverse_transpose_the_inside,
@@ -38,7 +38,7 @@ for_f32_and_f64!(
     parametric_normals_follow_the_order_of_u_and_v,
 );
 
-/// White everywhere; m as given.
+/// A material that is white in every part, with shininess m.
 fn white<T: Real, M>(m: M) -> Material<T, M> {
     Material {
         k_a: Rgb::WHITE,
@@ -56,20 +56,20 @@ fn from<T: Real>(l: UnitVec3<T>) -> IncidentLight<T> {
     }
 }
 
-/// Whether two numbers differ by no more than so many u, relative to 1.
+/// Whether two numbers differ by at most `units` u, relative to 1.
 fn near<T: Float>(a: T, b: f64, units: f64) -> bool {
     (a.to_f64() - b).abs() <= units * T::U
 }
 
 fn l_and_v_point_away_from_the_surface<T: Float>() {
-    // light and eye both straight above: the surface is lit, and the highlight is full
+    // light and eye are both straight above: the surface is lit, and the highlight is full
     let n = UnitVec3::<T>::Z;
     let shaded = shade::phong(n, n, &white(5), Rgb::BLACK, [from(n)]);
     assert_eq!((shaded.diffuse, shaded.specular), (Rgb::WHITE, Rgb::WHITE));
-    // an L that points into the surface is a light behind it
+    // an L that points into the surface belongs to a light behind it
     let behind = shade::phong(n, n, &white(5), Rgb::BLACK, [from(-n)]);
     assert_eq!(behind.total(), Rgb::BLACK);
-    // a light gives the direction to itself
+    // a light gives the direction toward itself
     let lamp = PointLight {
         position: Vec3::new(T::ZERO, T::ZERO, T::of(2.0)),
         intensity: Rgb::WHITE,
@@ -87,9 +87,9 @@ fn r_is_l_mirrored_and_glsl_takes_minus_l<T: Float>() {
     assert_eq!(reflection(-n, l), reflection(n, l));
 }
 
-fn h_is_half_way_and_none_for_opposite_directions<T: Float>() {
-    // half-way between X and Z is (1, 0, 1)/√2
-    let h = half_vector(UnitVec3::<T>::X, UnitVec3::Z).expect("half-way");
+fn h_is_halfway_and_none_for_opposite_directions<T: Float>() {
+    // halfway between X and Z is (1, 0, 1)/√2
+    let h = half_vector(UnitVec3::<T>::X, UnitVec3::Z).expect("halfway");
     let expected = 0.5_f64.sqrt();
     assert!(near(h.x, expected, 2.0) && near(h.z, expected, 2.0) && h.y == T::ZERO);
     for l in [[0.0, 0.0, 1.0], [1.0, 2.0, 3.0], [-5.0, 0.1, 7.0]].map(direction::<T>) {
@@ -98,7 +98,7 @@ fn h_is_half_way_and_none_for_opposite_directions<T: Float>() {
 }
 
 fn opposite_directions_give_no_highlight<T: Float>() {
-    // the light above at 45°, the eye opposite to it below
+    // the light is above, at 45°, and the eye is opposite it, below
     let (n, l) = (UnitVec3::<T>::Z, direction::<T>([1.0, 0.0, 1.0]));
     let shaded = shade::blinn_phong(n, -l, &white(0), Rgb::BLACK, [from(l)]);
     assert_eq!(shaded.specular, Rgb::BLACK);
@@ -113,7 +113,7 @@ fn lambert_has_no_pi<T: Float>() {
 }
 
 fn the_factors_are_literal_and_not_gated<T: Float>() {
-    // the light behind the surface, R toward the eye: the factor alone does not know
+    // the light is behind the surface, and R points toward the eye: the factor alone does not know
     let (n, l) = (UnitVec3::<T>::Z, -UnitVec3::Z);
     let r = reflection(n, l);
     assert_eq!(term::phong(r, r, 3), T::ONE);
@@ -134,7 +134,7 @@ fn a_cosine_of_zero_or_below_gives_zero_for_every_m<T: Float>() {
         .map(T::of)
         .into_iter()
         .for_each(all::<T>);
-    // and above it, a power of 0 is 1
+    // above 0, the cosine to the power of 0 is 1
     assert_eq!(
         term::phong(UnitVec3::<T>::Z, direction([1.0, 0.0, 0.01]), 0),
         T::ONE
@@ -146,7 +146,7 @@ fn a_cosine_of_zero_or_below_gives_zero_for_every_m<T: Float>() {
 }
 
 fn a_cosine_above_one_counts_as_one<T: Float>() {
-    // twice a unit vector in the last place: 1.0000002^1000000 would be 1.27
+    // N·N exceeds 1 by two units in the last place: 1.0000002^1000000 would be 1.27
     let more = T::ONE + T::of(2.0 * T::U);
     let n = UnitVec3::assume_unit(Vec3::new(T::ZERO, T::ZERO, more));
     assert!(n.dot(n) > T::ONE);
@@ -157,7 +157,8 @@ fn a_cosine_above_one_counts_as_one<T: Float>() {
 }
 
 fn no_highlight_on_a_face_turned_from_the_light<T: Float>() {
-    // L below the horizon and V mirrored: R·V = 1, and H is close to N at grazing angles
+    // L is below the horizon, and V is the mirror direction: R·V = 1, and H is close to N at
+    // grazing angles
     let n = UnitVec3::<T>::Z;
     let l = direction::<T>([1.0, 0.0, -0.125]);
     let v = direction::<T>([-1.0, 0.0, 0.5]);
@@ -184,10 +185,10 @@ fn ambient_counts_once_and_is_not_attenuated<T: Float>() {
 }
 
 fn attenuation_takes_the_distance_and_is_not_clamped<T: Float>() {
-    // at a distance of 4: 1/(1 + 2·4 + 0.5·16) = 1/17
+    // at a distance of 4, the factor is 1/(1 + 2·4 + 0.5·16) = 1/17
     let [one, two, half, four] = [1.0, 2.0, 0.5, 4.0].map(T::of);
     assert_eq!(attenuation(one, two, half, four), T::of(1.0 / 17.0));
-    // and at ¼ the inverse square is 16
+    // at ¼, the inverse square is 16
     assert_eq!(attenuation(T::ZERO, T::ZERO, one, T::of(0.25)), T::of(16.0));
     let inverse_square = T::attenuation([0.0, 0.0, 1.0]).expect("coefficients");
     assert_eq!(inverse_square.at(T::of(0.25)), T::of(16.0));
@@ -255,7 +256,7 @@ fn a_directional_light_is_not_attenuated<T: Float>() {
 
 fn a_spot_is_given_by_its_half_angle_and_includes_its_edge<T: Float>() {
     let axis = -UnitVec3::<T>::Z;
-    // a half-angle of 45°: 44° off the axis is inside, 46° is not
+    // with a half-angle of 45°, a direction 44° off the axis is inside, and one 46° off is not
     let cone = T::cone(45.0).expect("a half-angle");
     let off_axis = |degrees: f64| {
         let (sine, cosine) = degrees.to_radians().sin_cos();
@@ -263,7 +264,7 @@ fn a_spot_is_given_by_its_half_angle_and_includes_its_edge<T: Float>() {
     };
     assert_eq!(cone.factor(axis, off_axis(44.0)), T::ONE);
     assert_eq!(cone.factor(axis, off_axis(46.0)), T::ZERO);
-    // the edge itself: a cosine of exactly ½, and one u beside it
+    // the edge itself: a cosine of exactly ½, and one smaller by u
     let cone = T::cone_from_cosine(T::of(0.5)).expect("a cosine");
     let at =
         |cosine: f64| UnitVec3::assume_unit(vector([(1.0 - cosine * cosine).sqrt(), 0.0, cosine]));
@@ -275,7 +276,7 @@ fn a_spot_is_given_by_its_half_angle_and_includes_its_edge<T: Float>() {
     assert_eq!(T::cone_from_cosine(T::of(1.1)), None);
 }
 
-fn colours_are_not_clamped_before_the_end<T: Float>() {
+fn colors_are_not_clamped_before_the_end<T: Float>() {
     let n = UnitVec3::<T>::Z;
     let lights = [from(n); 3];
     let shaded = shade::lambert(n, &white(1), Rgb::WHITE, lights);
@@ -283,7 +284,7 @@ fn colours_are_not_clamped_before_the_end<T: Float>() {
     assert_eq!(shaded.total().clamped(), Rgb::WHITE);
 }
 
-fn the_parts_are_apart_and_total_adds_them<T: Float>() {
+fn the_parts_are_separate_and_total_adds_them<T: Float>() {
     let grays = [0.25, 0.5, 0.125].map(|k| Rgb::gray(T::of(k)));
     let [k_a, k_d, k_s] = grays;
     let n = UnitVec3::<T>::Z;
@@ -302,7 +303,7 @@ fn the_parts_are_apart_and_total_adds_them<T: Float>() {
     }
 }
 
-fn lights_are_anything_that_iterates<T: Float>() {
+fn lights_can_come_from_any_iterator<T: Float>() {
     let n = UnitVec3::<T>::Z;
     let shade = |lights: &mut dyn Iterator<Item = IncidentLight<T>>| {
         shade::lambert(n, &white(1), Rgb::BLACK, lights).diffuse
@@ -331,23 +332,24 @@ fn facing_turns_to_the_viewer_and_glsl_takes_minus_v<T: Float>() {
     let (v, n) = (UnitVec3::Z, direction::<T>([3.0, 0.0, 4.0]));
     assert_eq!((normal::facing(n, v), glsl(n, -v)), (n, n));
     assert_eq!((normal::facing(-n, v), glsl(-n, -v)), (n, n));
-    // edge-on they differ
+    // edge-on, the two differ
     let aside = UnitVec3::X;
     assert_eq!((normal::facing(aside, v), glsl(aside, -v)), (aside, -aside));
     assert_eq!(normal::facing(-aside, v), -aside);
 }
 
 fn transformed_follows_the_vertices_and_the_inverse_transpose_the_inside<T: Float>() {
-    // mirrored in x = 0: the triangle in the plane x = 0 stays where it is, and so does its normal
+    // mirrored in the plane x = 0, a triangle in that plane stays where it is, and so does its
+    // normal
     let columns = [-*UnitVec3::X, *UnitVec3::Y, *UnitVec3::Z];
     assert_eq!(
         normal::transformed(UnitVec3::<T>::X, columns),
         Some(UnitVec3::X)
     );
-    // the inverse transpose is the same matrix and turns it
+    // the inverse transpose is the same matrix, and it reverses the normal
     let inverse_transpose = |n: UnitVec3<T>| columns[0] * n.x + columns[1] * n.y + columns[2] * n.z;
     assert_eq!(inverse_transpose(UnitVec3::X), -*UnitVec3::X);
-    // the slope of a roof that is mirrored leans the other way, and is seen from below
+    // a mirrored roof slopes the other way, and its vertices appear counter-clockwise from below
     let roof = direction::<T>([3.0, 0.0, 4.0]);
     let mirrored = normal::transformed(roof, columns).expect("a normal");
     assert_eq!(*mirrored, Vec3::new(roof.x, T::ZERO, -roof.z));
@@ -356,19 +358,19 @@ fn transformed_follows_the_vertices_and_the_inverse_transpose_the_inside<T: Floa
 fn a_normal_map_is_decoded_by_the_caller<T: Float>() {
     let (n, tangent) = (UnitVec3::<T>::Z, *UnitVec3::X);
     let mapped = |h: T, x, y, z| normal::mapped(n, tangent, h, vector([x, y, z]));
-    // x along the tangent, y along N × T = Y, or against it
+    // x is along the tangent, and y is along N × T = Y or against it
     assert_eq!(mapped(T::ONE, 1.0, 0.0, 0.0), Some(UnitVec3::X));
     assert_eq!(mapped(T::ONE, 0.0, 1.0, 0.0), Some(UnitVec3::Y));
     assert_eq!(mapped(-T::ONE, 0.0, 1.0, 0.0), Some(-UnitVec3::Y));
     assert_eq!(mapped(T::ONE, 0.0, 0.0, 1.0), Some(UnitVec3::Z));
-    // only the sign of the handedness counts, and no sign is a negative one
+    // only the sign of the handedness counts, and a number without a sign counts as negative
     assert_eq!(mapped(T::of(0.1), 0.0, 1.0, 0.0), Some(UnitVec3::Y));
     assert_eq!(mapped(T::ZERO, 0.0, 1.0, 0.0), Some(-UnitVec3::Y));
     assert_eq!(mapped(T::NAN, 0.0, 1.0, 0.0), Some(-UnitVec3::Y));
-    // T need not be perpendicular: its part along N does not count
+    // T need not be perpendicular to N: its component along N is ignored
     let slanted = normal::mapped(n, vector([1.0, 0.0, 5.0]), T::ONE, vector([3.0, 0.0, 4.0]));
     assert_eq!(slanted, Some(direction([3.0, 0.0, 4.0])));
-    // a sample that points below the surface is taken at its word
+    // a sample that points below the surface is used as it is
     let black = mapped(T::ONE, -1.0, -1.0, -1.0).expect("a direction");
     assert_eq!(black, direction([-1.0, -1.0, -1.0]));
 }
@@ -388,7 +390,7 @@ fn a_degenerate_triangle_has_no_normal<T: Float>() {
 }
 
 fn unit_is_right_from_the_smallest_to_the_largest_number<T: Float>() {
-    // (1, 2, 2)/3 whatever the size
+    // (1, 2, 2)/3 at any size
     let expected = [1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0];
     for size in [
         T::of(T::TINIEST),
@@ -398,7 +400,7 @@ fn unit_is_right_from_the_smallest_to_the_largest_number<T: Float>() {
     ] {
         let v = vector::<T>([1.0, 2.0, 2.0]) * size;
         let n: [T; 3] = v.unit().expect("a direction").into();
-        // squares, sums and root 2.5u, division 1u
+        // the squares, sums, and root are off by 2.5u, and the division by 1u
         assert!(
             (0..3).all(|i| near(n[i], expected[i], 3.5)),
             "{size:e}: {n:?}"
@@ -427,7 +429,8 @@ fn new_takes_unit_vectors_only<T: Float>() {
     ] {
         let taken = checked(v).expect("a unit vector");
         assert_eq!(*taken, vector(v));
-        // 16ε in the square of the length, where a rounded unit vector is off by 4ε at most
+        // the square of the length is off by 16ε, whereas that of a rounded unit vector is off by
+        // at most 4ε
         for factor in [1.0 - 16.0 * T::U, 1.0 + 16.0 * T::U] {
             assert_eq!(checked(v.map(|c| c * factor)), None);
         }
@@ -476,7 +479,7 @@ fn singular_points_have_no_normal<T: Float>() {
 }
 
 fn parametric_normals_follow_the_order_of_u_and_v<T: Float>() {
-    // the plane (u, v, 0): S_u × S_v = X × Y = Z, and nothing turns it
+    // the plane (u, v, 0): S_u × S_v = X × Y = Z, and nothing reverses it
     let zero = Dual::constant(T::ZERO);
     assert_eq!(
         normal::parametric(|u, v| Vec3::new(u, v, zero), T::ONE, T::ONE),

@@ -1,4 +1,4 @@
-//! Leaving out early the lights behind a surface changes no sum, not by a bit.
+//! Skipping the lights behind a surface early does not change a single bit of any sum.
 
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -11,8 +11,8 @@ fn vector() -> impl Strategy<Value = Vec3<f32>> {
     [-1.0_f32..1.0, -1.0..1.0, -1.0..1.0].prop_map(Vec3::from)
 }
 
-/// Powers of two: from those whose squares vanish to those whose squares overflow, and so small that a
-/// vector is of a few units in the last place.
+/// Powers of two, from those whose squares underflow to those whose squares overflow. Some are so
+/// small that the components of a vector are a few units in the last place.
 fn size() -> impl Strategy<Value = f32> {
     prop_oneof![4 => -10..10, 1 => -120..128, 1 => -149..-144]
         .prop_map(|power| libm::scalbnf(1.0, power))
@@ -21,8 +21,8 @@ fn size() -> impl Strategy<Value = f32> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(20_000))]
 
-    /// The light is raised over the horizon, or sunk below it, by 1 to 2⁻³⁰ of its distance: by
-    /// less and by more than rounding does.
+    /// The light is raised above the horizon, or lowered below it, by 2⁻³⁰ to 1 of its distance:
+    /// both less and more than the rounding error.
     #[test]
     fn early_exit(
         (n, v, aside, p) in (vector(), vector(), vector(), vector()),
@@ -50,9 +50,9 @@ proptest! {
         prop_assert_eq!(shaded, shade::blinn_phong(n, v, &material, Rgb::BLACK, incident_lit));
     }
 
-    /// In more than one group of 32, with directional lights and spots among them.
+    /// The lights fill more than one group of 32, and include directional lights and spots.
     #[test]
-    fn all_in_front_are_those_in_front(
+    fn all_in_front_agrees_with_in_front(
         (n, p) in (vector(), vector()),
         lights in vec((vector(), vector(), 0..3), 0..100),
     ) {
@@ -76,7 +76,8 @@ proptest! {
             })
             .collect();
 
-        // what gets past the early exit is what arrives, and what does not is behind the surface or dark
+        // a light that passes the early exit is the light that arrives; one that does not is behind
+        // the surface or dark
         for light in &mixed {
             let incident = light.at(p);
             match light.in_front(p, n) {

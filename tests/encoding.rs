@@ -1,5 +1,5 @@
-//! The levels of a display, against the standard's formula in 60 digits. `exhaustive.rs` tries every
-//! `f32` between the edges that are found here.
+//! The levels of a display, checked against the standard's formula in 60 digits. `exhaustive.rs`
+//! tries every `f32` between the edges found here.
 
 #[path = "support/srgb.rs"]
 mod srgb;
@@ -7,12 +7,12 @@ mod srgb;
 use shading::Rgb;
 use srgb::{decoded, edges, number};
 
-/// The number below.
+/// The next smaller number.
 fn below(x: f32) -> f32 {
     f32::from_bits(x.to_bits() - 1)
 }
 
-/// The bits of three levels.
+/// Three levels packed into 16 bits.
 fn rgb565(r: u16, g: u16, b: u16) -> u16 {
     r << 11 | g << 5 | b
 }
@@ -25,7 +25,7 @@ fn bytes_begin_where_the_standard_says() {
     }
 }
 
-/// Green has twice the levels, and the other two those of five bits.
+/// Green has six bits; red and blue have five.
 #[test]
 fn levels_of_rgb565_begin_where_the_standard_says() {
     let only = |r, g, b| Rgb::new(r, g, b).to_rgb565();
@@ -42,7 +42,7 @@ fn levels_of_rgb565_begin_where_the_standard_says() {
 }
 
 #[test]
-fn light_of_a_byte_is_the_nearest_number() {
+fn bytes_decode_to_the_nearest_number() {
     for byte in 0..=255 {
         let light = decoded(&(number(f64::from(byte)) / number(255.0)));
         assert_eq!(

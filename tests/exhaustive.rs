@@ -1,7 +1,8 @@
-//! Every `f32` of a domain.
+//! Checks every `f32` of a domain.
 //!
-//! All of them take minutes: `cargo test --release -- --ignored`. A plain `cargo test` takes every
-//! 509th, or as many as `SHADING_STRIDE` says. An odd stride takes numbers with every last digit.
+//! Checking all of them takes minutes: `cargo test --release -- --ignored`. A plain `cargo test`
+//! takes every 509th, or every n-th with `SHADING_STRIDE=n`. An odd stride reaches every pattern of
+//! low-order bits.
 
 use std::env;
 use std::ops::RangeInclusive;
@@ -20,7 +21,7 @@ mod root;
 /// u, the unit roundoff of `f32`.
 const U: f64 = 1.0 / 16_777_216.0;
 
-/// The shininess m, whole numbers and others.
+/// The shininess m: integers, and other real numbers.
 const WHOLE: [u32; 14] = [0, 1, 2, 3, 4, 5, 7, 8, 31, 32, 100, 1000, 9_999, 10_000];
 const REAL: [f32; 15] = [
     0.0, 0.1, 0.5, 1.0, 1.5, 2.0, 2.2, 5.0, 10.3, 32.5, 100.0, 250.7, 1000.1, 4096.0, 10_000.0,
@@ -92,14 +93,14 @@ fn levels_of_every_number() {
     levels_are_rounded_correctly(1);
 }
 
-/// Numbers whose bits follow one another, and the level that they are encoded as.
+/// A run of consecutive bit patterns, and the level that their numbers are encoded as.
 struct Run {
     bits: RangeInclusive<u32>,
     level: u16,
 }
 
-/// The numbers from each edge to the next have the level that begins there: negative ones and NaN have 0,
-/// and infinity the highest.
+/// The numbers from one edge up to the next have the level that begins at the first of the two.
+/// Negative numbers and NaN have level 0, and infinity has the highest.
 fn runs(highest: u16) -> Vec<Run> {
     let mut ends = vec![0];
     ends.extend(srgb::edges(highest).into_iter().map(f32::to_bits));
@@ -114,7 +115,7 @@ fn runs(highest: u16) -> Vec<Run> {
     positive.chain(none).collect()
 }
 
-/// The level of a number is the one nearest to its encoding.
+/// A number is encoded as the level nearest to its exact encoding.
 fn levels_are_rounded_correctly(stride: u32) {
     for (highest, levels) in [
         (
@@ -135,8 +136,9 @@ fn levels_are_rounded_correctly(stride: u32) {
     }
 }
 
-/// √x is the nearest `f32`: the root in double precision has more than twice the digits, so to round it
-/// once more does no harm. The roots in constants are the same; they take normal numbers alone.
+/// √x is the nearest `f32`: the root in double precision has more than twice as many digits, so
+/// rounding it again does no harm. The roots for constants are the same, but they take only normal
+/// numbers.
 fn root_is_rounded_correctly(stride: u32) {
     for x in floats(f32::MAX, stride) {
         let root = f64::from(x).sqrt();
@@ -148,7 +150,7 @@ fn root_is_rounded_correctly(stride: u32) {
             "√{x:e}"
         );
         double_root_is_rounded_correctly(x.into());
-        // next to the square of what is between two doubles, the root is hardest to round
+        // the root is hardest to round next to the square of a midpoint between two doubles
         if nearest.to_bits() % 16 == 0 {
             let next = f64::from_bits(root.to_bits() + 1);
             let square = (root * next).to_bits();
@@ -168,7 +170,7 @@ fn double_root_is_rounded_correctly(x: f64) {
     );
 }
 
-/// (√square)ᵐ as the sum takes it after Blinn.
+/// (√square)ᵐ as the sum over lights computes it for Blinn–Phong.
 fn raise_root(m: impl Exponent<f32>, square: f32) -> f32 {
     match m.half() {
         Some(half) => half.raise(square),
@@ -176,11 +178,11 @@ fn raise_root(m: impl Exponent<f32>, square: f32) -> f32 {
     }
 }
 
-/// cosineᵐ is right to m − 1 roundings, and never falls with the cosine: each multiplication is
-/// monotone. (√square)ᵐ is a power of half of m where m is even, and else has the root's rounding
-/// besides, m times. What would be subnormal may be 0.
+/// cosineᵐ is right to m − 1 roundings, and never falls as the cosine rises: each multiplication is
+/// monotone. If m is even, (√square)ᵐ is a power with half of m; otherwise, the rounding of the
+/// root counts m times in addition. A result that would be subnormal may be 0.
 fn whole_power(m: u32, stride: u32) {
-    let next_to_nothing = f64::from(f32::MIN_POSITIVE);
+    let negligible = f64::from(f32::MIN_POSITIVE);
     let roundings = |m: u32| f64::from(m.saturating_sub(1));
     let of_root_roundings = if m % 2 == 0 {
         roundings(m / 2)
@@ -191,12 +193,12 @@ fn whole_power(m: u32, stride: u32) {
     for cosine in floats(1.0, stride).skip(1) {
         let (power, expected) = (m.raise(cosine), f64::from(cosine).powf(f64::from(m)));
         let error = (f64::from(power) - expected).abs();
-        let tolerance = (roundings(m) * U * expected).max(next_to_nothing);
+        let tolerance = (roundings(m) * U * expected).max(negligible);
         assert!(error <= tolerance, "{cosine:e}^{m} = {power:e}");
         assert!(power >= largest, "{cosine:e}^{m} falls");
-        // squaring never goes far into subnormal numbers, which are slow
+        // squaring never goes far into the subnormal numbers, which are slow
         assert!(
-            power == 0.0 || f64::from(power) > next_to_nothing / 32.0,
+            power == 0.0 || f64::from(power) > negligible / 32.0,
             "{cosine:e}^{m}"
         );
         largest = power;
@@ -204,13 +206,13 @@ fn whole_power(m: u32, stride: u32) {
         let of_root = raise_root(m, cosine);
         let expected = f64::from(cosine).powf(0.5 * f64::from(m));
         let error = (f64::from(of_root) - expected).abs();
-        let tolerance = (of_root_roundings * U * expected).max(next_to_nothing);
+        let tolerance = (of_root_roundings * U * expected).max(negligible);
         assert!(error <= tolerance, "√{cosine:e}^{m} = {of_root:e}");
     }
 }
 
-/// A real power is right to 2⁻²², is 1 for m = 0 and for a cosine of 1, and falls with the cosine by
-/// one unit in the last place at most. A cosine of 0 has none: there a highlight ends.
+/// A real power is right to 2⁻²², is 1 for m = 0 and for a cosine of 1, and falls by at most one
+/// unit in the last place as the cosine rises. A cosine of 0 is left out: the highlight ends there.
 fn real_power(m: f32, stride: u32) {
     let tolerance = 1.0 / f64::from(1 << 22);
     let mut largest = 0.0_f32;
@@ -253,8 +255,8 @@ const COEFFICIENTS: [[f32; 3]; 7] = [
     [f32::from_bits(1), f32::from_bits(1), f32::from_bits(1)],
 ];
 
-/// The attenuation never rises with the distance, to the bit, and the limited one is the smaller of
-/// it and 1.
+/// The attenuation never rises with the distance, not even by one bit, and the clamped attenuation
+/// is the smaller of it and 1.
 fn attenuation_falls([a, b, c]: [f32; 3], stride: u32) {
     let checked = Attenuation::<f32>::new(a, b, c).expect("coefficients");
     let clamped = checked.clamped();
@@ -282,8 +284,8 @@ const DIRECTIONS: [[f32; 3]; 4] = [
     [1e-4, 0.7, -1e-20],
 ];
 
-/// v/|v| has an error of at most 3.5u: the sum of squares is off by 3u and its root by half of that,
-/// the root and the division round.
+/// v/|v| has an error of at most 3.5u: the sum of squares is off by 3u and its root by half of
+/// that, and the root and the division round.
 fn unit_is_right(direction: [f32; 3], stride: u32) {
     for length in floats(f32::MAX, stride).skip(1) {
         let v = direction.map(|c| c * length);
@@ -305,11 +307,11 @@ fn unit_is_right(direction: [f32; 3], stride: u32) {
     }
 }
 
-/// The smallest `f32`: what an operation that underflows may lose.
+/// The smallest `f32`, which is the most that an operation loses when it underflows.
 #[allow(clippy::cast_lossless)] // From is not const
 const TINY: f64 = f32::from_bits(1) as f64;
 
-/// The stride of the plain tests.
+/// The stride of the tests that are not ignored.
 fn stride() -> u32 {
     match env::var("SHADING_STRIDE") {
         Ok(stride) => stride.parse().expect("SHADING_STRIDE is a whole number"),
@@ -317,7 +319,7 @@ fn stride() -> u32 {
     }
 }
 
-/// Every `stride`-th number from 0 upward, and the last.
+/// Every `stride`-th number from 0 to `last`, and `last` itself.
 fn floats(last: f32, stride: u32) -> impl Iterator<Item = f32> {
     let bits = (0..last.to_bits()).step_by(stride as usize);
     bits.chain([last.to_bits()]).map(f32::from_bits)

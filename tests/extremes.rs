@@ -1,4 +1,4 @@
-//! Points and angles at the ends of the range of the numbers.
+//! Points and angles at the limits of the number types.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -17,18 +17,18 @@ for_f32_and_f64!(
 );
 
 fn a_triangle_whose_edges_overflow_has_its_normal<T: Float>() {
-    // both edges leave the range: (2, 0, 0) and (1, 1, 0) times the largest number
+    // both edges overflow: they are (2, 0, 0) and (1, 1, 0) times the largest number
     let [a, b, c] = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
         .map(|v| Vec3::from(v).map(T::of) * T::MAX);
     assert_eq!(normal::triangle(a, b, c), Some(UnitVec3::Z));
     assert_eq!(normal::triangle(a, c, b), Some(-UnitVec3::Z));
-    // and only one coordinate of one edge
+    // only one coordinate of one edge overflows
     let near = Vec3::new(-T::MAX, T::ONE, T::ZERO);
     assert_eq!(normal::triangle(a, b, near), Some(UnitVec3::Z));
 }
 
 fn a_tiny_triangle_far_out_has_its_normal<T: Float>() {
-    // x is the same largest number in all vertices, and the edges are subnormal
+    // x is the largest number in all three vertices, and the edges are subnormal
     let tiny = T::of(T::TINIEST);
     let a = Vec3::new(T::MAX, T::ZERO, T::ZERO);
     let b = Vec3::new(T::MAX, tiny, T::ZERO);
@@ -52,7 +52,7 @@ fn a_light_at_an_overflowing_distance_shines<T: Float>() {
     };
     let constant = light(Attenuation::NONE).at(west);
     assert_eq!((constant.l, constant.intensity), (UnitVec3::X, Rgb::WHITE));
-    // the distance counts as the largest number: 1/(q²) is 0, 1/(q/MAX) is 1
+    // the distance counts as the largest number: 1/q² is 0, and 1/(q/MAX) is 1
     let inverse_square = T::new_attenuation(T::ZERO, T::ZERO, T::ONE).expect("coefficients");
     assert_eq!(light(inverse_square).at(west).intensity, Rgb::BLACK);
 }
@@ -64,7 +64,7 @@ fn the_cone_of_pi_is_everything<T: Float>() {
     ];
     for cone in whole {
         assert_eq!(cone.cosine(), -T::ONE);
-        // opposite to the axis, also where |d|² = 1.0000002 by rounding
+        // opposite to the axis, even where rounding makes |d|² 1.0000002
         for x in 1..100 {
             for y in 1..100 {
                 let d = Vec3::new(T::of(f64::from(x)), T::of(f64::from(y)), T::of(7.0));
@@ -76,7 +76,7 @@ fn the_cone_of_pi_is_everything<T: Float>() {
 }
 
 fn the_cone_of_half_pi_ends_at_the_horizon<T: Float>() {
-    // fl(π/2) is below π/2 in f64 and above in f32; its cosine is what the rounding took
+    // fl(π/2) is below π/2 in f64 and above it in f32; its cosine is the rounding error
     let cone = T::cone(90.0).expect("π/2");
     let expected = if T::NAME == "f32" {
         -4.371_139e-8
@@ -92,10 +92,10 @@ fn the_cone_of_half_pi_ends_at_the_horizon<T: Float>() {
     );
 }
 
-/// 2¹⁶ angles down from π, number by number, and as many over the range.
+/// 2¹⁶ consecutive angles down from π, and as many spread over the range.
 fn angles<T: Float>() -> impl Iterator<Item = T> {
     let pi = T::of(std::f64::consts::PI).to_f64();
-    // π rounds up in f32, and stays the last angle
+    // π rounds up in f32, and is still the last angle
     let from_the_end = (0..1 << 16).map(move |k| pi * (1.0 - f64::from(k) * T::U));
     let throughout = (0..=1 << 16).map(move |k| pi * (f64::from(k) / f64::from(1 << 16)));
     from_the_end.chain(throughout).map(T::of)
@@ -107,13 +107,14 @@ fn every_half_angle_up_to_pi_is_a_cone<T: Float>() {
     }
 }
 
-/// Compared with the cosine of the standard library in `f64`, right to its unit in the last place.
+/// Compared with the cosine of the standard library in `f64`, which is right to one unit in its
+/// last place.
 ///
-/// Our own, in the middle, is a sine of at most 0.71: its argument rounds by ½u, the second term of
-/// the series is off by ⅓u, and each of five additions rounds by ½u: 3.4u. Outside it is
-/// 1 − 2s² with s ≤ 0.39. The argument is off by ½u, which counts 0.71 times; s by 0.8u, three
-/// additions of ¼u and what the second term is off, which counts 4s times; the square rounds by ¼u
-/// and the difference by ½u: 2.4u. At the ends it is 4ε = 8u more.
+/// In the middle, the crate computes a sine of at most 0.71: its argument rounds by ½u, the second
+/// term of the series is off by ⅓u, and each of five additions rounds by ½u: 3.4u. Elsewhere, it
+/// computes 1 − 2s² with s ≤ 0.39. The argument is off by ½u, which counts 0.71 times. s is off by
+/// 0.8u, three additions of ¼u and the error of the second term, which counts 4s times. The square
+/// rounds by ¼u and the difference by ½u: 2.4u. At the ends, the error may be 4ε = 8u.
 fn cosines_of_half_angles_are_right<T: Float>() {
     for angle in angles::<T>() {
         let cosine = T::cone_from_half_angle(angle)

@@ -1,5 +1,5 @@
-//! Every formula against a value derived by hand. The derivation stands beside it; the tolerances
-//! count the roundings, in units u of the largest number on the way.
+//! Every formula against a value derived by hand. The derivation stands beside the value; the
+//! tolerances count the roundings, in units u of the largest intermediate number.
 
 use std::f64::consts::FRAC_1_PI;
 
@@ -11,7 +11,7 @@ use support::number::{Float, direction, for_f32_and_f64, vector};
 
 for_f32_and_f64!(
     vectors_add_multiply_and_cross,
-    colours_add_multiply_and_clamp,
+    colors_add_multiply_and_clamp,
     lambert_at_60_degrees_is_a_half,
     reflection_in_a_tilted_normal,
     half_vector_of_two_pythagorean_directions,
@@ -26,12 +26,12 @@ for_f32_and_f64!(
     roof_of_a_house_half_as_wide,
     shares_of_half_an_equilateral_triangle,
     sample_of_a_normal_map_on_a_slanted_surface,
-    two_lights_after_lambert,
-    two_lights_after_phong,
-    two_lights_after_blinn,
-    spot_within_and_outside_of_30_degrees,
+    two_lights_with_lambert,
+    two_lights_with_phong,
+    two_lights_with_blinn,
+    spot_inside_and_outside_30_degrees,
     soft_spot_between_its_edges,
-    attenuation_half_way_to_its_range,
+    attenuation_halfway_to_its_range,
     a_scene_maps_to_another_number_type,
     dual_sum_product_and_quotient,
     dual_with_a_plain_number,
@@ -39,7 +39,7 @@ for_f32_and_f64!(
     dual_whole_powers,
 );
 
-/// Whether the numbers differ by no more than so many u.
+/// Asserts that the numbers differ by at most `units` u.
 fn assert_near<T: Float, const N: usize>(
     actual: impl Into<[T; N]>,
     expected: [f64; N],
@@ -78,7 +78,7 @@ fn vectors_add_multiply_and_cross<T: Float>() {
     assert_eq!(*-UnitVec3::<T>::X, vector([-1.0, 0.0, 0.0]));
 }
 
-fn colours_add_multiply_and_clamp<T: Float>() {
+fn colors_add_multiply_and_clamp<T: Float>() {
     let (a, b) = (rgb::<T>(0.5, 1.0, 2.0), rgb::<T>(0.25, 0.5, -4.0));
     assert_eq!(a + b, rgb(0.75, 1.5, -2.0));
     assert_eq!(a - b, rgb(0.25, 0.5, 6.0));
@@ -92,7 +92,7 @@ fn colours_add_multiply_and_clamp<T: Float>() {
 }
 
 fn lambert_at_60_degrees_is_a_half<T: Float>() {
-    // L = (√3/2, 0, ½); normalising rounds 3.5u of ½
+    // L = (√3/2, 0, ½); normalizing adds an error of 3.5u of ½
     let l = direction::<T>([3.0_f64.sqrt(), 0.0, 1.0]);
     assert_near([term::lambert(UnitVec3::Z, l)], [0.5], 2.0);
     assert_eq!(term::lambert(UnitVec3::Z, -l), T::ZERO);
@@ -107,7 +107,7 @@ fn reflection_in_a_tilted_normal<T: Float>() {
 fn half_vector_of_two_pythagorean_directions<T: Float>() {
     // (2, 1, 2)/3 + (1, 2, 2)/3 = (3, 3, 4)/3, of length √34/3
     let [l, v] = [[2.0, 1.0, 2.0], [1.0, 2.0, 2.0]].map(direction::<T>);
-    let h = half_vector(l, v).expect("half-way");
+    let h = half_vector(l, v).expect("halfway");
     assert_near(*h, [3.0, 3.0, 4.0].map(|c: f64| c / 34.0_f64.sqrt()), 8.0);
 }
 
@@ -131,7 +131,7 @@ fn phong_of_the_3_4_5_triangle<T: Float>() {
 fn blinn_of_the_3_4_5_triangle<T: Float>() {
     // L·V = 4/5, |L + V|² = 2 + 8/5 = 18/5, N·H = (4/5 + 1)/√(18/5) = √(9/10)
     let n = UnitVec3::<T>::Z;
-    let h = half_vector(slanted(), n).expect("half-way");
+    let h = half_vector(slanted(), n).expect("halfway");
     assert_near(
         [term::blinn(n, h, 2), term::blinn(n, h, 4)],
         [0.9, 0.81],
@@ -144,10 +144,11 @@ fn normalizations_of_small_shininess<T: Float>() {
     // (2 + 2)/(2π) = 2/π; (6 + 2)/(2π) = 4/π
     let phong = [2.0, 6.0].map(|m| term::phong_normalization(T::of(m)));
     assert_near(phong, [2.0, 4.0].map(|k| k * FRAC_1_PI), 3.0 * 4.0);
-    // 4·6/(8π(½ + 2)) = 1.2/π; 8·10/(8π(⅛ + 6)) = 80/(49π), of which the power of √½ is off by 6u at most
+    // 4·6/(8π(½ + 2)) = 1.2/π; 8·10/(8π(⅛ + 6)) = 80/(49π), where the power of √½ is off by 6u at
+    // most
     let blinn = [2.0, 6.0].map(|m| term::blinn_normalization(T::of(m)));
     assert_near(blinn, [1.2, 80.0 / 49.0].map(|k| k * FRAC_1_PI), 8.0);
-    // half-way between two integers: 3.5/(2π), and 3.5·5.5/(8π(2^(−¾) + 1.5))
+    // halfway between two integers: 3.5/(2π), and 3.5·5.5/(8π(2^(−¾) + 1.5))
     let m = T::of(1.5);
     let blinn = 3.5 * 5.5 / 8.0 / (0.5_f64.powf(0.75) + 1.5);
     assert_near(
@@ -218,8 +219,8 @@ fn normal_of_the_saddle<T: Float>() {
 }
 
 fn roof_of_a_house_half_as_wide<T: Float>() {
-    // the cofactors of diag(½, 1, 1) are diag(1, ½, ½): of (3, 0, 4)/5 they make (3, 0, 2)/√13;
-    // off by 3u for the slant, 5u for the cofactors and 3.5u for the length
+    // the cofactors of diag(½, 1, 1) are diag(1, ½, ½), which turn (3, 0, 4)/5 into (3, 0, 2)/√13;
+    // the slant is off by 3u, the cofactors by 5u, and the length by 3.5u
     let columns = [[0.5, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(vector::<T>);
     let n = normal::transformed(slanted(), columns).expect("a normal");
     let root = 13.0_f64.sqrt();
@@ -227,7 +228,7 @@ fn roof_of_a_house_half_as_wide<T: Float>() {
 }
 
 fn shares_of_half_an_equilateral_triangle<T: Float>() {
-    // 30°, 60° and 90°, seen from above; each angle off by 8 roundings
+    // 30°, 60°, and 90°, seen from above; each angle is off by 8 roundings
     let [a, b, c] = [[0.0, 0.0, 0.0], [3.0_f64.sqrt(), 0.0, 0.0], [0.0, 1.0, 0.0]].map(vector::<T>);
     for ([v1, v2, v3], parts) in [([b, c, a], 6.0), ([c, a, b], 3.0), ([a, b, c], 2.0)] {
         let share = normal::corner(v1, v2, v3);
@@ -236,8 +237,8 @@ fn shares_of_half_an_equilateral_triangle<T: Float>() {
 }
 
 fn sample_of_a_normal_map_on_a_slanted_surface<T: Float>() {
-    // N = (3, 0, 4)/5 and T = (2, 0, 1), whose part along N is 2 N: t = (4, 0, −3)/5, N × t = (0, 1, 0).
-    // The sample (1, 2, 2)/3 gives (t + 2(0, 1, 0) + 2N)/3 = (2, 2, 1)/3
+    // N = (3, 0, 4)/5 and T = (2, 0, 1), whose component along N is 2N: t = (4, 0, −3)/5, and N × t
+    // = (0, 1, 0). The sample (1, 2, 2)/3 gives (t + 2(0, 1, 0) + 2N)/3 = (2, 2, 1)/3.
     let n = normal::mapped(
         slanted(),
         vector([2.0, 0.0, 1.0]),
@@ -263,19 +264,19 @@ fn sample_of_a_normal_map_on_a_slanted_surface<T: Float>() {
 }
 
 fn soft_spot_between_its_edges<T: Float>() {
-    // cosines from 1 (less 4ε) down to 0.6, L at 0.8: t = ½, t² = ¼, t²(3 − 2t) = ½; L is off by 3u and
-    // t by 2.5 times as much, which counts up to 1.5 times
+    // the cosines go from 1 (less 4ε) down to 0.6, and L is at 0.8: t = ½, t² = ¼, t²(3 − 2t) = ½;
+    // L is off by 3u, and t by 2.5 times as much, which counts up to 1.5 times
     let cone = T::soft_cone_from_cosines(T::ONE, T::of(0.6)).expect("cosines");
     let factors = [cone, cone.smoothstep()].map(|cone| cone.factor(-UnitVec3::Z, slanted()));
     assert_near(factors, [0.25, 0.5], 40.0);
 }
 
-fn attenuation_half_way_to_its_range<T: Float>() {
-    // 1/(1 + 4/4) (1 − (2/4)⁴)² = ½ (15/16)², without a rounding
+fn attenuation_halfway_to_its_range<T: Float>() {
+    // 1/(1 + 4/4) (1 − (2/4)⁴)² = ½ (15/16)², without any rounding
     let free = T::new_attenuation(T::ONE, T::ZERO, T::of(0.25)).expect("coefficients");
     let ranged = T::within(free, T::of(4.0)).expect("a range");
     assert_eq!(ranged.at(T::of(2.0)), T::of(225.0 / 512.0));
-    // a light with it: the whole intensity is ½ (15/16)² of (1, ½, 0)
+    // a light with this attenuation: its whole intensity is ½ (15/16)² of (1, ½, 0)
     let lamp = PointLight {
         position: vector([0.0, 0.0, 2.0]),
         intensity: rgb(1.0, 0.5, 0.0),
@@ -287,8 +288,8 @@ fn attenuation_half_way_to_its_range<T: Float>() {
     assert_eq!(lamp.in_front(vector([0.0, 0.0, -2.5]), UnitVec3::Z), None);
 }
 
-/// A lamp two above the origin with ¼ of (1, ½, 0) left there, and the slanted sun of ½; the eye
-/// is above.
+/// A lamp two units above the origin, where ¼ of (1, ½, 0) arrives, and the slanted sun with
+/// intensity ½; the eye is above.
 fn two_lights<T: Float>() -> [Light<T>; 2] {
     let lamp = PointLight {
         position: vector([0.0, 0.0, 2.0]),
@@ -312,21 +313,21 @@ fn material<T: Real>() -> Material<T, u32> {
     }
 }
 
-/// k_a I_a = 1/8 · 1/4, and for the diffuse part N·L = 1 and 4/5:
+/// k_a I_a = 1/8 · 1/4. For the diffuse part, N·L = 1 and 4/5:
 /// ½ (¼ + ½ · ⅘) = 0.325, ½ (⅛ + ⅖) = 0.2625, ½ · ⅖ = 0.2.
 fn assert_ambient_and_diffuse<T: Float>(shaded: Shaded<T>) {
     assert_eq!(shaded.ambient, Rgb::gray(T::of(1.0 / 32.0)));
     assert_near(shaded.diffuse, [0.325, 0.2625, 0.2], 4.0);
 }
 
-fn two_lights_after_lambert<T: Float>() {
+fn two_lights_with_lambert<T: Float>() {
     let lights = two_lights::<T>().map(|light| light.at(Vec3::ZERO));
     let shaded = shade::lambert(UnitVec3::Z, &material(), Rgb::gray(T::of(0.25)), lights);
     assert_ambient_and_diffuse(shaded);
     assert_eq!(shaded.specular, Rgb::BLACK);
 }
 
-fn two_lights_after_phong<T: Float>() {
+fn two_lights_with_phong<T: Float>() {
     let n = UnitVec3::<T>::Z;
     let lights = two_lights::<T>().map(|light| light.at(Vec3::ZERO));
     let shaded = shade::phong(n, n, &material(), Rgb::gray(T::of(0.25)), lights);
@@ -336,7 +337,7 @@ fn two_lights_after_phong<T: Float>() {
     assert_near(shaded.total(), [0.498_75, 0.405, 0.311_25], 16.0);
 }
 
-fn two_lights_after_blinn<T: Float>() {
+fn two_lights_with_blinn<T: Float>() {
     let n = UnitVec3::<T>::Z;
     let lights = two_lights::<T>().map(|light| light.at(Vec3::ZERO));
     let shaded = shade::blinn_phong(n, n, &material(), Rgb::gray(T::of(0.25)), lights);
@@ -345,7 +346,7 @@ fn two_lights_after_blinn<T: Float>() {
     assert_near(shaded.specular, [0.175, 0.143_75, 0.1125], 8.0);
 }
 
-fn spot_within_and_outside_of_30_degrees<T: Float>() {
+fn spot_inside_and_outside_30_degrees<T: Float>() {
     let Light::Point(point) = two_lights::<T>()[0] else {
         unreachable!()
     };
@@ -355,7 +356,8 @@ fn spot_within_and_outside_of_30_degrees<T: Float>() {
         axis,
         cone: T::cone(30.0).expect("a half-angle"),
     };
-    // 2 below, 1 and 1.2 aside: arctan ½ = 26.6°, arctan 0.6 = 31.0°
+    // the points are 2 below the lamp, and 1 and 1.2 to the side: arctan ½ = 26.6°, arctan 0.6 =
+    // 31.0°
     let within = vector::<T>([1.0, 0.0, 0.0]);
     assert_eq!(spot.at(within), point.at(within));
     assert_near(spot.at(within).intensity, [0.2, 0.1, 0.0], 4.0);
@@ -363,7 +365,7 @@ fn spot_within_and_outside_of_30_degrees<T: Float>() {
 }
 
 fn a_scene_maps_to_another_number_type<T: Float>() {
-    // the value of a dual number is what the plain number gives
+    // the value of a dual number is the result for the plain number
     let n = UnitVec3::<T>::Z;
     let plain = two_lights::<T>().map(|light| light.at(Vec3::ZERO));
     let dual = two_lights::<T>().map(|light| light.cast(Dual::constant).at(Vec3::ZERO));
@@ -416,7 +418,7 @@ fn dual_with_a_plain_number<T: Float>() {
 
 fn dual_elementary_functions<T: Float>() {
     let Vec3 { x, y, z } = variables::<T>();
-    // functions of x = 2: libm is right to 1 ulp, 2u of less than 8
+    // functions of x = 2: libm is right to 1 ulp, which is 2u of a value less than 8
     assert_dual(x.sin(), 2.0_f64.sin(), [2.0_f64.cos(), 0.0, 0.0], 2.0);
     assert_dual(x.cos(), 2.0_f64.cos(), [-2.0_f64.sin(), 0.0, 0.0], 2.0);
     assert_dual(x.exp(), 2.0_f64.exp(), [2.0_f64.exp(), 0.0, 0.0], 16.0);
@@ -434,7 +436,7 @@ fn dual_elementary_functions<T: Float>() {
 
 fn dual_whole_powers<T: Float>() {
     let x = variables::<T>().x;
-    // xⁿ and n xⁿ⁻¹, at 2: all powers of two
+    // xⁿ and n xⁿ⁻¹ at 2, where every power is a power of two
     for n in -10..=10 {
         let power = 2.0_f64.powi(n);
         assert_dual(
@@ -446,8 +448,9 @@ fn dual_whole_powers<T: Float>() {
     }
 }
 
-/// A number before a dual one: 3 + x, 3 − x, 3x and 3/x at x = 2, where (3/x)′ = −3/x² = −3/4.
-macro_rules! number_before_a_dual_one {
+/// A plain number to the left of a dual number: 3 + x, 3 − x, 3x, and 3/x at x = 2, where (3/x)′ =
+/// −3/x² = −3/4.
+macro_rules! plain_number_before_a_dual_number {
     ($($name:ident: $float:ident),*) => {
         $(#[test]
         fn $name() {
@@ -460,4 +463,4 @@ macro_rules! number_before_a_dual_one {
     };
 }
 
-number_before_a_dual_one!(f32_before_a_dual_one: f32, f64_before_a_dual_one: f64);
+plain_number_before_a_dual_number!(f32_before_a_dual_one: f32, f64_before_a_dual_one: f64);

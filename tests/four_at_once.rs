@@ -1,10 +1,10 @@
-//! Raising the highlights of four lights at a time changes no sum, not by a bit.
+//! Computing the highlights of four lights at a time does not change a single bit of any sum.
 
 use proptest::collection::vec;
 use proptest::prelude::*;
 use shading::{Exponent, IncidentLight, Material, Rgb, UnitVec3, Vec3, reflection, shade, term};
 
-/// A shininess of one's own, which writes what it must and no more: it is raised one by one.
+/// A user's own shininess that implements only what it must: its powers are computed one by one.
 #[derive(Clone, Copy)]
 struct Own(f32);
 
@@ -21,7 +21,7 @@ fn direction() -> impl Strategy<Value = UnitVec3<f32>> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(5_000))]
 
-    /// With every number of lights, of which about half are behind the surface.
+    /// Any number of lights, about half of them behind the surface.
     #[test]
     fn four_at_once(
         (n, v) in (direction(), direction()),
@@ -47,7 +47,7 @@ proptest! {
         }
         prop_assert_eq!(phong.specular, by_hand);
 
-        // each light by itself, added in order
+        // each light on its own, added in order
         let blinn = shade::blinn_phong(n, v, &four, Rgb::WHITE, lights.clone());
         let mut one_by_one = Rgb::BLACK;
         for light in lights.clone() {
@@ -55,7 +55,7 @@ proptest! {
         }
         prop_assert_eq!(blinn.specular, one_by_one);
 
-        // 2⁻²² for each of the two powers; the root of one's own exponent rounds by 2⁻²⁴, m times
+        // 2⁻²² for each of the two powers; the root for the user's exponent rounds by 2⁻²⁴, m times
         let own = shade::blinn_phong(n, v, &own, Rgb::WHITE, lights.clone());
         let light: f32 = lights.map(|light| light.intensity.r).sum();
         let tolerance = (8.0 + m) * light * f32::EPSILON + f32::MIN_POSITIVE;

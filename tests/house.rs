@@ -1,10 +1,10 @@
-//! The house is as its tables say.
+//! The source tree agrees with the tables in its documentation.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The Rust files in a folder and in the folders in it, or the one file.
+/// The Rust files in a folder and its subfolders, or the one file.
 fn rust_files(path: &Path) -> Vec<PathBuf> {
     if path.is_file() {
         let is_rust = path.extension().is_some_and(|extension| extension == "rs");
@@ -24,7 +24,7 @@ fn read(path: impl AsRef<Path>) -> String {
     fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
 }
 
-/// The cells of a Markdown table whose title contains `title`, row by row.
+/// The cells of the Markdown table whose header contains `title`, row by row.
 fn table<'a>(page: &'a str, title: &str) -> Vec<Vec<&'a str>> {
     let lines = page.lines().map(|line| line.trim_start_matches("//! "));
     let from_title = lines.skip_while(|line| !(line.starts_with('|') && line.contains(title)));
@@ -33,13 +33,13 @@ fn table<'a>(page: &'a str, title: &str) -> Vec<Vec<&'a str>> {
         .collect()
 }
 
-/// What stands in backticks.
+/// The names in backticks.
 fn names(cell: &str) -> impl Iterator<Item = &str> {
     cell.split('`').skip(1).step_by(2)
 }
 
-/// A file uses only what stands below it, or to its left on its own floor, in the table of
-/// `src/lib.rs`. What is not in the table, as the optional features, stands above all of it.
+/// A file uses only files below it, or to its left on its own floor, in the table of `src/lib.rs`.
+/// Files that are not in the table, such as the optional features, stand above all of it.
 #[test]
 fn no_file_uses_one_above_it() {
     let lib = read(at_root("src/lib.rs"));
@@ -64,10 +64,13 @@ fn no_file_uses_one_above_it() {
     }
     let missing = upward.iter().filter(|name| !modules.contains(**name));
     wrong.extend(missing.map(|name| format!("{name} is missing")));
-    assert!(wrong.is_empty(), "{wrong:?}, of the floors {upward:?}");
+    assert!(
+        wrong.is_empty(),
+        "{wrong:?}; the files from the lowest floor up are {upward:?}"
+    );
 }
 
-/// The module that a file of `src` is, or is a part of.
+/// The module that a file of `src` is or belongs to.
 fn module(path: &Path) -> String {
     let path = path.strip_prefix(at_root("src")).expect("a file of src");
     let path = path.with_extension("");
@@ -88,21 +91,21 @@ fn reexported(lib: &str) -> BTreeMap<String, String> {
     modules
 }
 
-/// What follows `crate::` in the paths of a file.
+/// The modules named after `crate::` in the paths of a file.
 fn used_modules(source: &str) -> BTreeSet<String> {
     let code = code(source);
     let names = code.split("crate::").skip(1).flat_map(heads);
     names.filter(|name| !name.is_empty()).collect()
 }
 
-/// A file without its comments, in one line.
+/// A file without its comments, on one line.
 fn code(source: &str) -> String {
     let lines = source.lines().map(str::trim);
     let lines: Vec<_> = lines.filter(|line| !line.starts_with("//")).collect();
     lines.join(" ")
 }
 
-/// The name that a path begins with, or those of a list in braces.
+/// The name that a path begins with, or those in a list in braces.
 fn heads(path: &str) -> Vec<String> {
     let Some(list) = path.strip_prefix('{') else {
         let is_name = |c: &char| c.is_alphanumeric() || *c == '_';
@@ -117,7 +120,7 @@ fn heads(path: &str) -> Vec<String> {
     items.map(str::trim).flat_map(heads).collect()
 }
 
-/// Each invariant has a number and a row, and each property is in a row.
+/// Each invariant has a number and a row, and each property appears in a row.
 #[test]
 fn table_of_invariants_is_complete() {
     let readme = read(at_root("tests/README.md"));
@@ -133,7 +136,7 @@ fn table_of_invariants_is_complete() {
     numbers.sort_unstable();
     assert!(
         numbers.into_iter().eq(1..=rows.len()),
-        "a number is missing, or there twice"
+        "a number is missing or appears twice"
     );
 
     let named = rows.iter().flat_map(|cells| names(cells[cells.len() - 1]));
@@ -149,14 +152,14 @@ fn table_of_invariants_is_complete() {
     assert_same(&named, &properties());
 }
 
-/// The names in the lists `invariants! { … }`, and of the tests beside them.
+/// The names in the lists `invariants! { … }`, and those of the tests beside them.
 fn properties() -> BTreeSet<String> {
     let mut properties = BTreeSet::new();
     for path in rust_files(&at_root("tests/invariants")) {
         let code = code(&read(path));
         for list in code.split("invariants! {").skip(1) {
             let list = list.split('}').next().unwrap_or_default();
-            let list = list.rsplit(':').next().unwrap_or_default(); // of numbers with real powers:
+            let list = list.rsplit(':').next().unwrap_or_default(); // drop a label
             let names = list
                 .split(',')
                 .map(str::trim)
@@ -188,12 +191,16 @@ fn list_of_pinned_bits_is_complete() {
                 continue;
             };
             let name = item.split(['(', '<']).next().unwrap_or_default();
-            assert!(called.contains(name), "{name} of {}", path.display());
+            assert!(
+                called.contains(name),
+                "{name} of {} is not pinned",
+                path.display()
+            );
         }
     }
 }
 
-/// Each program of the tests is in the table, and nothing else.
+/// Each test program is in the table, and the table has nothing else.
 #[test]
 fn table_of_tests_is_complete() {
     let readme = read(at_root("tests/README.md"));

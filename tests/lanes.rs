@@ -1,4 +1,4 @@
-//! Each SIMD lane has the bits of the scalar, whatever stands in the other lanes.
+//! Each SIMD lane has the bits of the scalar, whatever the other lanes hold.
 
 use std::fmt::Debug;
 
@@ -8,12 +8,13 @@ use shading::{
     SpotLight, UnitVec3, Vec3, normal, reflection, shade, term,
 };
 
-/// The most lanes of all the types.
+/// The largest number of lanes of any type.
 const LANES: usize = 16;
 
-/// `f32` or `f64`, as the lanes hold it.
+/// `f32` or `f64`, the type of one lane.
 trait Scalar: Real + Exponent<Self> + Debug {
-    /// Zeros of both signs, subnormal and ordinary numbers, the ends of the range, infinities, NaN.
+    /// Zeros of both signs, subnormal and ordinary numbers, the ends of the range, infinities, and
+    /// NaN.
     const EDGES: [Self; 18];
     const SIGNALING_NAN: Self;
     fn bits(self) -> u64;
@@ -34,7 +35,7 @@ macro_rules! lanes {
         impl Scalar for $float {
             const EDGES: [Self; 18] = {
                 const TINY: $float = $float::from_bits(1);
-                const ROUGH: $float = $float::from_bits(0x2D_4B1D); // subnormal, its root irrational
+                const ROUGH: $float = $float::from_bits(0x2D_4B1D); // subnormal; its root is irrational
                 const LEAST: $float = $float::MIN_POSITIVE;
                 const MAX: $float = $float::MAX;
                 const INFINITY: $float = $float::INFINITY;
@@ -45,7 +46,7 @@ macro_rules! lanes {
             };
             const SIGNALING_NAN: Self = $float::from_bits($float::INFINITY.to_bits() + 1);
             fn bits(self) -> u64 {
-                // any NaN is as good as another
+                // all NaNs count as equal
                 if self.is_nan() { u64::MAX } else { self.to_bits().into() }
             }
             fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>> {
@@ -76,18 +77,18 @@ macro_rules! lanes {
                 }
 
                 #[test]
-                fn every_m_raises_every_cosine_as_a_scalar() {
+                fn powers_have_the_bits_of_the_scalar() {
                     powers_agree::<wide::$lanes>();
                 }
 
                 #[test]
-                fn m_below_0_or_not_a_number_counts_as_0() {
+                fn negative_or_nan_m_counts_as_0() {
                     no_shininess::<wide::$lanes>();
                 }
 
                 #[test]
-                fn infinite_m_leaves_the_mirrored_direction_alone() {
-                    endless_shininess::<wide::$lanes>();
+                fn infinite_m_leaves_only_the_mirror_direction() {
+                    infinite_shininess::<wide::$lanes>();
                 }
 
                 #[test]
@@ -96,7 +97,7 @@ macro_rules! lanes {
                 }
 
                 proptest! {
-                    // nowhere to keep a failing case on WebAssembly
+                    // WebAssembly has nowhere to keep a failing case
                     #![proptest_config(ProptestConfig { failure_persistence: None, ..<_>::default() })]
 
                     #[test]
@@ -114,11 +115,12 @@ lanes!(f64: f64x4 * 4, f64x8 * 8);
 
 /// What differs from lane to lane: a point, N, V, and whether the point is at the first light.
 type Surface = ([f64; 3], [f64; 3], [f64; 3], bool);
-/// What is the same in all: position, intensity, a, b, c, the axis and the cosine of the cone.
+/// What all lanes share: the position, the intensity, a, b, c, the axis, and the cosine of the
+/// cone.
 type Lamp = ([f64; 3], [f64; 3], [f64; 3], [f64; 3], f64);
 
-/// Ordinary numbers mostly; of the others some whose squares vanish or overflow in `f32`, some
-/// that are subnormal there, zeros and the largest.
+/// Mostly ordinary numbers; some whose squares underflow or overflow in `f32`, some that are
+/// subnormal there, zeros, and the largest number.
 fn number() -> BoxedStrategy<f64> {
     prop_oneof![
         12 => -4.0..4.0,
@@ -132,7 +134,7 @@ fn vector() -> impl Strategy<Value = [f64; 3]> {
     [number(), number(), number()]
 }
 
-/// Not negative.
+/// Three numbers that are not negative.
 fn light() -> impl Strategy<Value = [f64; 3]> {
     vector().prop_map(|v| v.map(f64::abs))
 }
@@ -146,7 +148,7 @@ fn lights() -> impl Strategy<Value = Vec<Lamp>> {
     prop::collection::vec((vector(), light(), light(), vector(), -1.0..1.0), 1..4)
 }
 
-/// A sensible m mostly; or any other.
+/// Mostly a sensible m, sometimes any other.
 fn shininess() -> impl Strategy<Value = f64> {
     let others = [-0.0, -1.0, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
     prop_oneof![8 => 0.0..300.0, 1 => prop::sample::select(others.to_vec())]
@@ -157,7 +159,7 @@ fn vec3<L: Lanes>(v: impl Fn(usize) -> [f64; 3]) -> Vec3<L> {
     Vec3::new(of(0), of(1), of(2))
 }
 
-/// A light of each kind, over the number type of the lanes.
+/// A light of each kind, with the number type of one lane.
 fn lamp<S: Scalar>((position, intensity, [a, b, c], axis, cosine): &Lamp) -> [Light<S>; 3] {
     let of = |v: [f64; 3]| v.map(S::of);
     let axis = Vec3::from(of(*axis)).unit_or(UnitVec3::Z);
@@ -180,7 +182,7 @@ fn lamp<S: Scalar>((position, intensity, [a, b, c], axis, cosine): &Lamp) -> [Li
     ]
 }
 
-/// Everything there is to compute at a surface point.
+/// Everything that can be computed at a surface point.
 fn everything<T: Real, M: Exponent<T>>(
     p: Vec3<T>,
     [n, v]: [Vec3<T>; 2],
@@ -194,19 +196,19 @@ fn everything<T: Real, M: Exponent<T>>(
         term::phong(n, v, m),
         term::blinn(n, v, m),
     ];
-    let mut colour = |c: Rgb<T>| all.extend(<[T; 3]>::from(c));
-    colour(<[T; 3]>::from(normal::facing(n, v)).into());
-    colour(<[T; 3]>::from(normal::corner(p, *n, *v)).into());
+    let mut color = |c: Rgb<T>| all.extend(<[T; 3]>::from(c));
+    color(<[T; 3]>::from(normal::facing(n, v)).into());
+    color(<[T; 3]>::from(normal::corner(p, *n, *v)).into());
     for light in lights.iter().map(|light| light.at(p)) {
-        colour(light.intensity);
-        colour(Rgb::gray(light.distance));
-        colour(<[T; 3]>::from(light.l).into());
-        colour(light.intensity.clamped());
-        colour(<[T; 3]>::from(reflection(n, light.l)).into());
+        color(light.intensity);
+        color(Rgb::gray(light.distance));
+        color(<[T; 3]>::from(light.l).into());
+        color(light.intensity.clamped());
+        color(<[T; 3]>::from(reflection(n, light.l)).into());
     }
     let at = || lights.iter().map(|light| light.at(p));
     let in_front = lights.iter().filter_map(|light| light.in_front(p, n));
-    let mut shaded = |s: Shaded<T>| [s.ambient, s.diffuse, s.specular].map(&mut colour);
+    let mut shaded = |s: Shaded<T>| [s.ambient, s.diffuse, s.specular].map(&mut color);
     shaded(shade::lambert(n, material, i_a, at()));
     shaded(shade::phong(n, v, material, i_a, at()));
     shaded(shade::blinn_phong(n, v, material, i_a, at()));
@@ -259,7 +261,7 @@ fn agree_for<L: Lanes, M: Exponent<L> + Exponent<L::Scalar>>(
     }
 }
 
-/// Each operation of the number, on each two of the edges.
+/// Each operation of the number type, on each pair of edges.
 fn operations_agree<L: Lanes>() {
     let edges = L::Scalar::EDGES;
     let from = |first: usize, lane: usize| edges[(first + lane) % edges.len()];
@@ -277,14 +279,13 @@ fn operations_agree<L: Lanes>() {
                 );
             }
         }
-        // all lanes but the first are not positive
         let (a, b) = (edges[j], edges[k]);
         let first_is_b = L::gather(|i| if i == 0 { b } else { a });
         let any = a.any_positive() || b.any_positive();
         assert_eq!(
             first_is_b.any_positive(),
             any,
-            "{a:?}, the first lane {b:?}"
+            "{a:?}, and {b:?} in the first lane"
         );
     }
 }
@@ -305,7 +306,7 @@ fn operations<T: Real>(a: T, b: T) -> [(&'static str, T); 11] {
     ]
 }
 
-/// A direction with a cosine of c to Z; its length does not matter here.
+/// A direction whose dot product with Z is c; its length does not matter here.
 fn tilted<T: Real>(c: T) -> UnitVec3<T> {
     UnitVec3::assume_unit(Vec3::new(T::ZERO, T::ZERO, c))
 }
@@ -342,7 +343,7 @@ fn powers_agree_for<L: Lanes, M: Exponent<L> + Exponent<L::Scalar> + Debug>(m: M
     }
 }
 
-/// The highlights after Phong and after Blinn of a white mirror, seen from V.
+/// The highlights of Phong and of Blinn–Phong on a white mirror, seen from V.
 fn highlights<L: Lanes, M: Exponent<L>>(l: UnitVec3<L>, v: UnitVec3<L>, m: M) -> [L; 2] {
     let material = Material {
         k_a: Rgb::BLACK,
@@ -386,7 +387,7 @@ fn no_shininess<L: Lanes>() {
 }
 
 /// 1^∞ = 1, and c^∞ = 0 for c < 1.
-fn endless_shininess<L: Lanes>() {
+fn infinite_shininess<L: Lanes>() {
     let m = L::Scalar::of(f64::INFINITY);
     for highlight in highlights::<L, _>(UnitVec3::Z, UnitVec3::Z, m) {
         assert_all(highlight, 1.0);
@@ -396,7 +397,7 @@ fn endless_shininess<L: Lanes>() {
     }
 }
 
-/// Where L = −V, H is 0/0; a cosine that is not a number is no cosine.
+/// Where L = −V, H is 0/0; a cosine of NaN gives no highlight.
 fn no_highlight<L: Lanes>() {
     let nan = tilted(L::of(f64::NAN));
     for [phong, blinn] in [
@@ -408,7 +409,7 @@ fn no_highlight<L: Lanes>() {
         assert_all(phong, 0.0);
         assert_all(blinn, 0.0);
     }
-    // behind the surface: N·L is −0
+    // behind the surface, N·L is −0
     assert_all(term::lambert(UnitVec3::<L>::Z, -UnitVec3::X), 0.0);
     assert_all(Rgb::gray(L::of(-0.0)).clamped().g, 0.0);
 }

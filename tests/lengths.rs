@@ -11,11 +11,12 @@ for_f32_and_f64!(
     diagonal_of_a_box_is_exact_at_any_size,
     length_that_overflows_is_infinite,
     length_is_right_at_any_size,
-    direction_in_a_constant_has_the_bits_of_run_time,
+    direction_has_the_same_bits_in_a_constant_and_at_run_time,
 );
 
 fn diagonal_of_a_box_is_exact_at_any_size<T: Float>() {
-    // 2² + 3² + 6² = 7²: no step rounds, from the smallest number up to the range of 7
+    // 2² + 3² + 6² = 7²: no step rounds, from the smallest number to the largest size whose
+    // sevenfold is finite
     let [two, three, six, seven] = [2.0, 3.0, 6.0, 7.0].map(T::of);
     let mut size = T::of(T::TINIEST);
     while (size * seven).is_finite() {
@@ -36,7 +37,7 @@ fn length_that_overflows_is_infinite<T: Float>() {
     assert!(Vec3::new(T::ONE, T::NAN, T::ONE).length().to_f64().is_nan());
 }
 
-/// A vector whose components are within some binary places of each other, of any size.
+/// A vector of any size whose components differ by at most some binary places.
 fn vector<T: Float>() -> impl Strategy<Value = Vec3<T>> {
     let largest = T::MAX.to_f64().log2().floor();
     let component = || (-2.0..2.0, 0.0..40.0_f64);
@@ -66,8 +67,9 @@ fn config() -> ProptestConfig {
     }
 }
 
-/// Each square rounds by u, and each of two sums: 3u, of which the root makes 1.5u; itself it rounds by
-/// u. What u² adds is less than 10⁻⁶ of that. A subnormal length rounds by half the smallest number.
+/// Each square rounds by u, and so does each of two sums: 3u, which the root turns into 1.5u. The
+/// root itself rounds by u. Terms in u² add less than 10⁻⁶ of that. A subnormal length rounds by
+/// half the smallest number.
 fn length_is_right_at_any_size<T: Float>() {
     proptest!(config(), |(v in vector::<T>())| {
         let [x, y, z] = <[T; 3]>::from(v).map(|c| exact(c.to_f64()));
@@ -83,8 +85,8 @@ fn length_is_right_at_any_size<T: Float>() {
     });
 }
 
-/// Usual vectors, those of any size, and those of any numbers, finite or not.
-fn direction_in_a_constant_has_the_bits_of_run_time<T: Float>() {
+/// Ordinary vectors, vectors of any size, and vectors of arbitrary numbers, finite or not.
+fn direction_has_the_same_bits_in_a_constant_and_at_run_time<T: Float>() {
     let special = [0.0, -0.0, 1.0, T::TINIEST, T::MIN_POSITIVE, T::MAX.to_f64()];
     let special = special
         .map(T::of)

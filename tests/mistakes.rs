@@ -1,18 +1,19 @@
-//! The mistakes that newcomers make, and what the compiler tells them.
+//! Mistakes that newcomers make, and what the compiler says about them.
 //!
-//! Each program of `tests/mistakes` makes one, and beside it stands the message. A comment says by
-//! which attribute this crate improved the message, or why it is left to the compiler.
+//! Each program in `tests/mistakes` makes one mistake, and the compiler's message stands beside it.
+//! A comment names the attribute that this crate uses to improve the message, or says why the
+//! message is left to the compiler.
 
-#![cfg(not(feature = "mint"))] // it adds to what the compiler lists
+#![cfg(not(feature = "mint"))] // this feature adds to the types that the compiler lists
 
 use std::process::Command;
 
-/// Half of each message is the compiler's, and each version words it anew.
+/// Half of each message comes from the compiler, and each version words it differently.
 const COMPILER: &str = "rustc 1.95.0";
 
 #[test]
-#[ignore = "the messages are those of one version of the compiler"]
-fn mistakes_are_told_as_recorded() {
+#[ignore = "the messages are those of one compiler version"]
+fn messages_are_as_recorded() {
     let rustc = Command::new("rustc").arg("--version").output();
     let version = String::from_utf8(rustc.expect("rustc").stdout).expect("a version");
     assert!(

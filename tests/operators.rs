@@ -1,4 +1,4 @@
-//! What is written around the formulas: operators, sums, defaults and short names.
+//! What surrounds the formulas: operators, sums, defaults, and short names.
 
 use std::any::TypeId;
 
@@ -6,19 +6,19 @@ use shading::{Attenuation, Real, Rgb, Shaded, UnitVec3, Vec3};
 use support::number::{Float, for_f32_and_f64, vector};
 
 for_f32_and_f64!(
-    operators_take_each_component,
-    assigning_gives_what_the_operator_gives,
+    operators_act_on_each_component,
+    assignment_operators_agree_with_the_operators,
     sums_go_from_first_to_last,
     named_directions_are_the_axes,
     parts_of_a_result_add_up_and_scale,
-    attenuation_gives_back_what_it_was_made_of,
+    attenuation_returns_its_coefficients,
 );
 
 fn rgb<T: Real>(channels: [f64; 3]) -> Rgb<T> {
     Rgb::from(channels).map(T::of)
 }
 
-fn operators_take_each_component<T: Float>() {
+fn operators_act_on_each_component<T: Float>() {
     let (a, b, two) = ([1.0, -2.0, 6.0], [4.0, 8.0, -1.0], T::of(2.0));
     let (v, w) = (vector::<T>(a), vector(b));
     assert_eq!(v + w, vector([5.0, 6.0, 5.0]));
@@ -32,13 +32,13 @@ fn operators_take_each_component<T: Float>() {
     assert_eq!(c * d, rgb([4.0, -16.0, -6.0]));
     assert_eq!(c * two, rgb([2.0, -4.0, 12.0]));
     assert_eq!(c / two, rgb([0.5, -1.0, 3.0]));
-    // a quotient is divided, not multiplied by a rounded reciprocal
+    // a quotient is the result of a division, not of a multiplication by a rounded reciprocal
     let [seven, ten] = [7.0, 10.0].map(T::of);
     assert_eq!(Vec3::new(seven, seven, seven) / ten, vector([0.7; 3]));
     assert_eq!(Rgb::gray(seven) / ten, rgb([0.7; 3]));
 }
 
-fn assigning_gives_what_the_operator_gives<T: Float>() {
+fn assignment_operators_agree_with_the_operators<T: Float>() {
     let (a, b, third) = ([0.1, 0.2, 0.3], [3.0, -0.7, 11.0], T::of(1.0 / 3.0));
     let (v, w) = (vector::<T>(a), vector(b));
     let [mut sum, mut difference, mut product] = [v; 3];
@@ -55,7 +55,7 @@ fn assigning_gives_what_the_operator_gives<T: Float>() {
 }
 
 fn sums_go_from_first_to_last<T: Float>() {
-    // 1 + u + u is 1, and u + u + 1 is 1 + 2u: the order shows
+    // 1 + u + u is 1, and u + u + 1 is 1 + 2u, so the result shows the order
     let (one, u) = ([1.0; 3], [T::U; 3]);
     let (first, last) = (one, [1.0 + 2.0 * T::U; 3]);
     for (terms, sum) in [([one, u, u], first), ([u, u, one], last)] {
@@ -108,7 +108,7 @@ fn parts_of_a_result_add_up_and_scale<T: Float>() {
     assert_eq!(none + a, a);
 }
 
-fn attenuation_gives_back_what_it_was_made_of<T: Float>() {
+fn attenuation_returns_its_coefficients<T: Float>() {
     let abc = [0.25, 0.0, 3.0].map(T::of);
     let attenuation = T::new_attenuation(abc[0], abc[1], abc[2]).expect("coefficients");
     assert_eq!(attenuation.coefficients(), abc);
@@ -131,7 +131,7 @@ macro_rules! of_each_float {
             assert_eq!(half * Rgb::new(1.0, 0.0, 6.0), Rgb::new(0.5, 0.0, 3.0));
         }
 
-        /// Each short name is the type of that number, and needs no other parameter.
+        /// Each short name is the type for that number, and needs no other parameter.
         #[test]
         fn $aliases() {
             use shading::$float as of;

@@ -1,4 +1,4 @@
-//! How far away a light is: a shadow ray ends there.
+//! The distance to a light, where a shadow ray ends.
 
 use shading::{
     Attenuation, DirectionalLight, IncidentLight, Light, PointLight, Rgb, SpotLight, UnitVec3, Vec3,
@@ -8,9 +8,9 @@ use support::number::{Float, for_f32_and_f64, vector};
 for_f32_and_f64!(
     wall_behind_a_lamp_casts_no_shadow,
     any_wall_hides_the_sun,
-    distance_is_that_of_the_positions,
+    distance_is_that_between_the_positions,
     distance_is_right_at_any_size,
-    distance_is_never_infinite_nor_nan,
+    distance_is_never_infinite_or_nan,
 );
 
 fn lamp<T: Float>(position: Vec3<T>) -> PointLight<T> {
@@ -21,7 +21,7 @@ fn lamp<T: Float>(position: Vec3<T>) -> PointLight<T> {
     }
 }
 
-/// Every light that has a place, there.
+/// Each kind of light that has a position, at this one.
 fn lamps<T: Float>(position: Vec3<T>) -> [Light<T>; 2] {
     let point = lamp(position);
     let cone = T::cone(180.0).expect("a cone");
@@ -44,7 +44,8 @@ fn is_blocked<T: Float>(p: Vec3<T>, height: f64, light: &IncidentLight<T>) -> bo
 
 fn wall_behind_a_lamp_casts_no_shadow<T: Float>() {
     let p = vector::<T>([1.0, 0.0, 0.0]);
-    // two aside and two up: at the height 1 the wall is before it, at 3 behind it
+    // the lamp is two units to the side and two up: a wall at height 1 is in front of it, one at 3
+    // behind it
     for light in lamps(vector([3.0, 0.0, 2.0])) {
         assert!(is_blocked(p, 1.0, &light.at(p)), "{light:?}");
         assert!(!is_blocked(p, 3.0, &light.at(p)), "{light:?}");
@@ -65,7 +66,7 @@ fn any_wall_hides_the_sun<T: Float>() {
     }
 }
 
-fn distance_is_that_of_the_positions<T: Float>() {
+fn distance_is_that_between_the_positions<T: Float>() {
     // 2² + 3² + 6² = 7²
     for light in lamps::<T>(vector([3.0, 1.0, 5.0])) {
         let p = vector([1.0, 4.0, -1.0]);
@@ -88,11 +89,11 @@ fn distance_is_right_at_any_size<T: Float>() {
     }
 }
 
-fn distance_is_never_infinite_nor_nan<T: Float>() {
+fn distance_is_never_infinite_or_nan<T: Float>() {
     let p = Vec3::new(T::ZERO, T::MAX, T::ZERO);
-    // the way is twice as long as the largest number
+    // the distance is twice the largest number
     assert_eq!(lamp(-p).at(p).distance, T::MAX);
-    // at the light itself, which lights nothing there
+    // at its own position a light lights nothing
     assert_eq!(lamp(p).at(p).distance, T::MAX);
     for nowhere in [T::INFINITY, -T::INFINITY, T::NAN] {
         let nowhere = Vec3::new(T::ONE, nowhere, T::ZERO);

@@ -1,5 +1,5 @@
-//! What every function gives where its formula has no answer: each cell of the table in
-//! `docs/totality.md` is a test here, or in `conventions.rs`.
+//! What every function returns where its formula has no answer. A test here or in `conventions.rs`
+//! covers each cell of the table in `docs/totality.md`.
 
 use std::f64::consts::FRAC_1_PI;
 
@@ -11,7 +11,7 @@ use support::flushing::Flushing;
 use support::number::{Float, direction, for_f32_and_f64, vector};
 
 for_f32_and_f64!(
-    dot_and_cross_overflow_as_their_formulas,
+    dot_and_cross_overflow_like_their_formulas,
     root_and_logarithm_below_zero_are_nan,
     flushed_subnormals_count_as_zero,
     unit_of_no_direction_is_none,
@@ -19,7 +19,7 @@ for_f32_and_f64!(
     half_vector_of_nan_is_none,
     half_vector_is_right_next_to_opposite_directions,
     the_highlight_is_right_next_to_opposite_directions,
-    reflection_of_garbage_is_garbage_of_the_same_kind,
+    reflection_of_an_invalid_direction_follows_the_formula,
     plane_without_a_direction_has_no_normal,
     triangle_with_an_infinite_vertex_has_no_normal,
     sphere_has_no_normal_at_its_center,
@@ -28,7 +28,7 @@ for_f32_and_f64!(
     poles_and_collapsed_edges_have_no_normal,
     tangents_above_the_noise_give_the_normal,
     facing_edge_on_or_nan_stays,
-    what_is_flattened_to_a_line_has_no_normal,
+    plane_flattened_to_a_line_has_no_normal,
     columns_of_any_size_transform_normals,
     a_degenerate_triangle_has_no_share,
     shares_of_tiny_and_huge_triangles_are_angles,
@@ -50,7 +50,7 @@ for_f32_and_f64!(
     soft_cone_of_invalid_angles_is_none,
     soft_cone_of_one_angle_is_the_hard_cone,
     soft_cone_of_angles_next_to_each_other_is_a_cone,
-    range_that_is_none_is_refused,
+    invalid_range_is_refused,
     ranged_attenuation_is_zero_out_of_its_range,
     lights_out_of_range_are_left_out,
     cone_of_a_nan_direction_gives_one,
@@ -77,7 +77,7 @@ fn at_x<T: Real>(x: T) -> Vec3<T> {
     Vec3::new(x, T::ZERO, T::ZERO)
 }
 
-/// The numbers that are none.
+/// The values that are not finite numbers.
 fn not_finite<T: Float>() -> [T; 3] {
     [T::INFINITY, -T::INFINITY, T::NAN]
 }
@@ -132,7 +132,7 @@ fn flushed_subnormals_count_as_zero<T: Float>() {
 
 // vectors
 
-fn dot_and_cross_overflow_as_their_formulas<T: Float>() {
+fn dot_and_cross_overflow_like_their_formulas<T: Float>() {
     let root = T::MAX.sqrt() * T::of(2.0);
     let [a, b] = [[1.0, 1.0, 0.0], [1.0, -1.0, 0.0]].map(|v| vector::<T>(v) * root);
     // ∞ + ∞ and ∞ − ∞
@@ -140,7 +140,8 @@ fn dot_and_cross_overflow_as_their_formulas<T: Float>() {
     assert!(a.dot(b).to_f64().is_nan());
     assert!(a.cross(a).z.to_f64().is_nan());
     assert_eq!(a.cross(b).z, -T::INFINITY);
-    // as long as no product overflows, a × a is exactly 0, and what needs them has its answer
+    // as long as no product overflows, a × a is exactly 0, and the functions that need it have
+    // their answer
     let c = vector::<T>([1.0, 2.0, 3.0]) * T::of(0.1) * T::MAX.sqrt();
     assert_eq!(c.cross(c), Vec3::ZERO);
     assert_eq!(normal::from_tangents(a, b), Some(-UnitVec3::Z));
@@ -172,7 +173,7 @@ fn half_vector_of_nan_is_none<T: Float>() {
 }
 
 fn half_vector_is_right_next_to_opposite_directions<T: Float>() {
-    // both unit to rounding; their sum is (0, 0, tiny), and H is Z
+    // both are unit vectors up to rounding; their sum is (0, 0, tiny), and H is Z
     for tiny in [T::of(T::TINIEST), T::of(T::MIN_POSITIVE), T::of(T::U)] {
         let l = UnitVec3::assume_unit(Vec3::new(T::ONE, T::ZERO, tiny));
         assert_eq!(half_vector(l, -UnitVec3::X), Some(UnitVec3::Z));
@@ -180,7 +181,8 @@ fn half_vector_is_right_next_to_opposite_directions<T: Float>() {
 }
 
 fn the_highlight_is_right_next_to_opposite_directions<T: Float>() {
-    // as above, H is Z, so N·H is the z of N: 1 and 4/5, to two roundings for each factor
+    // as above, H is Z, so N·H is the z component of N: 1 and 4/5, with two roundings for each
+    // factor
     for tiny in [1.0, 3.0, 1e9].map(|c| T::of(c * T::TINIEST)) {
         let light = |sign: T| DirectionalLight {
             l: UnitVec3::assume_unit(Vec3::new(T::ONE, T::ZERO, sign * tiny)),
@@ -196,12 +198,12 @@ fn the_highlight_is_right_next_to_opposite_directions<T: Float>() {
         let slanted = direction::<T>([3.0, 0.0, 4.0]);
         let error = specular(slanted, 8, T::ONE).r.to_f64() - 0.8_f64.powi(8);
         assert!(error.abs() <= 32.0 * T::U, "{tiny:e}: off by {error:e}");
-        // N·H = −4/5 has none
+        // N·H = −4/5 gives no highlight
         assert_eq!(specular(slanted, 8, -T::ONE), Rgb::BLACK, "{tiny:e}");
     }
 }
 
-fn reflection_of_garbage_is_garbage_of_the_same_kind<T: Float>() {
+fn reflection_of_an_invalid_direction_follows_the_formula<T: Float>() {
     // 2(N·L)N − L for |N| = 2: 2·4·2 − 1
     let long = UnitVec3::assume_unit(at_x(T::of(2.0)));
     assert_eq!(*reflection(long, UnitVec3::X), at_x(T::of(7.0)));
@@ -263,9 +265,9 @@ fn tangents_of_any_length_give_the_normal<T: Float>() {
     }
 }
 
-/// A bicubic Bézier patch as a sum over Bernstein's polynomials: along a collapsed edge the control
-/// points are equal, and their weights, whose sum is 1, have derivatives whose sum is 0 but for
-/// rounding.
+/// A bicubic Bézier patch as a sum over Bernstein polynomials. Along a collapsed edge the control
+/// points are equal; their weights add up to 1, so the derivatives of the weights add up to 0,
+/// apart from rounding.
 fn bezier<T: Real>(control: &[Vec3<f64>], u: T, v: T) -> Vec3<T> {
     let bernstein = |t: T| {
         let (s, three) = (T::ONE - t, T::of(3.0));
@@ -280,7 +282,7 @@ fn bezier<T: Real>(control: &[Vec3<f64>], u: T, v: T) -> Vec3<T> {
         })
 }
 
-/// The same patch by de Casteljau's algorithm: from point to point by their differences.
+/// The same patch by de Casteljau's algorithm, which goes from point to point by differences.
 fn casteljau<T: Real>(control: &[Vec3<f64>], far: f64, u: T, v: T) -> Vec3<T> {
     let line = |points: [Vec3<T>; 4], t| {
         let mut points = points;
@@ -316,7 +318,7 @@ fn teapot() -> Vec<Vec<Vec3<f64>>> {
 }
 
 fn poles_and_collapsed_edges_have_no_normal<T: Float>() {
-    // of each edge: its control points, where it begins, and which way it goes
+    // for each edge: its control points, where it begins, and in which direction it runs
     let edges = [
         ([0, 1, 2, 3], [0.0, 0.0], [1.0, 0.0]),
         ([12, 13, 14, 15], [0.0, 1.0], [1.0, 0.0]),
@@ -342,10 +344,10 @@ fn poles_and_collapsed_edges_have_no_normal<T: Float>() {
             }
         }
     }
-    // the bottom and the lid are four patches each
+    // the bottom and the lid consist of four patches each
     assert_eq!(tried, 8 * (13 + 998));
 
-    // sin π is not 0 but what π was rounded by, at most 2u
+    // sin π is not 0 but the rounding error of π, at most 2u
     let sphere = |u: Dual<T>, v: Dual<T>| Vec3::new(u.cos() * v.sin(), u.sin() * v.sin(), v.cos());
     for pole in [0.0, std::f64::consts::PI] {
         assert_eq!(normal::parametric(sphere, T::ONE, T::of(pole)), None);
@@ -353,7 +355,8 @@ fn poles_and_collapsed_edges_have_no_normal<T: Float>() {
 }
 
 fn tangents_above_the_noise_give_the_normal<T: Float>() {
-    // (k u, v, 0), with tangents in the ratio k: down to 32 u there is none, from there on Z
+    // (k u, v, 0) has tangents in the ratio k: at 32u and below it has no normal, and above that
+    // the normal is Z
     let plane = |k: f64, size: T| {
         let s = |u: Dual<T>, v: Dual<T>| {
             Vec3::new(u * T::of(k) * size, v * size, Dual::constant(T::ZERO))
@@ -389,13 +392,13 @@ fn facing_edge_on_or_nan_stays<T: Float>() {
     }
 }
 
-fn what_is_flattened_to_a_line_has_no_normal<T: Float>() {
+fn plane_flattened_to_a_line_has_no_normal<T: Float>() {
     let [x, y, z] = [UnitVec3::<T>::X, UnitVec3::Y, UnitVec3::Z];
-    // onto the plane z = 0: that plane stays, and a wall becomes a line
+    // projected onto the plane z = 0, that plane keeps its normal, and a wall becomes a line
     let flat = [*x, *y, Vec3::ZERO];
     assert_eq!(normal::transformed(z, flat), Some(z));
     assert_eq!(normal::transformed(x, flat), None);
-    // onto a line, and onto a point
+    // projected onto a line, and onto a point
     for columns in [[*x, *x * T::of(2.0), -*x], [Vec3::ZERO; 3]] {
         assert!(
             [x, y, z]
@@ -409,7 +412,7 @@ fn what_is_flattened_to_a_line_has_no_normal<T: Float>() {
             columns[i].y = bad;
             let transformed = [x, y, z].map(|n| normal::transformed(n, columns));
             assert_eq!(transformed, [None; 3], "{columns:?}");
-            // also beside columns of any other size
+            // even beside columns of any other size
             for size in [T::of(T::TINIEST), T::MAX] {
                 let columns = [0, 1, 2].map(|j| columns[j] * if i == j { T::ONE } else { size });
                 let transformed = [x, y, z].map(|n| normal::transformed(n, columns));
@@ -432,7 +435,7 @@ fn columns_of_any_size_transform_normals<T: Float>() {
                 );
             }
         }
-        // (1, 1, 0) stretched by a and a along x and y, by whatever along z; off by the unit vectors
+        // (1, 1, 0) stretched by a along x and y, and by any size along z; the unit vectors round
         let diagonal = direction::<T>([1.0, 1.0, 0.0]);
         for c in sizes {
             let columns = [*UnitVec3::X * a, *UnitVec3::Y * a, *UnitVec3::Z * c];
@@ -467,7 +470,7 @@ fn a_degenerate_triangle_has_no_share<T: Float>() {
 }
 
 fn shares_of_tiny_and_huge_triangles_are_angles<T: Float>() {
-    // 90° and 45°; the edges of the largest overflow
+    // the angles are 90° and 45°; the edges of the largest triangle overflow
     let sizes = [
         T::TINIEST,
         T::MIN_POSITIVE,
@@ -540,14 +543,14 @@ fn highlight_with_m_zero_is_one_up_to_the_horizon<T: Float>() {
 }
 
 fn highlight_with_a_huge_m_is_zero_beside_the_mirror<T: Float>() {
-    // (1 − 2⁻¹²)^(2³² − 1) = e^(−2²⁰) and less: 0 in every float
+    // (1 − 2⁻¹²)^(2³² − 1) < e^(−2²⁰), which is 0 in every float
     let beside = UnitVec3::assume_unit(at_x(T::of(1.0 - 2.0_f64.powi(-12))));
     assert_eq!(term::phong(UnitVec3::X, beside, u32::MAX), T::ZERO);
     assert_eq!(term::phong(UnitVec3::<T>::X, UnitVec3::X, u32::MAX), T::ONE);
     for m in [T::of(1e30), T::MAX, T::INFINITY] {
         assert_eq!(term::blinn(UnitVec3::X, beside, m), T::ZERO, "{m:e}");
     }
-    // 1 to any power is 1, and a cosine that rounding leaves above 1 counts as 1
+    // 1 to any power is 1, and a cosine that rounds to more than 1 counts as 1
     let above = UnitVec3::assume_unit(at_x(T::of(1.0 + 2.0 * T::U)));
     for m in [T::of(1e30), T::MAX, T::INFINITY] {
         assert_eq!(term::blinn(UnitVec3::X, UnitVec3::X, m), T::ONE, "{m:e}");
@@ -578,7 +581,8 @@ fn highlight_with_an_invalid_m_takes_it_as_zero<T: Float>() {
 // attenuation and cone
 
 fn normalization_with_m_zero_is_one_over_pi<T: Float>() {
-    // a highlight that is 1 everywhere is Lambert's: 2/(2π) = 1/π and 2·4/(8π) = 1/π, three roundings
+    // a highlight that is 1 everywhere is Lambert's: 2/(2π) = 1/π and 2·4/(8π) = 1/π, with three
+    // roundings
     for factor in [
         term::phong_normalization(T::ZERO),
         term::blinn_normalization(T::ZERO),
@@ -588,7 +592,7 @@ fn normalization_with_m_zero_is_one_over_pi<T: Float>() {
 }
 
 fn normalization_with_a_huge_m_is_finite<T: Float>() {
-    // (m + 2)/(2π), and (m + 2)(m + 4)/(8πm) = (m + 6 + 8/m)/(8π), to seven roundings
+    // (m + 2)/(2π), and (m + 2)(m + 4)/(8πm) = (m + 6 + 8/m)/(8π), with seven roundings
     let near = |factor: T, expected: f64| (factor.to_f64() / expected - 1.0).abs() <= 7.0 * T::U;
     for m in [T::of(1e30), T::MAX] {
         let expected = m.to_f64() * FRAC_1_PI;
@@ -631,7 +635,7 @@ fn attenuation_with_a_denominator_of_negative_zero_is_negative<T: Float>() {
     let [zero, one] = [T::ZERO, T::ONE];
     // −0 + −0(0 + 1·−0) = −0
     assert_eq!(attenuation(-zero, zero, one, -zero), -T::INFINITY);
-    // and 0 as soon as a or q is
+    // if a or q is +0, so is the denominator
     assert_eq!(attenuation(zero, zero, one, -zero), T::INFINITY);
     assert_eq!(attenuation(-zero, zero, one, zero), T::INFINITY);
     let checked = T::new_attenuation(-zero, zero, one).expect("coefficients");
@@ -708,7 +712,7 @@ fn soft_cone_of_invalid_angles_is_none<T: Float>() {
 }
 
 fn soft_cone_of_one_angle_is_the_hard_cone<T: Float>() {
-    // every 2⁻⁸ of the half-circle, on the edge and next to it
+    // every 2⁻⁸ radians of the half-circle, on the edge and next to it
     for angle in (0..=804).map(|k| T::of(f64::from(k) / 256.0)) {
         let hard = T::cone_from_half_angle(angle).expect("below π");
         let soft = T::soft_cone_from_half_angles(angle, angle).expect("below π");
@@ -725,7 +729,7 @@ fn soft_cone_of_one_angle_is_the_hard_cone<T: Float>() {
 }
 
 fn soft_cone_of_angles_next_to_each_other_is_a_cone<T: Float>() {
-    // beyond π/4 the cosines of neighboring angles may change places by rounding: those of 8 pairs here in f32
+    // beyond π/4, rounding may swap the cosines of neighboring angles; in f32 it swaps 8 pairs here
     let start = match T::NAME {
         "f32" => T::of(0.787),
         _ => T::of(std::f64::consts::FRAC_PI_4),
@@ -740,11 +744,11 @@ fn soft_cone_of_angles_next_to_each_other_is_a_cone<T: Float>() {
     }
 }
 
-fn range_that_is_none_is_refused<T: Float>() {
+fn invalid_range_is_refused<T: Float>() {
     for bad in [T::ZERO, -T::ZERO, -T::ONE, -T::INFINITY, T::NAN] {
         assert_eq!(T::within(Attenuation::NONE, bad), None);
     }
-    // ∞ is no range, also at an infinite distance, where the attenuation is 0
+    // a range of ∞ is no range, not even at an infinite distance, where the attenuation is 0
     let free = T::new_attenuation(T::ONE, T::ZERO, T::of(0.25)).expect("coefficients");
     let ranged = T::within(free, T::INFINITY).expect("no range");
     for q in [T::ZERO, T::of(T::TINIEST), T::of(2.0), T::MAX, T::INFINITY] {
@@ -760,7 +764,7 @@ fn ranged_attenuation_is_zero_out_of_its_range<T: Float>() {
         for q in [r, r + r, T::INFINITY, T::NAN] {
             assert_eq!(ranged.at(q), T::ZERO, "{q:e} of {r:e}");
         }
-        // and where nothing is left of the distance, all is left of the light
+        // at a distance of 0, all of the light is left
         assert_eq!(ranged.at(T::ZERO), T::MAX);
     }
 }
@@ -774,7 +778,7 @@ fn lights_out_of_range_are_left_out<T: Float>() {
     let in_front = |lamp: PointLight<T, shading::Ranged<T>>| lamp.in_front(Vec3::ZERO, UnitVec3::Z);
     let [small, large] = [T::MIN_POSITIVE.sqrt() / 16.0, T::MAX.to_f64().sqrt() * 16.0].map(T::of);
     assert_eq!(in_front(lamp(T::of(2.0), T::ONE)), None);
-    // within the range, whatever its square: that of the distance may be 0 or infinite
+    // within the range, even if the square of the distance is 0 or infinite
     for r in [small, T::ONE, large, T::INFINITY] {
         let q = if r.is_finite() {
             r * T::of(0.5)
@@ -785,7 +789,7 @@ fn lights_out_of_range_are_left_out<T: Float>() {
         assert_eq!(incident, lamp(q, r).at(Vec3::ZERO));
         assert!(incident.intensity.r > T::ZERO);
     }
-    // out of it, what is not left out is black
+    // out of range, a light that is not left out is black
     for r in [small, large] {
         let incident = in_front(lamp(r + r, r));
         assert!(incident.is_none_or(|light| light.intensity == Rgb::BLACK));
@@ -827,7 +831,8 @@ fn light_at_extreme_distances_has_its_direction<T: Float>() {
         T::MAX.to_f64(),
     ];
     for q in extremes.map(T::of) {
-        // square, root, reciprocal and product: 2.5u, and the reciprocal of the distance 1u more
+        // the square, root, reciprocal, and product are off by 2.5u; the reciprocal of the distance
+        // adds 1u
         let near = |a: T, b: T| a == b || (a.to_f64() / b.to_f64() - 1.0).abs() <= 4.0 * T::U;
         let constant = lamp(at_x(q), [1.0, 0.0, 0.0]).at(Vec3::ZERO);
         assert!(
@@ -891,7 +896,7 @@ fn no_lights_give_the_ambient<T: Float>() {
     assert_eq!([shaded.ambient, shaded.diffuse, shaded.specular], expected);
 }
 
-/// Two lights of the largest number, from above.
+/// Two lights from above, each with the largest number as its intensity.
 fn overflowing<T: Float>() -> [IncidentLight<T>; 2] {
     [IncidentLight {
         l: UnitVec3::Z,
@@ -920,11 +925,11 @@ fn overflowing_sum_is_the_largest_number<T: Float>() {
 }
 
 fn clamped_nan_is_zero<T: Float>() {
-    let colour = Rgb::new(T::NAN, T::INFINITY, -T::INFINITY).clamped();
-    assert_eq!(colour, Rgb::new(T::ZERO, T::ONE, T::ZERO));
+    let color = Rgb::new(T::NAN, T::INFINITY, -T::INFINITY).clamped();
+    assert_eq!(color, Rgb::new(T::ZERO, T::ONE, T::ZERO));
 }
 
-// encodings, of `f32` alone
+// encodings, which exist for `f32` only
 
 #[test]
 fn dark_and_invalid_channels_get_the_lowest_level() {
@@ -955,12 +960,12 @@ fn channels_above_one_get_the_highest_level() {
 
 // dual numbers
 
-/// The first variable, at `value`.
+/// The first variable, with this value.
 fn variable<T: Float>(value: f64) -> Dual<T> {
     Dual::point(at_x(T::of(value))).x
 }
 
-/// The value is what the plain number gives, and the derivative does not exist.
+/// The value is the result for the plain number, and the derivative does not exist.
 fn assert_no_derivative<T: Float>(dual: Dual<T>, value: T) {
     assert_eq!(dual.value, value);
     assert!(!dual.gradient.x.is_finite(), "{dual:?}");
@@ -1000,7 +1005,7 @@ fn dual_root_and_logarithm_below_zero_have_no_gradient<T: Float>() {
             assert!(!dual.gradient.x.is_finite(), "{dual:?}");
         }
     }
-    // of a function that is not defined there is no normal
+    // a function has no normal where it is undefined
     let f = |p: Vec3<Dual<T>>| p.x.ln() + p.z;
     assert_eq!(normal::implicit(f, at_x(-T::ONE)), None);
     let f = |p: Vec3<Dual<T>>| p.x.ln().abs() + p.z;
@@ -1012,7 +1017,7 @@ fn dual_power_of_zero_is_one_and_flat<T: Float>() {
     assert_eq!((x.value, x.gradient), (T::ONE, Vec3::ZERO));
 }
 
-/// The table in the documentation cites tests that are there.
+/// The table in the documentation cites only tests that exist.
 #[test]
 fn every_row_of_the_table_names_a_test() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -1,7 +1,7 @@
-//! Why `normal::corner` weighs by the angle: what angles, Max's weights and areas make of meshes, against
-//! the exact normals of the surfaces that the meshes lie on.
+//! Why `normal::corner` weights by the angle. Angle weights, Max's weights, and area weights are
+//! compared on meshes with the exact normals of the surfaces that the meshes lie on.
 //!
-//! The mean errors are the table on the page of `normal::corner`.
+//! The mean errors are the table in the documentation of `normal::corner`.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
@@ -13,7 +13,7 @@ use shading::{Real, normal};
 const PAGE: &str = include_str!("../src/normal/corner.rs");
 
 #[test]
-fn table_of_weights_says_what_is_measured() {
+fn table_of_weights_has_the_measured_values() {
     let meshes = [
         ("the teapot, all squares split alike", teapot(false, 0.0)),
         (
@@ -34,7 +34,7 @@ fn table_of_weights_says_what_is_measured() {
     assert!(PAGE.contains(&measured), "the page lacks\n{measured}");
 }
 
-/// A triangle's share in the normal of its first vertex.
+/// A triangle's contribution to the normal of its first vertex.
 type Share = fn(Vec3, Vec3, Vec3) -> Vec3;
 
 /// Source: N. Max, *Weights for computing vertex normals from facet normals*, 1999.
@@ -51,12 +51,12 @@ fn by_area(v1: Vec3, v2: Vec3, v3: Vec3) -> Vec3 {
 struct Mesh {
     positions: Vec<Vec3>,
     triangles: Vec<[usize; 3]>,
-    /// The normal of the surface at those vertices around which the mesh is whole.
+    /// The exact surface normals at those vertices that the mesh surrounds completely.
     exact: BTreeMap<usize, Vec3>,
 }
 
 impl Mesh {
-    /// The mean angle between the normals of the vertices and the exact ones, in degrees.
+    /// The mean angle in degrees between the vertex normals and the exact ones.
     fn error(&self, share: Share) -> f64 {
         let mut sums = vec![Vec3::ZERO; self.positions.len()];
         for &[a, b, c] in &self.triangles {
@@ -68,12 +68,12 @@ impl Mesh {
             let n = sums[i].unit().expect("a normal");
             n.cross(*exact).length().atan2(n.dot(*exact)).to_degrees()
         });
-        #[allow(clippy::cast_precision_loss)] // a few thousand
+        #[allow(clippy::cast_precision_loss)] // at most a few thousand
         let count = self.exact.len() as f64;
         angles.sum::<f64>() / count
     }
 
-    /// Two triangles for a square, seen counter-clockwise, split along one diagonal or the other.
+    /// Two triangles for a square, counter-clockwise, split along one diagonal or the other.
     fn square(&mut self, [a, b, c, d]: [usize; 4], other_way: bool) {
         self.triangles.extend(if other_way {
             [[a, b, d], [b, c, d]]
@@ -83,7 +83,7 @@ impl Mesh {
     }
 }
 
-/// Within [−1, 1), the same in each run: a linear congruential generator by Knuth.
+/// Numbers in [−1, 1), the same in each run: Knuth's linear congruential generator.
 struct Random(u64);
 
 impl Random {
@@ -97,7 +97,7 @@ impl Random {
     }
 }
 
-/// The Utah teapot, each patch a grid of its own.
+/// The Utah teapot, with a separate grid for each patch.
 fn teapot(either_way: bool, out_of_line: f64) -> Mesh {
     const N: usize = 16;
     let mut random = Random(1);
@@ -149,7 +149,7 @@ fn patches() -> Vec<Vec<Vec3>> {
     numbers(file, "p ").map(patch).collect()
 }
 
-/// The numbers in those lines of a file that begin in this way.
+/// The numbers on those lines of a file that begin with `beginning`.
 fn numbers<'a>(file: &'a str, beginning: &'a str) -> impl Iterator<Item = Vec<f64>> + 'a {
     let lines = file
         .lines()
@@ -173,8 +173,8 @@ fn bezier<T: Real>(control: &[Vec3], u: T, v: T) -> shading::Vec3<T> {
     })
 }
 
-/// The Stanford bunny, its vertices moved onto the smooth surface that Loop's subdivision makes of it,
-/// which has exact normals there.
+/// The Stanford bunny, with its vertices moved onto the limit surface of Loop subdivision, which
+/// has exact normals there.
 ///
 /// Source: Hoppe, DeRose et al., *Piecewise smooth surface reconstruction*, 1994, appendix.
 fn bunny() -> Mesh {
@@ -182,11 +182,11 @@ fn bunny() -> Mesh {
     let control: Vec<Vec3> = numbers(file, "v ")
         .map(|xyz| Vec3::new(xyz[0], xyz[1], xyz[2]))
         .collect();
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // indices, from 1
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // indices start at 1
     let triangles: Vec<[usize; 3]> = numbers(file, "f ")
         .map(|abc| [0, 1, 2].map(|i| abc[i] as usize - 1))
         .collect();
-    // around each vertex, which neighbor follows which
+    // for each vertex: which neighbor follows which
     let mut next = vec![BTreeMap::new(); control.len()];
     for &[a, b, c] in &triangles {
         for [i, j, k] in [[a, b, c], [b, c, a], [c, a, b]] {
@@ -220,7 +220,7 @@ fn bunny() -> Mesh {
     mesh
 }
 
-/// Parallels and meridians of the unit sphere, out of line.
+/// A unit sphere of parallels and meridians, with its vertices moved at random.
 fn sphere() -> Mesh {
     const ROWS: usize = 12;
     const COLUMNS: usize = 24;
