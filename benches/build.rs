@@ -1,4 +1,4 @@
-//! Builds the C peers, where there is a compiler for them.
+//! Builds the C programs to compare with, if there is a C compiler.
 
 fn main() {
     println!("cargo:rerun-if-changed=c");
@@ -7,12 +7,12 @@ fn main() {
         .and_then(|()| compile("lanes", "fast", Some("-march=native")))
     {
         Ok(()) => {
-            // the powers, one and many at a time
+            // the power functions, for one number and for many at a time
             println!("cargo:rustc-link-lib=mvec");
             println!("cargo:rustc-link-lib=m");
             println!("cargo:rustc-cfg=c_peers");
         }
-        Err(error) => println!("cargo:warning=no C peers to compare with: {error}"),
+        Err(error) => println!("cargo:warning=there are no C programs to compare with: {error}"),
     }
 }
 

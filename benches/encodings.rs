@@ -1,8 +1,8 @@
-//! Bytes of sRGB by this crate, by `powf` and by `palette`'s table: how long a color takes, and how many
-//! of all the `f32` from 0 to 1 get another byte than the nearest.
+//! sRGB bytes from this crate, from `powf`, and from `palette`'s table: the time per color, and how
+//! many of all `f32` from 0 to 1 get a byte other than the nearest.
 //!
-//! `cargo bench --bench encodings`. The nearest byte is this crate's, which `tests/exhaustive.rs` holds
-//! against the standard's formula in 60 digits.
+//! `cargo bench --bench encodings`. This crate gives the nearest byte: `tests/exhaustive.rs` checks
+//! that against the standard's formula in 60 digits.
 
 use std::hint::black_box;
 use std::thread;
@@ -11,7 +11,7 @@ use std::time::Instant;
 use palette::{LinSrgb, Srgb};
 use shading::Rgb;
 
-/// How many colors are encoded at a time, and how often.
+/// The number of colors encoded in a pass, and the number of passes.
 const COLORS: usize = 4096;
 const PASSES: usize = 500;
 
@@ -58,7 +58,7 @@ fn main() {
     }
 }
 
-/// The least time of all passes, for each color.
+/// The shortest time of all passes, per color.
 #[allow(clippy::cast_precision_loss)]
 fn nanoseconds(encode: Encode, colors: &[[f32; 3]]) -> f64 {
     let pass = |_| {

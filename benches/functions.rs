@@ -1,4 +1,4 @@
-//! The time of every public function, over 4,096 random arguments.
+//! Times every public function over 4,096 random arguments.
 
 #[path = "support/functions.rs"]
 mod functions;

@@ -1,11 +1,12 @@
-//! Counts the instructions of each public function under valgrind, which repeats exactly, and
-//! compares them with the table in `instructions.txt`.
+//! Counts the instructions of each public function under valgrind, whose counts are exactly
+//! reproducible, and compares them with the table in `instructions.txt`.
 //!
 //! - `cargo bench --bench instructions` prints the table;
-//! - with `-- --check` it fails where a count is more than 3 % off the table;
-//! - with `-- --write` it writes the table.
+//! - with `-- --check`, it fails if a count differs from the table by more than 3%;
+//! - with `-- --write`, it writes the table.
 //!
-//! Each function is called for 4,096 random arguments, out of line; `nothing` is what that costs.
+//! Each function is called out of line for 4,096 random arguments; `nothing` is the cost of that
+//! alone.
 
 #[path = "support/functions.rs"]
 mod functions;
@@ -49,7 +50,7 @@ fn report(check: bool, write: bool) -> Result<(), String> {
     Ok(())
 }
 
-/// The instructions of one call.
+/// The number of instructions per call.
 fn count(name: &str) -> Result<f64, String> {
     let this = std::env::current_exe().map_err(|error| error.to_string())?;
     let output = Command::new("valgrind")
@@ -72,7 +73,7 @@ fn count(name: &str) -> Result<f64, String> {
     }
 }
 
-/// Calls a function for each of the random places.
+/// Calls a function at each of the random places.
 fn call(name: &str) {
     let found = FUNCTIONS.iter().find(|(known, _)| *known == name);
     let (_, function) = found.unwrap_or_else(|| panic!("no function {name}"));

@@ -1,5 +1,5 @@
 //! The time over points × lights, from one to a million, drawn into `target/scaling.svg` and
-//! `target/numbers.svg`: it grows linearly. Fails if anything is allocated on the way.
+//! `target/numbers.svg`: it grows linearly. Fails if anything is allocated.
 
 #![allow(clippy::cast_precision_loss)] // a million is exact
 
@@ -64,7 +64,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             .collect()
     };
     Chart {
-        title: "nanoseconds a point and light by points × 4 lights",
+        title: "nanoseconds per point and light by points × 4 lights",
         x: 4.0..262_144.0,
         y: 0.1..100.0,
         legend: SeriesLabelPosition::LowerLeft,

@@ -1,4 +1,5 @@
-//! A whole scene: the Utah teapot's Bézier patches, their normals and their shading by four lights.
+//! A whole scene: the Bézier patches of the Utah teapot, their normals, and their shading under
+//! four lights.
 
 #[path = "support/teapot.rs"]
 mod teapot;
@@ -61,7 +62,7 @@ const LIGHTS: [PointLight<f32>; 4] = {
 
 type Group<'a> = criterion::BenchmarkGroup<'a, criterion::measurement::WallTime>;
 
-/// Every model over the number type that `of` makes of an `f32`.
+/// Every model, with the number type that `of` makes from an `f32`.
 fn shading<T: Real, M: Exponent<T>>(
     group: &mut Group,
     number: &str,

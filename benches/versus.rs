@@ -1,9 +1,9 @@
-//! This crate against the same formulas written by hand: Blinn–Phong, RGB, attenuation, 4 lights, 4,096
-//! points; then the power alone against two `powf`. Prints nanoseconds, and the lines
-//! `ratio <case> <ours/theirs>` of the least times and `ratio-of-medians <case> <ours/theirs>`.
+//! This crate against the same formulas written by hand: Blinn–Phong, RGB, attenuation, 4 lights,
+//! 4,096 points; then the power alone against two `powf`. Prints nanoseconds, and the lines `ratio
+//! <case> <ours/theirs>` for the shortest times and `ratio-of-medians <case> <ours/theirs>`.
 //!
-//! `cargo bench --bench versus` runs the scalar parts as they are built by default, then builds
-//! itself again for this very processor and runs the part in lanes.
+//! `cargo bench --bench versus` runs the scalar parts in a default build, then builds itself again
+//! for the processor of this machine and runs the part with SIMD lanes.
 
 #[path = "versus/by_hand.rs"]
 mod by_hand;

@@ -1,6 +1,6 @@
-/* Blinn-Phong over structures of arrays, a loop over the points for each light, so that the
-   compiler makes lanes of it and calls the vectorised powf of the C library; compiled with
-   -Ofast -march=native. Of the ways to write the two loops, gcc makes lanes of this one. */
+/* Blinn-Phong over structures of arrays, with a loop over the points for each light, so that the
+   compiler vectorizes it and calls the vectorized powf of the C library. Compiled with -Ofast
+   -march=native. gcc vectorizes this order of the two loops, but not the other. */
 #include <math.h>
 #ifdef __SSE__
 #include <xmmintrin.h>
@@ -46,8 +46,8 @@ static void shade(const struct scene *s, size_t count, const struct arrays *all)
                   all->v[0], all->v[1], all->v[2], all->image[0], all->image[1], all->image[2]);
 }
 
-/* With subnormal numbers taken as zero, as gcc sets the processor at the start of a program that it
-   links with -Ofast; its powf needs it. */
+/* Flushes subnormal numbers to zero, as gcc sets up the processor at the start of a program that it
+   links with -Ofast; its powf needs that. */
 void shade_lanes(const struct scene *s, size_t count, const struct arrays *all)
 {
 #ifdef __SSE__

@@ -1,4 +1,4 @@
-/* Blinn-Phong point by point, as one writes it in C; compiled with -O2. */
+/* Blinn-Phong point by point, as one writes it in C. Compiled with -O2. */
 #include <math.h>
 #include "scene.h"
 

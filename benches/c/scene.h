@@ -1,4 +1,4 @@
-/* What versus/c.rs hands over. */
+/* The data that versus/c.rs passes. */
 #include <stddef.h>
 
 struct lamp {

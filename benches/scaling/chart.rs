@@ -9,7 +9,7 @@ pub struct Chart<'a> {
     pub title: &'a str,
     pub x: Range<f64>,
     pub y: Range<f64>,
-    /// where no line is
+    /// a place without lines
     pub legend: SeriesLabelPosition,
     pub lines: Vec<(String, Vec<(f64, f64)>)>,
 }
@@ -32,11 +32,11 @@ impl Chart<'_> {
             .draw()?;
         for (i, (name, points)) in self.lines.into_iter().enumerate() {
             println!("{name}: {points:?}");
-            let colour = Palette99::pick(i);
+            let color = Palette99::pick(i);
             let markers = points.clone().into_iter();
-            chart.draw_series(markers.map(|point| Circle::new(point, 3, colour.filled())))?;
+            chart.draw_series(markers.map(|point| Circle::new(point, 3, color.filled())))?;
             chart
-                .draw_series(LineSeries::new(points, &colour))?
+                .draw_series(LineSeries::new(points, &color))?
                 .label(name)
                 .legend(move |(x, y)| PathElement::new([(x, y), (x + 20, y)], Palette99::pick(i)));
         }

@@ -1,4 +1,4 @@
-//! Taking the time of a sum over lights at many points.
+//! Measures the time of a sum over lights at many points.
 
 #![allow(clippy::cast_precision_loss)]
 
@@ -10,8 +10,8 @@ use shading::{Attenuation, Material, PointLight, Real, Rgb, UnitVec3, Vec3, shad
 
 use crate::allocations;
 
-/// The least time of a point and a light: Blinn–Phong with m = 50 over `points` points, of which a
-/// number that `number` makes holds `N`, and `lights` lights.
+/// The shortest time per point and light: Blinn–Phong with m = 50 over `points` points and `lights`
+/// lights. `number` packs one coordinate of `N` points into a number.
 ///
 /// # Panics
 ///
@@ -56,7 +56,7 @@ pub fn nanoseconds<T: Real, const N: usize>(
     let (begin, mut least, mut repetitions) = (Instant::now(), f64::INFINITY, 0);
     while repetitions < 3 || begin.elapsed().as_millis() < 30 {
         let start = Instant::now();
-        // many passes where one is too short for the clock
+        // several passes, since one may be too short for the clock
         let passes = 1 + 10_000 / (points * lights);
         for _ in 0..passes {
             for &(p, n, v) in black_box(&places) {

@@ -1,4 +1,4 @@
-//! Every public function that computes, each in a function of its own.
+//! Every public function that computes something, each called by a function of its own.
 
 use std::hint::black_box;
 
@@ -7,10 +7,10 @@ use shading::{
     Ranged, Real, Rgb, SoftCone, SpotLight, UnitVec3, Vec3, normal, shade,
 };
 
-/// How many places there are.
+/// The number of places.
 pub const CALLS: u16 = 4096;
 
-/// What a function may want of a random surface point.
+/// Everything that a function may take, at a random surface point.
 #[derive(Clone, Copy)]
 pub struct Place {
     p: Vec3<f32>,
@@ -72,7 +72,7 @@ macro_rules! functions {
                 black_box($body);
             }
         )*
-        /// By name, and what calls it.
+        /// Each function's name, and the function that calls it.
         pub const FUNCTIONS: &[(&str, extern "C" fn(&Place))] = &[$((stringify!($name), $name)),*];
     };
 }

@@ -1,8 +1,8 @@
-//! A bench built a second time, with lanes and for this very processor.
+//! Builds a bench a second time, with SIMD lanes and for the processor of this machine.
 
 use std::process::Command;
 
-/// Builds and runs it; its exit status.
+/// Builds and runs the bench, and returns its exit status.
 pub fn run(bench: &str) -> i32 {
     let run = Command::new(env!("CARGO"))
         .args(["bench", "--quiet", "--bench", bench, "--features", "wide"])
@@ -13,7 +13,7 @@ pub fn run(bench: &str) -> i32 {
     match run {
         Ok(status) => status.code().unwrap_or(1),
         Err(error) => {
-            eprintln!("{bench}: cannot start cargo for the lanes: {error}");
+            eprintln!("{bench}: cannot start cargo for the SIMD build: {error}");
             1
         }
     }

@@ -2,17 +2,17 @@
 
 use std::fmt;
 
-/// By how much a count may be off the one that is kept.
+/// By how much a count may differ from the one in the table.
 const TOLERANCE: f64 = 0.03;
 
-/// Names and instructions of a call.
+/// The names of the functions and their instructions per call.
 pub struct Table(pub Vec<(&'static str, f64)>);
 
 impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(
             f,
-            "# instructions of a call on x86-64, as {} compiles",
+            "# instructions per call on x86-64, compiled by {}",
             compiler()
         )?;
         for (name, count) in &self.0 {
@@ -22,7 +22,7 @@ impl fmt::Display for Table {
     }
 }
 
-/// Another one may count otherwise.
+/// The version of the compiler: another one may give other counts.
 fn compiler() -> String {
     let version = std::process::Command::new("rustc")
         .arg("--version")
@@ -32,7 +32,7 @@ fn compiler() -> String {
 }
 
 impl Table {
-    /// Says which counts are off the table that is kept.
+    /// Compares the counts with a table, and reports the differences.
     pub fn compare(&self, kept: &str) -> Result<(), String> {
         let lines = kept.lines().filter(|line| !line.starts_with('#'));
         let mut kept: Vec<(&str, f64)> = lines

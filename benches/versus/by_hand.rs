@@ -1,4 +1,4 @@
-//! The same formulas as one writes them on `glam`, with the standard library's powers.
+//! The same formulas as one would write them with `glam` and the powers of the standard library.
 
 use glam::Vec3;
 

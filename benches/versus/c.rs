@@ -68,7 +68,7 @@ impl<'a> Scalar<'a> {
     pub fn shade(&mut self) {
         let s = self.scene;
         let [points, normals, eyes] = [&s.points, &s.normals, &s.eyes].map(Vec::as_ptr);
-        // SAFETY: every array has POINTS elements
+        // SAFETY: every array has POINTS elements.
         unsafe {
             shade_scalar(
                 &self.c,
@@ -106,7 +106,7 @@ impl Lanes {
             inputs: self.inputs.each_ref().map(Vec::as_ptr),
             image: self.image.each_mut().map(Vec::as_mut_ptr),
         };
-        // SAFETY: every array has POINTS elements
+        // SAFETY: every array has POINTS elements.
         unsafe { shade_lanes(&self.c, POINTS, &arrays) }
     }
 }

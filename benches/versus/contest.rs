@@ -1,4 +1,4 @@
-//! Taking times side by side.
+//! Measures the times of contestants side by side.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -13,7 +13,7 @@ pub struct Contestant<'a> {
 }
 
 impl<'a> Contestant<'a> {
-    /// `work` does all of it once.
+    /// `work` does the whole work once.
     pub fn new(name: &'static str, mut work: impl FnMut() + 'a) -> Self {
         Self {
             name,
@@ -22,8 +22,8 @@ impl<'a> Contestant<'a> {
         }
     }
 
-    /// Shades another scene each time. Given a single scene, the processor memorizes which lights are
-    /// in front, and nobody pays for a mispredicted branch.
+    /// Shades another scene each time. With a single scene, the processor would memorize which
+    /// lights are in front, and no contestant would pay for a mispredicted branch.
     pub fn in_turn<S>(
         name: &'static str,
         scenes: &'a mut [S],
@@ -43,7 +43,7 @@ impl<'a> Contestant<'a> {
         self.times[scene].push(start.elapsed().as_secs_f64());
     }
 
-    /// The mean over the scenes of the least and of the median time.
+    /// The mean over the scenes of the shortest and of the median time.
     fn time(mut self) -> Time {
         let mut sum = Time::default();
         for times in &mut self.times {
@@ -66,13 +66,14 @@ struct Time {
     median: f64,
 }
 
-/// What each contestant takes.
+/// The time of each contestant.
 pub struct Results(Vec<(&'static str, Time)>);
 
 impl Results {
-    /// Runs all contestants and prints the time of each for one of the `count` units of its work: least
-    /// and median. Whatever else the machine does adds to a time, and more to one contestant than to
-    /// another. They take turns, so all of them meet the same quiet moments, which the least times show.
+    /// Runs all contestants and prints their times for one of the `count` units of their work:
+    /// shortest and median. Anything else that the machine does adds to a time, and not equally for
+    /// all contestants. They take turns, so that all of them run in the same quiet moments, which
+    /// the shortest times show.
     pub fn of(unit: &str, count: usize, mut contestants: Vec<Contestant>) -> Self {
         for repetition in 0..REPETITIONS {
             for contestant in &mut contestants {
@@ -90,7 +91,7 @@ impl Results {
         results
     }
 
-    /// Prints ours/theirs, if both took part.
+    /// Prints the ratio ours/theirs if both took part.
     pub fn ratio(&self, case: &str, ours: &str, theirs: &str) {
         let find = |wanted| self.0.iter().find(|(name, _)| *name == wanted);
         match (find(ours), find(theirs)) {
@@ -104,17 +105,17 @@ impl Results {
     }
 }
 
-/// Checks that both images show the same. Their formulas agree; only the rounding differs.
+/// Checks that both images are the same. Their formulas agree; only the rounding differs.
 ///
 /// # Panics
 ///
-/// If they do not.
+/// If they differ.
 pub fn agree(
     name: &str,
     ours: impl IntoIterator<Item = [f32; 3]>,
     theirs: impl IntoIterator<Item = [f32; 3]>,
 ) {
-    // four highlights of at most 2 each, wrong by m·8u
+    // four highlights of at most 2 each, off by m·8u
     const TOLERANCE: f32 = 8.0 * 50.5 * 8.0 * f32::EPSILON / 2.0;
     let (ours, theirs) = (ours.into_iter().flatten(), theirs.into_iter().flatten());
     for (ours, theirs) in ours.zip(theirs) {

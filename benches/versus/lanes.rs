@@ -1,4 +1,4 @@
-//! Many points at a time, in a build for this very processor.
+//! Many points at a time, in a build for the processor of this machine.
 
 use std::hint::black_box;
 
@@ -12,14 +12,14 @@ use crate::ours::Ours;
 use crate::scene::{LIGHTS, POINTS, REAL_M, Scene, WHOLE_M};
 use crate::wide::Wide;
 
-/// As many lanes as this processor has; a C compiler takes as many.
+/// As many lanes as this processor has; a C compiler uses as many.
 #[cfg(target_feature = "avx512f")]
 pub type Lanes = wide::f32x16;
 #[cfg(not(target_feature = "avx512f"))]
 pub type Lanes = f32x8;
 pub const COUNT: usize = size_of::<Lanes>() / size_of::<f32>();
 
-/// `N` points at a time into lanes.
+/// Packs `N` points at a time into lanes.
 fn gather<T: Real + From<[f32; N]>, const N: usize>(all: &[[f32; 3]]) -> Vec<Vec3<T>> {
     let lanes = |points: &[[f32; 3]], k: usize| std::array::from_fn(|i| points[i][k]).into();
     all.chunks_exact(N)
@@ -36,7 +36,7 @@ pub fn contest() {
     #[cfg(c_peers)]
     let mut c = c::Lanes::new(scene);
 
-    println!("\nin lanes, {COUNT} where nothing else is said, with -C target-cpu=native:");
+    println!("\nin SIMD lanes, {COUNT} unless stated otherwise, with -C target-cpu=native:");
     let results = Results::of(
         "point and light",
         POINTS * LIGHTS,

@@ -1,4 +1,4 @@
-//! This crate, over any number type.
+//! This crate, with any number type.
 
 use shading::{
     Attenuation, Exponent, Material, PointLight, Real, Rgb, Shaded, UnitVec3, Vec3, shade,
@@ -6,7 +6,7 @@ use shading::{
 
 use crate::scene::{AMBIENT, ATTENUATION, K_A, K_D, K_S, Scene};
 
-/// The scene over the number type `T`: a float, or lanes of it.
+/// The scene in the number type `T`: a float, or lanes of floats.
 pub struct Ours<T, M> {
     points: Vec<Vec3<T>>,
     normals: Vec<UnitVec3<T>>,
@@ -18,10 +18,10 @@ pub struct Ours<T, M> {
 }
 
 impl<T: Real, M: Exponent<T>> Ours<T, M> {
-    /// `gather` makes the numbers of one or more points into `T`.
+    /// `gather` packs the numbers of one or more points into `T`.
     pub fn new(scene: &Scene, m: M, gather: impl Fn(&[[f32; 3]]) -> Vec<Vec3<T>>) -> Self {
         let number = |x: f32| T::of(f64::from(x));
-        let colour = |k: [f32; 3]| Rgb::from(k.map(number));
+        let color = |k: [f32; 3]| Rgb::from(k.map(number));
         let units = |v: Vec<Vec3<T>>| v.into_iter().map(UnitVec3::assume_unit).collect();
         let [a, b, c] = ATTENUATION;
         let attenuation = Attenuation::<f32>::new(a, b, c).expect("valid");
@@ -36,17 +36,17 @@ impl<T: Real, M: Exponent<T>> Ours<T, M> {
                 .iter()
                 .map(|lamp| PointLight {
                     position: Vec3::from(lamp.position.map(number)),
-                    intensity: colour(lamp.intensity),
+                    intensity: color(lamp.intensity),
                     attenuation: attenuation.cast(number),
                 })
                 .collect(),
             material: Material {
-                k_a: colour(K_A),
-                k_d: colour(K_D),
-                k_s: colour(K_S),
+                k_a: color(K_A),
+                k_d: color(K_D),
+                k_s: color(K_S),
                 m,
             },
-            ambient: colour(AMBIENT),
+            ambient: color(AMBIENT),
         }
     }
 
@@ -59,7 +59,7 @@ impl<T: Real, M: Exponent<T>> Ours<T, M> {
         });
     }
 
-    /// Points in lanes: nearly every light is in front of one of them.
+    /// Points in lanes: nearly every light is in front of at least one of them.
     #[cfg(feature = "wide")]
     #[inline(never)]
     pub fn shade_lanes(&mut self) {

@@ -1,4 +1,4 @@
-//! The power of a cosine by a real m alone, in a default build.
+//! The power of a cosine with a real m, on its own, in a default build.
 
 use std::cell::RefCell;
 use std::hint::black_box;
@@ -8,7 +8,7 @@ use shading::Exponent;
 use crate::contest::{Contestant, Results};
 use crate::scene::REAL_M;
 
-/// Too many for the processor to memorize for which of them a `powf` takes a branch.
+/// Too many for the processor to memorize which branch a `powf` takes for each.
 const COSINES: usize = 1 << 14;
 
 pub fn contest() {
@@ -48,7 +48,8 @@ pub fn contest() {
     array.ratio("powers/libm", "ours", "libm's powf");
 }
 
-/// Each power is looked at before the next is taken, so no two are taken in one instruction.
+/// Each power is observed before the next is computed, so two are never computed in one
+/// instruction.
 #[inline]
 fn one_by_one(cosines: &[f32], power: impl Fn(f32, f32) -> f32) {
     let m = black_box(REAL_M);

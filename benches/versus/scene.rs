@@ -1,12 +1,13 @@
-//! What all contestants shade: random points with random normals, about half of them turned away
-//! from each light, and four point lights.
+//! The scene that all contestants shade: random points with random normals, about half of them
+//! turned away from each light, and four point lights.
 
-/// 4,096 is a power of two, so every number of lanes divides it.
+/// A power of two, which every number of lanes divides.
 pub const POINTS: usize = 4096;
-/// How many a renderer has, it learns at run time; so no contestant knows the number beforehand.
+/// A renderer learns the number of lights only at run time, so no contestant knows it at compile
+/// time.
 pub const LIGHTS: usize = 4;
 
-/// The shininess as a real number and as a whole one.
+/// The shininess as a real number and as an integer.
 pub const REAL_M: f32 = 50.5;
 pub const WHOLE_M: u32 = 50;
 
@@ -33,7 +34,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The same scene for the same seed.
+    /// Makes the same scene for the same seed.
     pub fn new(seed: u64) -> Self {
         let mut random = fastrand::Rng::with_seed(seed);
         let mut within = |size: f32| [(); 3].map(|()| size * (2.0 * random.f32() - 1.0));

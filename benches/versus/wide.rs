@@ -1,4 +1,4 @@
-//! The same formulas by hand on `wide`, with its own power.
+//! The same formulas written by hand with `wide` and its own power.
 
 use crate::lanes::{COUNT, Lanes};
 use crate::scene::{AMBIENT, ATTENUATION, K_A, K_D, K_S, REAL_M, Scene};

@@ -1,5 +1,5 @@
-//! Every public function, with numbers of the fuzzer's bits, in `f32` and in `f64`: nothing panics,
-//! and finite valid input gives neither NaN nor negative light.
+//! Calls every public function with numbers made from the fuzzer's bytes, in `f32` and in `f64`:
+//! nothing panics, and finite valid input gives neither NaN nor negative light.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
@@ -15,7 +15,7 @@ fuzz_target!(|data: &[u8]| {
     feed(m, bytes, |bits| f64::from_bits(u64::from_le_bytes(bits)));
 });
 
-/// Makes numbers of the bytes, over and over.
+/// Makes numbers from the bytes, repeating them endlessly.
 fn feed<T: Float, const N: usize>(m: u32, bytes: &[u8], of: impl Fn([u8; N]) -> T) {
     let numbers: Vec<T> = bytes.as_chunks().0.iter().copied().map(of).collect();
     if numbers.is_empty() {

@@ -1,5 +1,5 @@
-//! Scene files of any bytes, in JSON, RON and postcard: each gives a whole valid scene, which is written and
-//! read again as it was, or one error that says where or why.
+//! Scene files of arbitrary bytes, in JSON, RON, and postcard. Each gives either a complete valid
+//! scene, which can be written and read back unchanged, or an error that says where or why.
 #![no_main]
 
 use std::str;
@@ -15,7 +15,7 @@ fuzz_target!(|data: &[u8]| {
             is_valid(&scene);
             let text = serde_json::to_vec(&scene).expect("what was read can be written");
             is_the_same(
-                &serde_json::from_slice(&text).expect("it can be read again"),
+                &serde_json::from_slice(&text).expect("it can be read back"),
                 &scene,
             );
         }
@@ -26,7 +26,7 @@ fuzz_target!(|data: &[u8]| {
             Ok(scene) => {
                 is_valid(&scene);
                 let text = ron::to_string(&scene).expect("what was read can be written");
-                is_the_same(&ron::from_str(&text).expect("it can be read again"), &scene);
+                is_the_same(&ron::from_str(&text).expect("it can be read back"), &scene);
             }
             Err(error) => assert!(error.span.end.line > 0 && !error.code.to_string().is_empty()),
         }
@@ -35,18 +35,18 @@ fuzz_target!(|data: &[u8]| {
         is_valid(&scene);
         let bytes = postcard::to_allocvec(&scene).expect("what was read can be written");
         is_the_same(
-            &postcard::from_bytes(&bytes).expect("it can be read again"),
+            &postcard::from_bytes(&bytes).expect("it can be read back"),
             &scene,
         );
     }
 });
 
-/// `{:?}` tells all bits of a finite number.
+/// `{:?}` shows all bits of a finite number.
 fn is_the_same(read: &Scene, written: &Scene) {
     assert_eq!(format!("{read:?}"), format!("{written:?}"));
 }
 
-/// What the constructors promise of each light, and that all numbers are finite.
+/// Checks what the constructors promise for each light, and that all numbers are finite.
 fn is_valid(scene: &Scene) {
     let finite = |numbers: &[f32]| assert!(numbers.iter().all(|x| x.is_finite()), "{scene:?}");
     let three = |numbers: [f32; 3]| finite(&numbers);
