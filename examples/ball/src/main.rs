@@ -16,7 +16,7 @@ const LAMP: PointLight = PointLight {
     attenuation: Attenuation::new(0.5, 0.0, 0.03).unwrap(),
 };
 
-/// The light that the unit sphere sends to a far eye at (x, y).
+/// The light that the unit sphere sends to a distant eye at (x, y).
 fn pixel(x: f32, y: f32) -> Rgb {
     let p = Vec3::new(x, y, (1.0 - x * x - y * y).max(0.0).sqrt());
     match p.unit() {

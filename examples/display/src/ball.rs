@@ -1,5 +1,5 @@
-//! A turning ball under two lamps, drawn pixel by pixel as the display takes them: no frame buffer,
-//! no line buffer, no trigonometry.
+//! A turning ball under two lamps, drawn pixel by pixel in the order in which the display takes
+//! them: no frame buffer, no line buffer, no trigonometry.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::RawU16;
@@ -7,7 +7,8 @@ use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Point, Size};
 use embedded_graphics::primitives::Rectangle;
 use shading::{Attenuation, Material, PointLight, Real, Rgb, UnitVec3, Vec3, shade};
 
-/// x to the right, y up, z to the eye; the ball has radius 1 and its center at the origin.
+/// x points to the right, y up, and z to the eye; the ball has radius 1 and its center at the
+/// origin.
 static LAMPS: [PointLight<f32>; 2] = [
     PointLight {
         position: Vec3::new(2.0, 2.5, 3.0),
@@ -23,7 +24,7 @@ static LAMPS: [PointLight<f32>; 2] = [
 
 static SURROUNDINGS: Rgb<f32> = Rgb::new(0.05, 0.05, 0.07);
 
-/// What is painted on the ball is multiplied with the ambient and the diffuse part.
+/// The paint on the ball multiplies the ambient and the diffuse part.
 static LACQUER: Material<f32, u32> = Material {
     k_a: Rgb::WHITE,
     k_d: Rgb::WHITE,
@@ -39,10 +40,10 @@ static CREAM: Rgb<f32> = Rgb::new(0.85, 0.75, 0.55);
 pub struct Turn(f32, f32);
 
 impl Turn {
-    /// Not at all.
+    /// The ball has not turned yet.
     pub const NONE: Self = Self(1.0, 0.0);
 
-    /// By the angle of the Pythagorean triple 7, 24, 25 further: 16.26°.
+    /// Turns further by the angle of the Pythagorean triple 7, 24, 25, which is 16.26°.
     #[must_use]
     pub fn next(self) -> Self {
         let Self(cosine, sine) = self;
@@ -50,11 +51,11 @@ impl Turn {
     }
 }
 
-/// Draws the ball as large as the display allows, row by row.
+/// Draws the ball row by row, as large as the display allows.
 ///
 /// # Errors
 ///
-/// Those of the display.
+/// Returns the errors of the display.
 pub fn draw<D>(display: &mut D, turn: Turn) -> Result<(), D::Error>
 where
     D: DrawTarget<Color = Rgb565> + OriginDimensions,
@@ -75,7 +76,8 @@ where
     Ok(())
 }
 
-/// The light from the point of the ball at (x, y) to the eye, which is far away; `None` beside it.
+/// The light from the point of the ball at (x, y) to the eye, which is far away; `None` outside the
+/// ball.
 fn ball(x: f32, y: f32, turn: Turn) -> Option<Rgb<f32>> {
     let z_squared = 1.0 - x * x - y * y;
     if z_squared < 0.0 {
@@ -88,8 +90,8 @@ fn ball(x: f32, y: f32, turn: Turn) -> Option<Rgb<f32>> {
     Some((shaded.ambient + shaded.diffuse) * painted(p, turn) + shaded.specular)
 }
 
-/// Eight fields in turn red and cream, as the planes of the coordinates divide a ball that is turned
-/// about its axis, which leans by the angle of the triple 3, 4, 5.
+/// Eight fields, alternately red and cream, as the coordinate planes divide a ball that is turned
+/// about its axis. The axis leans by the angle of the triple 3, 4, 5.
 fn painted(p: Vec3<f32>, Turn(cosine, sine): Turn) -> Rgb<f32> {
     let (x, y) = (0.8 * p.x + 0.6 * p.y, 0.8 * p.y - 0.6 * p.x);
     let (x, z) = (cosine * x + sine * p.z, cosine * p.z - sine * x);

@@ -1,4 +1,4 @@
-//! A frame of this machine, the same frame of a chip, and their difference.
+//! Shows a frame drawn on this machine, the same frame drawn on a chip, and their difference.
 
 use std::fs;
 use std::path::Path;
@@ -50,12 +50,12 @@ pub fn write(frame: &Path, picture: &Path) -> Result<(), String> {
         chip.len()
     );
     if different > 0 {
-        return Err("the chip draws another picture".into());
+        return Err("the chip draws a different picture".into());
     }
     Ok(())
 }
 
-/// Four hexadecimal digits a pixel, a row a line.
+/// Parses four hexadecimal digits per pixel and one line per row.
 fn parsed(text: &str) -> Option<Vec<Rgb565>> {
     let rows: Vec<_> = text.lines().filter(|line| !line.is_empty()).collect();
     let is_whole = rows.len() == SIZE.height as usize

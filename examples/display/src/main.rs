@@ -1,22 +1,22 @@
-//! A turning ball on a display of 160 × 128 pixels, as hobbyists have it. Here the display is a
-//! simulated one that writes a picture for each frame, and an animation of them.
+//! A turning ball on a display of 160 × 128 pixels, a common size among hobbyists. Here, the
+//! display is simulated: it writes a picture of each frame, and an animation of all frames.
 //!
 //! ```text
 //! cargo run -p display -- [FOLDER]
 //! cargo run -p display -- --beside FRAME.txt PICTURE.png
 //! ```
 //!
-//! The second form shows a frame that a chip has drawn (`tests/firmware/frame.sh`) beside the same frame
-//! drawn here, with their difference.
+//! The second form shows a frame drawn by a chip (`tests/firmware/frame.sh`), the same frame drawn
+//! here, and their difference, side by side.
 //!
-//! `ball.rs` is all that a firmware needs besides the driver of its display: `tests/firmware`
-//! compiles the same file for a Cortex-M0.
+//! Besides the driver of its display, firmware needs only `ball.rs`: `tests/firmware` compiles the
+//! same file for a Cortex-M0.
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,
     clippy::cast_precision_loss,
     clippy::cast_sign_loss,
-    reason = "pixels are counted with whole numbers and placed with floating-point ones"
+    reason = "pixels are counted with integers and placed with floating-point numbers"
 )]
 
 mod ball;
@@ -78,7 +78,7 @@ fn write_frames(folder: &Path) -> Result<(), String> {
     let path = folder.join("ball.png");
     let animation = animated(&frames).map_err(|error| about(&path, &error))?;
     fs::write(&path, animation).map_err(|error| about(&path, &error))?;
-    println!("{FRAMES} frames and their animation, {}", path.display());
+    println!("{FRAMES} frames and their animation in {}", path.display());
     Ok(())
 }
 
@@ -92,7 +92,7 @@ fn enlarged(display: &SimulatorDisplay<Rgb565>) -> Frame {
     display.to_rgb_output_image(&OutputSettingsBuilder::new().scale(2).build())
 }
 
-/// All frames in one file, over and over, eight a second.
+/// All frames in one file, in an endless loop at eight frames per second.
 fn animated(frames: &[Frame]) -> Result<Vec<u8>, png::EncodingError> {
     let mut file = Vec::new();
     let Size { width, height } = frames[0].size();

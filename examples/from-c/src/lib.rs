@@ -29,12 +29,13 @@ impl Lamp {
     }
 }
 
-/// The light that the point p sends along v. Neither n nor v need be normalized; without a direction
-/// the result is black. A lamp with invalid coefficients is dark.
+/// The light that the point p sends along v. Neither n nor v needs to be normalized; if one of them
+/// has no direction, the result is black. A lamp with invalid coefficients is dark.
 ///
 /// # Safety
 ///
-/// Every pointer must be valid: p, n, v, `k_a`, `k_d` and `k_s` for three floats, lamps for `count` of them.
+/// Every pointer must be valid: p, n, v, `k_a`, `k_d`, and `k_s` for three floats, and lamps for
+/// `count` lamps.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shading_blinn_phong(
     p: &[f32; 3],

@@ -68,6 +68,6 @@ fn size(text: &str) -> Result<(usize, usize), String> {
         .map(|(width, height)| (width.parse(), height.parse()));
     match sides {
         Some((Ok(width @ 1..=8192), Ok(height @ 1..=8192))) => Ok((width, height)),
-        _ => Err("a size is two numbers from 1 to 8192, as 800x600".into()),
+        _ => Err("a size is two numbers from 1 to 8192, such as 800x600".into()),
     }
 }

@@ -1,17 +1,17 @@
-//! A gallery of the crate: each formula at work, on spheres, implicit surfaces, the Utah teapot and
+//! A gallery of the crate: each formula at work on spheres, implicit surfaces, the Utah teapot, and
 //! the Stanford bunny.
 //!
 //! ```text
 //! cargo run --release -p gallery
 //! ```
 //!
-//! `scenes` says what is drawn and is the place to start; `render` is a small ray tracer.
+//! Start with `scenes`, which describes the pictures; `render` is a small ray tracer.
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,
     clippy::cast_precision_loss,
     clippy::cast_sign_loss,
-    reason = "pixels are counted with whole numbers and placed with floating-point ones"
+    reason = "pixels are counted with integers and placed with floating-point numbers"
 )]
 
 mod arguments;
@@ -63,9 +63,9 @@ fn draw(request: Request) -> Result<(), String> {
     }
     let folder = request.folder.unwrap_or_else(|| in_the_workspace(default));
     fs::create_dir_all(&folder)
-        .map_err(|error| format!("cannot make the folder {}: {error}", folder.display()))?;
+        .map_err(|error| format!("cannot create the folder {}: {error}", folder.display()))?;
 
-    // hidden where standard error is not a terminal
+    // hidden if standard error is not a terminal
     let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}");
     let bar = ProgressBar::new(pictures.len() as u64)
         .with_style(style.map_err(|error| error.to_string())?);
@@ -86,7 +86,7 @@ fn draw(request: Request) -> Result<(), String> {
     Ok(())
 }
 
-/// A folder of the workspace, as seen from here.
+/// A folder of the workspace, relative to the current directory if possible.
 fn in_the_workspace(folder: &str) -> PathBuf {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2);
     let folder = root.unwrap_or(Path::new("")).join(folder);
@@ -96,7 +96,7 @@ fn in_the_workspace(folder: &str) -> PathBuf {
         .unwrap_or(folder)
 }
 
-/// Like `println`, but a reader that has gone away is an error and not a panic.
+/// Like `println`, but a closed pipe is an error, not a panic.
 fn say(line: &str) -> Result<(), String> {
     writeln!(io::stdout(), "{line}")
         .map_err(|error| format!("cannot write to standard output: {error}"))

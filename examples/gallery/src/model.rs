@@ -1,4 +1,4 @@
-//! Models from OBJ files, brought to a common size.
+//! Models from OBJ files, scaled to a common size.
 
 use std::collections::HashMap;
 use std::fs;
@@ -12,10 +12,10 @@ use crate::render::mesh::{Flat, Mesh, Share, Smooth};
 
 /// A model that stands on the floor y = 0 at the origin.
 pub struct Model {
-    /// Up to which y it reaches.
+    /// The largest y of the model.
     pub height: f32,
     mesh: Arc<Mesh>,
-    /// The file's normals at the corners of the triangles; zero where it has none.
+    /// The normals in the file at the corners of the triangles; zero where the file has none.
     normals: Option<Vec<[Vec3<f32>; 3]>>,
 }
 
@@ -23,7 +23,7 @@ pub struct Model {
 type Triangle = ([[f32; 3]; 3], Option<[Vec3<f32>; 3]>);
 
 impl Model {
-    /// Reads a file; says what is wrong with it, and where.
+    /// Reads a file, and reports what is wrong with it and where.
     pub fn read(path: &Path) -> Result<Self, String> {
         fs::read(path)
             .map_err(|error| error.to_string())
@@ -32,7 +32,7 @@ impl Model {
             .map_err(|error| format!("cannot read the model {}: {error}", path.display()))
     }
 
-    /// Takes the text of an OBJ file.
+    /// Parses the text of an OBJ file.
     pub fn parse(obj: &str) -> Result<Self, String> {
         let triangles = triangles(obj)?;
         let placed = placed(&triangles)?;
@@ -43,11 +43,12 @@ impl Model {
         let mut normals = Vec::new();
         for (triangle, (_, own)) in placed.into_iter().zip(triangles) {
             let [v1, v2, v3] = triangle;
-            // a triangle that is a line or a point is not seen
+            // a triangle that is a line or a point is invisible
             if normal::triangle(v1, v2, v3).is_none() {
                 continue;
             }
-            // files repeat a vertex for each object and each texture; here it is one again
+            // files repeat a vertex for each object and each texture; here the copies become one
+            // vertex
             corners.push(triangle.map(|vertex| {
                 let bits = <[f32; 3]>::from(vertex).map(f32::to_bits);
                 *known.entry(bits).or_insert_with(|| {
@@ -72,7 +73,7 @@ impl Model {
         Flat(self.mesh.clone())
     }
 
-    /// The file's normals, and where it has none the mean around each vertex, interpolated.
+    /// The normals in the file, or if it has none, the mean around each vertex; both interpolated.
     pub fn smooth(&self) -> Smooth {
         match &self.normals {
             Some(normals) => Smooth::new(self.mesh.clone(), normals),
@@ -80,7 +81,8 @@ impl Model {
         }
     }
 
-    /// The mean normal around each vertex, by the triangles' shares in it, interpolated.
+    /// The mean normal around each vertex, weighted by the shares of the triangles, and
+    /// interpolated.
     pub fn averaged(&self, share: Share) -> Smooth {
         Smooth::averaged(self.mesh.clone(), share)
     }
@@ -94,7 +96,7 @@ fn triangles(obj: &str) -> Result<Vec<Triangle>, String> {
         ignore_lines: true,
     };
     let mut rest = obj.as_bytes();
-    // materials are the gallery's own
+    // the gallery uses its own materials
     let (models, _) = tobj::load_obj_buf(&mut rest, &options, |_| Ok(Default::default()))
         .map_err(|error| explained(error, &obj[..obj.len() - rest.len()]))?;
 
@@ -102,7 +104,7 @@ fn triangles(obj: &str) -> Result<Vec<Triangle>, String> {
     for mesh in models.iter().map(|model| &model.mesh) {
         let positions = triples(&mesh.positions);
         let normals = triples(&mesh.normals);
-        // in a mesh where some corners have normals and some have not, one cannot tell which
+        // if only some corners of a mesh have normals, there is no way to tell which
         let has_normals = normals.len() == positions.len();
         for corners in triples(&mesh.indices) {
             let corners = corners.map(|i| i as usize);
@@ -129,28 +131,31 @@ fn triples<T: Copy>(numbers: &[T]) -> Vec<[T; 3]> {
         .collect()
 }
 
-/// An error of the reader, and the line of the file where it stopped.
+/// Describes an error of the reader, with the line of the file where it stopped.
 fn explained(error: LoadError, read: &str) -> String {
     match error {
-        // found out only when all faces of an object have been read
-        LoadError::FaceVertexOutOfBounds => "a face has a vertex that is not there".into(),
-        LoadError::FaceTexCoordOutOfBounds => "a face has a texture point that is not there".into(),
-        LoadError::FaceNormalOutOfBounds => "a face has a normal that is not there".into(),
+        // detected only after all faces of an object have been read
+        LoadError::FaceVertexOutOfBounds => "a face refers to a vertex that does not exist".into(),
+        LoadError::FaceTexCoordOutOfBounds => {
+            "a face refers to a texture point that does not exist".into()
+        }
+        LoadError::FaceNormalOutOfBounds => "a face refers to a normal that does not exist".into(),
         LoadError::InvalidPolygon => "a face has no vertices".into(),
         _ => format!("line {}: {error}", read.lines().count()),
     }
 }
 
-/// The triangles moved to the middle of the floor and scaled to at most 2 high and 2.8 wide.
+/// Moves the triangles to the middle of the floor, scaled to a height of at most 2 and a width of
+/// at most 2.8.
 fn placed(triangles: &[Triangle]) -> Result<Vec<[Vec3<f32>; 3]>, String> {
-    /// A hair above the floor, where a flat model is seen.
+    /// Slightly above the floor, so that a flat model is visible.
     const GAP: f64 = 2e-3;
 
     let [x, y, z] = [0, 1, 2].map(|axis| ends(triangles, axis));
     let extent = |[low, high]: [f64; 2]| high - low;
     let scale = (2.0 / extent(y)).min(2.8 / extent(x).max(extent(z)));
     if !scale.is_finite() {
-        return Err("all its vertices are one point".into());
+        return Err("all its vertices coincide".into());
     }
     let place = |vertex: [f32; 3]| {
         let [along_x, along_y, along_z] = vertex.map(f64::from);
@@ -167,7 +172,7 @@ fn placed(triangles: &[Triangle]) -> Result<Vec<[Vec3<f32>; 3]>, String> {
         .collect())
 }
 
-/// The least and the greatest coordinate along an axis; as `f64`, so that their difference is
+/// The smallest and the largest coordinate along an axis, in `f64` so that their difference is
 /// finite.
 fn ends(triangles: &[Triangle], axis: usize) -> [f64; 2] {
     let along = || {

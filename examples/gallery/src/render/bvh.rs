@@ -1,4 +1,4 @@
-//! A bounding volume hierarchy: which few of many triangles a ray may meet.
+//! A bounding volume hierarchy, which finds the few triangles that a ray may hit.
 //!
 //! Source: Kay and Kajiya, *Ray tracing complex scenes*, SIGGRAPH 1986.
 
@@ -8,10 +8,10 @@ use shading::Vec3;
 
 use super::ray::Ray;
 
-/// Leaves hold at most so many items.
+/// The maximum number of items in a leaf.
 const LEAF: usize = 4;
 
-/// A box along the axes.
+/// An axis-aligned box.
 #[derive(Clone, Copy)]
 pub struct Bounds {
     low: [f32; 3],
@@ -44,7 +44,7 @@ impl Bounds {
         0.5 * self.low[axis] + 0.5 * self.high[axis]
     }
 
-    /// The axis along which the box is longest.
+    /// The longest axis of the box.
     fn longest(&self) -> usize {
         let length = |&axis: &usize| self.high[axis] - self.low[axis];
         (0..3)
@@ -52,13 +52,13 @@ impl Bounds {
             .unwrap_or(0)
     }
 
-    /// Where a ray enters the box, if it does so before `limit`.
+    /// Where a ray enters the box, if it enters before `limit`.
     fn entry(&self, origin: [f32; 3], reciprocal: [f32; 3], limit: f32) -> Option<f32> {
         let (mut enter, mut leave) = (0.0_f32, limit);
         for axis in 0..3 {
             let a = (self.low[axis] - origin[axis]) * reciprocal[axis];
             let b = (self.high[axis] - origin[axis]) * reciprocal[axis];
-            // a NaN, of a ray within the side of a box, is ignored by min and max
+            // min and max ignore the NaN of a ray that lies in a side of the box
             enter = enter.max(a.min(b));
             leave = leave.min(a.max(b));
         }
@@ -80,12 +80,12 @@ enum Content {
 
 pub struct Bvh {
     nodes: Vec<Node>,
-    /// The items' numbers, those of a leaf side by side.
+    /// The indices of the items; those of a leaf are adjacent.
     order: Vec<usize>,
 }
 
 impl Bvh {
-    /// Of items with these bounds, at least one.
+    /// Builds the hierarchy for items with these bounds; there must be at least one.
     pub fn new(bounds: &[Bounds]) -> Self {
         let mut bvh = Self {
             nodes: Vec::new(),
@@ -117,14 +117,16 @@ impl Bvh {
         }
     }
 
-    /// Shows `visit` the items that the ray may meet before the distance `limit`. It is given an
-    /// item and the limit, and returns the limit from there on: smaller, where it met the item.
+    /// Calls `visit` for each item that the ray may hit before the distance `limit`. `visit` takes
+    /// an item and the current limit, and returns the new limit, which is smaller if the ray hit
+    /// the item.
     pub fn walk(&self, ray: &Ray, mut limit: f32, mut visit: impl FnMut(usize, f32) -> f32) {
         let origin = ray.origin.into();
         let reciprocal = ray.direction.map(|d| 1.0 / d).into();
         let entry = |node: usize, limit| self.nodes[node].bounds.entry(origin, reciprocal, limit);
 
-        // the median halves the items at each level, so the levels are fewer than an index has bits
+        // the median halves the items at each level, so there are fewer levels than bits in an
+        // index
         let mut waiting = [(0, 0.0); usize::BITS as usize];
         let mut count = usize::from(entry(0, limit).is_some());
         while count > 0 {
@@ -142,7 +144,7 @@ impl Bvh {
                 &Content::Inner(second) => {
                     let a = (node + 1, entry(node + 1, limit));
                     let b = (second, entry(second, limit));
-                    // the nearer child last, to be taken up first
+                    // the nearer child last, so that it is visited first
                     let children = if a.1 > b.1 { [a, b] } else { [b, a] };
                     for (child, t) in children {
                         if let Some(t) = t {

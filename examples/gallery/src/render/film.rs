@@ -1,37 +1,38 @@
-//! From a view to a picture of linear light: anti-aliasing, on all cores.
+//! Renders a view to a picture of linear light, with anti-aliasing, on all cores.
 
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
 use shading::Rgb;
 
-/// What can be looked at.
+/// Something that can be rendered.
 pub trait View: Sync {
-    /// The linear light at a point of the picture: x and y go from −1 to 1, rightwards and
-    /// upwards; `aspect` is the picture's width over its height.
+    /// The linear light at a point of the picture: x and y go from −1 to 1, to the right and up;
+    /// `aspect` is the width of the picture over its height.
     fn color(&self, x: f32, y: f32, aspect: f32) -> Rgb<f32>;
 }
 
-/// A picture of linear light, row by row from above.
+/// A picture of linear light, row by row from the top.
 pub struct Film {
     pub width: usize,
     pub height: usize,
     pub pixels: Vec<Rgb<f32>>,
 }
 
-/// How many samples a pixel gets where one is not enough.
+/// The number of samples of a pixel for which one sample is not enough.
 const SAMPLES: u32 = 16;
-/// One is enough where the neighbors differ by no more than so many levels of the display.
+/// One sample is enough if the neighbors differ by at most this many levels of the display.
 const CONTRAST: f32 = 3.0;
 
 impl Film {
-    /// One sample in the middle of each pixel; more where that is not enough.
+    /// Takes one sample in the middle of each pixel, and more where that is not enough.
     pub fn of(view: &dyn View, width: usize, height: usize) -> Self {
         let aspect = width as f32 / height as f32;
         let sample = |column: usize, row: usize, dx: f32, dy: f32| {
             let x = (column as f32 + dx) / width as f32 * 2.0 - 1.0;
             let y = 1.0 - (row as f32 + dy) / height as f32 * 2.0;
-            // each sample on its own: the edge of a highlight brighter than white stays smooth
+            // each sample is clamped on its own, so that the edge of a highlight brighter than
+            // white stays smooth
             view.color(x, y, aspect).clamped()
         };
         let rough = Self::filled(width, height, |column, row| sample(column, row, 0.5, 0.5));
@@ -50,7 +51,7 @@ impl Film {
         })
     }
 
-    /// Computes each pixel. The threads take row after row, as each has done its last.
+    /// Computes each pixel. Each thread takes the next row when it has finished one.
     fn filled(
         width: usize,
         height: usize,
@@ -58,7 +59,7 @@ impl Film {
     ) -> Self {
         let mut pixels = vec![Rgb::BLACK; width * height];
         let rows = Mutex::new(pixels.chunks_mut(width).enumerate());
-        // a panic on one thread ends the program, not with a second one here
+        // a panic on one thread ends the program without a second panic here
         let next_row = || rows.lock().unwrap_or_else(PoisonError::into_inner).next();
         thread::scope(|scope| {
             for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
@@ -82,7 +83,7 @@ impl Film {
         self.pixels[row * self.width + column]
     }
 
-    /// Whether a pixel differs visibly from one of the eight around it.
+    /// Whether a pixel differs visibly from one of its eight neighbors.
     fn has_contrast(&self, column: usize, row: usize) -> bool {
         let here = self.at(column, row);
         let columns = column.saturating_sub(1)..=(column + 1).min(self.width - 1);
@@ -98,8 +99,8 @@ impl Film {
     }
 }
 
-/// A power of two of points spread over the unit square, no two of them in the same row or column:
-/// the Hammersley set.
+/// A number of points, which is a power of two, spread over the unit square with no two in the same
+/// row or column: the Hammersley set.
 pub fn spread(count: u32) -> impl Iterator<Item = (f32, f32)> {
     let bits = count.trailing_zeros();
     (0..count).map(move |i| {

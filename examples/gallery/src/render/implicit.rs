@@ -8,17 +8,17 @@ use super::ray::{Hit, Ray, Surface};
 use super::shape::Sphere;
 
 const MAX_STEPS: usize = 400;
-/// How near to the surface the steps end and Newton's method takes over.
+/// The distance from the surface at which the steps end and Newton's method takes over.
 const NEAR: f32 = 1e-4;
 
-/// A function whose zeros are a surface: negative inside, and |f| never larger than the distance
-/// to the surface. It is written once, for every number: with `f32` it finds the surface, with
-/// dual numbers it gives the normal.
+/// A function whose zeros form a surface: it is negative inside, and |f| is never larger than the
+/// distance to the surface. It is written once for every number type: with `f32` it finds the
+/// surface, and with dual numbers it gives the normal.
 pub trait Field: Sync {
     fn value<T: Elementary>(&self, p: Vec3<T>) -> T;
 }
 
-/// The surface of a field within a sphere around it.
+/// The surface of a field inside a bounding sphere.
 pub struct Implicit<F> {
     pub field: F,
     pub bound: Sphere,
@@ -30,7 +30,8 @@ impl<F: Field> Implicit<F> {
         Self { field, bound }
     }
 
-    /// Steps along the ray by the value of the field: nothing of the surface is nearer.
+    /// Steps along the ray by the value of the field, since no part of the surface is nearer than
+    /// that.
     fn trace(&self, ray: &Ray, limit: f32) -> Option<f32> {
         let [enter, leave] = self.bound.crossings(ray)?;
         let end = leave.min(limit);
@@ -52,7 +53,7 @@ impl<F: Field> Implicit<F> {
     fn refined(&self, ray: &Ray, t: f32) -> f32 {
         let f = self.field.value(Dual::point(ray.at(t)));
         let slope = f.gradient.dot(ray.direction);
-        // at a grazing ray the surface's curvature counts more than its slope
+        // for a grazing ray, the curvature of the surface counts more than its slope
         if slope < -0.1 { t - f.value / slope } else { t }
     }
 }
@@ -61,7 +62,7 @@ impl<F: Field> Surface for Implicit<F> {
     fn hit(&self, ray: &Ray, limit: f32) -> Option<Hit> {
         let t = self.refined(ray, self.trace(ray, limit)?);
         let n = normal::implicit(|p| self.field.value(p), ray.at(t));
-        // where the field has no gradient any normal will do that faces the eye
+        // where the field has no gradient, any normal that faces the eye will do
         Some(Hit::new(ray, t, n.unwrap_or(-ray.direction)))
     }
 

@@ -1,4 +1,4 @@
-//! Words on a picture.
+//! Labels on a picture.
 
 use embedded_graphics::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics::mono_font::iso_8859_1::{
@@ -12,13 +12,13 @@ use shading::Rgb;
 
 use super::film::Film;
 
-/// The distance from the edge, in pixels.
+/// The distance from the edge in pixels.
 const MARGIN: i32 = 12;
 
-/// From large to small.
+/// The fonts, from large to small.
 const FONTS: [MonoFont; 5] = [FONT_10X20, FONT_8X13, FONT_6X10, FONT_5X8, FONT_4X6];
 
-/// Writes each label at the bottom left of its share of the picture's width.
+/// Writes each label at the bottom left of its part of the picture's width.
 pub fn write(film: &mut Film, labels: &[&str]) {
     let longest = labels.iter().map(|label| label.chars().count()).max();
     let room = (film.width / labels.len().max(1)).saturating_sub(MARGIN as usize);
@@ -28,7 +28,7 @@ pub fn write(film: &mut Film, labels: &[&str]) {
     for (i, label) in labels.iter().enumerate() {
         let left = (i * film.width / labels.len()) as i32 + MARGIN;
         let at = Point::new(left, film.height as i32 - MARGIN);
-        // a shadow, so that the words can be read on any ground
+        // a shadow makes the words readable on any background
         for (offset, color) in [(1, Rgb::BLACK), (0, Rgb::gray(0.7))] {
             let mut ink = Ink { film, color };
             let Ok(_) = Text::with_baseline(

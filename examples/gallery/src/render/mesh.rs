@@ -1,4 +1,4 @@
-//! Triangles: where a ray meets them, and shaded flat or smooth.
+//! Triangle meshes: where a ray hits them, with flat or smooth shading.
 
 use std::sync::Arc;
 
@@ -13,19 +13,19 @@ pub struct Mesh {
     bvh: Bvh,
 }
 
-/// A triangle's share in the normal of its first vertex.
+/// A triangle's contribution to the normal of its first vertex.
 pub type Share = fn(Vec3<f32>, Vec3<f32>, Vec3<f32>) -> Vec3<f32>;
 
-/// Where a ray meets a mesh.
+/// Where a ray hits a mesh.
 pub struct MeshHit {
     pub t: f32,
     pub triangle: usize,
-    /// The shares of the three corners in the point.
+    /// The weights of the three corners at the point.
     pub weights: [f32; 3],
 }
 
 impl Mesh {
-    /// Of triangles given by the indices of their corners, at least one.
+    /// Takes triangles as the indices of their corners; there must be at least one triangle.
     pub fn new(positions: Vec<Vec3<f32>>, triangles: Vec<[usize; 3]>) -> Self {
         let bounds: Vec<_> = triangles
             .iter()
@@ -85,8 +85,8 @@ impl Mesh {
         })
     }
 
-    /// The triangle's normal on the side from which the ray comes: a mesh need not be closed, nor
-    /// its triangles all turn the same way.
+    /// The normal of the triangle on the side that the ray comes from: a mesh need not be closed,
+    /// nor must all its triangles have the same orientation.
     fn facing(&self, ray: &Ray, triangle: usize) -> UnitVec3<f32> {
         let [v1, v2, v3] = self.corners(triangle);
         match normal::triangle(v1, v2, v3) {
@@ -96,7 +96,7 @@ impl Mesh {
         }
     }
 
-    /// At each vertex the sum of the shares of the triangles around it.
+    /// For each vertex, the sum of the shares of the triangles around it.
     fn vertex_normals(&self, share: Share) -> Vec<Vec3<f32>> {
         let mut normals = vec![Vec3::ZERO; self.positions.len()];
         for &[a, b, c] in &self.triangles {
@@ -129,7 +129,8 @@ pub struct Smooth {
 }
 
 impl Smooth {
-    /// With the given normals at each triangle's corners, and its own where there is none.
+    /// Uses the given normals at each triangle's corners, and the triangle's own normal where there
+    /// is none.
     pub fn new(mesh: Arc<Mesh>, normals: &[[Vec3<f32>; 3]]) -> Self {
         let normals = normals
             .iter()
@@ -143,7 +144,7 @@ impl Smooth {
         Self { mesh, normals }
     }
 
-    /// With normals averaged at the vertices.
+    /// Uses normals averaged at the vertices.
     pub fn averaged(mesh: Arc<Mesh>, share: Share) -> Self {
         let vertex = mesh.vertex_normals(share);
         let corners: Vec<_> = mesh
@@ -163,7 +164,7 @@ impl Surface for Smooth {
             weights,
         } = self.mesh.nearest(ray, limit)?;
         let flat = self.mesh.facing(ray, triangle);
-        // the corners' normals on the side that is seen
+        // turns the normals of the corners to the visible side
         let corners = self.normals[triangle].map(|n| if n.dot(flat) < 0.0 { -n } else { n });
         let n = weighted(weights, corners.map(|n| *n)).unit_or(flat);
 
@@ -179,8 +180,8 @@ impl Surface for Smooth {
     }
 }
 
-/// From a point of a triangle to the curved surface that its normals tell of. Without it the
-/// shadow of each flat triangle would be seen near the line where light and shadow meet.
+/// The offset from a point of a triangle to the curved surface that its normals describe. Without
+/// it, each flat triangle would cast a visible shadow near the line between light and shadow.
 ///
 /// Source: J. Hanika, *Hacking the shadow terminator*, Ray Tracing Gems II, 2021.
 fn bulge(

@@ -1,5 +1,5 @@
-//! The renderer: rays, surfaces, scenes and pictures. All shading is the crate's; what is here
-//! only finds out what is seen, and which lights reach it.
+//! The renderer: rays, surfaces, scenes, and pictures. The crate does all the shading; this module
+//! only finds out what is visible, and which lights reach it.
 
 mod bvh;
 pub mod film;

@@ -1,4 +1,4 @@
-//! Pictures into files.
+//! Writes pictures to files.
 
 use std::path::Path;
 use std::{fs, io};
@@ -7,14 +7,15 @@ use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, ScaledFloat}
 
 use super::film::Film;
 
-/// Writes a picture as a PNG file, whole or not at all: under another name first.
+/// Writes a picture as a PNG file, either completely or not at all: it first writes under another
+/// name.
 pub fn write(film: &Film, path: &Path) -> io::Result<()> {
     let png = encoded(film).map_err(io::Error::other)?;
     let unfinished = path.with_extension("png.part");
     fs::write(&unfinished, png)
         .and_then(|()| fs::rename(&unfinished, path))
         .inspect_err(|_| {
-            // it may not be there at all, and the first error says more
+            // the file may not exist, and the first error says more
             let _ = fs::remove_file(&unfinished);
         })
 }
@@ -31,7 +32,7 @@ fn encoded(film: &Film) -> Result<Vec<u8>, EncodingError> {
     encoder.set_depth(BitDepth::Eight);
     encoder.set_compression(Compression::Balanced);
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    // for readers that do not know sRGB
+    // for readers that do not support sRGB
     encoder.set_source_gamma(ScaledFloat::from_scaled(45455));
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&bytes)?;

@@ -1,9 +1,9 @@
-//! Rays, what they hit, and how they are sent through a picture.
+//! Rays, their hits, and the camera that sends them.
 
 use shading::{Elementary, UnitVec3, Vec3};
 
-/// How far a shadow ray starts above its surface, so that rounding does not shade the surface by
-/// itself. The scenes are a few units large.
+/// The height above its surface at which a shadow ray starts, so that rounding does not make the
+/// surface shade itself. The scenes are a few units large.
 const LIFT: f32 = 1e-3;
 
 /// A half-line.
@@ -19,16 +19,16 @@ impl Ray {
     }
 }
 
-/// Where a ray meets a surface.
+/// Where a ray hits a surface.
 #[derive(Clone, Copy)]
 pub struct Hit {
     /// The distance from the ray's origin.
     pub t: f32,
     pub p: Vec3<f32>,
     pub n: UnitVec3<f32>,
-    /// Where shadow rays start: a little above `p`.
+    /// The origin of shadow rays: slightly above `p`.
     pub lifted: Vec3<f32>,
-    /// Which part of the surface it is, for surfaces made of several.
+    /// The index of the part that was hit, for surfaces made of several.
     pub part: usize,
 }
 
@@ -37,7 +37,7 @@ impl Hit {
         Self::on(ray.at(t), t, n)
     }
 
-    /// A hit whose point is known better than by the distance along the ray.
+    /// A hit whose point is known more accurately than from the distance along the ray.
     pub fn on(p: Vec3<f32>, t: f32, n: UnitVec3<f32>) -> Self {
         Self {
             t,
@@ -49,18 +49,18 @@ impl Hit {
     }
 }
 
-/// Anything that rays can meet.
+/// Anything that rays can hit.
 pub trait Surface: Sync {
     /// The nearest hit before the distance `limit`.
     fn hit(&self, ray: &Ray, limit: f32) -> Option<Hit>;
 
-    /// Whether there is any hit before the distance `limit`: all that a shadow asks.
+    /// Whether there is any hit before the distance `limit`, which is all that a shadow ray needs.
     fn blocks(&self, ray: &Ray, limit: f32) -> bool {
         self.hit(ray, limit).is_some()
     }
 }
 
-/// The eye: where it is, where it looks and how wide.
+/// The camera: where it is, where it looks, and how wide it sees.
 pub struct Camera {
     eye: Vec3<f32>,
     forward: UnitVec3<f32>,
@@ -72,7 +72,7 @@ pub struct Camera {
 enum Lens {
     /// The tangent of half the angle from the lower to the upper edge.
     Perspective(f32),
-    /// Half the height of what is seen.
+    /// Half the height of the visible area.
     Parallel(f32),
 }
 
@@ -84,8 +84,8 @@ impl Camera {
         Self::new(eye.into(), at.into(), Lens::Perspective(tangent))
     }
 
-    /// Sees `height` units from the lower to the upper edge, along parallel rays: V is the same
-    /// everywhere, so that things beside each other compare.
+    /// Sees `height` units from the lower to the upper edge along parallel rays. V is the same
+    /// everywhere, so that objects side by side can be compared.
     pub fn parallel(eye: [f32; 3], at: [f32; 3], height: f32) -> Self {
         Self::new(eye.into(), at.into(), Lens::Parallel(height / 2.0))
     }
@@ -103,8 +103,8 @@ impl Camera {
         }
     }
 
-    /// The ray through the point (x, y) of the picture; y is −1 at its lower and 1 at its upper
-    /// edge, and x grows at the same pace to the right.
+    /// The ray through the point (x, y) of the picture. y is −1 at its lower and 1 at its upper
+    /// edge, and x grows at the same rate to the right.
     pub fn ray(&self, x: f32, y: f32) -> Ray {
         let aside = *self.right * x + *self.up * y;
         match self.lens {

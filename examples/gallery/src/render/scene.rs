@@ -1,11 +1,11 @@
-//! What a picture shows, and the light that reaches the eye: here the crate is called.
+//! A scene, and the light that reaches the eye: this file calls the crate.
 
 use shading::{IncidentLight, Light, Material, Ranged, Rgb, Shaded, SoftCone, Vec3, shade};
 
 use super::film::View;
 use super::ray::{Camera, Hit, Ray, Surface};
 
-/// Materials whose shininess is a whole number.
+/// Materials with an integer shininess.
 pub type Finish = Material<f32, u32>;
 
 /// A light with a soft edge and a range.
@@ -20,15 +20,15 @@ pub struct Scene {
     /// I_a
     pub ambient: Rgb<f32>,
     pub model: Model,
-    /// What of the result is shown.
+    /// The part of the result that is shown.
     pub part: Part,
     pub backdrop: Backdrop,
 }
 
-/// The whole of the light that a point returns, or a part of it.
+/// All of the light that a point reflects, or one part of it.
 pub type Part = fn(Shaded<f32>) -> Rgb<f32>;
 
-/// Which of the crate's sums over lights.
+/// The choice among the crate's sums over lights.
 #[derive(Clone, Copy)]
 pub enum Model {
     Phong,
@@ -38,14 +38,14 @@ pub enum Model {
 pub struct Object {
     surface: Box<dyn Surface>,
     look: Look,
-    /// The distances from the scene's origin between which it fades into the backdrop.
+    /// The object fades into the backdrop between these distances from the scene's origin.
     fade: Option<[f32; 2]>,
 }
 
 enum Look {
     /// The material at each point.
     Painted(Box<dyn Fn(&Hit) -> Finish + Sync>),
-    /// Shows where a light is, not shaded and without a shadow.
+    /// Shows where a light is, without shading and without a shadow.
     Glowing(Rgb<f32>),
 }
 
@@ -73,21 +73,21 @@ impl Object {
         }
     }
 
-    /// Fades into the backdrop with the distance from the scene's origin, so that a floor has no
-    /// horizon.
+    /// Makes the object fade into the backdrop with the distance from the scene's origin, so that a
+    /// floor has no horizon.
     pub fn fading(self, near: f32, far: f32) -> Self {
         let fade = Some([near, far]);
         Self { fade, ..self }
     }
 
-    /// How much of the backdrop covers it at a point.
+    /// The share of the backdrop that covers the object at a point.
     fn faded(&self, p: Vec3<f32>) -> f32 {
         self.fade
             .map_or(0.0, |[near, far]| (p.length() - near) / (far - near))
     }
 }
 
-/// What is seen behind the objects: brightest in the middle of the picture.
+/// The background behind the objects, brightest in the middle of the picture.
 #[derive(Clone, Copy)]
 pub struct Backdrop {
     pub center: Rgb<f32>,
@@ -100,13 +100,13 @@ impl Backdrop {
         edge: Rgb::BLACK,
     };
 
-    /// At the point (x, y) of the picture.
+    /// The color at the point (x, y) of the picture.
     fn color(&self, x: f32, y: f32) -> Rgb<f32> {
         mix(self.center, self.edge, (x * x + y * y).sqrt() / 1.2)
     }
 }
 
-/// a at 0, b at 1, smoothly in between.
+/// a at 0, b at 1, with a smooth transition in between.
 fn mix(a: Rgb<f32>, b: Rgb<f32>, share: f32) -> Rgb<f32> {
     let x = share.clamp(0.0, 1.0);
     let smooth = x * x * (3.0 - 2.0 * x);
@@ -139,7 +139,7 @@ impl Scene {
         }
     }
 
-    /// Whether an object stands between a point and a light.
+    /// Whether an object is between a point and a light.
     fn in_shadow(&self, hit: &Hit, light: &IncidentLight<f32>) -> bool {
         let ray = Ray {
             origin: hit.lifted,
@@ -167,7 +167,7 @@ impl View for Scene {
     }
 }
 
-/// Views beside and below each other, row by row.
+/// Views in rows and columns, row by row.
 pub struct Grid<V> {
     pub columns: usize,
     pub cells: Vec<V>,
@@ -177,7 +177,7 @@ impl<V: View> View for Grid<V> {
     fn color(&self, x: f32, y: f32, aspect: f32) -> Rgb<f32> {
         let columns = self.columns as f32;
         let rows = (self.cells.len() / self.columns) as f32;
-        // from the left and from above, in cells
+        // the position in cells, from the left and from the top
         let across = (1.0 + x) * (0.5 * columns);
         let down = (1.0 - y) * (0.5 * rows);
         let column = across.floor().clamp(0.0, columns - 1.0);

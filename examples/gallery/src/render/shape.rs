@@ -1,4 +1,4 @@
-//! Surfaces with a formula for where a ray meets them.
+//! Surfaces with a formula for the intersection with a ray.
 
 use shading::{UnitVec3, Vec3, normal};
 
@@ -17,9 +17,10 @@ impl Sphere {
         }
     }
 
-    /// The two distances at which a ray's line passes the sphere, the smaller first.
+    /// The two distances at which the line of a ray intersects the sphere, the smaller first.
     pub fn crossings(&self, ray: &Ray) -> Option<[f32; 2]> {
-        // from the point of the ray nearest to the center: no cancellation for a far sphere
+        // computed from the point of the ray nearest to the center, to avoid cancellation for a
+        // distant sphere
         let to_center = self.center - ray.origin;
         let middle = to_center.dot(ray.direction);
         let aside = to_center - *ray.direction * middle;
@@ -52,7 +53,7 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// `None` where a = b = c = 0, which is no plane.
+    /// `None` if a = b = c = 0, which is not a plane.
     pub fn new(a: f32, b: f32, c: f32, d: f32) -> Option<Self> {
         let abc = Vec3::new(a, b, c);
         Some(Self {

@@ -1,8 +1,8 @@
-//! What the coefficients of 1/(a + bq + cq²) do.
+//! The effect of the coefficients of 1/(a + bq + cq²).
 
 use shading::{Attenuation, Light, PointLight, Rgb, Vec3};
 
-use super::{Picture, empty, glossy, matt, tiles};
+use super::{Picture, empty, glossy, matte, tiles};
 use crate::render::ray::Camera;
 use crate::render::scene::{Backdrop, Grid, Object, Scene};
 use crate::render::shape::{Plane, Sphere};
@@ -15,8 +15,8 @@ pub fn pictures() -> Vec<Picture> {
     )]
 }
 
-/// One lamp and three attenuations: from above constant, linear, quadratic; the same at a distance
-/// of 2.
+/// One lamp and three attenuations: from the top, constant, linear, and quadratic. All are the same
+/// at a distance of 2.
 fn strips() -> Grid<Scene> {
     let coefficients = [
         Attenuation::<f32>::new(1.0, 0.0, 0.0),
@@ -29,13 +29,13 @@ fn strips() -> Grid<Scene> {
     }
 }
 
-/// A row of balls that leads away from the lamp, a unit each.
+/// A row of balls that leads away from the lamp, with one ball per unit.
 fn strip(attenuation: Attenuation<f32>) -> Scene {
     let camera = Camera::perspective([3.7, 2.4, 12.0], [3.7, 0.72, 0.0], 10.6);
-    let grey = |value| matt(Rgb::new(value, 0.98 * value, 0.95 * value));
+    let gray = |value| matte(Rgb::new(value, 0.98 * value, 0.95 * value));
     let wall = Plane::new(0.0, 0.0, 1.0, 1.4).expect("it has a normal");
     let lamp = Vec3::new(-0.1, 1.3, 1.2);
-    let mut objects = vec![tiles(grey(0.42), grey(0.34)), Object::new(wall, grey(0.36))];
+    let mut objects = vec![tiles(gray(0.42), gray(0.34)), Object::new(wall, gray(0.36))];
     objects.extend((0..8).map(|i| {
         let center = [0.5 + i as f32, 0.27, 0.0];
         let blue = Rgb::new(0.1, 0.3, 0.6);

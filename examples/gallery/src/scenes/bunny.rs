@@ -1,8 +1,8 @@
-//! Triangles: flat, and smooth with the same triangles.
+//! Triangles: flat shading and smooth shading of the same mesh.
 
 use shading::{DirectionalLight, Light, Rgb, normal};
 
-use super::{Picture, STUDIO, empty, floor, glossy, matt, towards};
+use super::{Picture, STUDIO, empty, floor, glossy, matte, toward};
 use crate::model::Model;
 use crate::render::mesh::Share;
 use crate::render::ray::{Camera, Surface};
@@ -37,7 +37,7 @@ pub fn pictures() -> Vec<Picture> {
     ]
 }
 
-/// Vertex normals by three weights, beside the flat triangles.
+/// Vertex normals with three kinds of weights, next to the flat triangles.
 fn weights(bunny: &Model) -> Grid<Scene> {
     let by_area: Share = |v1, v2, v3| (v2 - v1).cross(v3 - v1);
     let by_max: Share = |v1, v2, v3| {
@@ -55,16 +55,16 @@ fn porcelain(surface: impl Surface + 'static) -> Scene {
     let camera = Camera::perspective([-2.3, 2.2, 5.2], [-0.62, 1.22, 0.1], 11.0);
     Scene {
         objects: vec![
-            floor(matt(Rgb::gray(0.16))),
+            floor(matte(Rgb::gray(0.16))),
             Object::new(surface, glossy(Rgb::new(0.3, 0.31, 0.34), 0.7, 30)),
         ],
         lights: vec![
             Light::Directional(DirectionalLight {
-                l: towards(0.9, 0.8, 0.35),
+                l: toward(0.9, 0.8, 0.35),
                 intensity: Rgb::new(0.95, 0.92, 0.86),
             }),
             Light::Directional(DirectionalLight {
-                l: towards(-1.0, 0.5, -0.4),
+                l: toward(-1.0, 0.5, -0.4),
                 intensity: Rgb::new(0.2, 0.3, 0.5),
             }),
         ],
@@ -72,7 +72,7 @@ fn porcelain(surface: impl Surface + 'static) -> Scene {
     }
 }
 
-/// A model of the user's.
+/// The pictures of a user's model.
 pub fn model(model: &Model) -> Vec<Picture> {
     vec![
         Picture::new(
@@ -88,21 +88,21 @@ pub fn model(model: &Model) -> Vec<Picture> {
     ]
 }
 
-/// A model of a known height, in the middle of the picture.
+/// A model of a known height in the middle of the picture.
 fn shown(surface: impl Surface + 'static, height: f32) -> Scene {
     let camera = Camera::perspective([0.0, 2.6, 7.4], [0.0, 0.465 * height, 0.0], 21.0);
     Scene {
         objects: vec![
-            floor(matt(Rgb::gray(0.16))),
+            floor(matte(Rgb::gray(0.16))),
             Object::new(surface, glossy(Rgb::new(0.45, 0.36, 0.28), 0.2, 15)),
         ],
         lights: vec![
             Light::Directional(DirectionalLight {
-                l: towards(-0.8, 0.9, 0.7),
+                l: toward(-0.8, 0.9, 0.7),
                 intensity: Rgb::new(0.95, 0.92, 0.86),
             }),
             Light::Directional(DirectionalLight {
-                l: towards(0.8, 1.0, -1.0),
+                l: toward(0.8, 1.0, -1.0),
                 intensity: Rgb::new(0.14, 0.18, 0.25),
             }),
         ],

@@ -1,8 +1,8 @@
-//! Highlights: their strength k_s, their sharpness m, and Phong's beside Blinn's.
+//! Highlights: their strength k_s, their sharpness m, and Phong's next to Blinn's.
 
 use shading::{Attenuation, DirectionalLight, Light, PointLight, Rgb, Shaded, Vec3};
 
-use super::{Picture, STUDIO, empty, floor, glossy, towards};
+use super::{Picture, STUDIO, empty, floor, glossy, toward};
 use crate::render::ray::Camera;
 use crate::render::scene::{Backdrop, Finish, Grid, Model as Sum, Object, Part, Scene};
 use crate::render::shape::Sphere;
@@ -38,7 +38,7 @@ pub fn pictures() -> Vec<Picture> {
     ]
 }
 
-/// k_s grows from above to below, m from left to right.
+/// k_s grows from top to bottom, and m from left to right.
 fn strength_and_sharpness() -> Grid<Scene> {
     let cells = [0.2, 0.6].map(|k_s| [4, 20, 120].map(|m| glossy(GREEN, k_s, m)));
     Grid {
@@ -56,7 +56,7 @@ fn sharpness() -> Grid<Scene> {
     with_highlights_below(&[1, 5, 10].map(|m| (Sum::Phong, glossy(GREEN, 0.5, m))))
 }
 
-/// The same ball, left by Phong's formula and right by Blinn's.
+/// The same ball with Phong's formula on the left and Blinn's on the right.
 fn pair(m_phong: u32, m_blinn: u32) -> Grid<Scene> {
     with_highlights_below(&[
         (Sum::Phong, glossy(PURPLE, 0.6, m_phong)),
@@ -64,7 +64,7 @@ fn pair(m_phong: u32, m_blinn: u32) -> Grid<Scene> {
     ])
 }
 
-/// A row of balls, and below it their highlights alone.
+/// A row of balls, and their highlights alone below it.
 fn with_highlights_below(balls: &[(Sum, Finish)]) -> Grid<Scene> {
     let parts: [Part; 2] = [Shaded::total, |shaded| shaded.specular];
     let row = |part| {
@@ -79,13 +79,13 @@ fn with_highlights_below(balls: &[(Sum, Finish)]) -> Grid<Scene> {
     }
 }
 
-/// A ball before the eye, the light over the left shoulder.
+/// A ball in front of the eye, with the light over the left shoulder.
 fn ball(model: Sum, finish: Finish) -> Scene {
     let camera = Camera::parallel([0.0, 0.0, 5.0], [0.0, 0.0, 0.0], 2.8);
     Scene {
         objects: vec![Object::new(Sphere::new([0.0; 3], 1.0), finish)],
         lights: vec![Light::Directional(DirectionalLight {
-            l: towards(-0.5, 0.55, 0.67),
+            l: toward(-0.5, 0.55, 0.67),
             intensity: Rgb::WHITE,
         })],
         model,
@@ -93,8 +93,8 @@ fn ball(model: Sum, finish: Finish) -> Scene {
     }
 }
 
-/// The sun low over water: Phong's highlight is round, Blinn's is drawn out towards the eye, as it
-/// is on the sea. The two have the same height.
+/// The sun low over water: Phong's highlight is round, but Blinn's is stretched toward the eye, as
+/// on the sea. Both have the same height.
 fn sunset() -> Grid<Scene> {
     const SUN: Vec3<f32> = Vec3::new(0.0, 1.5, -9.0);
     const ORANGE: Rgb<f32> = Rgb::new(1.0, 0.62, 0.3);

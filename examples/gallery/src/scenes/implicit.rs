@@ -2,7 +2,7 @@
 
 use shading::{DirectionalLight, Elementary, Light, Rgb, Vec3};
 
-use super::{Picture, STUDIO, empty, floor, glossy, matt, towards};
+use super::{Picture, STUDIO, empty, floor, glossy, matte, toward};
 use crate::render::implicit::{Field, Implicit};
 use crate::render::ray::Camera;
 use crate::render::scene::{Object, Scene};
@@ -23,16 +23,16 @@ pub fn pictures() -> Vec<Picture> {
     ]
 }
 
-/// A key light from the upper left, and a weak one from behind on the right.
+/// A key light from the upper left, and a weak light from behind on the right.
 fn lit(scene: Scene) -> Scene {
     Scene {
         lights: vec![
             Light::Directional(DirectionalLight {
-                l: towards(-0.6, 0.9, 0.7),
+                l: toward(-0.6, 0.9, 0.7),
                 intensity: Rgb::new(0.95, 0.92, 0.86),
             }),
             Light::Directional(DirectionalLight {
-                l: towards(0.8, 1.0, -1.0),
+                l: toward(0.8, 1.0, -1.0),
                 intensity: Rgb::new(0.14, 0.18, 0.25),
             }),
         ],
@@ -50,7 +50,7 @@ impl Field for Sphere {
     }
 }
 
-/// The distance from a circle, less the thickness; the circle is tilted by atan(3/4).
+/// The distance from a circle minus the thickness; the circle is tilted by atan(3/4).
 struct Torus;
 
 impl Field for Torus {
@@ -67,7 +67,7 @@ fn sphere_and_torus() -> Scene {
     let camera = Camera::perspective([0.0, 2.6, 7.0], [0.0, 0.75, 0.0], 26.0);
     lit(Scene {
         objects: vec![
-            floor(matt(Rgb::gray(0.16))),
+            floor(matte(Rgb::gray(0.16))),
             Object::new(
                 Implicit::new(Sphere, [0.0, 0.8, 0.0], 0.7),
                 glossy(Rgb::new(0.55, 0.5, 0.42), 0.4, 80),
@@ -90,8 +90,8 @@ impl Field for Gyroid {
         const SCALE: f64 = 6.0;
         let q = p * T::of(SCALE);
         let gyroid = q.x.sin() * q.y.cos() + q.y.sin() * q.z.cos() + q.z.sin() * q.x.cos();
-        // its slope is √3 at most: each of its derivatives has the form ab − cd, whose square is no
-        // more than (a² + d²)(b² + c²), and the three add up to 3
+        // its slope is at most √3: each of its derivatives has the form ab − cd, whose square is at
+        // most (a² + d²)(b² + c²), and the three add up to 3
         let wall = (gyroid.abs() - T::of(0.3)) * T::of(1.0 / (SCALE * 1.732_050_9));
         let ball = p.dot(p).sqrt() - T::of(1.3);
         (wall - ball).if_positive(wall, ball)
@@ -110,7 +110,7 @@ fn gyroid() -> Scene {
     })
 }
 
-/// Balls that melt into each other: −ln Σ exp(−k dᵢ)/k of their distances dᵢ, which is a little
+/// Balls that melt into each other: −ln Σ exp(−k dᵢ)/k of their distances dᵢ, which is slightly
 /// less than the smallest of them.
 struct Metaballs;
 
@@ -143,7 +143,7 @@ fn metaballs() -> Scene {
     let camera = Camera::perspective([0.0, 2.4, 7.0], [0.05, 0.85, 0.0], 25.0);
     lit(Scene {
         objects: vec![
-            floor(matt(Rgb::gray(0.16))),
+            floor(matte(Rgb::gray(0.16))),
             Object::new(
                 Implicit::new(Metaballs, [0.05, 0.85, 0.0], 1.7),
                 glossy(Rgb::new(0.42, 0.07, 0.16), 0.5, 70),

@@ -1,4 +1,5 @@
-//! The three kinds of light over the same floor, and three lights that add up to white.
+//! The three kinds of light over the same floor, an area light, and three lights that add up to
+//! white.
 
 use std::f32::consts::{PI, TAU};
 
@@ -7,7 +8,7 @@ use shading::{
     Vec3,
 };
 
-use super::{Picture, STUDIO, empty, floor, glossy, matt, tiles, towards};
+use super::{Picture, STUDIO, empty, floor, glossy, matte, tiles, toward};
 use crate::render::film::spread;
 use crate::render::implicit::{Field, Implicit};
 use crate::render::ray::Camera;
@@ -49,7 +50,7 @@ const WARM: Rgb<f32> = Rgb::new(1.0, 0.93, 0.8);
 
 fn directional() -> Light<f32> {
     Light::Directional(DirectionalLight {
-        l: towards(-0.75, 0.8, 0.35),
+        l: toward(-0.75, 0.8, 0.35),
         intensity: WARM,
     })
 }
@@ -77,14 +78,14 @@ const SPOT: SpotLight<f32> = SpotLight {
 /// Pins in rows on tiles, under one light.
 fn pins(light: Light<f32>, lamp: Option<Vec3<f32>>) -> Scene {
     let camera = Camera::perspective([2.9, 5.0, 7.6], [0.0, 0.42, 0.1], 30.0);
-    let grey = |value| glossy(Rgb::new(value, 0.98 * value, 0.95 * value), 0.0, 1);
-    let mut objects = vec![tiles(grey(0.42), grey(0.3)).fading(2.4, 6.5)];
+    let gray = |value| glossy(Rgb::new(value, 0.98 * value, 0.95 * value), 0.0, 1);
+    let mut objects = vec![tiles(gray(0.42), gray(0.3)).fading(2.4, 6.5)];
     for (x, z) in [-1.5, 0.0, 1.5]
         .into_iter()
         .flat_map(|x| [(x, -1.5), (x, 0.0), (x, 1.5)])
     {
         let red = Rgb::new(0.6, 0.2, 0.06);
-        // a low one in the middle, under the lamp
+        // a low pin in the middle, under the lamp
         let height = if x == 0.0 && z == 0.0 { 0.2 } else { 0.75 };
         objects.push(Object::new(Pin::at(x, z, height), glossy(red, 0.35, 40)));
     }
@@ -103,7 +104,7 @@ fn pins(light: Light<f32>, lamp: Option<Vec3<f32>>) -> Scene {
     }
 }
 
-/// What has the same distance from a line upwards.
+/// The points at the same distance from a line that goes up.
 struct Pin {
     x: f32,
     z: f32,
@@ -129,7 +130,7 @@ impl Field for Pin {
     }
 }
 
-/// A square of light: many weak lamps, spread over it.
+/// A square of light: many weak lamps spread over it.
 fn balls_under_a_square() -> Scene {
     const LAMPS: u32 = 64;
     const SIDE: f32 = 1.8;
@@ -146,7 +147,7 @@ fn balls_under_a_square() -> Scene {
     };
     Scene {
         objects: vec![
-            floor(matt(Rgb::gray(0.34))).fading(1.5, 5.2),
+            floor(matte(Rgb::gray(0.34))).fading(1.5, 5.2),
             ball(-1.3, 0.55, 0.2, 0.55, Rgb::new(0.1, 0.36, 0.3)),
             ball(0.1, 0.95, -0.3, 0.55, Rgb::new(0.62, 0.4, 0.08)),
             ball(1.5, 0.4, 0.5, 0.4, Rgb::new(0.58, 0.14, 0.08)),
@@ -156,7 +157,7 @@ fn balls_under_a_square() -> Scene {
     }
 }
 
-/// Red, green and blue spots on white. In the shadow of one, the other two are mixed.
+/// Red, green, and blue spots on white. In the shadow of one, the other two mix.
 fn three_colors() -> Scene {
     let camera = Camera::perspective([0.0, 7.4, 6.2], [0.0, 0.1, 0.15], 22.5);
     let spots = [
@@ -179,7 +180,7 @@ fn three_colors() -> Scene {
             cone: Cone::<f32>::from_half_angle(PI / 18.0).expect("it is below π"),
         })
     };
-    let white = matt(Rgb::gray(0.92));
+    let white = matte(Rgb::gray(0.92));
     Scene {
         objects: vec![
             floor(white).fading(2.5, 6.0),

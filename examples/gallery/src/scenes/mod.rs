@@ -1,4 +1,4 @@
-//! What the pictures show.
+//! The scenes that the pictures show.
 
 mod attenuation;
 mod bunny;
@@ -22,7 +22,7 @@ pub use bunny::model;
 
 /// A picture of the gallery.
 pub struct Picture {
-    /// The name of its file, without the ending.
+    /// The name of its file without the extension.
     pub name: &'static str,
     /// What it shows, from left to right.
     pub labels: &'static [&'static str],
@@ -43,7 +43,7 @@ impl Picture {
         }
     }
 
-    /// One of those that the README shows.
+    /// Marks a picture that the README shows.
     fn for_readme(self) -> Self {
         Self {
             in_readme: true,
@@ -51,7 +51,7 @@ impl Picture {
         }
     }
 
-    /// Four square views side by side.
+    /// Makes the picture a strip of four square views side by side.
     fn strip(self) -> Self {
         Self {
             is_strip: true,
@@ -59,7 +59,7 @@ impl Picture {
         }
     }
 
-    /// Its width and height where others have `size`.
+    /// The width and height of the picture if ordinary pictures have `size`.
     pub fn size(&self, (width, height): (usize, usize)) -> (usize, usize) {
         if self.is_strip {
             (2 * width, width.div_ceil(2))
@@ -84,14 +84,14 @@ pub fn all() -> Vec<Picture> {
     pictures
 }
 
-/// Those that the README shows.
+/// The pictures that the README shows.
 pub fn of_readme() -> Vec<Picture> {
     let mut pictures = all();
     pictures.retain(|picture| picture.in_readme);
     pictures
 }
 
-/// A scene to which objects and lights are to be added.
+/// A scene without objects and lights, which are added later.
 fn empty(camera: Camera, backdrop: Backdrop) -> Scene {
     Scene {
         camera,
@@ -105,13 +105,13 @@ fn empty(camera: Camera, backdrop: Backdrop) -> Scene {
     }
 }
 
-/// A quiet grey, darker towards the edges.
+/// A quiet gray, darker toward the edges.
 const STUDIO: Backdrop = Backdrop {
     center: Rgb::new(0.055, 0.06, 0.07),
     edge: Rgb::new(0.008, 0.009, 0.011),
 };
 
-/// A material of one colour that reflects the ambient light as it does the others.
+/// A material with one color that reflects ambient light as it does diffuse light.
 const fn glossy(color: Rgb<f32>, k_s: f32, m: u32) -> Finish {
     Finish {
         k_a: color,
@@ -121,7 +121,7 @@ const fn glossy(color: Rgb<f32>, k_s: f32, m: u32) -> Finish {
     }
 }
 
-const fn matt(color: Rgb<f32>) -> Finish {
+const fn matte(color: Rgb<f32>) -> Finish {
     glossy(color, 0.0, 1)
 }
 
@@ -130,7 +130,7 @@ fn floor(finish: Finish) -> Object {
     Object::new(floor_plane(), finish).fading(1.0, 4.6)
 }
 
-/// The same in squares of one unit.
+/// The same floor in squares of one unit.
 fn tiles(light: Finish, dark: Finish) -> Object {
     Object::painted(floor_plane(), move |hit| {
         let odd = (hit.p.x.floor() + hit.p.z.floor()).rem_euclid(2.0) > 0.5;
@@ -143,6 +143,6 @@ fn floor_plane() -> Plane {
 }
 
 /// The direction (x, y, z), which is not zero.
-fn towards(x: f32, y: f32, z: f32) -> UnitVec3<f32> {
+fn toward(x: f32, y: f32, z: f32) -> UnitVec3<f32> {
     shading::Vec3::new(x, y, z).unit_or(UnitVec3::Y)
 }

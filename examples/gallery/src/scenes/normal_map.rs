@@ -1,8 +1,8 @@
-//! Bricks, dimples and ribs that are not there: a plane and spheres with normal maps.
+//! Bricks, dimples, and ribs that are not there: a plane and spheres with normal maps.
 
 use shading::{Attenuation, Dual, Elementary, Light, PointLight, Rgb, Vec3, normal};
 
-use super::{Picture, STUDIO, empty, glossy, matt};
+use super::{Picture, STUDIO, empty, glossy, matte};
 use crate::render::ray::{Camera, Hit, Ray, Surface};
 use crate::render::scene::{Finish, Object, Scene};
 use crate::render::shape::{Plane, Sphere};
@@ -24,7 +24,7 @@ fn bricks_and_balls() -> Scene {
         let center = Vec3::new(x, RADIUS, 0.2);
         let surface = Mapped {
             surface: Sphere::new(center.into(), RADIUS),
-            // thrown on it from the front
+            // projected onto the ball from the front
             place: move |p: Vec3<f32>| (p - center) * (1.0 / RADIUS),
             relief,
         };
@@ -38,7 +38,7 @@ fn bricks_and_balls() -> Scene {
     Scene {
         objects: vec![
             Object::painted(bricks, |hit| brick(hit.p)),
-            Object::new(floor, matt(Rgb::gray(0.22))),
+            Object::new(floor, matte(Rgb::gray(0.22))),
             ball(-1.5, Relief::None),
             ball(0.0, Relief::Dimples),
             ball(1.5, Relief::Ribs),
@@ -53,10 +53,10 @@ fn bricks_and_balls() -> Scene {
     }
 }
 
-/// A surface that looks as if it were not smooth: its normals are those of a map along x and y.
+/// A surface with simulated relief: its normals come from a map along x and y.
 struct Mapped<S, P> {
     surface: S,
-    /// The place on the map, of which x and y count.
+    /// The place on the map, of which only x and y count.
     place: P,
     relief: Relief,
 }
@@ -84,7 +84,7 @@ enum Relief {
 }
 
 impl Relief {
-    /// The sample of the map at a place: (−∂h/∂x, −∂h/∂y, 1), exactly.
+    /// The sample of the map at a place: exactly (−∂h/∂x, −∂h/∂y, 1).
     fn sample(self, place: Vec3<f32>) -> Vec3<f32> {
         let Vec3 { x, y, .. } = Dual::point(place);
         let slope = self.height(x, y).gradient;
@@ -100,7 +100,7 @@ impl Relief {
                 let rough = (x * T::of(43.0)).sin() * (y * T::of(37.0)).sin();
                 bevel * bevel * T::of(0.03) + rough * T::of(0.002)
             }
-            // three waves, at 60° to each other
+            // three waves at 60° to each other
             Self::Dimples => {
                 let [a, b] = [x * T::of(12.0), y * T::of(20.78)];
                 let waves = (a + a).cos() + (a + b).cos() + (a - b).cos();
@@ -111,19 +111,19 @@ impl Relief {
     }
 }
 
-/// From brick to brick, across and up.
+/// The distance from brick to brick, across and up.
 const PITCH: [f32; 2] = [0.62, 0.26];
-/// Half of what a brick measures; the rest is mortar.
+/// Half the size of a brick; the rest is mortar.
 const HALF: [f64; 2] = [0.295, 0.115];
 
-/// The number of the brick at a point of the wall. Every other row is off by half a brick.
+/// The indices of the brick at a point of the wall. Every other row is shifted by half a brick.
 fn number([x, y]: [f32; 2]) -> [f32; 2] {
     let row = (y / PITCH[1]).floor();
     let off = 0.5 * row.rem_euclid(2.0);
     [(x / PITCH[0] + off).floor() - off, row]
 }
 
-/// A point of the wall, from the middle of its brick.
+/// A point of the wall relative to the middle of its brick.
 fn in_brick(p: Vec3<f32>) -> Vec3<f32> {
     let [column, row] = number([p.x, p.y]);
     let middle = Vec3::new(PITCH[0] * (column + 0.5), PITCH[1] * (row + 0.5), p.z);
@@ -133,9 +133,9 @@ fn in_brick(p: Vec3<f32>) -> Vec3<f32> {
 fn brick(p: Vec3<f32>) -> Finish {
     let place = in_brick(p);
     if place.x.abs() > HALF[0] as f32 || place.y.abs() > HALF[1] as f32 {
-        return matt(Rgb::gray(0.32));
+        return matte(Rgb::gray(0.32));
     }
     let [column, row] = number([p.x, p.y]);
     let shade = 0.8 + 0.08 * (14.0 * column + 3.0 * row).rem_euclid(5.0);
-    matt(Rgb::new(0.46, 0.17, 0.1) * shade)
+    matte(Rgb::new(0.46, 0.17, 0.1) * shade)
 }

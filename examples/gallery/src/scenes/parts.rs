@@ -1,4 +1,4 @@
-//! One scene four times: what each term adds, and the sum.
+//! One scene four times: each term alone, and their sum.
 
 use shading::{Attenuation, Elementary, Light, PointLight, Rgb, Shaded, Vec3};
 
@@ -37,7 +37,7 @@ pub fn pictures() -> Vec<Picture> {
     ]
 }
 
-/// Before black, so that the first three pictures add up to the fourth, point by point.
+/// The background is black, so that the first three pictures add up to the fourth, point by point.
 fn still_life(part: Part, degrees: f32) -> Scene {
     const RED: Rgb<f32> = Rgb::new(0.66, 0.07, 0.05);
     const GOLD: Rgb<f32> = Rgb::new(0.72, 0.42, 0.06);
@@ -62,7 +62,7 @@ fn still_life(part: Part, degrees: f32) -> Scene {
     }
 }
 
-/// A ring that stands upright.
+/// An upright ring.
 fn ring() -> Implicit<Ring> {
     Implicit::new(Ring, [0.35, 0.95, -1.0], 1.0)
 }
@@ -77,7 +77,7 @@ impl Field for Ring {
     }
 }
 
-/// A cube with round edges, turned a little.
+/// A cube with rounded edges, slightly turned.
 fn cube() -> Implicit<Cube> {
     Implicit::new(Cube, [1.5, 0.6, 0.3], 1.1)
 }
@@ -88,7 +88,7 @@ impl Field for Cube {
     fn value<T: Elementary>(&self, p: Vec3<T>) -> T {
         const ROUND: f64 = 0.22;
         let [x, y, z] = [p.x - T::of(1.5), p.y - T::of(0.6), p.z - T::of(0.3)];
-        // by 30° around the vertical
+        // by 30° around the vertical axis
         let (cos, sin) = (T::of(0.866_025_4), T::of(0.5));
         let turned = Vec3::new(x * cos - z * sin, y, x * sin + z * cos);
         let outside = turned.map(|c| (c.abs() - T::of(0.6 - ROUND)).at_least(T::ZERO));

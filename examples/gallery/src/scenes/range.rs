@@ -1,10 +1,10 @@
-//! Many lamps without a range, and with one.
+//! Many lamps, without and with a range.
 
 use std::f32::consts::TAU;
 
 use shading::{Attenuation, Elementary, PointLight, Rgb, Vec3};
 
-use super::{Picture, empty, matt, tiles};
+use super::{Picture, empty, matte, tiles};
 use crate::render::ray::Camera;
 use crate::render::scene::{Backdrop, Grid, Object, Scene};
 use crate::render::shape::Sphere;
@@ -20,17 +20,17 @@ pub fn pictures() -> Vec<Picture> {
     )]
 }
 
-/// Lamps in all colors, low over a floor.
+/// Lamps of many colors, close to a floor.
 fn lanterns(range: f32) -> Scene {
     const COLUMNS: u8 = 7;
     let camera = Camera::perspective([0.0, 4.2, 9.5], [0.0, 0.0, -0.35], 20.0);
-    let gray = |value| matt(Rgb::gray(value));
+    let gray = |value| matte(Rgb::gray(value));
     let mut scene = Scene {
         objects: vec![tiles(gray(0.75), gray(0.6))],
         ambient: Rgb::BLACK,
         ..empty(camera, Backdrop::BLACK)
     };
-    // 1/(0.05 + q²): as good as inverse-square, and finite at the lamp
+    // 1/(0.05 + q²) is nearly inverse-square, and finite at the lamp
     let free = Attenuation::<f32>::new(0.05, 0.0, 1.0).expect("coefficients");
     let attenuation = free.within(range).expect("above 0");
     for i in 0..3 * COLUMNS {
@@ -55,7 +55,7 @@ fn lanterns(range: f32) -> Scene {
     scene
 }
 
-/// Around the circle of colors, once for each unit.
+/// A color on the color circle, which has a circumference of 1.
 fn hue(turn: f32) -> Rgb<f32> {
     let channel = |third: f32| 0.5 + 0.5 * Elementary::cos(TAU * (turn - third / 3.0));
     Rgb::new(channel(0.0), channel(1.0), channel(2.0))

@@ -1,10 +1,10 @@
-//! A hard spot beside two with a soft edge.
+//! A hard spotlight next to two with a soft edge.
 
 use std::f32::consts::PI;
 
 use shading::{Attenuation, PointLight, Rgb, SoftCone, SpotLight, UnitVec3, Vec3};
 
-use super::{Picture, empty, glossy, matt, tiles};
+use super::{Picture, empty, glossy, matte, tiles};
 use crate::render::ray::Camera;
 use crate::render::scene::{Backdrop, Object, Scene, SoftLight};
 use crate::render::shape::{Plane, Sphere};
@@ -23,7 +23,7 @@ fn downlights() -> Scene {
     const INNER: f32 = PI / 30.0;
     let camera = Camera::perspective([0.0, 1.5, 9.6], [0.0, 1.13, 0.0], 20.5);
     let wall = Plane::new(0.0, 0.0, 1.0, 0.5).expect("it has a normal");
-    let plaster = |value| matt(Rgb::new(value, 0.95 * value, 0.88 * value));
+    let plaster = |value| matte(Rgb::new(value, 0.95 * value, 0.88 * value));
     let mut scene = Scene {
         objects: vec![
             tiles(plaster(0.5), plaster(0.4)),

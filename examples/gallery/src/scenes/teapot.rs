@@ -1,11 +1,11 @@
-//! The Utah teapot, straight from its 32 Bézier patches: the normals come from the function that
-//! maps (u, v) to a point, and no one has derived it by hand.
+//! The Utah teapot, directly from its 32 Bézier patches: the normals come from the function that
+//! maps (u, v) to a point, and nobody has derived its derivatives.
 
 use std::sync::Arc;
 
 use shading::{DirectionalLight, Light, Real, Rgb, UnitVec3, Vec3, normal};
 
-use super::{Picture, STUDIO, empty, floor, glossy, matt, towards};
+use super::{Picture, STUDIO, empty, floor, glossy, matte, toward};
 use crate::render::mesh::{Mesh, MeshHit};
 use crate::render::ray::{Camera, Hit, Ray, Surface};
 use crate::render::scene::{Finish, Object, Scene};
@@ -33,16 +33,16 @@ fn table(paint: impl Fn(&Hit) -> Finish + Sync + 'static) -> Scene {
     let camera = Camera::perspective([-1.6, 3.0, 7.4], [0.1, 0.72, 0.0], 21.0);
     Scene {
         objects: vec![
-            floor(matt(Rgb::gray(0.16))),
+            floor(matte(Rgb::gray(0.16))),
             Object::painted(Teapot::new(), paint),
         ],
         lights: vec![
             Light::Directional(DirectionalLight {
-                l: towards(-0.7, 0.9, 0.6),
+                l: toward(-0.7, 0.9, 0.6),
                 intensity: Rgb::new(0.95, 0.9, 0.82),
             }),
             Light::Directional(DirectionalLight {
-                l: towards(0.9, 0.5, 0.6),
+                l: toward(0.9, 0.5, 0.6),
                 intensity: Rgb::new(0.14, 0.18, 0.25),
             }),
         ],
@@ -50,7 +50,7 @@ fn table(paint: impl Fn(&Hit) -> Finish + Sync + 'static) -> Scene {
     }
 }
 
-/// A colour for each patch, unlike its neighbours'.
+/// A color for each patch, different from the neighbors' colors.
 fn patchwork(patch: usize) -> Finish {
     const COLORS: [Rgb<f32>; 4] = [
         Rgb::new(0.62, 0.16, 0.08),
@@ -58,7 +58,7 @@ fn patchwork(patch: usize) -> Finish {
         Rgb::new(0.07, 0.32, 0.34),
         Rgb::new(0.5, 0.46, 0.38),
     ];
-    // four patches around the pot make a ring; the next ring begins with the next colour
+    // four patches around the pot form a ring; the next ring begins with the next color
     glossy(COLORS[(patch + patch / 4) % 4], 0.4, 60)
 }
 
@@ -66,7 +66,7 @@ fn patchwork(patch: usize) -> Finish {
 struct Patch([[Vec3<f32>; 4]; 4]);
 
 impl Patch {
-    /// Σ Bᵢ(u) Bⱼ(v) Pᵢⱼ with Bernstein's polynomials.
+    /// Σ Bᵢ(u) Bⱼ(v) Pᵢⱼ with Bernstein polynomials.
     fn at<T: Real>(&self, u: T, v: T) -> Vec3<T> {
         let (b_u, b_v) = (bernstein(u), bernstein(v));
         let mut p = Vec3::ZERO;
@@ -78,8 +78,8 @@ impl Patch {
         p
     }
 
-    /// The outward normal. The patches are written such that ∂s/∂u × ∂s/∂v points inside: hence v
-    /// before u.
+    /// The outward normal. The patches are written such that ∂s/∂u × ∂s/∂v points inward, so v
+    /// comes before u.
     fn normal(&self, u: f32, v: f32) -> Option<UnitVec3<f32>> {
         normal::parametric(|v, u| self.at(u, v), v, u)
     }
@@ -90,16 +90,16 @@ fn bernstein<T: Real>(t: T) -> [T; 4] {
     [s * s * s, three * s * s * t, three * s * t * t, t * t * t]
 }
 
-/// The patches, and a fine mesh of them that finds out which point of which patch is seen.
+/// The patches, and a fine mesh of them that finds the patch and the point that a ray hits.
 struct Teapot {
     patches: Vec<Patch>,
     mesh: Arc<Mesh>,
-    /// Of each triangle its patch and the (u, v) of its corners.
+    /// The patch of each triangle, and the (u, v) of the triangle's corners.
     parameters: Vec<(usize, [[f32; 2]; 3])>,
 }
 
 impl Teapot {
-    /// How many squares of two triangles a patch is cut into each way.
+    /// The number of squares along each side of a patch; each square has two triangles.
     const FINENESS: usize = 24;
 
     fn new() -> Self {
@@ -109,7 +109,7 @@ impl Teapot {
         let mut parameters = Vec::new();
         for (number, patch) in patches.iter().enumerate() {
             for corners in squares() {
-                // at the poles of the lid and the bottom a side of the square is a point
+                // at the poles of the lid and the bottom, one side of the square is a point
                 let points = corners.map(|[u, v]| patch.at(u, v));
                 if normal::triangle(points[0], points[1], points[2]).is_some() {
                     let first = positions.len();
@@ -127,7 +127,7 @@ impl Teapot {
     }
 }
 
-/// The triangles into which the square of all (u, v) is cut.
+/// The triangles into which the square of all (u, v) is divided.
 fn squares() -> impl Iterator<Item = [[f32; 2]; 3]> {
     const N: usize = Teapot::FINENESS;
     let at = |i: usize| i as f32 / N as f32;
@@ -141,7 +141,7 @@ fn squares() -> impl Iterator<Item = [[f32; 2]; 3]> {
 
 impl Surface for Teapot {
     fn hit(&self, ray: &Ray, limit: f32) -> Option<Hit> {
-        /// From a pole, where all v are one point and there is no tangent, a little inwards.
+        /// The step inward from a pole, where all v are one point and there is no tangent.
         const ASIDE: f32 = 1e-3;
         let MeshHit {
             t,
@@ -167,8 +167,8 @@ impl Surface for Teapot {
     }
 }
 
-/// Reads `v x y z` and `p` with the numbers of 16 points, counted from 0. The file has z upwards;
-/// here y is, and a unit is half as long.
+/// Reads lines `v x y z`, and lines `p` with the indices of 16 points, counted from 0. In the file,
+/// z points up; here y does, and a unit is half as long.
 fn patches(data: &str) -> Vec<Patch> {
     let mut points: Vec<Vec3<f32>> = Vec::new();
     let mut patches = Vec::new();
