@@ -1,4 +1,4 @@
-//! Ranges and soft edges against three.js as Chromium renders it (`tests/data/README.md`).
+//! Ranges and soft edges against three.js as rendered by Chromium (`tests/data/README.md`).
 
 use core::f64::consts::FRAC_1_PI;
 
@@ -17,9 +17,9 @@ fn three_js<T: Float>() {
         let expected = ["r", "g", "b"].map(|channel| row.number(channel));
         let actual = pixel::<T>(row).map(T::to_f64);
         let ours = pixel::<T::Running>(row).map(Bounded::error);
-        // Its shader computes the same in single precision, but OpenGL ES and Vulkan allow 5u for a
-        // division and a root where we round by 1u, and for the power q^decay = 2^(decay log₂ q), with
-        // |log₂ q| ≤ 2, 16u of the logarithm and 22u of the exponential.
+        // The shader computes the same in single precision, but OpenGL ES and Vulkan allow an error
+        // of 5u for a division and a root, which round by 1u here. For the power q^decay = 2^(decay
+        // log₂ q) with |log₂ q| ≤ 2, they allow 16u for the logarithm and 22u for the exponential.
         let single = pixel::<Running<24>>(row).map(Bounded::error);
         let power = 38.0 * f64::from(f32::EPSILON) / 2.0;
         let tolerance = [0, 1, 2].map(|i| ours[i] + 5.0 * single[i] + power * expected[i]);
@@ -28,7 +28,8 @@ fn three_js<T: Float>() {
     tally.close(704, &[]);
 }
 
-/// The light of one pixel of the white plane z = 0, in an engine whose diffuse term has a 1/π.
+/// The light of one pixel of the white plane z = 0, in an engine whose diffuse term has a factor of
+/// 1/π.
 fn pixel<T: Number>(row: &Row) -> [T; 3] {
     let [one, white] = [FRAC_1_PI, 1.0].map(|x| Rgb::gray(T::of(x)));
     let plane = Material {
@@ -53,20 +54,20 @@ fn pixel<T: Number>(row: &Row) -> [T; 3] {
             let cone = cone.expect("two half-angles").smoothstep();
             SpotLight { point, axis, cone }.at(p)
         }
-        other => panic!("the light {other}"),
+        other => panic!("unknown light {other}"),
     };
     shade::lambert(UnitVec3::Z, &plane, Rgb::BLACK, [incident])
         .diffuse
         .into()
 }
 
-/// In three.js, 1/q^decay in a window, and a range of 0 is none.
+/// In three.js the attenuation is 1/q^decay times a window, and a range of 0 means no range.
 fn ranged<T: Number>(row: &Row) -> Ranged<T> {
     let [a, b, c] = match row.text("decay") {
         "0" => [1.0, 0.0, 0.0],
         "1" => [0.0, 1.0, 0.0],
         "2" => [0.0, 0.0, 1.0],
-        other => panic!("the decay {other}"),
+        other => panic!("unknown decay {other}"),
     };
     let range = match row.text("range") {
         "0" => f64::INFINITY,
