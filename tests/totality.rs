@@ -50,7 +50,7 @@ for_f32_and_f64!(
     soft_cone_of_invalid_angles_is_none,
     soft_cone_of_one_angle_is_the_hard_cone,
     soft_cone_of_angles_next_to_each_other_is_a_cone,
-    invalid_range_is_refused,
+    invalid_range_is_refused_and_infinity_is_no_range,
     ranged_attenuation_is_zero_out_of_its_range,
     lights_out_of_range_are_left_out,
     cone_of_a_nan_direction_gives_one,
@@ -744,7 +744,7 @@ fn soft_cone_of_angles_next_to_each_other_is_a_cone<T: Float>() {
     }
 }
 
-fn invalid_range_is_refused<T: Float>() {
+fn invalid_range_is_refused_and_infinity_is_no_range<T: Float>() {
     for bad in [T::ZERO, -T::ZERO, -T::ONE, -T::INFINITY, T::NAN] {
         assert_eq!(T::within(Attenuation::NONE, bad), None);
     }
