@@ -16,13 +16,13 @@ const PAGE: &str = include_str!("../src/normal/corner.rs");
 fn table_of_weights_has_the_measured_values() {
     let meshes = [
         ("the teapot, all squares split alike", teapot(false, 0.0)),
+        ("the teapot, each square split at random", teapot(true, 0.0)),
         (
-            "the teapot, each square split either way",
-            teapot(true, 0.0),
+            "the same, with its vertices moved at random",
+            teapot(true, 0.2),
         ),
-        ("the same, its vertices out of line", teapot(true, 0.2)),
         ("the bunny", bunny()),
-        ("a sphere, as irregular", sphere()),
+        ("a sphere, equally irregular", sphere()),
     ];
     let mut measured = String::new();
     for (surface, mesh) in meshes {
@@ -98,7 +98,7 @@ impl Random {
 }
 
 /// The Utah teapot, with a separate grid for each patch.
-fn teapot(either_way: bool, out_of_line: f64) -> Mesh {
+fn teapot(either_way: bool, jitter: f64) -> Mesh {
     const N: usize = 16;
     let mut random = Random(1);
     let mut mesh = Mesh::default();
@@ -107,7 +107,7 @@ fn teapot(either_way: bool, out_of_line: f64) -> Mesh {
         for (i, j) in grid(N + 1, N + 1) {
             let mut parameter = |i: usize| {
                 let moved = if 0 < i && i < N {
-                    out_of_line * random.next()
+                    jitter * random.next()
                 } else {
                     0.0
                 };

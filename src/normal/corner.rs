@@ -25,10 +25,10 @@ use crate::vector::Vec3;
 /// | mesh | angle | Max | area |
 /// |---|---|---|---|
 /// | the teapot, all squares split alike | 0.38° | 0.67° | 0.26° |
-/// | the teapot, each square split either way | 0.39° | 0.71° | 0.76° |
-/// | the same, its vertices out of line | 0.84° | 1.09° | 1.41° |
+/// | the teapot, each square split at random | 0.39° | 0.71° | 0.76° |
+/// | the same, with its vertices moved at random | 0.84° | 1.09° | 1.41° |
 /// | the bunny | 2.25° | 2.72° | 2.02° |
-/// | a sphere, as irregular | 1.05° | 0.00° | 2.78° |
+/// | a sphere, equally irregular | 1.05° | 0.00° | 2.78° |
 ///
 /// Max's weights, `e1.cross(e2)` divided by |e₁|²|e₂|², are exact on a sphere and need no angle.
 /// Area weights, `e1.cross(e2)`, are the shortest to write, and the best on a regular mesh.
