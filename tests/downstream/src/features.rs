@@ -1,0 +1,168 @@
+//! The optional features, each against the crate that it is for.
+
+#[cfg(feature = "approx")]
+pub mod approx {
+    use approx::UlpsEq;
+    use shading::{IncidentLight, Rgb, Shaded, UnitVec3, Vec3};
+
+    use crate::scenes::SUN;
+
+    pub fn call() {
+        near::<Vec3>(Vec3::ZERO);
+        near::<UnitVec3>(UnitVec3::X);
+        near::<Rgb>(Rgb::WHITE);
+        near::<IncidentLight>(SUN.at(Vec3::ZERO));
+        near::<Shaded>(Shaded::default());
+    }
+
+    fn near<V: UlpsEq<Epsilon = f32> + approx::RelativeEq>(v: V) {
+        let (epsilon, relative) = (V::default_epsilon(), V::default_max_relative());
+        assert!(V::abs_diff_eq(&v, &v, epsilon) && V::relative_eq(&v, &v, epsilon, relative));
+        assert!(V::ulps_eq(&v, &v, epsilon, V::default_max_ulps()));
+    }
+}
+
+#[cfg(feature = "bytemuck")]
+pub mod bytemuck {
+    use bytemuck::{NoUninit, Pod, Zeroable};
+    use shading::{Rgb, UnitVec3, Vec3};
+
+    pub fn call() {
+        both_ways::<Vec3>(Vec3::new(1.0, 2.0, 3.0));
+        both_ways::<Rgb>(Rgb::WHITE);
+        assert_eq!(<Vec3 as Zeroable>::zeroed(), Vec3::ZERO);
+        assert_eq!(<Rgb as Zeroable>::zeroed(), Rgb::BLACK);
+        one_way::<UnitVec3>(UnitVec3::X);
+    }
+
+    fn both_ways<V: Pod + PartialEq>(v: V) {
+        assert!(bytemuck::pod_read_unaligned::<V>(bytemuck::bytes_of(&v)) == v);
+    }
+
+    fn one_way<V: NoUninit>(v: V) {
+        assert_eq!(bytemuck::bytes_of(&v).len(), 12);
+    }
+}
+
+#[cfg(feature = "defmt")]
+pub mod defmt {
+    use defmt::Format;
+    use shading::{
+        Attenuation, Cone, DirectionalLight, Dual, IncidentLight, Light, Material, PointLight,
+        Ranged, Rgb, Shaded, SoftCone, SpotLight, UnitVec3, Vec3,
+    };
+
+    use crate::scenes::{CLAY, LAMP, SPOT, SUN};
+
+    pub fn call() {
+        log::<Vec3>(Vec3::ZERO);
+        log::<UnitVec3>(UnitVec3::X);
+        log::<Rgb>(Rgb::WHITE);
+        log::<Dual>(Dual::constant(1.0));
+        log::<Attenuation>(Attenuation::NONE);
+        log::<Ranged>(Attenuation::NONE.into());
+        log::<Cone>(SPOT.cone);
+        log::<SoftCone>(SPOT.cone.into());
+        log::<IncidentLight>(SUN.at(Vec3::ZERO));
+        log::<DirectionalLight>(SUN);
+        log::<PointLight>(LAMP);
+        log::<SpotLight>(SPOT);
+        log::<Light>(SPOT.into());
+        log::<Material>(CLAY);
+        log::<Shaded>(Shaded::default());
+    }
+
+    fn log<V: Format>(value: V) {
+        defmt::println!("{}", value);
+    }
+}
+
+#[cfg(feature = "mint")]
+pub mod mint {
+    use mint::{IntoMint, Point3, Vector3};
+    use shading::{UnitVec3, Vec3};
+
+    pub fn call() {
+        let v = Vec3::new(1.0, 2.0, 3.0);
+        let vector = <Vector3<f32> as From<Vec3>>::from(v);
+        let point = <Point3<f32> as From<Vec3>>::from(v);
+        assert_eq!(<Vec3 as From<Vector3<f32>>>::from(vector), v);
+        assert_eq!(<Vec3 as From<Point3<f32>>>::from(point), v);
+        assert_eq!(<Vector3<f32> as From<UnitVec3>>::from(UnitVec3::Y).y, 1.0);
+
+        let like_vector: <Vec3 as IntoMint>::MintType = v.into();
+        let like_direction: <UnitVec3 as IntoMint>::MintType = UnitVec3::Y.into();
+        assert_eq!((like_vector.z, like_direction.y), (3.0, 1.0));
+    }
+}
+
+#[cfg(feature = "serde")]
+pub mod serde {
+    use serde_core::Serialize;
+    use serde_core::de::DeserializeOwned;
+    use shading::{
+        Attenuation, Cone, DirectionalLight, Light, Material, PointLight, Ranged, Rgb, SoftCone,
+        SpotLight, UnitVec3, Vec3,
+    };
+
+    use crate::scenes::{CLAY, LAMP, SPOT, SUN};
+
+    pub fn call() {
+        survives::<Vec3>(Vec3::ZERO);
+        survives::<UnitVec3>(UnitVec3::X);
+        survives::<Rgb>(Rgb::WHITE);
+        survives::<Attenuation>(Attenuation::NONE);
+        survives::<Ranged>(Attenuation::NONE.into());
+        survives::<Cone>(SPOT.cone);
+        survives::<SoftCone>(SPOT.cone.into());
+        survives::<DirectionalLight>(SUN);
+        survives::<PointLight>(LAMP);
+        survives::<SpotLight>(SPOT);
+        survives::<Light>(SPOT.into());
+        survives::<Material>(CLAY);
+
+        let point = PointLight {
+            position: LAMP.position,
+            intensity: LAMP.intensity,
+            attenuation: LAMP.attenuation.within(8.0).unwrap(),
+        };
+        survives::<Light<f32, SoftCone, Ranged>>(Light::Spot(SpotLight {
+            point,
+            axis: SPOT.axis,
+            cone: SPOT.cone.into(),
+        }));
+        survives::<Light<f64>>(Light::Spot(SPOT.cast(f64::from)));
+        survives::<Material<f64>>(CLAY.cast(f64::from));
+    }
+
+    fn survives<V: Serialize + DeserializeOwned + PartialEq>(value: V) {
+        let mut buffer = [0; 256];
+        let bytes = postcard::to_slice(&value, &mut buffer).unwrap();
+        assert!(postcard::from_bytes::<V>(bytes).unwrap() == value);
+    }
+}
+
+#[cfg(feature = "wide")]
+pub mod wide {
+    use shading::Exponent;
+    use wide::{f32x4, f32x8, f32x16, f64x4, f64x8};
+
+    use crate::numbers::real;
+
+    pub fn call() {
+        real::<f32x4>();
+        real::<f32x8>();
+        real::<f32x16>();
+        real::<f64x4>();
+        real::<f64x8>();
+        assert_eq!(<f32 as Exponent<f32x4>>::raise(0.0, f32x4::ONE), f32x4::ONE);
+        assert_eq!(<f32 as Exponent<f32x8>>::raise(0.0, f32x8::ONE), f32x8::ONE);
+        assert_eq!(
+            <f32 as Exponent<f32x16>>::raise(0.0, f32x16::ONE),
+            f32x16::ONE
+        );
+        assert_eq!(<f64 as Exponent<f64x4>>::raise(0.0, f64x4::ONE), f64x4::ONE);
+        assert_eq!(<f64 as Exponent<f64x8>>::raise(0.0, f64x8::ONE), f64x8::ONE);
+        assert_eq!(<u32 as Exponent<f32x8>>::raise(2, f32x8::ONE), f32x8::ONE);
+    }
+}

@@ -1,0 +1,193 @@
+//! The source names every item of the public interface. Whoever adds an item adds a call of it.
+
+const INTERFACE: &str = include_str!("../../public-api/interface.txt");
+
+const SOURCE: &str = concat!(
+    include_str!("../src/features.rs"),
+    include_str!("../src/formulas.rs"),
+    include_str!("../src/numbers.rs"),
+    include_str!("../src/scenes.rs"),
+    include_str!("../src/types.rs"),
+    include_str!("../src/vectors.rs"),
+);
+
+/// Traits that many types implement, each with the generic function that calls it, as in `value::<Vec3>`. All other traits
+/// are called by name, as in `<Vec3 as Neg>`.
+const CALLED_BY: [(&str, &[&str]); 8] = [
+    (
+        "value",
+        &["Clone", "Copy", "Debug", "PartialEq", "StructuralPartialEq"],
+    ),
+    ("real", &["Real"]),
+    ("elementary", &["Elementary"]),
+    ("near", &["AbsDiffEq", "RelativeEq", "UlpsEq"]),
+    ("both_ways", &["Pod"]),
+    ("one_way", &["NoUninit"]),
+    ("log", &["Format"]),
+    ("survives", &["Serialize", "Deserialize"]),
+];
+
+/// The words before the path of an item.
+const KINDS: [&str; 7] = ["const", "fn", "type", "struct", "enum", "trait", "mod"];
+
+type Tokens<'a> = Vec<&'a str>;
+
+/// Splits a text into names, `::` and single characters, and drops the lifetimes.
+fn tokens(mut text: &str) -> Tokens<'_> {
+    let mut tokens = Vec::new();
+    while let Some(first) = text.trim_start().chars().next() {
+        text = text.trim_start();
+        let is_named = |c: char| c.is_alphanumeric() || c == '_';
+        let after = |start: usize| {
+            text[start..]
+                .find(|c| !is_named(c))
+                .map_or(text.len(), |end| start + end)
+        };
+        let end = match first {
+            '\'' => after(1),
+            _ if is_named(first) => after(0),
+            _ if text.starts_with("::") => 2,
+            _ => first.len_utf8(),
+        };
+        if first != '\'' {
+            tokens.push(&text[..end]);
+        }
+        text = &text[end..];
+    }
+    tokens
+}
+
+/// The index at which the angle bracket after the first token closes.
+fn closing(tokens: &[&str]) -> usize {
+    let mut depth = 0;
+    let mut closes = |token: &&str| {
+        depth += i32::from(*token == "<") - i32::from(*token == ">");
+        depth == 0
+    };
+    1 + tokens[1..].iter().position(&mut closes).expect("balanced")
+}
+
+/// Drops the parameters of this crate's types: `Vec3<T>` becomes `Vec3`.
+fn plain<'a>(tokens: &[&'a str], types: &[&str]) -> Tokens<'a> {
+    let (mut plain, mut i) = (Vec::new(), 0);
+    while let Some(token) = tokens.get(i) {
+        plain.push(*token);
+        let has_parameters = types.contains(token) && tokens.get(i + 1) == Some(&"<");
+        i += if has_parameters {
+            closing(&tokens[i..])
+        } else {
+            0
+        } + 1;
+    }
+    plain
+}
+
+/// Shortens each path to its last name, and puts `f32` for the parameter `T`.
+fn short<'a>(path: &[&'a str]) -> Tokens<'a> {
+    let next = path.iter().skip(1).copied().chain([""]);
+    let named = path
+        .iter()
+        .zip(next)
+        .filter(|(token, next)| **token != "::" && *next != "::");
+    named
+        .map(|(token, _)| if *token == "T" { "f32" } else { token })
+        .collect()
+}
+
+fn has(source: &[&str], wanted: &[&str]) -> bool {
+    source.windows(wanted.len()).any(|window| window == wanted)
+}
+
+/// Whether the source calls this trait of this type.
+fn calls(source: &[&str], implemented: &[&str], of: &[&str]) -> bool {
+    let by = |(_, traits): &&(_, &[&str])| traits.contains(&implemented[0]);
+    let call = match CALLED_BY.iter().find(by) {
+        Some((function, _)) => [&[function, "::", "<"], of].concat(),
+        None => [of, &["as"], implemented].concat(),
+    };
+    has(source, &call)
+}
+
+/// Whether the source has a pattern or a value of this struct that names the field.
+fn has_field(source: &[&str], of: &str, field: &str) -> bool {
+    let mut structs = source
+        .windows(2)
+        .enumerate()
+        .filter(|(_, pair)| *pair == [of, "{"]);
+    structs.any(|(i, _)| {
+        source[i..]
+            .iter()
+            .take_while(|token| **token != "}")
+            .any(|token| *token == field)
+    })
+}
+
+/// Whether the source names this item. A field and a variant have no kind.
+fn names(source: &[&str], kind: Option<&str>, item: &[&str], types: &[&str]) -> bool {
+    let number = item
+        .windows(4)
+        .find(|w| matches!(w, ["<", "f32" | "f64", ">", "::"]));
+    let item = plain(item, types);
+    let path = item
+        .split(|token| ["(", "<", "=", ":"].contains(token))
+        .next()
+        .expect("a path");
+    let [.., owner, _, name] = *path else {
+        return true; // the crate itself
+    };
+    if path.contains(&"guide") {
+        return true; // pages of the documentation
+    }
+    match (kind, number) {
+        (Some("struct" | "enum" | "trait" | "mod"), _) => has(source, &[name]),
+        (None, _) if item.get(path.len()) == Some(&":") => has_field(source, owner, name),
+        (_, Some(number)) => has(source, &[owner, "::", "<", number[1], ">", "::", name]),
+        _ => {
+            has(source, &[owner, "::", name])
+                || has(source, &[owner, ">", "::", name])
+                || has(source, &[owner, "<", "f32", ">", ">", "::", name])
+        }
+    }
+}
+
+/// The name in the line of a struct or an enum.
+fn type_name<'a>(line: &Tokens<'a>) -> Option<&'a str> {
+    let kind = line
+        .iter()
+        .position(|token| ["struct", "enum"].contains(token))?;
+    let path = line[kind..]
+        .split(|token| ["<", "("].contains(token))
+        .next()?;
+    path.last().copied()
+}
+
+#[test]
+fn every_public_item_is_called() {
+    let lines: Vec<Tokens> = INTERFACE.lines().map(tokens).collect();
+    let types: Tokens = lines.iter().filter_map(type_name).collect();
+    let source = plain(&tokens(SOURCE), &types);
+
+    let mut implementor: &[&str] = &[]; // of the trait whose items follow
+    let mut missing = Vec::new();
+    for (line, text) in lines.iter().zip(INTERFACE.lines()) {
+        let is_called = if line[0] == "impl" {
+            let header = &line[if line[1] == "<" { closing(line) + 1 } else { 1 }..];
+            let mut parts = header.split(|token| *token == "for");
+            let implemented = parts.next().expect("a trait or a type");
+            implementor = parts.next().unwrap_or_default();
+            let [implemented, of] =
+                [implemented, implementor].map(|path| short(&plain(path, &types)));
+            of.is_empty() || calls(&source, &implemented, &of)
+        } else {
+            let item = line.split(|token| *token == "pub").nth(1).expect("an item");
+            let is_kind = |token: &&&str| KINDS.contains(token);
+            let (kind, item) = item.split_at(item.iter().take_while(is_kind).count());
+            let is_of_trait = !implementor.is_empty() && item.starts_with(implementor);
+            is_of_trait || names(&source, kind.last().copied(), item, &types)
+        };
+        if !is_called {
+            missing.push(text);
+        }
+    }
+    assert!(missing.is_empty(), "not called:\n{}", missing.join("\n"));
+}
