@@ -75,7 +75,7 @@ impl<N: Number> Bvh<N> {
         mut limit: N,
         mut meet: impl FnMut(usize, N) -> N,
     ) {
-        let (from, slope) = (from.array(), along.array().map(|d| N::ONE / d));
+        let (from, slope) = (from.into(), along.into().map(|d: N| N::ONE / d));
         let mut waiting = if self.nodes.is_empty() {
             vec![]
         } else {

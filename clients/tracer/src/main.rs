@@ -1,7 +1,6 @@
 //! `tracer glam|nalgebra [MODEL.obj] [PICTURE.png]`: single or double precision; without a model, the bunny.
 
 use std::fs::{self, File};
-use std::io::IsTerminal;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -54,12 +53,12 @@ fn run<V: Vector>(files: &[&str]) -> Result<(), String> {
             mesh.without_area
         );
     }
-    let progress = if std::io::stderr().is_terminal() {
-        ProgressBar::no_length()
-    } else {
-        ProgressBar::hidden()
-    };
-    let pixels = draw(&Scene::new(Some(mesh)), WIDTH, HEIGHT, &progress);
+    let pixels = draw(
+        &Scene::new(Some(mesh)),
+        WIDTH,
+        HEIGHT,
+        &ProgressBar::no_length(),
+    );
     write(picture, &pixels).map_err(|error| format!("{picture}: {error}"))?;
     println!("wrote {picture}, {WIDTH} × {HEIGHT} pixels");
     Ok(())

@@ -4,7 +4,7 @@
 use shading::{Vec3, normal};
 
 use crate::bvh::{Bvh, joined};
-use crate::vector::{Vector, direction, ours, theirs};
+use crate::vector::{Vector, direction, ours};
 
 pub struct Mesh<V: Vector> {
     vertices: Vec<V>,
@@ -61,7 +61,7 @@ impl<V: Vector> Mesh<V> {
             }
         }
         let bounds = |triangle: &[usize; 3]| {
-            let [a, b, c] = triangle.map(|i| [vertices[i].array(); 2]);
+            let [a, b, c] = triangle.map(|i| [vertices[i].into(); 2]);
             joined(joined(a, b), c)
         };
         let bounds: Vec<_> = triangles.iter().map(bounds).collect();
@@ -108,7 +108,7 @@ impl<V: Vector> Mesh<V> {
         let corners = self.triangles[triangle].map(|i| self.normals[i]);
         let sum = (0..3).fold(Vec3::ZERO, |sum, i| sum + corners[i] * shares[i]);
         let toward = -direction(along);
-        theirs(normal::facing(sum.unit_or(toward), toward))
+        <[V::Number; 3]>::from(normal::facing(sum.unit_or(toward), toward)).into()
     }
 }
 

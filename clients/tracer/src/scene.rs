@@ -6,7 +6,7 @@ use shading::f32::{
 use shading::{Material, Real, Shaded, shade};
 
 use crate::mesh::Mesh;
-use crate::vector::{Vector, direction, ours, theirs};
+use crate::vector::{Vector, direction, ours};
 
 const LIGHTS: [Light; 3] = [
     Light::Directional(DirectionalLight {
@@ -83,7 +83,7 @@ impl<V: Vector> Scene<V> {
             .iter()
             .filter_map(|light| light.in_front(ours(p), direction(n)))
             .filter(|light| {
-                self.nearest(start, theirs(light.l), light.distance)
+                self.nearest(start, <[_; 3]>::from(light.l).into(), light.distance)
                     .is_none()
             });
         let ambient = shading::Rgb::gray(V::Number::from(0.08));
@@ -105,8 +105,8 @@ impl<V: Vector> Scene<V> {
                 found = Some(Hit { t, n, material });
             }
         };
-        let [_, height, _] = from.array();
-        let [_, slope, _] = along.array();
+        let [_, height, _] = from.into();
+        let [_, slope, _] = along.into();
         let t = -height / slope;
         if t < V::Number::from(60.0) {
             take(t, V::of_f32([0.0, 1.0, 0.0]), &self.floor);

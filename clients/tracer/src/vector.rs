@@ -21,16 +21,21 @@ impl Number for f64 {
 }
 
 pub trait Vector:
-    Copy + Send + Sync + Add<Output = Self> + Sub<Output = Self> + Mul<Self::Number, Output = Self>
+    Copy
+    + Send
+    + Sync
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Self::Number, Output = Self>
+    + From<[Self::Number; 3]>
+    + Into<[Self::Number; 3]>
 {
     type Number: Number;
-    fn of(coordinates: [Self::Number; 3]) -> Self;
-    fn array(self) -> [Self::Number; 3];
     fn dot(self, other: Self) -> Self::Number;
     fn cross(self, other: Self) -> Self;
 
     fn of_f32(coordinates: [f32; 3]) -> Self {
-        Self::of(coordinates.map(Self::Number::from))
+        coordinates.map(Self::Number::from).into()
     }
 
     fn normalized(self) -> Self {
@@ -38,17 +43,11 @@ pub trait Vector:
     }
 }
 
-/// A point or a vector for `shading`.
+// glue: from the tracer's vectors to those of `shading`; the way back is `<[_; 3]>::from(v).into()`
 pub fn ours<V: Vector>(v: V) -> Vec3<V::Number> {
-    v.array().into()
+    v.into().into()
 }
-
-/// A vector that is normalized already, for `shading`.
 pub fn direction<V: Vector>(v: V) -> UnitVec3<V::Number> {
-    UnitVec3::assume_unit(ours(v))
+    UnitVec3::assume_unit(ours(v)) // normalized already
 }
-
-/// A vector of `shading` for the tracer.
-pub fn theirs<V: Vector>(v: impl Into<[V::Number; 3]>) -> V {
-    V::of(v.into())
-}
+// end of glue

@@ -135,11 +135,14 @@ form.addEventListener("reset", () => setTimeout(() => {
 }));
 $("parts").addEventListener("input", soon);
 
-canvas.addEventListener("pointermove", ({ offsetX, offsetY }) => {
-  cross.x = Math.max(0, offsetX / canvas.clientWidth);
-  cross.y = Math.max(0, offsetY / canvas.clientHeight);
+function point({ offsetX, offsetY }) {
+  // the center of a pixel, which rounding does not move to the next
+  cross.x = Math.max(0, (Math.floor(offsetX) + 0.5) / canvas.clientWidth);
+  cross.y = Math.max(0, (Math.floor(offsetY) + 0.5) / canvas.clientHeight);
   explain();
-});
+}
+canvas.addEventListener("pointerdown", point);
+canvas.addEventListener("pointermove", point);
 canvas.addEventListener("keydown", (event) => {
   const [x, y] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key] ?? [0, 0];
   if (!x && !y) return;
