@@ -35,6 +35,10 @@ pictures:
 doc:
     cargo doc --no-deps --all-features --open
 
+# build the page to play with, and serve it
+page:
+    clients/web/serve.sh
+
 # test every f32 of a domain: takes minutes
 exhaustive:
     cargo test --release -- --ignored

@@ -38,7 +38,8 @@ pub fn instructions(work: impl Fn()) -> u32 {
     let nothing = ticks(&|| {});
     let thousand = ticks(&chip::thousand_instructions) - nothing;
     let ticks = ticks(&work) - nothing;
-    (ticks * 1000 + thousand / 2) / thousand
+    let [ticks, thousand] = [ticks, thousand].map(u64::from);
+    ((ticks * 1000 + thousand / 2) / thousand) as u32
 }
 
 /// How many bytes of stack are taken by the one function that `work` calls, measured by painting

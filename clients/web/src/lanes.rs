@@ -1,0 +1,62 @@
+//! The picture, four points at a time.
+
+use shading::f32::Rgb;
+use shading::{UnitVec3, Vec3};
+use wide::f32x4;
+
+use crate::scene::{Part, Scene};
+use crate::surface::Point;
+
+/// Points in lanes.
+pub struct Prepared(Vec<Four>);
+
+struct Four {
+    pixels: [usize; 4],
+    p: Vec3<f32x4>,
+    n: UnitVec3<f32x4>,
+    v: UnitVec3<f32x4>,
+}
+
+impl Prepared {
+    #[must_use]
+    pub fn new(points: &[Point]) -> Self {
+        Self(points.chunks(4).map(Four::new).collect())
+    }
+
+    /// Writes the pixels of the points.
+    pub fn draw(&self, _points: &[Point], scene: &Scene, part: Part, pixels: &mut [u8]) {
+        let scene = scene.cast(f32x4::splat);
+        for &Four {
+            pixels: at,
+            p,
+            n,
+            v,
+        } in &self.0
+        {
+            let light = part.of(scene.shaded(p, n, v));
+            let [r, g, b] = <[f32x4; 3]>::from(light).map(f32x4::to_array);
+            for lane in 0..4 {
+                let [r, g, b] = Rgb::new(r[lane], g[lane], b[lane]).to_srgb8();
+                pixels[4 * at[lane]..][..4].copy_from_slice(&[r, g, b, 255]);
+            }
+        }
+    }
+}
+
+impl Four {
+    /// From one to four points; the last fills the lanes that are left.
+    fn new(points: &[Point]) -> Self {
+        let four: [Point; 4] = std::array::from_fn(|i| points[i.min(points.len() - 1)]);
+        let lanes = |vector: fn(&Point) -> Vec3<f32>| {
+            let vectors = four.each_ref().map(vector);
+            let lane = |coordinate: fn(Vec3<f32>) -> f32| f32x4::new(vectors.map(coordinate));
+            Vec3::new(lane(|a| a.x), lane(|a| a.y), lane(|a| a.z))
+        };
+        Self {
+            pixels: four.map(|point| point.pixel),
+            p: lanes(|point| point.p),
+            n: UnitVec3::assume_unit(lanes(|point| *point.n)),
+            v: UnitVec3::assume_unit(lanes(|point| *point.v)),
+        }
+    }
+}

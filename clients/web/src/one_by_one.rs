@@ -1,0 +1,22 @@
+//! The picture, one point at a time, for browsers without SIMD.
+
+use crate::scene::{Part, Scene};
+use crate::surface::Point;
+
+/// Nothing: the points are as they should be.
+pub struct Prepared;
+
+impl Prepared {
+    #[must_use]
+    pub fn new(_points: &[Point]) -> Self {
+        Self
+    }
+
+    /// Writes the pixels of the points.
+    pub fn draw(&self, points: &[Point], scene: &Scene, part: Part, pixels: &mut [u8]) {
+        for &Point { pixel, p, n, v } in points {
+            let [r, g, b] = part.of(scene.shaded(p, n, v)).to_srgb8();
+            pixels[4 * pixel..][..4].copy_from_slice(&[r, g, b, 255]);
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! The picture and the numbers of one pixel.
+
+use shading::f32::{UnitVec3, Vec3};
+use shading::{half_vector, reflection, term};
+
+use crate::Prepared;
+use crate::camera::{Camera, EYE};
+use crate::scene::{Model, Part, SETTINGS, Scene};
+use crate::surface::{Point, Surface};
+
+/// More pixels than anyone's page has; larger pictures are refused.
+pub const MOST_PIXELS: usize = 2048 * 2048;
+
+/// How many numbers `Page::probe` gives, in the order of `PROBE` in `page.js`.
+pub const PROBE: usize = 41;
+
+pub struct Page {
+    pub settings: [f32; SETTINGS],
+    /// What is seen, for the few sizes that the page draws.
+    views: Vec<View>,
+    pixels: Vec<u8>,
+    probe: [f32; PROBE],
+    message: &'static str,
+}
+
+/// The points of one surface in one size: they change with neither the material nor the lamp.
+struct View {
+    surface: Surface,
+    size: [usize; 2],
+    points: Vec<Point>,
+    prepared: Prepared,
+}
+
+impl Page {
+    /// Before the first picture.
+    pub const EMPTY: Self = Self {
+        settings: [0.0; SETTINGS],
+        views: Vec::new(),
+        pixels: Vec::new(),
+        probe: [0.0; PROBE],
+        message: "",
+    };
+
+    /// Red, green, blue and opacity of each pixel, row by row; nothing where the size is refused.
+    pub fn draw(&mut self, part: Part, width: usize, height: usize) -> &[u8] {
+        self.pixels.clear();
+        let scene = Scene::new(&self.settings);
+        match width.checked_mul(height) {
+            Some(0) => self.message = "The window has no room for a picture.",
+            Some(area) if area <= MOST_PIXELS => {
+                self.pixels.resize(4 * area, 0);
+                let view = view(&mut self.views, surface(&self.settings), [width, height]);
+                self.message = trouble(&scene, &view.points);
+                view.prepared
+                    .draw(&view.points, &scene, part, &mut self.pixels);
+            }
+            _ => self.message = "The window is larger than 2048 × 2048 pixels: make it smaller.",
+        }
+        &self.pixels
+    }
+
+    /// What the user should know of the last picture; empty if nothing.
+    #[must_use]
+    pub fn message(&self) -> &'static str {
+        self.message
+    }
+
+    /// The numbers behind a pixel. The first is 0 where nothing is seen there, and so are all others.
+    pub fn probe(&mut self, width: usize, height: usize, x: usize, y: usize) -> &[f32; PROBE] {
+        self.probe = [0.0; PROBE];
+        let is_inside = x < width
+            && y < height
+            && width
+                .checked_mul(height)
+                .is_some_and(|area| area <= MOST_PIXELS);
+        if is_inside {
+            let view = view(&mut self.views, surface(&self.settings), [width, height]);
+            let pixel = y * width + x;
+            if let Ok(found) = view
+                .points
+                .binary_search_by_key(&pixel, |point| point.pixel)
+            {
+                self.probe = numbers(&Scene::new(&self.settings), &view.points[found]);
+            }
+        }
+        &self.probe
+    }
+
+    /// Where in the picture the lamp is; outside of it where it is behind the eye.
+    #[must_use]
+    pub fn lamp(&self, width: usize, height: usize) -> [f32; 2] {
+        let lamp = Scene::new(&self.settings).lamp;
+        let projected =
+            lamp.and_then(|lamp| Camera::new(width, height).project(lamp.point.position));
+        projected.map_or([-1.0; 2], |at| [at.x, at.y])
+    }
+}
+
+fn surface(settings: &[f32; SETTINGS]) -> Surface {
+    if settings[0] == 0.0 {
+        Surface::Sphere
+    } else {
+        Surface::Teapot
+    }
+}
+
+/// The view that is there already, or a new one in place of the oldest.
+fn view(views: &mut Vec<View>, surface: Surface, size: [usize; 2]) -> &View {
+    let known = views
+        .iter()
+        .position(|view| view.surface == surface && view.size == size);
+    let index = known.unwrap_or_else(|| {
+        if views.len() == 4 {
+            views.remove(0);
+        }
+        views.push(View::new(surface, size));
+        views.len() - 1
+    });
+    &views[index]
+}
+
+/// What is wrong with the lamp, if anything.
+fn trouble(scene: &Scene, points: &[Point]) -> &'static str {
+    let Some(lamp) = scene.lamp else {
+        return "1/(a + bq + cq²) has no value where a, b and c are 0. The lamp is off: raise one of them.";
+    };
+    if points
+        .iter()
+        .any(|point| lamp.in_front(point.p, point.n).is_some())
+    {
+        ""
+    } else if lamp.point.position == EYE {
+        "The lamp is at the eye, and its cone misses what is seen."
+    } else {
+        "The lamp lights nothing that is seen: it is inside or behind the surface, or its cone is too narrow."
+    }
+}
+
+impl View {
+    fn new(surface: Surface, size: [usize; 2]) -> Self {
+        let points = surface.seen_by(&Camera::new(size[0], size[1]));
+        let prepared = Prepared::new(&points);
+        Self {
+            surface,
+            size,
+            points,
+            prepared,
+        }
+    }
+}
+
+/// Each letter of the formula at a point.
+fn numbers(scene: &Scene, &Point { p, n, v, .. }: &Point) -> [f32; PROBE] {
+    let shaded = scene.shaded(p, n, v);
+    let total = shaded.total();
+    let mut numbers = vec![1.0];
+    let mut triples = |list: &[[f32; 3]]| numbers.extend(list.iter().flatten());
+    triples(&[
+        p.into(),
+        n.into(),
+        v.into(),
+        shaded.ambient.into(),
+        shaded.diffuse.into(),
+    ]);
+    triples(&[
+        shaded.specular.into(),
+        total.into(),
+        total.to_srgb8().map(f32::from),
+    ]);
+    if let Some(lamp) = scene.lamp {
+        let incident = lamp.at(p);
+        let (l, q) = (incident.l, incident.distance);
+        let r = reflection(n, l);
+        let h = half_vector(l, v).unwrap_or(UnitVec3::assume_unit(Vec3::ZERO));
+        let (r_dot_v, n_dot_h) = (r.dot(v), n.dot(h));
+        let highlight = match scene.model {
+            Model::Lambert => 0.0,
+            Model::Phong => term::phong(r, v, scene.material.m),
+            Model::BlinnPhong => term::blinn(n, h, scene.material.m),
+        };
+        triples(&[l.into(), r.into(), h.into()]);
+        let factors = [lamp.point.attenuation.at(q), lamp.cone.factor(lamp.axis, l)];
+        numbers.extend([q, n.dot(l), r_dot_v, n_dot_h, highlight]);
+        numbers.extend(factors);
+    }
+    std::array::from_fn(|i| numbers.get(i).copied().unwrap_or(0.0))
+}

@@ -1,0 +1,195 @@
+//! What is seen at each pixel: of a sphere, and of the Utah teapot with its exact normals.
+
+use shading::f32::{UnitVec3, Vec3};
+use shading::{Real, normal};
+
+use crate::camera::{Camera, EYE, Projected};
+
+/// A visible point.
+#[derive(Clone, Copy, Debug)]
+pub struct Point {
+    /// The pixel, row by row.
+    pub pixel: usize,
+    pub p: Vec3,
+    pub n: UnitVec3,
+    pub v: UnitVec3,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Surface {
+    Sphere,
+    Teapot,
+}
+
+impl Surface {
+    /// All visible points, in the order of their pixels.
+    #[must_use]
+    pub fn seen_by(self, camera: &Camera) -> Vec<Point> {
+        match self {
+            Self::Sphere => sphere(camera),
+            Self::Teapot => teapot(camera),
+        }
+    }
+}
+
+/// Of radius 1 at the origin.
+fn sphere(camera: &Camera) -> Vec<Point> {
+    let seen = |pixel| {
+        let ray = camera.ray(pixel % camera.width, pixel / camera.width);
+        let b = EYE.dot(ray);
+        let discriminant = b * b - EYE.dot(EYE) + 1.0;
+        let root = (discriminant >= 0.0).then(|| discriminant.sqrt())?;
+        let p = EYE - *ray * (b + root);
+        let n = normal::sphere(Vec3::ZERO, p)?;
+        Some(Point {
+            pixel,
+            p,
+            n,
+            v: -ray,
+        })
+    };
+    (0..camera.width * camera.height).filter_map(seen).collect()
+}
+
+/// Each way, a patch is cut into so many squares of two triangles.
+const FINENESS: usize = 16;
+
+/// The triangles only find the patch and its parameters; point and normal come from the patch itself.
+fn teapot(camera: &Camera) -> Vec<Point> {
+    let patches: Vec<Patch> = patches().collect();
+    let mut raster = Raster::new(camera);
+    for (number, patch) in patches.iter().enumerate() {
+        let corner = |i: usize, j: usize| {
+            let uv = [i, j].map(|k| k as f32 / FINENESS as f32);
+            camera.project(patch.at(uv[0], uv[1])).map(|at| (at, uv))
+        };
+        for (i, j) in (0..FINENESS * FINENESS).map(|k| (k / FINENESS, k % FINENESS)) {
+            let [a, b, c, d] =
+                [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| corner(i, j));
+            for triangle in [[a, b, c], [a, c, d]] {
+                if let [Some(a), Some(b), Some(c)] = triangle {
+                    raster.fill(number, [a, b, c]);
+                }
+            }
+        }
+    }
+    let seen = |(pixel, found)| {
+        let &Found { w, patch, u, v } = found;
+        let patch: &Patch = &patches[patch];
+        let p = (w > 0.0).then(|| patch.at(u, v))?;
+        let to_eye = (EYE - p).unit()?;
+        let n = normal::facing(patch.normal(u, v)?, to_eye);
+        Some(Point {
+            pixel,
+            p,
+            n,
+            v: to_eye,
+        })
+    };
+    raster.found.iter().enumerate().filter_map(seen).collect()
+}
+
+/// A bicubic Bézier patch.
+struct Patch([Vec3; 16]);
+
+impl Patch {
+    fn at<T: Real>(&self, u: T, v: T) -> shading::Vec3<T> {
+        let (b_u, b_v) = (bernstein(u), bernstein(v));
+        let mut p = shading::Vec3::ZERO;
+        for (row, b_u) in self.0.chunks(4).zip(b_u) {
+            for (control, b_v) in row.iter().zip(b_v) {
+                p += control.map(T::of_f32) * (b_u * b_v);
+            }
+        }
+        p
+    }
+
+    /// v before u: then it points outside. At a pole, where all v are one point, it is taken a little
+    /// inside.
+    fn normal(&self, u: f32, v: f32) -> Option<UnitVec3> {
+        let inside = |t: f32| t.clamp(1e-3, 1.0 - 1e-3);
+        let normal = |u, v| normal::parametric(|v, u| self.at(u, v), v, u);
+        normal(u, v).or_else(|| normal(inside(u), inside(v)))
+    }
+}
+
+fn bernstein<T: Real>(t: T) -> [T; 4] {
+    let (s, three) = (T::ONE - t, T::of_f32(3.0));
+    [s * s * s, three * s * s * t, three * s * t * t, t * t * t]
+}
+
+include!(concat!(env!("OUT_DIR"), "/teapot.rs"));
+
+/// The file has z upwards; here y is.
+fn patches() -> impl Iterator<Item = Patch> {
+    let point = |[x, y, z]: [f32; 3]| Vec3::new(x - 0.2, z - 1.5, -y) * 0.4;
+    PATCHES
+        .iter()
+        .map(move |patch| Patch(patch.map(|i| point(POINTS[usize::from(i)]))))
+}
+
+/// What is nearest at a pixel.
+#[derive(Clone, Copy, Default)]
+struct Found {
+    /// The reciprocal of the depth; 0 where nothing is.
+    w: f32,
+    patch: usize,
+    u: f32,
+    v: f32,
+}
+
+struct Raster {
+    width: usize,
+    height: usize,
+    found: Vec<Found>,
+}
+
+impl Raster {
+    fn new(&Camera { width, height, .. }: &Camera) -> Self {
+        Self {
+            width,
+            height,
+            found: vec![Found::default(); width * height],
+        }
+    }
+
+    /// A triangle whose corners have parameters, where nothing nearer was found.
+    fn fill(&mut self, patch: usize, corners: [(Projected, [f32; 2]); 3]) {
+        let [a, b, c] = corners.map(|(at, _)| at);
+        let area = |p: [f32; 2], q: Projected, r: Projected| {
+            (q.x - p[0]) * (r.y - p[1]) - (q.y - p[1]) * (r.x - p[0])
+        };
+        let whole = area([a.x, a.y], b, c);
+        if whole == 0.0 {
+            return; // a line or a point
+        }
+        // the pixels whose centers may be inside; a negative number becomes 0
+        let ends = |along: [f32; 3], end| {
+            let low = along[0].min(along[1]).min(along[2]) - 0.5;
+            let high = along[0].max(along[1]).max(along[2]) + 0.5;
+            (low as usize).min(end)..(high.max(0.0) as usize).min(end)
+        };
+        for y in ends([a.y, b.y, c.y], self.height) {
+            for x in ends([a.x, b.x, c.x], self.width) {
+                let center = [x as f32 + 0.5, y as f32 + 0.5];
+                let shares = [area(center, b, c), area(center, c, a), area(center, a, b)]
+                    .map(|part| part / whole);
+                let [i, j, k] = shares;
+                let w = i * a.w + j * b.w + k * c.w;
+                let found = &mut self.found[y * self.width + x];
+                if shares.iter().all(|&share| share >= 0.0) && w > found.w {
+                    // linear on the surface, not on the screen
+                    let [(_, s), (_, t), (_, r)] = corners;
+                    let [u, v] =
+                        [0, 1].map(|n| (i * a.w * s[n] + j * b.w * t[n] + k * c.w * r[n]) / w);
+                    *found = Found {
+                        w,
+                        patch,
+                        u: u.clamp(0.0, 1.0),
+                        v: v.clamp(0.0, 1.0),
+                    };
+                }
+            }
+        }
+    }
+}

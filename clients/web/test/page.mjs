@@ -1,0 +1,248 @@
+// Drives the page as a user does: node page.mjs DRAW [PICTURES]
+// DRAW is the program that draws the same picture on this machine. The pictures must be equal to the bit.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFile, stat } from "node:fs/promises";
+import { createServer } from "node:http";
+import { createRequire } from "node:module";
+import { extname, join } from "node:path";
+import { chromium } from "playwright-core";
+
+const [draw, pictures] = process.argv.slice(2);
+const folder = new URL("../../target/web/", import.meta.url).pathname;
+const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+
+const types = { ".html": "text/html", ".css": "text/css", ".js": "text/javascript" };
+const server = createServer(async ({ url }, response) => {
+  const { pathname } = new URL(url, "http://localhost");
+  const name = pathname === "/" ? "index.html" : pathname.slice(1);
+  try {
+    const body = await readFile(join(folder, name));
+    response.writeHead(200, { "content-type": types[extname(name)] ?? "application/octet-stream" }).end(body);
+  } catch {
+    response.writeHead(404).end();
+  }
+}).listen(0, "localhost");
+await new Promise((listening) => server.once("listening", listening));
+const home = `http://localhost:${server.address().port}/`;
+
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--disable-background-networking", "--disable-sync", "--disable-component-update"],
+});
+
+/** A page whose errors and foreign requests fail the test. */
+async function open(options = {}, query = "") {
+  const page = await browser.newPage({ viewport: { width: 1200, height: 890 }, ...options });
+  const fail = (what) => assert.fail(`${query}: ${what}`);
+  page.on("console", (message) => message.type() === "error" && fail(message.text()));
+  page.on("pageerror", fail);
+  page.on("request", (request) => request.url().startsWith(home) || fail(request.url()));
+  await page.goto(home + query);
+  await page.waitForSelector("html[data-ready]");
+  await page.evaluate(() => import("./page.js").then((module) => Object.assign(window, { module })));
+  await drawn(page);
+  return page;
+}
+
+const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
+
+/** Sets controls as a user's hand does, with an event for each. */
+async function set(page, values) {
+  await page.evaluate((values) => {
+    for (const [name, value] of Object.entries(values)) {
+      const inputs = [...document.querySelectorAll(`[name=${name}]`)];
+      const input = inputs.find(({ type }) => type !== "radio") ?? inputs.find((radio) => radio.value === String(value));
+      if (input.type === "radio") input.checked = true;
+      else input.value = value;
+      input.dispatchEvent(new Event("input", { bubbles: true }));
+    }
+  }, values);
+  await drawn(page);
+}
+
+const seen = (page) => page.evaluate(() => {
+  const canvas = document.getElementById("canvas");
+  const { data, width, height } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+  const part = document.querySelector("[name=part]:checked").value;
+  const text = Array.from(data, (byte) => String.fromCharCode(byte)).join("");
+  return { text, part, width, height, settings: window.module.settings() };
+}).then(({ text, ...rest }) => ({ data: Buffer.from(text, "latin1"), ...rest }));
+
+/** The canvas beside the same picture of this machine. */
+async function same_as_host(page, what) {
+  const { data, part, width, height, settings } = await seen(page);
+  const options = { maxBuffer: 1e8, stdio: ["ignore", "pipe", "ignore"] };
+  const host = execFileSync(draw, [part, width, height, ...settings].map(String), options);
+  assert.equal(host.length, data.length, what);
+  assert.ok(host.equals(data), `${what}: another picture than the host's`);
+  return data;
+}
+
+const CASES = {
+  "as it opens": {},
+  "another diffuse share": { kd: 0.3 },
+  "Phong": { model: 1, m: 7 },
+  "Lambert": { model: 0 },
+  "a sphere in a soft cone": { model: 2, surface: 0, angle: 20, edge: 12, x: -3.1, y: 0.4 },
+  "its diffuse part": { part: 2 },
+  "its specular part": { part: 3, m: 200 },
+  "everything at its least": Object.fromEntries(
+    ["ka", "kd", "ks", "m", "x", "y", "z", "b", "c", "angle", "edge"].map((name) => [name, -9])),
+  "no falloff that has a value": { a: 0, part: 0, ka: 0.2 },
+  "the lamp at the center": { x: 0, y: 0, z: 0, a: 1, ka: 0.1, kd: 1, angle: 180 },
+  "the lamp at the eye": { x: 0, y: 1, z: 5, ks: 1, m: 0 },
+  "everything at its most": Object.fromEntries(
+    ["ka", "kd", "ks", "m", "x", "y", "z", "a", "b", "c", "angle", "edge"].map((name) => [name, 999])),
+};
+
+const LAST_WORDS = {
+  "no falloff that has a value": /has no value/,
+  "the lamp at the center": /lights nothing/,
+  "everything at its least": /lights nothing/,
+};
+
+for (const query of ["", "?scalar"]) {
+  const page = await open({}, query);
+  let before;
+  for (const [what, values] of Object.entries(CASES)) {
+    await set(page, values);
+    const data = await same_as_host(page, `${query} ${what}`);
+    assert.ok(!before?.equals(data), `${what}: nothing changed`);
+    before = data;
+    const message = await page.textContent("#message");
+    assert.match(message, LAST_WORDS[what] ?? /^$/, what);
+  }
+  await page.close();
+  console.log(`${query || "simd"}: ${Object.keys(CASES).length} pictures, each with the host's bits`);
+}
+
+// the numbers beside the picture, by the formula in doubles, and the pixel by the numbers
+{
+  const page = await open();
+  for (const values of [{}, { model: 1, m: 12 }, { surface: 0, x: 2.5, angle: 40, edge: 15, b: 0.3 }]) {
+    await set(page, values);
+    const at = await page.evaluate(() => window.module.probe());
+    const { ka, kd, ks, m, a, b, c, model, color, x, y, z } = await page.evaluate(() =>
+      Object.fromEntries([...new FormData(document.getElementById("controls"))]));
+    const dot = (u, v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+    const unit = (v) => v.map((c) => c / Math.hypot(...v));
+    const to_lamp = [x, y, z].map((c, i) => Number(c) - at.P[i]);
+    const [q, l] = [Math.hypot(...to_lamp), unit(to_lamp)];
+    const v = unit([0, 1, 5].map((c, i) => c - at.P[i]));
+    const nl = dot(at.N, l);
+    const r = at.N.map((n, i) => 2 * nl * n - l[i]);
+    const cosine = model === "1" ? dot(r, v) : dot(at.N, unit(l.map((c, i) => c + v[i])));
+    const f = (1 / (Number(a) + b * q + c * q * q)) * at.cone;
+    const decoded = color.match(/\w\w/g).map((byte) => parseInt(byte, 16) / 255)
+      .map((e) => (e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4));
+    const highlight = nl > 0 && cosine > 0 ? cosine ** m : 0;
+    decoded.forEach((o, i) => {
+      const expected = ka * o + f * (kd * o * Math.max(0, nl) + ks * highlight);
+      // rounding of some twenty operations in f32, the power's m times
+      assert.ok(Math.abs(expected - at.TOTAL[i]) < 1e-5 * (1 + Number(m)), `${expected}, ${at.TOTAL[i]}`);
+      const e = Math.min(1, at.TOTAL[i]);
+      const byte = 255 * (e <= 0.0031308 ? 12.92 * e : 1.055 * e ** (1 / 2.4) - 0.055);
+      assert.ok(Math.abs(byte - at.SRGB[i]) <= 0.51, `byte ${at.SRGB[i]}, by the formula ${byte}`);
+    });
+    const { data, width, height } = await seen(page);
+    const pixel = 4 * (Math.floor(0.42 * height) * width + Math.floor(0.45 * width));
+    assert.deepEqual([...data.subarray(pixel, pixel + 3)], at.SRGB);
+  }
+  await page.close();
+  console.log("the numbers of the pixel are the formula's");
+}
+
+// with a mouse: the numbers are those of the pixel under it
+{
+  const page = await open();
+  const box = await page.locator("#canvas").boundingBox();
+  for (const [x, y] of [[205, 200], [120, 230], [360, 260]]) {
+    await page.mouse.move(Math.ceil(box.x) + x, Math.ceil(box.y) + y);
+    const { SRGB, seen: is_seen } = await page.evaluate(() => window.module.probe());
+    const { data, width } = await seen(page);
+    // the picture may begin between two rows of the screen
+    const near = [[0, 0], [0, -1], [0, 1]].map(([i, j]) => 4 * ((y + j) * width + x + i));
+    const colors = near.map((pixel) => [...data.subarray(pixel, pixel + 4)].join());
+    assert.ok(colors.includes([...SRGB, 255 * is_seen].join()), `${SRGB} is none of ${colors.join("; ")}`);
+    const words = await page.textContent("#numbers");
+    assert.ok(words.includes(is_seen ? SRGB.join(", ") : "Nothing is seen"), words);
+  }
+  await page.close();
+}
+
+// without a mouse
+{
+  const page = await open();
+  const before = await page.textContent("#numbers");
+  await page.focus("#canvas");
+  await page.keyboard.press("Shift+ArrowRight");
+  assert.notEqual(await page.textContent("#numbers"), before, "arrow keys move the cross");
+  const reached = new Set();
+  for (let i = 0; i < 40; i++) {
+    await page.keyboard.press("Tab");
+    reached.add(await page.evaluate(() => document.activeElement.name ?? document.activeElement.type));
+  }
+  const names = await page.evaluate(() => [...document.querySelectorAll("input")].map(({ name }) => name));
+  for (const name of names) assert.ok(reached.has(name), `Tab does not reach ${name}`);
+  const old = await seen(page);
+  await page.focus("[name=kd]");
+  await page.keyboard.press("ArrowLeft");
+  await drawn(page);
+  assert.equal(Number(await page.inputValue("[name=kd]")), 0.64);
+  assert.ok(!old.data.equals(await same_as_host(page, "by keys")), "a key moves a slider and changes the picture");
+  // no room for a picture
+  await page.evaluate(() => { document.getElementById("frame").style.maxWidth = "0"; });
+  await page.waitForFunction(() => document.getElementById("message").textContent.includes("no room"));
+  await page.evaluate(() => { document.getElementById("frame").style.maxWidth = ""; });
+  await page.waitForFunction(() => document.getElementById("message").textContent === "");
+  await page.close();
+  console.log("keys reach and move everything; a window without room gets a message");
+}
+
+const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
+for (const colorScheme of ["light", "dark"]) {
+  for (const [name, options] of Object.entries({ wide: {}, phone: PHONE })) {
+    const page = await open({ ...options, colorScheme, bypassCSP: true });
+    await page.addScriptTag({ path: axe });
+    const { violations } = await page.evaluate(() => window.axe.run());
+    assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]), [], `${colorScheme} ${name}`);
+    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    assert.ok(overflow <= 0, `${colorScheme} ${name}: ${overflow} pixels too wide`);
+    if (pictures) await page.screenshot({ path: join(pictures, `page_${name}_${colorScheme}.png`) });
+    await page.close();
+  }
+}
+console.log("axe-core finds nothing wrong, light or dark, wide or on a phone");
+
+for (const query of ["", "?scalar"]) {
+  const page = await open({}, query);
+  const { size, times, frames } = await page.evaluate(async () => {
+    const { redraw } = window.module;
+    const input = document.querySelector("[name=x]");
+    const times = [];
+    const end = performance.now() + 2000;
+    while (performance.now() < end) {
+      await new Promise(requestAnimationFrame);
+      input.value = 3 * Math.sin(times.length / 10);
+      const start = performance.now();
+      redraw();
+      times.push(performance.now() - start);
+    }
+    const canvas = document.getElementById("canvas");
+    return { size: [canvas.width, canvas.height], times: times.sort((a, b) => a - b), frames: times.length / 2 };
+  });
+  assert.deepEqual(size, [400, 400]);
+  const median = times[times.length >> 1];
+  console.log(`${query || "simd"}: ${frames} frames a second at 400 × 400, ${median.toFixed(1)} ms each in the median`);
+  assert.ok(frames >= 30, `${frames} frames a second`);
+  await page.close();
+}
+
+for (const name of ["simd.wasm", "scalar.wasm"]) {
+  const { size } = await stat(join(folder, name));
+  assert.ok(size < 60_000, `${name}: ${size} bytes`);
+}
+
+await browser.close();
+server.close();

@@ -1,0 +1,258 @@
+//! The page on this machine: its picture, and what it does with bad input.
+
+use shading::f32::Rgb;
+use web::camera::{Camera, EYE};
+use web::one_by_one::Prepared;
+use web::page::{MOST_PIXELS, Page};
+use web::scene::{Part, SETTINGS, Scene};
+use web::surface::Surface;
+
+/// As the page opens: the teapot, Blinn–Phong.
+const OPENING: [f32; SETTINGS] = [
+    1.0, 2.0, 0.1, 0.65, 0.4, 40.0, 0.8, 1.2, 1.8, 0.8, 0.0, 0.02, 180.0, 0.0, 224.0, 128.0, 60.0,
+];
+const SURFACE: usize = 0;
+const MODEL: usize = 1;
+const K_A: usize = 2;
+const X: usize = 6;
+const A: usize = 9;
+const ANGLE: usize = 12;
+const EDGE: usize = 13;
+/// The ends of the page's sliders.
+const ENDS: [[f32; 2]; SETTINGS] = [
+    [0.0, 1.0],
+    [0.0, 2.0],
+    [0.0, 1.0],
+    [0.0, 1.0],
+    [0.0, 1.0],
+    [0.0, 200.0],
+    [-6.0, 6.0],
+    [-6.0, 6.0],
+    [-6.0, 6.0],
+    [0.0, 2.0],
+    [0.0, 1.0],
+    [0.0, 1.0],
+    [0.0, 180.0],
+    [0.0, 90.0],
+    [0.0, 255.0],
+    [0.0, 255.0],
+    [0.0, 255.0],
+];
+const SIZE: usize = 60;
+
+fn page(settings: [f32; SETTINGS]) -> Page {
+    let mut page = Page::EMPTY;
+    page.settings = settings;
+    page
+}
+
+fn with(changes: &[(usize, f32)]) -> [f32; SETTINGS] {
+    let mut settings = OPENING;
+    for &(index, value) in changes {
+        settings[index] = value;
+    }
+    settings
+}
+
+/// Every number of every pixel is finite, and no light is negative.
+fn is_sound(page: &mut Page) {
+    for pixel in 0..SIZE * SIZE {
+        let numbers = page.probe(SIZE, SIZE, pixel % SIZE, pixel / SIZE);
+        assert!(
+            numbers.iter().all(|x| x.is_finite()),
+            "pixel {pixel}: {numbers:?}"
+        );
+        // ambient, diffuse, specular, total
+        assert!(
+            numbers[10..22].iter().all(|&x| x >= 0.0),
+            "pixel {pixel}: {numbers:?}"
+        );
+    }
+}
+
+/// What is seen, by area and light. The sphere of radius 1 at the distance √26 fills a disk with the
+/// radius 1.75/√25 of the window (the tangent cone's): π 0.35² of its area.
+#[test]
+fn sphere_fills_its_disk() {
+    let mut page = page(with(&[(SURFACE, 0.0)]));
+    let pixels = page.draw(Part::Total, 400, 400);
+    let seen = pixels.chunks(4).filter(|pixel| pixel[3] == 255).count();
+    let expected = std::f64::consts::PI * 0.35 * 0.35;
+    // the boundary of 2π 140 pixels, each in doubt by half a pixel at most, and of random sign
+    assert!((seen as f64 / 160_000.0 - expected).abs() < 1e-3, "{seen}");
+}
+
+/// Lambert's sphere with the lamp at the eye: the mean of N·L over the disk. From far away it is 2/3; here
+/// N·V along the disk of radius s = sin of the angle at the center, below, is summed by hand.
+#[test]
+fn mean_of_lambert_is_the_integral() {
+    let settings = with(&[
+        (SURFACE, 0.0),
+        (MODEL, 0.0),
+        (K_A, 0.0),
+        (3, 1.0),
+        (4, 0.0),
+        (X, EYE.x),
+        (X + 1, EYE.y),
+        (X + 2, EYE.z),
+        (A, 1.0),
+        (A + 2, 0.0),
+        (14, 255.0),
+        (15, 255.0),
+        (16, 255.0),
+    ]);
+    let mut page = page(settings);
+    let (mut sum, mut count) = (0.0, 0.0);
+    for pixel in 0..160_000 {
+        let numbers = page.probe(400, 400, pixel % 400, pixel / 400);
+        if numbers[0] > 0.0 {
+            sum += f64::from(numbers[19]);
+            count += 1.0;
+        }
+    }
+    // a ray at the angle β from the axis meets the sphere where N·V = √(1 − d² sin²β), d = √26; the
+    // pixels are uniform in the disk of radius tan β: the mean is ∫ N·V d(tan²β) / (1/25)
+    let (steps, mut integral) = (100_000, 0.0);
+    for step in 0..steps {
+        let tangent = (f64::from(step) + 0.5) / f64::from(steps) / 25.0;
+        integral += (1.0 - 26.0 * tangent / (1.0 + tangent)).max(0.0).sqrt() / f64::from(steps);
+    }
+    let mean = sum / count;
+    // the pixels of the edge, 1 % of all, are in doubt, and dark
+    assert!(
+        (mean - integral).abs() < 2e-3,
+        "{mean}, by the integral {integral}"
+    );
+}
+
+#[test]
+fn lanes_have_the_bits_of_the_scalars() {
+    for (surface, kind) in [(0.0, Surface::Sphere), (1.0, Surface::Teapot)] {
+        for model in [0.0, 1.0, 2.0] {
+            let settings = with(&[
+                (SURFACE, surface),
+                (MODEL, model),
+                (ANGLE, 30.0),
+                (EDGE, 10.0),
+            ]);
+            let mut page = page(settings);
+            let points = kind.seen_by(&Camera::new(SIZE, SIZE));
+            for part in [Part::Total, Part::Ambient, Part::Diffuse, Part::Specular] {
+                let mut expected = vec![0; 4 * SIZE * SIZE];
+                Prepared::new(&points).draw(&points, &Scene::new(&settings), part, &mut expected);
+                assert!(
+                    page.draw(part, SIZE, SIZE) == expected,
+                    "{surface} {model} {part:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn sliders_at_both_ends_are_sound() {
+    for (index, ends) in ENDS.into_iter().enumerate() {
+        for end in ends {
+            for surface in [0.0, 1.0] {
+                is_sound(&mut page(with(&[(SURFACE, surface), (index, end)])));
+            }
+        }
+    }
+    for end in [0, 1] {
+        is_sound(&mut page(ENDS.map(|ends| ends[end])));
+    }
+}
+
+#[test]
+fn any_bits_are_sound() {
+    for value in [
+        f32::NAN,
+        f32::INFINITY,
+        f32::NEG_INFINITY,
+        f32::MAX,
+        f32::MIN,
+        f32::MIN_POSITIVE,
+        -0.0,
+        -1.0,
+    ] {
+        is_sound(&mut page([value; SETTINGS]));
+        for index in 0..SETTINGS {
+            is_sound(&mut page(with(&[(index, value)])));
+        }
+    }
+}
+
+#[test]
+fn a_lamp_on_the_surface_and_at_the_eye_is_sound() {
+    let points = Surface::Teapot.seen_by(&Camera::new(SIZE, SIZE));
+    let places = points.iter().step_by(97).map(|point| point.p).chain([EYE]);
+    for place in places {
+        for a in [0.0, 1.0] {
+            let at = [(X, place.x), (X + 1, place.y), (X + 2, place.z), (A, a)];
+            is_sound(&mut page(with(&at)));
+        }
+    }
+}
+
+#[test]
+fn trouble_is_told() {
+    let told = |changes: &[(usize, f32)], width: usize, height: usize| {
+        let mut page = page(with(changes));
+        let pixels = page.draw(Part::Total, width, height).len();
+        (page.message(), pixels)
+    };
+    assert_eq!(told(&[], SIZE, SIZE), ("", 4 * SIZE * SIZE));
+    let cases: [(&[(usize, f32)], &str); 3] = [
+        (&[(A, 0.0), (A + 1, 0.0), (A + 2, 0.0)], "has no value"),
+        (
+            &[(SURFACE, 0.0), (X, 0.1), (X + 1, 0.2), (X + 2, 0.3)],
+            "inside",
+        ),
+        (
+            &[
+                (X, EYE.x),
+                (X + 1, EYE.y),
+                (X + 2, EYE.z),
+                (ANGLE, 0.0),
+                (SURFACE, 0.0),
+                (EDGE, 0.0),
+            ],
+            "at the eye",
+        ),
+    ];
+    for (changes, words) in cases {
+        let (message, pixels) = told(changes, SIZE, SIZE);
+        assert!(message.contains(words), "{message:?}");
+        assert_eq!(
+            pixels,
+            4 * SIZE * SIZE,
+            "the ambient part is drawn all the same"
+        );
+    }
+    for (width, height, words) in [
+        (0, 0, "no room"),
+        (0, 9, "no room"),
+        (usize::MAX, 2, "larger"),
+        (MOST_PIXELS + 1, 1, "larger"),
+    ] {
+        let (message, pixels) = told(&[], width, height);
+        assert!(message.contains(words) && pixels == 0, "{message:?}");
+    }
+    for (width, height, x, y) in [(0, 0, 0, 0), (usize::MAX, 2, 5, 1), (9, 9, 9, 0)] {
+        let mut page = page(OPENING);
+        let numbers = page.probe(width, height, x, y);
+        assert!(numbers.iter().all(|&x| x == 0.0), "{numbers:?}");
+    }
+}
+
+/// The picture of the page as it opens: how much is seen, and the mean light of its parts.
+#[test]
+fn parts_add_up() {
+    let mut page = page(OPENING);
+    for pixel in 0..SIZE * SIZE {
+        let numbers = page.probe(SIZE, SIZE, pixel % SIZE, pixel / SIZE);
+        let [ambient, diffuse, specular, total] =
+            [10, 13, 16, 19].map(|i| Rgb::new(numbers[i], numbers[i + 1], numbers[i + 2]));
+        assert_eq!(ambient + diffuse + specular, total);
+    }
+}
