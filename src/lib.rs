@@ -97,7 +97,9 @@
 //! - `wide` implements [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`. Each lane
 //!   has the bits of the scalar, except on 32-bit Arm with NEON, whose `f32` instructions flush
 //!   subnormal numbers. On x86 without SSE2 the feature does not build. `cast` converts a scene of
-//!   scalars into lanes: `light.cast(f32x8::splat)`.
+//!   scalars into lanes, to shade several points at once: `light.cast(f32x8::splat)`. `packed` puts
+//!   several lights into lanes, to shade one point with all of them:
+//!   [`PointLight::packed`](PointLight#method.packed).
 //!
 //! No feature is enabled by default.
 //!
@@ -165,6 +167,8 @@ pub use direction::{half_vector, reflection};
 pub use dual::Dual;
 pub use elementary::Elementary;
 pub use exponent::Exponent;
+#[cfg(feature = "wide")]
+pub use features::Lanes;
 pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
 pub use material::Material;
 pub use range::Ranged;

@@ -14,3 +14,6 @@ mod mint;
 mod serde;
 #[cfg(feature = "wide")]
 mod wide;
+
+#[cfg(feature = "wide")]
+pub use wide::Lanes;

@@ -79,4 +79,23 @@ impl<T: Real> IncidentLight<T> {
     pub fn in_front(self, n: UnitVec3<T>) -> Option<Self> {
         n.dot(self.l).any_positive().then_some(self)
     }
+
+    /// The same light in another number type: `f` converts each number, and may do no more than round
+    /// it, or take one of several lanes.
+    ///
+    /// ```
+    /// use shading::f32::{IncidentLight, Rgb, UnitVec3};
+    ///
+    /// let light = IncidentLight { l: UnitVec3::Z, intensity: Rgb::gray(0.5), distance: 2.0 };
+    /// assert_eq!(light.cast(f64::from).distance, 2.0_f64);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> IncidentLight<U> {
+        IncidentLight {
+            l: self.l.cast(&mut f),
+            intensity: self.intensity.map(&mut f),
+            distance: f(self.distance),
+        }
+    }
 }

@@ -9,6 +9,8 @@
 //! same code and must produce the same bits.
 
 mod digest;
+#[cfg(feature = "wide")]
+mod lanes;
 
 use std::any::type_name;
 use std::fs;

@@ -29,6 +29,11 @@ macro_rules! invariants {
         invariants!(f64 as double_with_powers: $($property,)*);
         invariants!(crate::short::Short as short_with_powers: $($property,)*);
     };
+    (of lights in lanes: $($property:ident,)*) => {
+        invariants!(wide::f32x4 as four: $($property,)*);
+        invariants!(wide::f32x8 as eight: $($property,)*);
+        invariants!(wide::f64x4 as four_of_double: $($property,)*);
+    };
     ($number:ty as $module:ident: $($property:ident,)*) => {
         mod $module {
             $(
@@ -47,6 +52,8 @@ mod dual;
 mod edge;
 mod encoding;
 mod energy;
+#[cfg(feature = "wide")]
+mod lanes;
 mod light;
 mod lobe;
 mod motion;

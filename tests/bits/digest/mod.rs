@@ -1,7 +1,7 @@
 //! Everything that the crate computes, at the same places on every machine.
 
-mod fnv;
-mod given;
+pub mod fnv;
+pub mod given;
 
 use shading::{
     Attenuation, Cone, Dual, Elementary, Exponent, Light, PointLight, Real, Rgb, SoftCone,

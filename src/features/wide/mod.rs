@@ -1,8 +1,10 @@
 //! SIMD lanes: [`Real`] and [`Exponent`] for the types of the crate `wide`. Each lane has the bits
-//! of the scalar.
+//! of the scalar. [`Lanes`] adds what lights in lanes need.
 //!
 //! Maximum and minimum are comparisons. Those of `wide` choose between zeros, and between a number
 //! and NaN, as the processor does.
+
+mod lights;
 
 use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x4, f64x8, i32x4, i32x8, i32x16};
@@ -30,8 +32,72 @@ const HAS_ROOT: bool = cfg!(any(
     all(target_arch = "aarch64", target_feature = "neon")
 ));
 
+/// SIMD lanes: as many numbers, with which it computes side by side. The float types of `wide` are some.
+///
+/// Lights fill lanes by [`PointLight::packed`](crate::PointLight::packed), and
+/// [`Shaded::sum_of_lanes`](crate::Shaded::sum_of_lanes) adds the lanes up.
+///
+/// ```
+/// use shading::{Lanes, Real};
+/// use wide::f32x8;
+///
+/// /// The same number in each lane.
+/// fn splat<L: Lanes>(x: L::Lane) -> L {
+///     L::from_fn(|_| x)
+/// }
+/// assert_eq!(splat::<f32x8>(2.0), f32x8::splat(2.0));
+/// assert_eq!(splat::<f32x8>(2.0).sum(), 16.0);
+/// ```
+pub trait Lanes: Real {
+    /// The number in one lane.
+    type Lane: Real;
+
+    /// How many lanes there are: a power of two, at most 16.
+    const COUNT: usize;
+
+    /// The number of each lane, by its index.
+    #[must_use]
+    fn from_fn(lane: impl FnMut(usize) -> Self::Lane) -> Self;
+
+    /// The number in the first lane.
+    #[must_use]
+    fn first(self) -> Self::Lane;
+
+    /// The sum of all lanes: the upper half is added to the lower half, until one is left.
+    #[must_use]
+    fn sum(self) -> Self::Lane;
+}
+
 macro_rules! real {
-    ($lanes:ident of $float:ident) => {
+    ($lanes:ident of $count:literal $float:ident) => {
+        impl Lanes for $lanes {
+            type Lane = $float;
+            const COUNT: usize = $count;
+
+            #[inline]
+            fn from_fn(lane: impl FnMut(usize) -> $float) -> Self {
+                Self::new(core::array::from_fn(lane))
+            }
+
+            #[inline]
+            fn first(self) -> $float {
+                self.to_array()[0]
+            }
+
+            #[inline]
+            fn sum(self) -> $float {
+                let mut lanes = self.to_array();
+                let mut count = $count;
+                while count > 1 {
+                    count /= 2;
+                    for i in 0..count {
+                        lanes[i] += lanes[i + count];
+                    }
+                }
+                lanes[0]
+            }
+        }
+
         #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Real for $lanes {
             const ZERO: Self = Self::splat($float::ZERO);
@@ -107,8 +173,8 @@ macro_rules! real {
 
 /// Lanes of `f32`, with as many integer lanes for the power.
 macro_rules! single {
-    ($lanes:ident, $integers:ident, $from_integers:ident) => {
-        real!($lanes of f32);
+    ($lanes:ident * $count:literal, $integers:ident, $from_integers:ident) => {
+        real!($lanes of $count f32);
 
         impl Binary32 for $lanes {
             #[inline]
@@ -145,8 +211,8 @@ macro_rules! single {
 
 /// Lanes of `f64`. The power is computed lane by lane.
 macro_rules! double {
-    ($lanes:ident) => {
-        real!($lanes of f64);
+    ($lanes:ident * $count:literal) => {
+        real!($lanes of $count f64);
 
         /// One m for all lanes.
         #[diagnostic::do_not_recommend] // the trait's own message names the types
@@ -164,8 +230,8 @@ macro_rules! double {
     };
 }
 
-single!(f32x4, i32x4, from_i32x4);
-single!(f32x8, i32x8, from_i32x8);
-single!(f32x16, i32x16, from_i32x16);
-double!(f64x4);
-double!(f64x8);
+single!(f32x4 * 4, i32x4, from_i32x4);
+single!(f32x8 * 8, i32x8, from_i32x8);
+single!(f32x16 * 16, i32x16, from_i32x16);
+double!(f64x4 * 4);
+double!(f64x8 * 8);

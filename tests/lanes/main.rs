@@ -1,18 +1,21 @@
-//! Each SIMD lane has the bits of the scalar, whatever the other lanes hold.
+//! Each SIMD lane has the bits of the scalar, whatever the other lanes hold. Lights in lanes add up to
+//! those bits, in the order that their page gives.
+
+mod lights;
 
 use std::fmt::Debug;
 
 use proptest::prelude::*;
 use shading::{
-    Attenuation, Cone, DirectionalLight, Exponent, Light, Material, PointLight, Real, Rgb, Shaded,
-    SpotLight, UnitVec3, Vec3, normal, reflection, shade, term,
+    Attenuation, Cone, DirectionalLight, Exponent, Light, Material, PointLight, Ranged, Real, Rgb,
+    Shaded, SoftCone, SpotLight, UnitVec3, Vec3, normal, reflection, shade, term,
 };
 
 /// The largest number of lanes of any type.
 const LANES: usize = 16;
 
 /// `f32` or `f64`, the type of one lane.
-trait Scalar: Real + Exponent<Self> + Debug {
+trait Scalar: Real + Exponent<Self> + PartialEq + Debug {
     /// Zeros of both signs, subnormal and ordinary numbers, the ends of the range, infinities, and
     /// NaN.
     const EDGES: [Self; 18];
@@ -20,14 +23,20 @@ trait Scalar: Real + Exponent<Self> + Debug {
     fn bits(self) -> u64;
     fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>>;
     fn cone(cosine: Self) -> Option<Cone<Self>>;
+    fn soft_cone(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
+    fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>>;
 }
 
 /// A SIMD type.
-trait Lanes: Real {
+trait Lanes: shading::Lanes<Lane = Self::Scalar> {
     type Scalar: Scalar + Exponent<Self>;
-    const COUNT: usize;
-    fn gather(lane: impl FnMut(usize) -> Self::Scalar) -> Self;
     fn lane(self, i: usize) -> Self::Scalar;
+    fn gather(lane: impl FnMut(usize) -> Self::Scalar) -> Self {
+        Self::from_fn(lane)
+    }
+    fn splat(x: Self::Scalar) -> Self {
+        Self::from_fn(|_| x)
+    }
 }
 
 macro_rules! lanes {
@@ -55,14 +64,16 @@ macro_rules! lanes {
             fn cone(cosine: Self) -> Option<Cone<Self>> {
                 Cone::<$float>::from_cosine(cosine)
             }
+            fn soft_cone(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
+                SoftCone::<$float>::from_cosines(inner, outer)
+            }
+            fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>> {
+                attenuation.within(range)
+            }
         }
         $(
             impl Lanes for wide::$lanes {
                 type Scalar = $float;
-                const COUNT: usize = $count;
-                fn gather(lane: impl FnMut(usize) -> $float) -> Self {
-                    Self::new(std::array::from_fn(lane))
-                }
                 fn lane(self, i: usize) -> $float {
                     self.to_array()[i]
                 }
@@ -96,6 +107,16 @@ macro_rules! lanes {
                     no_highlight::<wide::$lanes>();
                 }
 
+                #[test]
+                fn no_lights_make_no_pack() {
+                    assert!(PointLight::<$float>::packed::<wide::$lanes>(&[]).next().is_none());
+                }
+
+                #[test]
+                fn overflowing_lanes_are_the_largest_number() {
+                    lights::overflow::<wide::$lanes>();
+                }
+
                 proptest! {
                     // WebAssembly has nowhere to keep a failing case
                     #![proptest_config(ProptestConfig { failure_persistence: None, ..<_>::default() })]
@@ -103,6 +124,25 @@ macro_rules! lanes {
                     #[test]
                     fn everything_agrees(surfaces in surfaces(), lights in lights(), m in shininess()) {
                         agree::<wide::$lanes>(&surfaces, &lights, m);
+                    }
+
+                    #[test]
+                    fn packs_hold_each_light_once(lights in lights::kinds()) {
+                        lights::packs_hold::<wide::$lanes>(&lights);
+                    }
+
+                    #[test]
+                    fn lanes_add_up_in_halves(numbers in prop::collection::vec(lights::edge(), LANES)) {
+                        lights::add_up_in_halves::<wide::$lanes>(&numbers);
+                    }
+
+                    #[test]
+                    fn lights_in_lanes_add_up_in_halves(
+                        surface in surfaces(),
+                        lights in prop::collection::vec(any_lamp(), 0..34),
+                        m in shininess(),
+                    ) {
+                        lights::lights_add_up_in_halves::<wide::$lanes>(surface[0], &lights, m);
                     }
                 }
             }
@@ -144,8 +184,12 @@ fn surfaces() -> impl Strategy<Value = Vec<Surface>> {
     prop::collection::vec((vector(), vector(), vector(), at_the_light), LANES)
 }
 
+fn any_lamp() -> impl Strategy<Value = Lamp> {
+    (vector(), light(), light(), vector(), -1.0..1.0)
+}
+
 fn lights() -> impl Strategy<Value = Vec<Lamp>> {
-    prop::collection::vec((vector(), light(), light(), vector(), -1.0..1.0), 1..4)
+    prop::collection::vec(any_lamp(), 1..4)
 }
 
 /// Mostly a sensible m, sometimes any other.

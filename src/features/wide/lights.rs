@@ -1,0 +1,367 @@
+//! One point, its lights in lanes.
+//!
+//! A pack is a light over lanes, so every formula takes it as it is. What is here fills the lanes, and
+//! adds them up.
+
+use core::iter;
+
+use super::Lanes;
+use crate::attenuation::Falloff;
+use crate::cone::Beam;
+use crate::light::{DirectionalLight, Light, PointLight, SpotLight};
+use crate::real::Real;
+use crate::rgb::Rgb;
+use crate::shade::Shaded;
+
+/// The most lanes that a pack has.
+const MOST: usize = 16;
+
+/// A light, whatever its kind.
+trait Pack<T: Real>: Copy {
+    type In<U>;
+
+    fn cast<U>(self, f: impl FnMut(T) -> U) -> Self::In<U>;
+
+    /// The same light, black: it adds nothing to a sum.
+    fn black(self) -> Self;
+
+    /// The k-th of its numbers, in the order of `cast`.
+    #[inline]
+    fn number(self, k: usize) -> T {
+        let (mut i, mut number) = (0, T::ZERO);
+        self.cast(|x| {
+            if i == k {
+                number = x;
+            }
+            i += 1;
+        });
+        number
+    }
+}
+
+/// Lights alike go together: those of one kind, which agree in everything but their numbers.
+#[inline]
+fn packs<T: Real, L: Lanes<Lane = T>, K: Pack<T>>(lights: &[K]) -> impl Iterator<Item = K::In<L>>
+where
+    K::In<()>: PartialEq,
+{
+    let alike = |a: &K, b: &K| a.cast(|_| ()) == b.cast(|_| ());
+    let kinds = lights.iter().enumerate().filter(move |(place, light)| {
+        let mut before = lights.iter().take(*place);
+        !before.any(|other| alike(other, light))
+    });
+    kinds.flat_map(move |(place, kind)| {
+        let mut rest = lights.iter().skip(place);
+        let mut of_this_kind = iter::from_fn(move || rest.find(|light| alike(light, kind)));
+        iter::from_fn(move || pack(&mut of_this_kind))
+    })
+}
+
+/// The next lights, a lane each. The lanes left over are copies of the first light, but black: a copy is
+/// in front of a surface only if the first light is.
+#[inline]
+fn pack<'a, T: Real, L: Lanes<Lane = T>, K: Pack<T> + 'a>(
+    lights: &mut impl Iterator<Item = &'a K>,
+) -> Option<K::In<L>> {
+    const { assert!(L::COUNT <= MOST) };
+    let first = lights.next()?;
+    let mut lanes = [first.black(); MOST];
+    let some = iter::once(first).chain(lights);
+    for (lane, light) in lanes.iter_mut().zip(some.take(L::COUNT)) {
+        *lane = *light;
+    }
+    let mut numbers = 0..;
+    Some(first.cast(|_| {
+        let k = numbers.next().unwrap_or_default();
+        L::from_fn(|i| lanes[i % MOST].number(k))
+    }))
+}
+
+impl<T: Real> Pack<T> for DirectionalLight<T> {
+    type In<U> = DirectionalLight<U>;
+
+    #[inline]
+    fn cast<U>(self, f: impl FnMut(T) -> U) -> DirectionalLight<U> {
+        self.cast(f)
+    }
+
+    #[inline]
+    fn black(self) -> Self {
+        let intensity = Rgb::BLACK;
+        Self { intensity, ..self }
+    }
+}
+
+impl<T: Real, A: Falloff<T>> Pack<T> for PointLight<T, A> {
+    type In<U> = PointLight<U, A::In<U>>;
+
+    #[inline]
+    fn cast<U>(self, f: impl FnMut(T) -> U) -> PointLight<U, A::In<U>> {
+        self.cast(f)
+    }
+
+    #[inline]
+    fn black(self) -> Self {
+        let intensity = Rgb::BLACK;
+        Self { intensity, ..self }
+    }
+}
+
+impl<T: Real, C: Beam<T>, A: Falloff<T>> Pack<T> for SpotLight<T, C, A> {
+    type In<U> = SpotLight<U, C::In<U>, A::In<U>>;
+
+    #[inline]
+    fn cast<U>(self, f: impl FnMut(T) -> U) -> SpotLight<U, C::In<U>, A::In<U>> {
+        self.cast(f)
+    }
+
+    #[inline]
+    fn black(self) -> Self {
+        let point = self.point.black();
+        Self { point, ..self }
+    }
+}
+
+impl<T: Real, C: Beam<T>, A: Falloff<T>> Pack<T> for Light<T, C, A> {
+    type In<U> = Light<U, C::In<U>, A::In<U>>;
+
+    #[inline]
+    fn cast<U>(self, f: impl FnMut(T) -> U) -> Light<U, C::In<U>, A::In<U>> {
+        self.cast(f)
+    }
+
+    #[inline]
+    fn black(self) -> Self {
+        match self {
+            Self::Directional(light) => light.black().into(),
+            Self::Point(light) => light.black().into(),
+            Self::Spot(light) => light.black().into(),
+        }
+    }
+}
+
+impl<T: Real> DirectionalLight<T> {
+    /// These lights in lanes, to shade one point with several at once. See [`PointLight::packed`].
+    ///
+    /// ```
+    /// use shading::f32::{DirectionalLight, Rgb, UnitVec3};
+    /// use wide::f32x4;
+    ///
+    /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
+    /// let pack = DirectionalLight::packed::<f32x4>(&[sun, sun, sun]).next().unwrap();
+    /// assert_eq!(pack.intensity.r.to_array(), [1.0, 1.0, 1.0, 0.0]);
+    /// ```
+    #[inline]
+    pub fn packed<L: Lanes<Lane = T>>(
+        lights: &[Self],
+    ) -> impl Iterator<Item = DirectionalLight<L>> {
+        packs(lights)
+    }
+}
+
+impl<T: Real, A: Falloff<T, In<()>: PartialEq>> PointLight<T, A> {
+    /// These lights in lanes, to shade one point with several at once: pack the lights once, then shade
+    /// as many points as there are.
+    ///
+    /// The lights keep their order. In the last pack black lights fill what is left. Lights that differ
+    /// in more than numbers, as one whose attenuation is [clamped](crate::Attenuation::clamped) and one
+    /// whose is not, go into packs of their own.
+    ///
+    /// The point is the same in each lane, and [`Shaded::sum_of_lanes`] adds the lanes up:
+    ///
+    /// ```
+    /// use shading::f32::{Attenuation, Material, PointLight, Rgb, UnitVec3, Vec3};
+    /// use shading::shade;
+    /// use wide::f32x8;
+    ///
+    /// let lamp = |i: u8| PointLight {
+    ///     position: Vec3::new(f32::from(i) - 4.0, 0.0, 3.0),
+    ///     intensity: Rgb::WHITE,
+    ///     attenuation: Attenuation::NONE,
+    /// };
+    /// let lamps: Vec<_> = (0..10).map(lamp).collect();
+    /// let clay = Material { k_a: Rgb::gray(0.1), k_d: Rgb::gray(0.5), k_s: Rgb::gray(0.2), m: 32 };
+    /// let i_a = Rgb::WHITE;
+    ///
+    /// // once a scene
+    /// let packs: Vec<_> = PointLight::packed::<f32x8>(&lamps).collect();
+    /// assert_eq!(packs.len(), 2); // of eight and of two
+    /// let clay8 = clay.cast(f32x8::splat);
+    ///
+    /// // at each point
+    /// let (p, n, v) = (Vec3::ZERO, UnitVec3::Z, UnitVec3::Z);
+    /// let (p8, n8, v8) = (p.map(f32x8::splat), n.cast(f32x8::splat), v.cast(f32x8::splat));
+    /// let lit = packs.iter().filter_map(|pack| pack.in_front(p8, n8));
+    /// let shaded = shade::blinn_phong(n8, v8, &clay8, i_a.map(f32x8::splat), lit).sum_of_lanes();
+    ///
+    /// let alone = shade::blinn_phong(n, v, &clay, i_a, lamps.iter().map(|lamp| lamp.at(p)));
+    /// assert_eq!(shaded.ambient, alone.ambient);
+    /// assert!((shaded.diffuse.g - alone.diffuse.g).abs() < 1e-6);
+    /// ```
+    ///
+    /// Without allocation, keep the packs in an array:
+    ///
+    /// ```
+    /// use shading::f32::{Attenuation, PointLight, Rgb, Vec3};
+    /// use wide::f32x4;
+    ///
+    /// const LAMP: PointLight =
+    ///     PointLight { position: Vec3::ZERO, intensity: Rgb::WHITE, attenuation: Attenuation::NONE };
+    /// const LAMPS: [PointLight; 6] = [LAMP; 6];
+    ///
+    /// let mut packs = PointLight::packed::<f32x4>(&LAMPS);
+    /// let packs: [_; LAMPS.len().div_ceil(4)] = std::array::from_fn(|_| packs.next().unwrap());
+    /// assert_eq!(packs[1].intensity.r.to_array(), [1.0, 1.0, 0.0, 0.0]);
+    /// ```
+    #[inline]
+    pub fn packed<L: Lanes<Lane = T>>(
+        lights: &[Self],
+    ) -> impl Iterator<Item = PointLight<L, A::In<L>>> {
+        packs(lights)
+    }
+}
+
+impl<T: Real, C: Beam<T, In<()>: PartialEq>, A: Falloff<T, In<()>: PartialEq>> SpotLight<T, C, A> {
+    /// These lights in lanes, to shade one point with several at once. See [`PointLight::packed`].
+    ///
+    /// ```
+    /// use shading::f32::{Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3};
+    /// use wide::f32x4;
+    ///
+    /// let spot = SpotLight {
+    ///     point: PointLight { position: Vec3::ZERO, intensity: Rgb::WHITE, attenuation: Attenuation::NONE },
+    ///     axis: UnitVec3::NEG_Z,
+    ///     cone: Cone::from_cosine(0.5).unwrap(),
+    /// };
+    /// let pack = SpotLight::packed::<f32x4>(&[spot; 3]).next().unwrap();
+    /// assert_eq!(pack.point.intensity.r.to_array(), [1.0, 1.0, 1.0, 0.0]);
+    /// ```
+    #[inline]
+    pub fn packed<L: Lanes<Lane = T>>(
+        lights: &[Self],
+    ) -> impl Iterator<Item = SpotLight<L, C::In<L>, A::In<L>>> {
+        packs(lights)
+    }
+}
+
+impl<T: Real, C: Beam<T, In<()>: PartialEq>, A: Falloff<T, In<()>: PartialEq>> Light<T, C, A> {
+    /// These lights in lanes, to shade one point with several at once. See [`PointLight::packed`].
+    ///
+    /// A pack holds lights of one kind, so each kind may have a pack that is not full:
+    ///
+    /// ```
+    /// use shading::Light;
+    /// use shading::f32::{Attenuation, DirectionalLight, PointLight, Rgb, UnitVec3, Vec3};
+    /// use wide::f32x4;
+    ///
+    /// let sun: Light = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE }.into();
+    /// let position = Vec3::new(0.0, 0.0, 2.0);
+    /// let lamp = PointLight { position, intensity: Rgb::WHITE, attenuation: Attenuation::NONE }.into();
+    ///
+    /// let lights = [lamp, sun, lamp];
+    /// let mut packs = Light::packed::<f32x4>(&lights);
+    /// assert!(matches!(packs.next(), Some(Light::Point(_)))); // two lamps
+    /// assert!(matches!(packs.next(), Some(Light::Directional(_)))); // the sun
+    /// assert!(packs.next().is_none());
+    /// ```
+    #[inline]
+    pub fn packed<L: Lanes<Lane = T>>(
+        lights: &[Self],
+    ) -> impl Iterator<Item = Light<L, C::In<L>, A::In<L>>> {
+        packs(lights)
+    }
+}
+
+impl<L: Lanes> Shaded<L> {
+    /// What one point sends to the eye, of lights [in lanes](PointLight::packed): the sum of the lanes.
+    ///
+    /// ```text
+    /// a + b + c + d + e + f + g + h = ((a + e) + (c + g)) + ((b + f) + (d + h))
+    /// ```
+    ///
+    /// The upper half of the lanes is added to the lower half until one is left, on every machine. A sum
+    /// that overflows counts as the largest number. The ambient part is the same in each lane and
+    /// counts once: it is that of the first.
+    ///
+    /// The lights are added in another order than one by one, so the bits differ. Each term has the same
+    /// bits, and none is negative. For n lights in w lanes, either sum is within its number of roundings
+    /// of the exact one: n − 1 additions and the product with k for one by one; ⌈n/w⌉ − 1 additions, that
+    /// product and log₂ w additions in lanes. They differ by at most (n + ⌈n/w⌉ + log₂ w)u of themselves;
+    /// most often the sum in lanes is closer to the exact one.
+    ///
+    /// ```
+    /// use shading::{Rgb, Shaded};
+    /// use wide::f32x4;
+    ///
+    /// let shaded = Shaded {
+    ///     ambient: Rgb::gray(f32x4::splat(0.5)),
+    ///     diffuse: Rgb::gray(f32x4::new([1.0, 2.0, 3.0, 4.0])),
+    ///     specular: Rgb::BLACK,
+    /// };
+    /// let sum = shaded.sum_of_lanes();
+    /// assert_eq!((sum.ambient, sum.diffuse), (Rgb::gray(0.5), Rgb::gray(10.0)));
+    /// ```
+    ///
+    /// **A shadow** makes a lane black. A light in lanes has a direction and a distance in each:
+    ///
+    /// ```
+    /// use shading::f32::{Attenuation, IncidentLight, Material, PointLight, Rgb, UnitVec3, Vec3};
+    /// use shading::shade;
+    /// use wide::f32x8;
+    ///
+    /// /// Whether a ball of radius 1 around (0, 0, 3) stands between p and the light.
+    /// fn is_blocked(p: Vec3, light: &IncidentLight) -> bool {
+    ///     let to_center = Vec3::new(0.0, 0.0, 3.0) - p;
+    ///     let along = to_center.dot(*light.l);
+    ///     let aside_squared = to_center.dot(to_center) - along * along;
+    ///     let t = along - (1.0 - aside_squared).sqrt(); // NaN where the ray misses the ball
+    ///     0.0 < t && t < light.distance
+    /// }
+    ///
+    /// /// These lights, black where they are behind the surface or in shadow.
+    /// fn unblocked(
+    ///     p: Vec3,
+    ///     n: UnitVec3,
+    ///     lights: shading::IncidentLight<f32x8>,
+    /// ) -> shading::IncidentLight<f32x8> {
+    ///     let open = std::array::from_fn(|i| {
+    ///         let light = lights.cast(|x| x.to_array()[i]).in_front(n);
+    ///         f32::from(light.is_some_and(|light| !is_blocked(p, &light)))
+    ///     });
+    ///     shading::IncidentLight { intensity: lights.intensity * f32x8::new(open), ..lights }
+    /// }
+    ///
+    /// let lamp = |x: i8, z| PointLight {
+    ///     position: Vec3::new(f32::from(x), 0.0, z),
+    ///     intensity: Rgb::WHITE,
+    ///     attenuation: Attenuation::NONE,
+    /// };
+    /// // five above the ball, of which it hides three, and one below it
+    /// let lamps = [lamp(-6, 6.0), lamp(-1, 6.0), lamp(0, 6.0), lamp(1, 6.0), lamp(6, 6.0), lamp(0, 1.5)];
+    /// let clay = Material { k_a: Rgb::gray(0.1), k_d: Rgb::gray(0.5), k_s: Rgb::gray(0.2), m: 32 };
+    /// let (p, n, v) = (Vec3::ZERO, UnitVec3::Z, UnitVec3::Z);
+    /// let (p8, n8, v8) = (p.map(f32x8::splat), n.cast(f32x8::splat), v.cast(f32x8::splat));
+    ///
+    /// let lit = PointLight::packed::<f32x8>(&lamps)
+    ///     .filter_map(|pack| pack.in_front(p8, n8))
+    ///     .map(|lights| unblocked(p, n, lights));
+    /// let clay8 = clay.cast(f32x8::splat);
+    /// let shaded = shade::blinn_phong(n8, v8, &clay8, Rgb::BLACK.map(f32x8::splat), lit).sum_of_lanes();
+    ///
+    /// let lit = [lamps[0], lamps[4], lamps[5]].map(|lamp| lamp.at(p));
+    /// let alone = shade::blinn_phong(n, v, &clay, Rgb::BLACK, lit);
+    /// assert!((shaded.total().g - alone.total().g).abs() < 1e-6);
+    /// ```
+    #[doc(alias = "reduce_add")]
+    #[doc(alias = "horizontal sum")]
+    #[inline]
+    #[must_use]
+    pub fn sum_of_lanes(self) -> Shaded<L::Lane> {
+        let sum = |part: Rgb<L>| part.map(|channel| channel.sum().at_most(Real::MAX));
+        Shaded {
+            ambient: self.ambient.map(L::first),
+            diffuse: sum(self.diffuse),
+            specular: sum(self.specular),
+        }
+    }
+}
