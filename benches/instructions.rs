@@ -6,10 +6,12 @@
 //! - with `-- --write`, it writes the table.
 //!
 //! Each function is called out of line for 4,096 random arguments; `nothing` is the cost of that
-//! alone.
+//! alone. The bench builds itself again with the feature `wide`, for the lights in lanes.
 
 #[path = "support/functions.rs"]
 mod functions;
+#[path = "support/rebuilt.rs"]
+mod rebuilt;
 #[path = "support/table.rs"]
 mod table;
 
@@ -21,6 +23,10 @@ use table::Table;
 const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/instructions.txt");
 
 fn main() -> ExitCode {
+    if cfg!(not(feature = "wide")) {
+        rebuilt::with_lanes("instructions");
+        return ExitCode::SUCCESS;
+    }
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     if let Some(name) = arguments.iter().find_map(|a| a.strip_prefix("--call=")) {
         call(name);

@@ -1,5 +1,8 @@
 //! Every public function that computes something, each called by a function of its own.
 
+#[cfg(feature = "wide")]
+mod packed;
+
 use std::hint::black_box;
 
 use shading::{
@@ -64,8 +67,9 @@ static LIGHTS: [Light<f32>; 3] = [
 static POINTS: [PointLight<f32>; 4] = [POINT; 4];
 
 macro_rules! functions {
-    ($($name:ident: |$place:ident| $body:expr;)*) => {
+    ($($(#[$if:meta])? $name:ident: |$place:ident| $body:expr;)*) => {
         $(
+            $(#[$if])?
             #[unsafe(export_name = concat!("shading_counted_", stringify!($name)))]
             #[inline(never)]
             extern "C" fn $name($place: &Place) {
@@ -73,7 +77,7 @@ macro_rules! functions {
             }
         )*
         /// Each function's name, and the function that calls it.
-        pub const FUNCTIONS: &[(&str, extern "C" fn(&Place))] = &[$((stringify!($name), $name)),*];
+        pub const FUNCTIONS: &[(&str, extern "C" fn(&Place))] = &[$($(#[$if])? (stringify!($name), $name)),*];
     };
 }
 
@@ -133,6 +137,20 @@ functions! {
     sum_in_front_real: |s| shade::blinn_phong(s.n, s.v, black_box(&REAL), Rgb::WHITE, in_front(s));
     sum_all_in_front_whole: |s| shade::blinn_phong(s.n, s.v, black_box(&WHOLE), Rgb::WHITE, all_in_front(s));
     sum_all_in_front_real: |s| shade::blinn_phong(s.n, s.v, black_box(&REAL), Rgb::WHITE, all_in_front(s));
+    #[cfg(feature = "wide")]
+    points_packed: |s| packed::points(s);
+    #[cfg(feature = "wide")]
+    lights_packed: |s| packed::lights(s);
+    #[cfg(feature = "wide")]
+    sum_of_lanes: |_s| black_box(&packed::SHADED).sum_of_lanes();
+    #[cfg(feature = "wide")]
+    sum_4_packed_whole: |s| packed::FOUR.sum_whole(s);
+    #[cfg(feature = "wide")]
+    sum_4_packed_real: |s| packed::FOUR.sum_real(s);
+    #[cfg(feature = "wide")]
+    sum_8_packed_whole: |s| packed::EIGHT.sum_whole(s);
+    #[cfg(feature = "wide")]
+    sum_8_packed_real: |s| packed::EIGHT.sum_real(s);
     total: |s| shade::lambert(s.n, &REAL, Rgb::gray(s.x), []).total();
 }
 

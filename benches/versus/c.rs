@@ -1,6 +1,6 @@
 //! The same formulas in C.
 
-use crate::scene::{AMBIENT, ATTENUATION, K_A, K_D, K_S, Lamp, POINTS, REAL_M, Scene};
+use crate::scene::{AMBIENT, ATTENUATION, K_A, K_D, K_S, Lamp, REAL_M, Scene};
 
 #[repr(C)]
 struct CScene {
@@ -29,7 +29,7 @@ impl CScene {
     }
 }
 
-#[cfg(feature = "wide")]
+#[cfg(feature = "native")]
 #[repr(C)]
 struct Arrays {
     inputs: [*const f32; 9],
@@ -45,7 +45,7 @@ unsafe extern "C" {
         eyes: *const [f32; 3],
         image: *mut [f32; 3],
     );
-    #[cfg(feature = "wide")]
+    #[cfg(feature = "native")]
     fn shade_lanes(scene: &CScene, count: usize, arrays: &Arrays);
 }
 
@@ -61,18 +61,18 @@ impl<'a> Scalar<'a> {
         Self {
             scene,
             c: CScene::new(scene),
-            image: vec![[0.0; 3]; POINTS],
+            image: vec![[0.0; 3]; scene.points.len()],
         }
     }
 
     pub fn shade(&mut self) {
         let s = self.scene;
         let [points, normals, eyes] = [&s.points, &s.normals, &s.eyes].map(Vec::as_ptr);
-        // SAFETY: every array has POINTS elements.
+        // SAFETY: every array has as many elements as the image.
         unsafe {
             shade_scalar(
                 &self.c,
-                POINTS,
+                self.image.len(),
                 points,
                 normals,
                 eyes,
@@ -83,21 +83,21 @@ impl<'a> Scalar<'a> {
 }
 
 /// `c/lanes.c`
-#[cfg(feature = "wide")]
+#[cfg(feature = "native")]
 pub struct Lanes {
     c: CScene,
     inputs: [Vec<f32>; 9],
     pub image: [Vec<f32>; 3],
 }
 
-#[cfg(feature = "wide")]
+#[cfg(feature = "native")]
 impl Lanes {
     pub fn new(scene: &Scene) -> Self {
         let all = [&scene.points, &scene.normals, &scene.eyes];
         Self {
             c: CScene::new(scene),
             inputs: std::array::from_fn(|i| all[i / 3].iter().map(|v| v[i % 3]).collect()),
-            image: [(); 3].map(|()| vec![0.0; POINTS]),
+            image: [(); 3].map(|()| vec![0.0; scene.points.len()]),
         }
     }
 
@@ -106,7 +106,7 @@ impl Lanes {
             inputs: self.inputs.each_ref().map(Vec::as_ptr),
             image: self.image.each_mut().map(Vec::as_mut_ptr),
         };
-        // SAFETY: every array has POINTS elements.
-        unsafe { shade_lanes(&self.c, POINTS, &arrays) }
+        // SAFETY: every array has as many elements as a channel of the image.
+        unsafe { shade_lanes(&self.c, self.image[0].len(), &arrays) }
     }
 }

@@ -70,12 +70,14 @@ pub fn contest() {
     let ours = || real.image.iter().flat_map(|&color| points(color.into()));
     agree(
         "wide by hand",
+        LIGHTS,
         ours(),
         by_hand.image.iter().copied().flat_map(points),
     );
     #[cfg(c_peers)]
     agree(
         "C",
+        LIGHTS,
         ours(),
         (0..POINTS).map(|i| c.image.each_ref().map(|channel| channel[i])),
     );

@@ -11,9 +11,9 @@ pub struct Ours<T, M> {
     points: Vec<Vec3<T>>,
     normals: Vec<UnitVec3<T>>,
     eyes: Vec<UnitVec3<T>>,
-    lights: Vec<PointLight<T>>,
-    material: Material<T, M>,
-    ambient: Rgb<T>,
+    pub lights: Vec<PointLight<T>>,
+    pub material: Material<T, M>,
+    pub ambient: Rgb<T>,
     pub image: Vec<Rgb<T>>,
 }
 
@@ -60,7 +60,7 @@ impl<T: Real, M: Exponent<T>> Ours<T, M> {
     }
 
     /// Points in lanes: nearly every light is in front of at least one of them.
-    #[cfg(feature = "wide")]
+    #[cfg(feature = "native")]
     #[inline(never)]
     pub fn shade_lanes(&mut self) {
         self.each(|scene, p, n, v| {
@@ -69,8 +69,9 @@ impl<T: Real, M: Exponent<T>> Ours<T, M> {
         });
     }
 
+    /// The total of what `shade` gives at each point.
     #[inline]
-    fn each(&mut self, shade: impl Fn(&Self, Vec3<T>, UnitVec3<T>, UnitVec3<T>) -> Shaded<T>) {
+    pub fn each(&mut self, shade: impl Fn(&Self, Vec3<T>, UnitVec3<T>, UnitVec3<T>) -> Shaded<T>) {
         let mut image = std::mem::take(&mut self.image);
         let places = self.points.iter().zip(&self.normals).zip(&self.eyes);
         for (((&p, &n), &v), pixel) in places.zip(&mut image) {

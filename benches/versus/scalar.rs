@@ -51,9 +51,9 @@ pub fn contest() {
         let rgb = |image: &[shading::Rgb<f32>]| image.iter().map(|&c| c.into()).collect::<Vec<_>>();
         let glam =
             |image: &[glam::Vec3]| image.iter().map(glam::Vec3::to_array).collect::<Vec<_>>();
-        agree("glam", rgb(&real[i].image), glam(&powf[i].image));
-        agree("glam", rgb(&whole[i].image), glam(&powi[i].image));
+        agree("glam", LIGHTS, rgb(&real[i].image), glam(&powf[i].image));
+        agree("glam", LIGHTS, rgb(&whole[i].image), glam(&powi[i].image));
         #[cfg(c_peers)]
-        agree("C", rgb(&real[i].image), c[i].image.iter().copied());
+        agree("C", LIGHTS, rgb(&real[i].image), c[i].image.iter().copied());
     }
 }

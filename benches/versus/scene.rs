@@ -3,8 +3,8 @@
 
 /// A power of two, which every number of lanes divides.
 pub const POINTS: usize = 4096;
-/// A renderer learns the number of lights only at run time, so no contestant knows it at compile
-/// time.
+/// The number of lights, if no other is given. A renderer learns it only at run time, so no contestant knows
+/// it at compile time.
 pub const LIGHTS: usize = 4;
 
 /// The shininess as a real number and as an integer.
@@ -36,13 +36,19 @@ pub struct Scene {
 impl Scene {
     /// Makes the same scene for the same seed.
     pub fn new(seed: u64) -> Self {
+        Self::lit_by(LIGHTS, seed)
+    }
+
+    /// The same number of points and lights with fewer points and more lights.
+    pub fn lit_by(lights: usize, seed: u64) -> Self {
+        let count = POINTS * LIGHTS / lights;
         let mut random = fastrand::Rng::with_seed(seed);
         let mut within = |size: f32| [(); 3].map(|()| size * (2.0 * random.f32() - 1.0));
         let lamp = |_| Lamp {
             position: within(4.0),
             intensity: within(0.5).map(|channel| channel + 1.0),
         };
-        let lamps = (0..LIGHTS).map(lamp).collect();
+        let lamps = (0..lights).map(lamp).collect();
         let mut direction = || loop {
             let v = within(1.0);
             let square: f32 = v.iter().map(|c| c * c).sum();
@@ -50,9 +56,9 @@ impl Scene {
                 return v.map(|c| c / square.sqrt());
             }
         };
-        let normals = (0..POINTS).map(|_| direction()).collect();
-        let eyes = (0..POINTS).map(|_| direction()).collect();
-        let points = (0..POINTS).map(|_| within(1.0)).collect();
+        let normals = (0..count).map(|_| direction()).collect();
+        let eyes = (0..count).map(|_| direction()).collect();
+        let points = (0..count).map(|_| within(1.0)).collect();
         Self {
             points,
             normals,
