@@ -234,3 +234,31 @@ pub fn overflow<L: Lanes>() {
     assert_same(shaded.diffuse, largest);
     assert_same(shaded.specular, largest);
 }
+
+/// Lamps at the point, at infinity and nowhere leave the light of the one beside them as it is.
+pub fn nowhere<L: Lanes>() {
+    let zero = L::Scalar::ZERO;
+    let at = |x| PointLight {
+        position: Vec3::new(x, zero, zero),
+        intensity: Rgb::gray(L::Scalar::ONE),
+        attenuation: L::Scalar::attenuation(zero, zero, L::Scalar::ONE).unwrap(),
+    };
+    let [.., infinity, minus_infinity, nan] = L::Scalar::EDGES;
+    let k = Rgb::gray(L::Scalar::ONE);
+    let mirror = Material {
+        k_a: k,
+        k_d: k,
+        k_s: k,
+        m: 1,
+    };
+    let (p, n) = (Vec3::ZERO, UnitVec3::X);
+    let lamp = at(L::Scalar::of(2.0));
+    let alone = shade::blinn_phong(n, n, &mirror, k, [lamp.at(p)]);
+    for place in [zero, infinity, minus_infinity, nan] {
+        let lamps = [at(place), lamp, at(place)];
+        let (p, n, i_a) = (p.map(L::splat), n.cast(L::splat), k.map(L::splat));
+        let packs = PointLight::packed::<L>(&lamps).map(|pack| pack.at(p));
+        let shaded = shade::blinn_phong(n, n, &mirror.cast(L::splat), i_a, packs).sum_of_lanes();
+        assert_same(shaded.total(), alone.total());
+    }
+}

@@ -113,6 +113,11 @@ macro_rules! lanes {
                 }
 
                 #[test]
+                fn lamps_without_a_direction_add_nothing_in_lanes() {
+                    lights::nowhere::<wide::$lanes>();
+                }
+
+                #[test]
                 fn overflowing_lanes_are_the_largest_number() {
                     lights::overflow::<wide::$lanes>();
                 }
