@@ -1,7 +1,5 @@
-//! One point, its lights in lanes.
-//!
-//! A pack is a light over lanes, so every formula takes it as it is. What is here fills the lanes, and
-//! adds them up.
+//! Shades one point with its lights in lanes. A pack of lights is a light over lanes, and every formula
+//! takes it as such. This file fills the lanes before, and adds them up after.
 
 use core::iter;
 
@@ -39,7 +37,7 @@ trait Pack<T: Real>: Copy {
     }
 }
 
-/// Lights alike go together: those of one kind, which agree in everything but their numbers.
+/// Packs of lights that are alike: of one kind, and equal in everything but their numbers.
 #[inline]
 fn packs<T: Real, L: Lanes<Lane = T>, K: Pack<T>>(lights: &[K]) -> impl Iterator<Item = K::In<L>>
 where
@@ -51,14 +49,15 @@ where
         !before.any(|other| alike(other, light))
     });
     kinds.flat_map(move |(place, kind)| {
-        let mut rest = lights.iter().skip(place);
-        let mut of_this_kind = iter::from_fn(move || rest.find(|light| alike(light, kind)));
+        let others = lights.iter().skip(place + 1);
+        let others = others.filter(move |light| alike(light, kind));
+        let mut of_this_kind = iter::once(kind).chain(others);
         iter::from_fn(move || pack(&mut of_this_kind))
     })
 }
 
-/// The next lights, a lane each. The lanes left over are copies of the first light, but black: a copy is
-/// in front of a surface only if the first light is.
+/// The next lights, one in each lane. The remaining lanes hold black copies of the first light, which
+/// are in front of a surface only if it is.
 #[inline]
 fn pack<'a, T: Real, L: Lanes<Lane = T>, K: Pack<T> + 'a>(
     lights: &mut impl Iterator<Item = &'a K>,
@@ -160,12 +159,12 @@ impl<T: Real> DirectionalLight<T> {
 }
 
 impl<T: Real, A: Falloff<T, In<()>: PartialEq>> PointLight<T, A> {
-    /// These lights in lanes, to shade one point with several at once: pack the lights once, then shade
-    /// as many points as there are.
+    /// These lights in lanes, to shade one point with several lights at once. Pack them once, then shade
+    /// every point with the packs.
     ///
-    /// The lights keep their order. In the last pack black lights fill what is left. Lights that differ
-    /// in more than numbers, as one whose attenuation is [clamped](crate::Attenuation::clamped) and one
-    /// whose is not, go into packs of their own.
+    /// The lights keep their order, and black lights fill the last pack. Lights that differ in more than
+    /// numbers do not share a pack: one with a [clamped](crate::Attenuation::clamped) attenuation and one
+    /// without, for example.
     ///
     /// The point is the same in each lane, and [`Shaded::sum_of_lanes`] adds the lanes up:
     ///
@@ -273,21 +272,21 @@ impl<T: Real, C: Beam<T, In<()>: PartialEq>, A: Falloff<T, In<()>: PartialEq>> L
 }
 
 impl<L: Lanes> Shaded<L> {
-    /// What one point sends to the eye, of lights [in lanes](PointLight::packed): the sum of the lanes.
+    /// The sum of the lanes: what one point sends to the eye, with its lights
+    /// [in lanes](PointLight::packed).
     ///
     /// ```text
     /// a + b + c + d + e + f + g + h = ((a + e) + (c + g)) + ((b + f) + (d + h))
     /// ```
     ///
-    /// The upper half of the lanes is added to the lower half until one is left, on every machine. A sum
-    /// that overflows counts as the largest number. The ambient part is the same in each lane and
-    /// counts once: it is that of the first.
+    /// On every machine, the upper half of the lanes is added to the lower half until one lane is left. A
+    /// sum that overflows counts as the largest number. The ambient part, which is the same in each lane,
+    /// counts once: it is that of the first lane.
     ///
-    /// The lights are added in another order than one by one, so the bits differ. Each term has the same
-    /// bits, and none is negative. For n lights in w lanes, either sum is within its number of roundings
-    /// of the exact one: n − 1 additions and the product with k for one by one; ⌈n/w⌉ − 1 additions, that
-    /// product and log₂ w additions in lanes. They differ by at most (n + ⌈n/w⌉ + log₂ w)u of themselves;
-    /// most often the sum in lanes is closer to the exact one.
+    /// The bits differ from those of a sum one by one, because the order differs; the terms are the same,
+    /// and none is negative. One by one, n lights take n − 1 additions and the product with k. In w lanes
+    /// they take ⌈n/w⌉ − 1 additions, the product and log₂ w additions. So the two sums differ by at most
+    /// (n + ⌈n/w⌉ + log₂ w)u of themselves, where u is the unit roundoff.
     ///
     /// ```
     /// use shading::{Rgb, Shaded};
@@ -302,7 +301,7 @@ impl<L: Lanes> Shaded<L> {
     /// assert_eq!((sum.ambient, sum.diffuse), (Rgb::gray(0.5), Rgb::gray(10.0)));
     /// ```
     ///
-    /// **A shadow** makes a lane black. A light in lanes has a direction and a distance in each:
+    /// **A shadow** makes a lane black. Each lane has a direction and a distance of its own:
     ///
     /// ```
     /// use shading::f32::{Attenuation, IncidentLight, Material, PointLight, Rgb, UnitVec3, Vec3};
