@@ -144,10 +144,11 @@ pub mod serde {
 
 #[cfg(feature = "wide")]
 pub mod wide {
-    use shading::Exponent;
+    use shading::{DirectionalLight, Exponent, Lanes, Light, PointLight, Rgb, Shaded, SpotLight};
     use wide::{f32x4, f32x8, f32x16, f64x4, f64x8};
 
     use crate::numbers::real;
+    use crate::scenes::{LAMP, SPOT, SUN};
 
     pub fn call() {
         real::<f32x4>();
@@ -164,5 +165,34 @@ pub mod wide {
         assert_eq!(<f64 as Exponent<f64x4>>::raise(0.0, f64x4::ONE), f64x4::ONE);
         assert_eq!(<f64 as Exponent<f64x8>>::raise(0.0, f64x8::ONE), f64x8::ONE);
         assert_eq!(<u32 as Exponent<f32x8>>::raise(2, f32x8::ONE), f32x8::ONE);
+        lights_in_lanes();
+    }
+
+    fn lights_in_lanes() {
+        type Lane = <f32x4 as Lanes>::Lane;
+        let counts = [
+            <f32x4 as Lanes>::COUNT,
+            <f32x8 as Lanes>::COUNT,
+            <f32x16 as Lanes>::COUNT,
+            <f64x4 as Lanes>::COUNT,
+            <f64x8 as Lanes>::COUNT,
+        ];
+        assert_eq!(counts, [4, 8, 16, 4, 8]);
+        let twos = <f32x4 as Lanes>::from_fn(|_| 2.0);
+        let first: Lane = <f32x4 as Lanes>::first(twos);
+        assert_eq!((first, <f32x4 as Lanes>::sum(twos)), (2.0, 8.0));
+
+        assert_eq!(DirectionalLight::packed::<f32x4>(&[SUN; 5]).count(), 2);
+        assert_eq!(PointLight::packed::<f32x4>(&[LAMP; 5]).count(), 2);
+        assert_eq!(SpotLight::packed::<f32x4>(&[SPOT; 5]).count(), 2);
+        let lights: [Light; 2] = [SUN.into(), LAMP.into()];
+        assert_eq!(Light::packed::<f32x4>(&lights).count(), 2);
+        let [ambient, diffuse, specular] = [Rgb::gray(twos); 3];
+        let shaded = Shaded {
+            ambient,
+            diffuse,
+            specular,
+        };
+        assert_eq!(Shaded::sum_of_lanes(shaded).diffuse, Rgb::gray(8.0));
     }
 }

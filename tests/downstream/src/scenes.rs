@@ -66,6 +66,7 @@ fn each_light() {
     } = arrives;
     assert_eq!((l, intensity, distance), (n, Rgb::gray(0.5), 2.0));
     assert_eq!(IncidentLight::in_front(arrives, -n), None);
+    assert_eq!(IncidentLight::cast(arrives, f64::from).distance, 2.0);
 
     let SpotLight { point, axis, cone } = SPOT;
     assert_eq!((point, axis, cone.cosine()), (LAMP, UnitVec3::NEG_Z, 0.5));
