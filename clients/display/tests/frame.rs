@@ -105,8 +105,7 @@ fn each_triangle_has_the_formulas_color() {
             "{color:04x}"
         );
     }
-    // the model is as wide as the cube and 122 pixels of it: its picture is between a quarter and a half of
-    // 160 × 128
+    // the model fits into 122 × 122 pixels and covers between a third and two thirds of them
     let seen = pixels
         .iter()
         .filter(|&&color| color != rgb565([0.01; 3]))

@@ -50,8 +50,7 @@ fn srgb(light: f64) -> f64 {
         }
 }
 
-/// A great triangle across the whole picture, whose place and normal do not change: each pixel's color is
-/// that of its own point, which the middle pixel shows.
+/// One triangle fills the picture and faces the eye: its middle pixel shows the point that the camera looks at.
 #[test]
 fn a_fragment_has_the_formulas_color() {
     // around the point at which the camera looks, facing the eye
@@ -105,7 +104,7 @@ fn the_picture_has_its_statistics() {
             (0..3).for_each(|i| sum[i] += share * srgb(light[i]));
         }
     }
-    // what is hidden, handle and spout behind the pot and its inside rim, is counted by hand and not seen
+    // the sum by hand includes what the pot hides of its handle, spout and rim; the picture does not
     for i in 0..3 {
         let mean = seen.iter().map(|pixel| f64::from(pixel[i])).sum::<f64>() / seen.len() as f64;
         assert!(

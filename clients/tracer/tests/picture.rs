@@ -120,7 +120,7 @@ fn nothing_behind_a_lamp_casts_a_shadow() {
     scene.spheres = vec![(Single::new(-3.0, 5.0, 1.0), radius, material)];
     assert_eq!(below(&scene), free);
     assert!(free.r > 0.0);
-    // between lamp and floor, below the eye it would be seen: beside the ray, across the light's
+    // now between the lamp and the floor, and the eye looks from the side
     scene.spheres = vec![(Single::new(-3.0, 2.0, 1.0), 0.2, material)];
     let eye = Single::new(-3.0, 1.0, 2.0);
     let along = (Single::new(-3.0, 0.0, 1.0) - eye).normalize();

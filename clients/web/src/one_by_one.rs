@@ -3,7 +3,7 @@
 use crate::scene::{Part, Scene};
 use crate::surface::Point;
 
-/// Nothing: the points are as they should be.
+/// Nothing: single points need no preparation.
 pub struct Prepared;
 
 impl Prepared {

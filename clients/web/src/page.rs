@@ -8,7 +8,7 @@ use crate::camera::{Camera, EYE};
 use crate::scene::{Model, Part, SETTINGS, Scene};
 use crate::surface::{Point, Surface};
 
-/// More pixels than anyone's page has; larger pictures are refused.
+/// Larger pictures are refused.
 pub const MOST_PIXELS: usize = 2048 * 2048;
 
 /// How many numbers `Page::probe` gives, in the order of `PROBE` in `page.js`.

@@ -87,7 +87,7 @@ impl Scene {
     }
 }
 
-/// It points to the origin. The soft edge begins `edge` degrees inside the cone.
+/// A lamp that points to the origin. The soft edge begins `edge` degrees inside the cone.
 fn lamp(position: Vec3, [a, b, c]: [f32; 3], angle: f32, edge: f32) -> Option<Lamp> {
     use std::f32::consts::PI;
     let radians = |degrees: f32| (degrees * (PI / 180.0)).clamp(0.0, PI);

@@ -82,8 +82,8 @@ fn sphere_fills_its_disk() {
     assert!((seen as f64 / 160_000.0 - expected).abs() < 1e-3, "{seen}");
 }
 
-/// Lambert's sphere with the lamp at the eye: the mean of N·L over the disk. From far away it is 2/3; here
-/// N·V along the disk of radius s = sin of the angle at the center, below, is summed by hand.
+/// Lambert's sphere with the lamp at the eye: the mean of N·L over the disk. From far away it is 2/3; from
+/// here it is the integral below.
 #[test]
 fn mean_of_lambert_is_the_integral() {
     let settings = with(&[
@@ -245,7 +245,7 @@ fn trouble_is_told() {
     }
 }
 
-/// The picture of the page as it opens: how much is seen, and the mean light of its parts.
+/// The total that the page shows is the sum of the parts that it shows.
 #[test]
 fn parts_add_up() {
     let mut page = page(OPENING);
