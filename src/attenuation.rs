@@ -79,6 +79,16 @@ pub fn attenuation<T: Real>(a: T, b: T, c: T, q: T) -> T {
     T::ONE / (a + q * (b + c * q))
 }
 
+/// A `bool`, except for rust-gpu, which cannot compile an `Option` of a type with spare values, as a
+/// `bool` has them.
+#[cfg(not(target_arch = "spirv"))]
+pub(crate) type Choice = bool;
+#[cfg(target_arch = "spirv")]
+pub(crate) type Choice = u32;
+
+pub(crate) const NO: Choice = false as Choice;
+pub(crate) const YES: Choice = true as Choice;
+
 /// Checked coefficients of the [`attenuation`]. A light with them is never negative or infinite.
 ///
 /// q has the scene's unit of length. b is per unit of length, and c per square of it.
@@ -103,7 +113,7 @@ pub struct Attenuation<T = f32> {
     b: T,
     c: T,
     /// Whether the factor is limited to 1.
-    clamped: bool,
+    clamped: Choice,
 }
 
 impl<T: Real> Attenuation<T> {
@@ -117,7 +127,7 @@ impl<T: Real> Attenuation<T> {
         a: T::ONE,
         b: T::ZERO,
         c: T::ZERO,
-        clamped: false,
+        clamped: NO,
     };
 
     /// The same attenuation, limited to 1 as in Foley, van Dam et al., §16.1.2. OpenGL does not
@@ -141,7 +151,7 @@ impl<T: Real> Attenuation<T> {
         T: Copy,
     {
         Self {
-            clamped: true,
+            clamped: YES,
             ..self
         }
     }
@@ -175,7 +185,7 @@ impl<T: Real> Attenuation<T> {
     where
         T: Copy,
     {
-        self.clamped
+        self.clamped == YES
     }
 
     /// The factor at the distance q ≥ 0.
@@ -211,7 +221,7 @@ impl<T: Real> Attenuation<T> {
     #[inline]
     fn limited(self, factor: T) -> T {
         // the limit is not stored in a field, because MAX of one type is not MAX in another
-        let limit = if self.clamped { T::ONE } else { T::MAX };
+        let limit = if self.clamped == YES { T::ONE } else { T::MAX };
         factor.at_least(T::ZERO).at_most(limit)
     }
 
@@ -297,7 +307,7 @@ macro_rules! checked {
                         a: a + 0.0, // the reciprocal of −0 would be −∞
                         b,
                         c,
-                        clamped: false,
+                        clamped: NO,
                     })
                 } else {
                     None

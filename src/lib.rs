@@ -201,6 +201,8 @@ pub mod guide {
     #[cfg(not(doctest))] // its examples need other crates; `tests/features` runs them
     #[doc = include_str!("../docs/schema.md")]
     pub mod schema {}
+    #[doc = include_str!("../docs/shader.md")]
+    pub mod shader {}
     #[doc = include_str!("../docs/totality.md")]
     pub mod totality {}
     #[doc = include_str!("../docs/vectors.md")]

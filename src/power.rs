@@ -103,6 +103,12 @@ pub(crate) trait Binary32: Real {
 
     /// 2^(n − 127), where n, from 0 to 254, is the low byte of the bits of self; +0 for n = 0.
     fn two_to_low_byte(self) -> Self;
+
+    /// n for self = `TO_INTEGER` + n.
+    #[inline]
+    fn to_integer(self) -> Self {
+        self - Self::of_f32(TO_INTEGER)
+    }
 }
 
 /// The bits of 2²⁴ √½, the least z that `split` returns.
@@ -127,6 +133,13 @@ impl Binary32 for f32 {
     #[inline]
     fn two_to_low_byte(self) -> f32 {
         f32::from_bits(self.to_bits() << 23)
+    }
+
+    // The driver of a GPU may simplify (y + c) − c to y. It cannot simplify the bits.
+    #[cfg(target_arch = "spirv")]
+    #[inline]
+    fn to_integer(self) -> f32 {
+        self.to_bits().wrapping_sub(TO_INTEGER.to_bits()) as i32 as f32
     }
 }
 
@@ -182,7 +195,7 @@ pub(crate) fn power<T: Binary32>(c: T, m: T) -> T {
     let m = T::ONE.if_above(c, m, T::ZERO);
     let y = (m * log2_c).at_least(of(-126.0));
     let shifted = y + of(TO_INTEGER);
-    let r = y - (shifted - of(TO_INTEGER));
+    let r = y - shifted.to_integer();
     let x = r * r;
     let [q0, q1, q2] = EXP;
     let q = of(q0) - r + x * (of(q1) + x * of(q2));

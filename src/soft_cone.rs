@@ -1,5 +1,6 @@
 //! The cone of a spot light with a soft edge.
 
+use crate::attenuation::{Choice, NO, YES};
 use crate::cone::{Beam, Cone};
 use crate::real::Real;
 use crate::unit::UnitVec3;
@@ -34,7 +35,7 @@ pub struct SoftCone<T = f32> {
     inner: T,
     outer: T,
     /// Whether the edge is a smoothstep instead of a square.
-    smoothstep: bool,
+    smoothstep: Choice,
 }
 
 impl<T: Real> SoftCone<T> {
@@ -75,7 +76,7 @@ impl<T: Real> SoftCone<T> {
         let t = outward
             .if_positive(T::ONE - outward, T::ONE)
             .at_least(T::ZERO);
-        if self.smoothstep {
+        if self.smoothstep == YES {
             (t * t * (T::ONE + T::ONE + T::ONE - (t + t))).at_most(T::ONE)
         } else {
             t * t
@@ -103,7 +104,7 @@ impl<T: Real> SoftCone<T> {
         T: Copy,
     {
         Self {
-            smoothstep: true,
+            smoothstep: YES,
             ..self
         }
     }
@@ -118,7 +119,9 @@ impl<T: Real> SoftCone<T> {
     #[inline]
     #[must_use]
     pub fn cosines(self) -> [T; 2] {
-        [self.inner, self.outer].map(|cosine| cosine.at_least(T::NEG_ONE))
+        // not by `map` on the array, which rust-gpu cannot compile
+        let cosine = |cosine: T| cosine.at_least(T::NEG_ONE);
+        [cosine(self.inner), cosine(self.outer)]
     }
 
     /// Whether the edge is that of [`smoothstep`](SoftCone::smoothstep).
@@ -135,7 +138,7 @@ impl<T: Real> SoftCone<T> {
     where
         T: Copy,
     {
-        self.smoothstep
+        self.smoothstep == YES
     }
 
     /// The same cone in another number type. `f` converts each cosine and may only round it.
@@ -184,7 +187,7 @@ impl<T: Copy> SoftCone<T> {
         Self {
             inner: inner.cosine,
             outer: outer.cosine,
-            smoothstep: false,
+            smoothstep: NO,
         }
     }
 }

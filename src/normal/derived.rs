@@ -100,27 +100,35 @@ fn by_cofactors_of_any_size<T: Real + PartialOrd>(
     n: UnitVec3<T>,
     columns: [Vec3<T>; 3],
 ) -> Vec3<T> {
-    let [a, b, c] = columns.map(|column| tame_power(column, 0));
-    let products = [(n.x, b, c), (n.y, c, a), (n.z, a, b)].map(|(n, (b, of_b), (c, of_c))| {
+    // no arrays, over which rust-gpu cannot iterate
+    type Power<T> = (Vec3<T>, i32);
+    let product = |n: T, (b, of_b): Power<T>, (c, of_c): Power<T>| {
         let (cross, power) = tame_power(b.cross(c), of_b + of_c);
         let (n, power) = tame_power(Vec3::new(n, T::ZERO, T::ZERO), power);
         (cross * n.x, power)
-    });
-    let mut highest = i32::MIN;
-    for (product, power) in products {
-        if product != Vec3::ZERO && power > highest {
-            highest = power;
+    };
+    let [a, b, c] = columns;
+    let (a, b, c) = (tame_power(a, 0), tame_power(b, 0), tame_power(c, 0));
+    let (x, y, z) = (product(n.x, b, c), product(n.y, c, a), product(n.z, a, b));
+
+    let power_of = |(product, power): Power<T>| {
+        if product == Vec3::ZERO {
+            i32::MIN
+        } else {
+            power
         }
-    }
-    let mut sum = Vec3::ZERO;
-    for (product, power) in products {
+    };
+    let highest = power_of(x).max(power_of(y)).max(power_of(z));
+    let share = |(product, power): Power<T>| {
         if power == highest {
-            sum += product;
+            product
         } else if power + 1 == highest {
-            sum += product * (T::ONE / T::EXTREME);
+            product * (T::ONE / T::EXTREME)
+        } else {
+            Vec3::ZERO
         }
-    }
-    sum
+    };
+    Vec3::ZERO + share(x) + share(y) + share(z)
 }
 
 /// A vector times a `power` of [`EXTREME`](Real::EXTREME), returned as a tame vector and a power.
