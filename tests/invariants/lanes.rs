@@ -157,8 +157,8 @@ where
         let of = |lights: &[_], i_a| {
             let lights = lights.to_vec();
             let scene = Scene {
-                lights,
                 i_a,
+                lights,
                 ..scene.clone()
             };
             in_lanes::<L>(model, &scene)
