@@ -66,9 +66,9 @@ pub fn packs_hold<L: Lanes>(lights: &[(Lamp, [usize; 3])]) {
         1 => [1, clamped, smoothstep],
         _ => [2, 0, 0],
     };
-    let mut kinds: Vec<([usize; 3], Vec<AnyLight<L::Scalar>>)> = vec![];
+    let mut kinds: Vec<([usize; 3], Vec<_>)> = vec![];
     for (lamp, differences) in lights {
-        let (kind, light) = (kind(*differences), of_kind(lamp, *differences));
+        let (kind, light) = (kind(*differences), of_kind::<L::Scalar>(lamp, *differences));
         match kinds.iter_mut().find(|(known, _)| *known == kind) {
             Some((_, lights)) => lights.push(light),
             None => kinds.push((kind, vec![light])),
@@ -95,14 +95,12 @@ pub fn packs_hold<L: Lanes>(lights: &[(Lamp, [usize; 3])]) {
 
 /// The sum as its page gives it.
 fn halves<S: Real>(lanes: &[S]) -> S {
-    match lanes {
-        [one] => *one,
-        _ => {
-            let (lower, upper) = lanes.split_at(lanes.len() / 2);
-            let sums: Vec<_> = lower.iter().zip(upper).map(|(&a, &b)| a + b).collect();
-            halves(&sums)
-        }
+    if let [one] = lanes {
+        return *one;
     }
+    let (lower, upper) = lanes.split_at(lanes.len() / 2);
+    let sums: Vec<_> = lower.iter().zip(upper).map(|(&a, &b)| a + b).collect();
+    halves(&sums)
 }
 
 fn assert_same<S: Scalar>(lanes: impl Into<[S; 3]>, expected: impl Into<[S; 3]>) {
