@@ -32,9 +32,9 @@ const HAS_ROOT: bool = cfg!(any(
     all(target_arch = "aarch64", target_feature = "neon")
 ));
 
-/// SIMD lanes: as many numbers, with which it computes side by side. The float types of `wide` are some.
+/// SIMD lanes: several numbers that are computed side by side. The float types of `wide` implement it.
 ///
-/// Lights fill lanes by [`PointLight::packed`](crate::PointLight::packed), and
+/// [`PointLight::packed`](crate::PointLight::packed) puts lights into lanes, and
 /// [`Shaded::sum_of_lanes`](crate::Shaded::sum_of_lanes) adds the lanes up.
 ///
 /// ```
