@@ -2,6 +2,7 @@
 
 use indicatif::ProgressBar;
 use rayon::prelude::*;
+use shading::Shaded;
 
 use crate::scene::Scene;
 use crate::vector::{Number, Vector};
@@ -11,6 +12,17 @@ pub const EYE: [f32; 3] = [0.0, 2.0, 6.0];
 /// The bytes of its rows: red, green and blue of each pixel.
 pub fn draw<V: Vector>(
     scene: &Scene<V>,
+    width: usize,
+    height: usize,
+    progress: &ProgressBar,
+) -> Vec<u8> {
+    let seen = |from, along| scene.seen(from, along);
+    draw_by(seen, width, height, progress)
+}
+
+/// The same by another function than [`Scene::seen`].
+pub fn draw_by<V: Vector>(
+    seen: impl Fn(V, V) -> Option<Shaded<V::Number>> + Sync,
     width: usize,
     height: usize,
     progress: &ProgressBar,
@@ -25,7 +37,7 @@ pub fn draw<V: Vector>(
         .enumerate()
         .for_each(|(y, row)| {
             for (x, pixel) in row.chunks_exact_mut(3).enumerate() {
-                if let Some(shaded) = scene.seen(V::of_f32(EYE), ray(x, y, width, height)) {
+                if let Some(shaded) = seen(V::of_f32(EYE), ray(x, y, width, height)) {
                     pixel.copy_from_slice(&shaded.total().map(Number::to_f32).to_srgb8());
                 }
             }
