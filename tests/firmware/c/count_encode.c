@@ -1,6 +1,7 @@
 /* Prints how many instructions a color takes: to sRGB bytes with powf, with a table, and to RGB565 with
    powf. The colors are those of ../src/bin/encode.rs. With MEASURED, calls only one of the three: compared
    with `nothing`, the program grows by the flash that the function takes. */
+#include "board.h"
 #include "encode.h"
 
 static volatile uint32_t result;

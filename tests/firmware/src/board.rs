@@ -27,8 +27,21 @@ pub fn fail(info: &PanicInfo) -> ! {
     semihosting::process::exit(1)
 }
 
-/// How many instructions `work` takes, including the call.
+/// How many instructions `work` takes, including the call: fewer than four million.
 pub fn instructions(work: impl Fn()) -> u32 {
+    let [work, thousand] = ticks(work);
+    (work * 1000 + thousand / 2) / thousand
+}
+
+/// The same for work of any length.
+pub fn many_instructions(work: impl Fn()) -> u64 {
+    let [work, thousand] = ticks(work).map(u64::from);
+    (work * 1000 + thousand / 2) / thousand
+}
+
+/// How long `work` takes, and how long a thousand instructions take.
+#[inline(always)]
+fn ticks(work: impl Fn()) -> [u32; 2] {
     let ticks = |work: &dyn Fn()| {
         let start = black_box(chip::now());
         work();
@@ -37,9 +50,7 @@ pub fn instructions(work: impl Fn()) -> u32 {
     chip::start();
     let nothing = ticks(&|| {});
     let thousand = ticks(&chip::thousand_instructions) - nothing;
-    let ticks = ticks(&work) - nothing;
-    let [ticks, thousand] = [ticks, thousand].map(u64::from);
-    ((ticks * 1000 + thousand / 2) / thousand) as u32
+    [ticks(&work) - nothing, thousand]
 }
 
 /// How many bytes of stack are taken by the one function that `work` calls, measured by painting

@@ -38,7 +38,7 @@ mod board {
 
     #[board::entry]
     fn main() -> ! {
-        let instructions = board::instructions(|| {
+        let instructions = board::many_instructions(|| {
             let Ok(()) = draw_bunny(
                 &mut Panel(
                     |area: embedded_graphics::primitives::Rectangle, color: u16| {
