@@ -14,6 +14,7 @@ cargo run --quiet --release -p rasterizer -- "$out/teapot.png"
 for vectors in glam nalgebra; do
     cargo run --quiet --release -p tracer -- $vectors "$out/tracer_$vectors.png"
 done
+cargo run --quiet --release -p tracer --example many_lamps # fails if lanes draw another picture
 display/frame.sh "$out/bunny.png"
 web/test/run.sh "$@"
 
