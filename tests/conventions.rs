@@ -31,7 +31,7 @@ for_f32_and_f64!(
     transformed_follows_the_vertices_and_the_inverse_transpose_the_inside,
     a_normal_map_is_decoded_by_the_caller,
     a_degenerate_triangle_has_no_normal,
-    unit_is_right_from_the_smallest_to_the_largest_number,
+    unit_is_right_for_numbers_of_any_size,
     new_takes_unit_vectors_only,
     assume_unit_trusts_the_caller,
     singular_points_have_no_normal,
@@ -389,7 +389,7 @@ fn a_degenerate_triangle_has_no_normal<T: Float>() {
     );
 }
 
-fn unit_is_right_from_the_smallest_to_the_largest_number<T: Float>() {
+fn unit_is_right_for_numbers_of_any_size<T: Float>() {
     // (1, 2, 2)/3 at any size
     let expected = [1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0];
     for size in [

@@ -19,7 +19,7 @@ for_f32_and_f64!(
     half_vector_of_nan_is_none,
     half_vector_is_right_next_to_opposite_directions,
     the_highlight_is_right_next_to_opposite_directions,
-    reflection_of_an_invalid_direction_follows_the_formula,
+    reflection_of_any_vector_follows_the_formula,
     plane_without_a_direction_has_no_normal,
     triangle_with_an_infinite_vertex_has_no_normal,
     sphere_has_no_normal_at_its_center,
@@ -36,21 +36,21 @@ for_f32_and_f64!(
     lambert_of_nan_is_zero,
     highlight_of_a_nan_cosine_is_zero,
     highlight_with_m_zero_is_one_up_to_the_horizon,
-    highlight_with_a_huge_m_is_zero_beside_the_mirror,
-    highlight_with_an_invalid_m_takes_it_as_zero,
+    a_huge_m_gives_no_highlight_beside_the_mirror,
+    highlight_with_an_invalid_m_takes_zero,
     normalization_with_m_zero_is_one_over_pi,
     normalization_with_a_huge_m_is_finite,
-    normalization_with_an_invalid_m_takes_it_as_zero,
+    normalization_with_an_invalid_m_takes_zero,
     attenuation_without_a_denominator_is_infinite,
-    attenuation_with_a_denominator_of_negative_zero_is_negative,
-    attenuation_with_an_overflowing_denominator_is_zero,
+    attenuation_over_negative_zero_is_negative,
+    attenuation_over_an_overflow_is_zero,
     checked_attenuation_is_never_infinite,
     cone_of_an_invalid_angle_is_none,
     cone_of_zero_lights_its_axis,
     soft_cone_of_invalid_angles_is_none,
     soft_cone_of_one_angle_is_the_hard_cone,
-    soft_cone_of_angles_next_to_each_other_is_a_cone,
-    invalid_range_is_refused_and_infinity_is_no_range,
+    soft_cone_of_nearly_equal_angles_is_a_cone,
+    invalid_range_is_refused_infinity_is_none,
     ranged_attenuation_is_zero_out_of_its_range,
     lights_out_of_range_are_left_out,
     cone_of_a_nan_direction_gives_one,
@@ -203,7 +203,7 @@ fn the_highlight_is_right_next_to_opposite_directions<T: Float>() {
     }
 }
 
-fn reflection_of_an_invalid_direction_follows_the_formula<T: Float>() {
+fn reflection_of_any_vector_follows_the_formula<T: Float>() {
     // 2(N·L)N − L for |N| = 2: 2·4·2 − 1
     let long = UnitVec3::assume_unit(at_x(T::of(2.0)));
     assert_eq!(*reflection(long, UnitVec3::X), at_x(T::of(7.0)));
@@ -542,7 +542,7 @@ fn highlight_with_m_zero_is_one_up_to_the_horizon<T: Float>() {
     assert_eq!(term::phong(UnitVec3::X, horizon, T::ZERO), T::ZERO);
 }
 
-fn highlight_with_a_huge_m_is_zero_beside_the_mirror<T: Float>() {
+fn a_huge_m_gives_no_highlight_beside_the_mirror<T: Float>() {
     // (1 − 2⁻¹²)^(2³² − 1) < e^(−2²⁰), which is 0 in every float
     let beside = UnitVec3::assume_unit(at_x(T::of(1.0 - 2.0_f64.powi(-12))));
     assert_eq!(term::phong(UnitVec3::X, beside, u32::MAX), T::ZERO);
@@ -559,7 +559,7 @@ fn highlight_with_a_huge_m_is_zero_beside_the_mirror<T: Float>() {
     assert_eq!(term::blinn(UnitVec3::X, above, u32::MAX), T::ONE);
 }
 
-fn highlight_with_an_invalid_m_takes_it_as_zero<T: Float>() {
+fn highlight_with_an_invalid_m_takes_zero<T: Float>() {
     let n = UnitVec3::<T>::Z;
     let v = direction::<T>([3.0, 0.0, 4.0]);
     let light = [DirectionalLight {
@@ -610,7 +610,7 @@ fn normalization_with_a_huge_m_is_finite<T: Float>() {
     );
 }
 
-fn normalization_with_an_invalid_m_takes_it_as_zero<T: Float>() {
+fn normalization_with_an_invalid_m_takes_zero<T: Float>() {
     for m in [-T::ONE, -T::of(1e30), -T::INFINITY, T::NAN] {
         assert_eq!(
             term::phong_normalization(m),
@@ -631,7 +631,7 @@ fn attenuation_without_a_denominator_is_infinite<T: Float>() {
     assert_eq!(attenuation(zero, one, one, zero), T::INFINITY);
 }
 
-fn attenuation_with_a_denominator_of_negative_zero_is_negative<T: Float>() {
+fn attenuation_over_negative_zero_is_negative<T: Float>() {
     let [zero, one] = [T::ZERO, T::ONE];
     // −0 + −0(0 + 1·−0) = −0
     assert_eq!(attenuation(-zero, zero, one, -zero), -T::INFINITY);
@@ -642,7 +642,7 @@ fn attenuation_with_a_denominator_of_negative_zero_is_negative<T: Float>() {
     assert_eq!(checked.at(-zero), T::MAX);
 }
 
-fn attenuation_with_an_overflowing_denominator_is_zero<T: Float>() {
+fn attenuation_over_an_overflow_is_zero<T: Float>() {
     let [zero, one] = [T::ZERO, T::ONE];
     assert_eq!(attenuation(zero, zero, one, T::MAX), zero);
     assert_eq!(attenuation(T::MAX, T::MAX, T::MAX, T::MAX), zero);
@@ -728,7 +728,7 @@ fn soft_cone_of_one_angle_is_the_hard_cone<T: Float>() {
     }
 }
 
-fn soft_cone_of_angles_next_to_each_other_is_a_cone<T: Float>() {
+fn soft_cone_of_nearly_equal_angles_is_a_cone<T: Float>() {
     // beyond π/4, rounding may swap the cosines of neighboring angles; in f32 it swaps 8 pairs here
     let start = match T::NAME {
         "f32" => T::of(0.787),
@@ -744,7 +744,7 @@ fn soft_cone_of_angles_next_to_each_other_is_a_cone<T: Float>() {
     }
 }
 
-fn invalid_range_is_refused_and_infinity_is_no_range<T: Float>() {
+fn invalid_range_is_refused_infinity_is_none<T: Float>() {
     for bad in [T::ZERO, -T::ZERO, -T::ONE, -T::INFINITY, T::NAN] {
         assert_eq!(T::within(Attenuation::NONE, bad), None);
     }
