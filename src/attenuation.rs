@@ -1,5 +1,6 @@
 //! Falloff of light with distance.
 
+use crate::flag::{Flag, NO, YES};
 use crate::real::Real;
 use crate::rgb::Rgb;
 
@@ -79,16 +80,6 @@ pub fn attenuation<T: Real>(a: T, b: T, c: T, q: T) -> T {
     T::ONE / (a + q * (b + c * q))
 }
 
-/// A `bool`, except for rust-gpu, which cannot compile an `Option` of a type with spare values, as a
-/// `bool` has them.
-#[cfg(not(target_arch = "spirv"))]
-pub(crate) type Choice = bool;
-#[cfg(target_arch = "spirv")]
-pub(crate) type Choice = u32;
-
-pub(crate) const NO: Choice = false as Choice;
-pub(crate) const YES: Choice = true as Choice;
-
 /// Checked coefficients of the [`attenuation`]. A light with them is never negative or infinite.
 ///
 /// q has the scene's unit of length. b is per unit of length, and c per square of it.
@@ -113,7 +104,7 @@ pub struct Attenuation<T = f32> {
     b: T,
     c: T,
     /// Whether the factor is limited to 1.
-    clamped: Choice,
+    clamped: Flag,
 }
 
 impl<T: Real> Attenuation<T> {

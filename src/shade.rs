@@ -84,8 +84,9 @@
 use core::iter::Sum;
 use core::ops::{Add, Mul};
 
+use crate::batch::Powers;
 use crate::direction::{between, reflection};
-use crate::exponent::{Exponent, Powers};
+use crate::exponent::Exponent;
 use crate::light::IncidentLight;
 use crate::material::Material;
 use crate::real::Real;

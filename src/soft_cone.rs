@@ -1,7 +1,7 @@
 //! The cone of a spot light with a soft edge.
 
-use crate::attenuation::{Choice, NO, YES};
 use crate::cone::{Beam, Cone};
+use crate::flag::{Flag, NO, YES};
 use crate::real::Real;
 use crate::unit::UnitVec3;
 
@@ -35,7 +35,7 @@ pub struct SoftCone<T = f32> {
     inner: T,
     outer: T,
     /// Whether the edge is a smoothstep instead of a square.
-    smoothstep: Choice,
+    smoothstep: Flag,
 }
 
 impl<T: Real> SoftCone<T> {

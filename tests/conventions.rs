@@ -13,7 +13,7 @@ for_f32_and_f64!(
     opposite_directions_give_no_highlight,
     lambert_has_no_pi,
     the_factors_are_literal_and_not_gated,
-    a_cosine_of_zero_or_below_gives_zero_for_every_m,
+    a_cosine_not_above_zero_gives_zero,
     a_cosine_above_one_counts_as_one,
     no_highlight_on_a_face_turned_from_the_light,
     ambient_counts_once_and_is_not_attenuated,
@@ -121,7 +121,7 @@ fn the_factors_are_literal_and_not_gated<T: Float>() {
     assert_eq!(term::lambert(n, l), T::ZERO);
 }
 
-fn a_cosine_of_zero_or_below_gives_zero_for_every_m<T: Float>() {
+fn a_cosine_not_above_zero_gives_zero<T: Float>() {
     fn all<T: Float>(m: impl Exponent<T>) {
         let z = UnitVec3::<T>::Z;
         for at_or_below in [UnitVec3::X, -z, direction([1.0, 0.0, -0.01])] {

@@ -4,7 +4,8 @@
 //! Maximum and minimum are comparisons. Those of `wide` choose between zeros, and between a number
 //! and NaN, as the processor does.
 
-mod lights;
+mod pack;
+mod sum;
 
 use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x4, f64x8, i32x4, i32x8, i32x16};
