@@ -1,0 +1,1 @@
+//! The laws of local illumination, as a test suite for whatever shades.
