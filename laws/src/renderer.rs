@@ -1,0 +1,70 @@
+//! Whatever shades.
+
+use crate::profile::Profile;
+use crate::scene::{Scene, Triple};
+
+/// Whatever shades: a function, a shader on a GPU, another program.
+///
+/// ```
+/// use shading_laws::{Profile, Renderer, Scene};
+///
+/// struct MyRenderer;
+///
+/// impl Renderer for MyRenderer {
+///     fn profile(&self) -> Profile {
+///         Profile { spot_lights: false, ..Profile::default() }
+///     }
+///
+///     fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<[f64; 3]>, String> {
+///         Ok(scenes.iter().map(|_scene| [0.0; 3]).collect()) // all black
+///     }
+/// }
+/// ```
+pub trait Renderer {
+    /// What it says of itself.
+    fn profile(&self) -> Profile {
+        Profile::default()
+    }
+
+    /// The color of each scene, in the same order. A batch is one law's scenes, thousands of them,
+    /// or the few of one case while a failure is made smaller.
+    ///
+    /// # Errors
+    ///
+    /// What prevents an answer, in one line. It ends the run.
+    fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String>;
+}
+
+impl<R: Renderer + ?Sized> Renderer for &mut R {
+    fn profile(&self) -> Profile {
+        (**self).profile()
+    }
+
+    fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
+        (**self).shade(scenes)
+    }
+}
+
+/// Makes a renderer of a function that gives the color of one scene.
+///
+/// ```
+/// use shading_laws::{Profile, Renderer, from_fn};
+///
+/// let black = from_fn(Profile::default(), |_scene| [0.0; 3]);
+/// assert!(black.profile().ambient);
+/// ```
+pub fn from_fn(profile: Profile, color: impl FnMut(&Scene) -> Triple) -> impl Renderer {
+    struct OfFunction<F>(Profile, F);
+
+    impl<F: FnMut(&Scene) -> Triple> Renderer for OfFunction<F> {
+        fn profile(&self) -> Profile {
+            self.0.clone()
+        }
+
+        fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
+            Ok(scenes.iter().map(&mut self.1).collect())
+        }
+    }
+
+    OfFunction(profile, color)
+}
