@@ -1,0 +1,236 @@
+//! Running error analysis: a number that knows how far a renderer's may be from it.
+//!
+//! The tolerance of every comparison follows from these bounds: from the operations, the roundoff
+//! of the renderer and the conditioning of the scene. The renderer may round each operation as
+//! loosely as Vulkan permits, and may fuse or reorder sums.
+//!
+//! Sources: Higham, *Accuracy and Stability of Numerical Algorithms*, §3.3; *The Vulkan
+//! Specification*, "Precision and Operation of SPIR-V Instructions".
+
+use std::array::from_fn;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::scene::Triple;
+
+/// A value, and how far the renderer's may be from it.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounded {
+    pub value: f64,
+    pub error: f64,
+    /// The unit roundoff of the renderer. An exact constant has 0.
+    u: f64,
+}
+
+/// A vector or a color.
+pub type Bounded3 = [Bounded; 3];
+
+/// Units of u that an operation may lose: 1 for its rounding, 1 for fusing and reordering.
+const SUM_OR_PRODUCT: f64 = 2.0;
+/// A division, square root or cosine may lose 2.5 units in the last place, each 2u at most.
+const FUNCTION: f64 = 5.0;
+
+impl Bounded {
+    pub const ZERO: Self = Self::exact(0.0);
+    /// The formula has no answer, so any is right.
+    pub const UNKNOWN: Self = Self {
+        value: 0.0,
+        error: f64::INFINITY,
+        u: 0.0,
+    };
+
+    pub const fn exact(value: f64) -> Self {
+        Self {
+            value,
+            error: 0.0,
+            u: 0.0,
+        }
+    }
+
+    /// A number that the renderer is given. Its type may not hold the number exactly.
+    pub fn given(value: f64, u: f64) -> Self {
+        let is_exact = rounded(value, u) == value;
+        Self {
+            value,
+            error: if is_exact { 0.0 } else { u * value.abs() },
+            u,
+        }
+    }
+
+    /// The result of an operation that loses `units` of u. The errors of its operands alone would
+    /// make it wrong by `error`.
+    fn rounded(value: f64, error: f64, units: f64, u: f64) -> Self {
+        let error = error + units * u * value.abs();
+        Self { value, error, u }
+    }
+
+    pub fn sqrt(self) -> Self {
+        let value = self.value.sqrt();
+        // √x − √(x − e) = e/(√x + √(x − e))
+        let least = (self.value - self.error).max(0.0).sqrt();
+        let error = if self.error == 0.0 {
+            0.0
+        } else {
+            self.error / (value + least)
+        };
+        Self::rounded(value, error, FUNCTION, self.u)
+    }
+
+    pub fn cos(self) -> Self {
+        let error = self.error + FUNCTION * self.u; // absolute
+        Self::rounded(self.value.cos(), error, 0.0, self.u)
+    }
+
+    pub fn abs(self) -> Self {
+        Self {
+            value: self.value.abs(),
+            ..self
+        }
+    }
+
+    pub fn at_least_zero(self) -> Self {
+        self.if_positive(self, Self::ZERO)
+    }
+
+    pub fn at_most(self, limit: f64) -> Self {
+        Self {
+            value: self.value.min(limit),
+            ..self
+        }
+    }
+
+    /// `then` where this is positive. If the error leaves the sign undecided, the renderer may have
+    /// taken either.
+    pub fn if_positive(self, then: Self, otherwise: Self) -> Self {
+        let (taken, other) = if self.value > 0.0 {
+            (then, otherwise)
+        } else {
+            (otherwise, then)
+        };
+        let gap = if self.value.abs() <= self.error && self.error > 0.0 {
+            (taken.value - other.value).abs() + other.error
+        } else {
+            0.0
+        };
+        Self {
+            error: taken.error.max(gap),
+            ..taken
+        }
+    }
+
+    /// cosine^m as a renderer may compute it, exp2(m·log2 cosine): the logarithm loses 3 units in
+    /// the last place, the product 1, and exp2(x) 3 + 2|x|. A negative cosine with a fractional m
+    /// has no power, and any result agrees.
+    pub fn power(self, m: f64) -> Self {
+        if self.value < 0.0 && m.fract() != 0.0 {
+            return Self::UNKNOWN;
+        }
+        let value = self.value.powf(m);
+        let corner = |sign: f64| {
+            let base = self.value + sign * self.error;
+            // no power of a base on the other side of 0 is off by more than one of 0
+            let base = if base * self.value < 0.0 { 0.0 } else { base };
+            (base.powf(m) - value).abs()
+        };
+        let exponent = if self.value == 0.0 {
+            0.0
+        } else {
+            (m * self.value.abs().log2()).abs()
+        };
+        let units = 2.0 * (3.0 + 2.0 * exponent) + 2.0 * 4.0 * exponent * std::f64::consts::LN_2;
+        Self::rounded(value, corner(1.0).max(corner(-1.0)), units, self.u)
+    }
+}
+
+impl Neg for Bounded {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self {
+            value: -self.value,
+            ..self
+        }
+    }
+}
+
+impl Add for Bounded {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        let (value, u) = (self.value + other.value, self.u.max(other.u));
+        // a sum with 0 does not round
+        let is_rounded = self.value != 0.0 && other.value != 0.0;
+        let units = if is_rounded { SUM_OR_PRODUCT } else { 0.0 };
+        Self::rounded(value, self.error + other.error, units, u)
+    }
+}
+
+impl Sub for Bounded {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for Bounded {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let error = self.value.abs() * other.error + other.value.abs() * self.error;
+        Self::rounded(
+            self.value * other.value,
+            error + self.error * other.error,
+            SUM_OR_PRODUCT,
+            self.u.max(other.u),
+        )
+    }
+}
+
+impl Div for Bounded {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        let least = (other.value.abs() - other.error).max(0.0);
+        let error = self.error + value.abs() * other.error;
+        let error = if error == 0.0 { 0.0 } else { error / least };
+        Self::rounded(value, error, FUNCTION, self.u.max(other.u))
+    }
+}
+
+/// x with so few bits that their unit roundoff is u.
+///
+/// Source: Dekker 1971, *A Floating-Point Technique for Extending the Available Precision*.
+pub fn rounded(x: f64, u: f64) -> f64 {
+    let dropped = (u / (f64::EPSILON / 2.0)).log2().floor();
+    let away = x * (dropped.exp2() + 1.0);
+    away - (away - x)
+}
+
+pub fn given3(v: Triple, u: f64) -> Bounded3 {
+    v.map(|c| Bounded::given(c, u))
+}
+
+pub fn dot(a: Bounded3, b: Bounded3) -> Bounded {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn add(a: Bounded3, b: Bounded3) -> Bounded3 {
+    from_fn(|i| a[i] + b[i])
+}
+
+pub fn subtract(a: Bounded3, b: Bounded3) -> Bounded3 {
+    from_fn(|i| a[i] - b[i])
+}
+
+pub fn multiply(a: Bounded3, b: Bounded3) -> Bounded3 {
+    from_fn(|i| a[i] * b[i])
+}
+
+pub fn scale(a: Bounded3, factor: Bounded) -> Bounded3 {
+    a.map(|c| c * factor)
+}
+
+pub fn length(a: Bounded3) -> Bounded {
+    dot(a, a).sqrt()
+}
+
+pub fn unit(a: Bounded3) -> Bounded3 {
+    let length = length(a);
+    a.map(|c| c / length)
+}
