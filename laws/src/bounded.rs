@@ -60,7 +60,26 @@ impl Bounded {
     /// make it wrong by `error`.
     fn rounded(value: f64, error: f64, units: f64, u: f64) -> Self {
         let error = error + units * u * value.abs();
+        // beyond the largest f32 there is infinity, and 0 times that is NaN
+        let largest = if u > f64::EPSILON {
+            f64::from(f32::MAX)
+        } else {
+            f64::MAX
+        };
+        let is_known = value.abs() + error < largest;
+        let error = if is_known { error } else { f64::INFINITY };
         Self { value, error, u }
+    }
+
+    /// The most that underflow takes away: all below the smallest normal number of `f32`, or of a
+    /// 16-bit float.
+    fn underflow(u: f64) -> f64 {
+        match u {
+            0.0 => 0.0,
+            u if u <= f64::EPSILON / 2.0 => f64::MIN_POSITIVE,
+            u if u <= f64::from(f32::EPSILON) => f64::from(f32::MIN_POSITIVE),
+            _ => (-14_f64).exp2(),
+        }
     }
 
     pub fn sqrt(self) -> Self {
@@ -118,12 +137,8 @@ impl Bounded {
     }
 
     /// cosine^m as a renderer may compute it, exp2(m·log2 cosine): the logarithm loses 3 units in
-    /// the last place, the product 1, and exp2(x) 3 + 2|x|. A negative cosine with a fractional m
-    /// has no power, and any result agrees.
+    /// the last place, the product 1, and exp2(x) 3 + 2|x|.
     pub fn power(self, m: f64) -> Self {
-        if self.value < 0.0 && m.fract() != 0.0 {
-            return Self::UNKNOWN;
-        }
         let value = self.value.powf(m);
         let corner = |sign: f64| {
             let base = self.value + sign * self.error;
@@ -137,7 +152,8 @@ impl Bounded {
             (m * self.value.abs().log2()).abs()
         };
         let units = 2.0 * (3.0 + 2.0 * exponent) + 2.0 * 4.0 * exponent * std::f64::consts::LN_2;
-        Self::rounded(value, corner(1.0).max(corner(-1.0)), units, self.u)
+        let error = corner(1.0).max(corner(-1.0)) + Self::underflow(self.u);
+        Self::rounded(value, error, units, self.u)
     }
 }
 
@@ -172,13 +188,13 @@ impl Sub for Bounded {
 impl Mul for Bounded {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let error = self.value.abs() * other.error + other.value.abs() * self.error;
-        Self::rounded(
-            self.value * other.value,
-            error + self.error * other.error,
-            SUM_OR_PRODUCT,
-            self.u.max(other.u),
-        )
+        let (value, u) = (self.value * other.value, self.u.max(other.u));
+        let mut error = self.value.abs() * other.error + other.value.abs() * self.error;
+        error += self.error * other.error;
+        if value != 0.0 {
+            error += Self::underflow(u);
+        }
+        Self::rounded(value, error, SUM_OR_PRODUCT, u)
     }
 }
 

@@ -222,7 +222,7 @@ impl<R: Renderer> Trial<'_, R> {
             return Ok(Verdict::NotTried { because });
         }
 
-        let broken = self.broken(&groups)?;
+        let broken = self.broken(&groups, true)?;
         let failures = broken.iter().flatten().count();
         let cases = groups.len();
         let first = broken.into_iter().zip(trees).zip(groups);
@@ -242,7 +242,11 @@ impl<R: Renderer> Trial<'_, R> {
 
     /// For each group the claim that does not hold, and the colors.
     #[allow(clippy::type_complexity)]
-    fn broken(&mut self, groups: &[Group]) -> Result<Vec<Option<(Broken, Vec<Triple>)>>, String> {
+    fn broken(
+        &mut self,
+        groups: &[Group],
+        keep: bool,
+    ) -> Result<Vec<Option<(Broken, Vec<Triple>)>>, String> {
         let profile = &self.profile;
         let scenes = groups.iter().flat_map(|group| &group.scenes);
         let scenes: Vec<Scene> = scenes.map(|scene| handed(scene, profile)).collect();
@@ -268,8 +272,10 @@ impl<R: Renderer> Trial<'_, R> {
                 .collect();
             let broken = group.broken(profile, &seen);
             found.push(broken.map(|broken| (broken, replies.to_vec())));
-            let scenes = group.scenes.iter().cloned();
-            self.seen.extend(scenes.zip(replies.iter().copied()));
+        }
+        if keep {
+            let scenes = groups.iter().flat_map(|group| &group.scenes).cloned();
+            self.seen.extend(scenes.zip(replies));
         }
         Ok(found)
     }
@@ -290,7 +296,10 @@ impl<R: Renderer> Trial<'_, R> {
             }
             let smaller = (law.group)(tree.current(), &self.profile);
             let found = match &smaller {
-                Some(group) => self.broken(std::slice::from_ref(group))?.pop().flatten(),
+                Some(group) => self
+                    .broken(std::slice::from_ref(group), false)?
+                    .pop()
+                    .flatten(),
                 None => None,
             };
             goes_on = if let (Some(smaller), Some(found)) = (smaller, found) {

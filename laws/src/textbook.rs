@@ -262,19 +262,22 @@ impl Textbook<'_> {
                 dot(n, unit(sum))
             }
         };
-        let cosine = if self.has(Mistake::PowerNotClamped) {
-            cosine
+        let m = scene.material.m;
+        if !self.has(Mistake::PowerNotClamped) {
+            cosine.at_least_zero().power(m)
+        } else if cosine.value < cosine.error && m.fract() != 0.0 {
+            Bounded::UNKNOWN // a fractional power of a negative number
         } else {
-            cosine.at_least_zero()
-        };
-        cosine.power(scene.material.m)
+            cosine.power(m)
+        }
     }
 
     /// The least and the largest reply that the renderer may give for each channel.
     pub fn reply(&self, scene: &Scene) -> [[f64; 2]; 3] {
         self.linear(scene)
             .map(|c| {
-                if !(c.value.is_finite() && c.error.is_finite()) {
+                // beyond the largest f32, infinity and NaN are right too
+                if !(c.value.abs() + c.error < f64::from(f32::MAX)) {
                     return [f64::NEG_INFINITY, f64::INFINITY];
                 }
                 [c.value - c.error, c.value + c.error].map(|end| self.encoded(end))
@@ -286,12 +289,13 @@ impl Textbook<'_> {
     }
 
     fn encoded(&self, linear: f64) -> f64 {
+        let is_clamped = !self.has(Mistake::EachLightClamped);
         let clamp = |x: f64| match self.profile.range() {
-            Some([low, high]) => x.clamp(low, high),
-            None => x,
+            Some([low, high]) if is_clamped => x.clamp(low, high),
+            _ => x,
         };
         let x = clamp(linear);
-        let is_encoded = self.profile.srgb != self.has(Mistake::SrgbForgotten);
+        let is_encoded = self.profile.srgb && !self.has(Mistake::SrgbForgotten);
         let is_encoded = is_encoded || self.has(Mistake::SrgbUnasked);
         let x = match () {
             () if self.has(Mistake::Gamma22ForSrgb) => x.max(0.0).powf(1.0 / 2.2),

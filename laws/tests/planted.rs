@@ -194,7 +194,8 @@ fn shade(scene: &Scene, profile: &Profile, mistake: Option<Mistake>) -> [f64; 3]
     if is(ChannelsSwapped) {
         color.reverse();
     }
-    if profile.clamps.is_some() || profile.bits.is_some() {
+    let is_clamped = profile.clamps.is_some() || profile.bits.is_some();
+    if is_clamped && !is(EachLightClamped) {
         color = color.map(|c| c.clamp(0.0, 1.0));
     }
     if is(SrgbUnasked) || profile.srgb && !is(SrgbForgotten) {
