@@ -1,5 +1,7 @@
 //! The laws of local illumination, as a test suite for whatever shades.
 
+#![allow(clippy::float_cmp)] // special cases are exact
+
 mod bounded;
 mod claim;
 mod generator;

@@ -21,6 +21,7 @@ use crate::scene::Model;
 /// };
 /// assert_eq!(shader.roundoff, f64::from(f32::EPSILON) / 2.0);
 /// ```
+#[allow(clippy::struct_excessive_bools)] // each is a fact of its own
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
     /// The name in the report.

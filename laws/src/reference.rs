@@ -29,21 +29,20 @@ pub fn color(scene: &Scene, profile: &Profile) -> Triple {
     };
     for light in &scene.lights {
         let arriving = arriving(light, p, true);
-        sum = sum + one(Model::Lambert, Rgb::BLACK, Some(arriving)).diffuse;
+        sum += one(Model::Lambert, Rgb::BLACK, Some(arriving)).diffuse;
         let bright = self::arriving(light, p, !profile.unattenuated_highlight);
-        sum = sum
-            + match scene.model {
-                Model::Phong if profile.highlight_on_the_dark_side => {
-                    k_s * bright.intensity * term::phong(reflection(n, bright.l), v, m)
-                }
-                Model::BlinnPhong if profile.highlight_on_the_dark_side => {
-                    k_s * bright.intensity
-                        * half_vector(bright.l, v).map_or(0.0, |h| term::blinn(n, h, m))
-                }
-                model => one(model, Rgb::BLACK, Some(bright)).specular,
-            };
+        sum += match scene.model {
+            Model::Phong if profile.highlight_on_the_dark_side => {
+                k_s * bright.intensity * term::phong(reflection(n, bright.l), v, m)
+            }
+            Model::BlinnPhong if profile.highlight_on_the_dark_side => {
+                k_s * bright.intensity
+                    * half_vector(bright.l, v).map_or(0.0, |h| term::blinn(n, h, m))
+            }
+            model => one(model, Rgb::BLACK, Some(bright)).specular,
+        };
         if profile.attenuated_ambient {
-            sum = sum + k_a * i_a * falloff(light, p);
+            sum += k_a * i_a * falloff(light, p);
         }
     }
     <[f64; 3]>::from(sum)

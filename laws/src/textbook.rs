@@ -276,8 +276,7 @@ impl Textbook<'_> {
     pub fn reply(&self, scene: &Scene) -> [[f64; 2]; 3] {
         self.linear(scene)
             .map(|c| {
-                // beyond the largest f32, infinity and NaN are right too
-                if !(c.value.abs() + c.error < f64::from(f32::MAX)) {
+                if c.error.is_infinite() {
                     return [f64::NEG_INFINITY, f64::INFINITY];
                 }
                 [c.value - c.error, c.value + c.error].map(|end| self.encoded(end))
@@ -309,7 +308,7 @@ impl Textbook<'_> {
 
 impl Profile {
     /// The range of its colors. Levels end at 0 and 1.
-    pub fn range(&self) -> Option<[f64; 2]> {
+    pub(crate) fn range(&self) -> Option<[f64; 2]> {
         self.clamps.or(self.bits.map(|_| [0.0, 1.0]))
     }
 
@@ -324,7 +323,7 @@ impl Profile {
     }
 
     /// The least and the largest linear light that the renderer may have meant by a reply.
-    pub fn meant(&self, reply: f64) -> [f64; 2] {
+    pub(crate) fn meant(&self, reply: f64) -> [f64; 2] {
         let slack = self.reply_slack(reply.abs());
         let ends = [reply - slack, reply + slack];
         let mut ends = if self.srgb { ends.map(from_srgb) } else { ends };
