@@ -145,8 +145,9 @@ impl Report {
 }
 
 impl Scene {
-    /// The scene as JSON.
-    pub(crate) fn to_json(&self) -> Value {
+    /// The scene as JSON, its members in the order of the format of the program.
+    #[must_use]
+    pub fn to_json(&self) -> Value {
         let light = |light: &Light| match light {
             Light::Directional { l, intensity } => {
                 json!({"kind": light.kind(), "intensity": intensity, "l": l})
