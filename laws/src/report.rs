@@ -99,7 +99,7 @@ impl Report {
     ///
     /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
     /// let json = Laws::new().cases(20).run(&mut black).unwrap().to_json();
-    /// assert!(json.starts_with(r#"{"broken":true,"#));
+    /// assert!(json.starts_with(r#"{"renderer":"the renderer","broken":true,"#));
     /// ```
     #[must_use]
     pub fn to_json(&self) -> String {
@@ -124,7 +124,7 @@ impl Report {
                 "failures": failures,
                 "smallest": {
                     "claim": smallest.claim,
-                    "scenes": smallest.scenes.iter().map(Scene::to_json).collect::<Value>(),
+                    "scenes": smallest.scenes.iter().map(Scene::json).collect::<Value>(),
                     "colors": smallest.colors,
                     "channel": smallest.channel,
                     "off": smallest.off,
@@ -145,9 +145,14 @@ impl Report {
 }
 
 impl Scene {
-    /// The scene as JSON, its members in the order of the format of the program.
+    /// The scene as one line of JSON, its members always in the same order. The format is that of the
+    /// program `shading-laws`.
     #[must_use]
-    pub fn to_json(&self) -> Value {
+    pub fn to_json(&self) -> String {
+        self.json().to_string()
+    }
+
+    fn json(&self) -> Value {
         let light = |light: &Light| match light {
             Light::Directional { l, intensity } => {
                 json!({"kind": light.kind(), "intensity": intensity, "l": l})

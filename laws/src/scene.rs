@@ -23,7 +23,8 @@ pub type Triple = [f64; 3];
 ///     i_a: black,
 ///     lights: vec![Light::Directional { l: [0.0, 0.0, 1.0], intensity: white }],
 /// };
-/// assert_eq!(scene.to_string().lines().count(), 15); // as Rust, to copy into a test
+/// let rust = scene.to_string(); // to copy into a test
+/// assert!(rust.starts_with("Scene {\n    model: Model::BlinnPhong,"));
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
