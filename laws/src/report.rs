@@ -264,10 +264,8 @@ impl fmt::Display for Counterexample {
         writeln!(f, "  to reproduce it:")?;
         writeln!(f, "    let scenes = [")?;
         for scene in &self.scenes {
-            for line in scene.to_string().lines() {
-                writeln!(f, "        {line}")?;
-            }
-            writeln!(f, "        ,")?;
+            let scene = scene.to_string().replace('\n', "\n        ");
+            writeln!(f, "        {scene},")?;
         }
         writeln!(f, "    ];")?;
         writeln!(f, "    let colors = renderer.shade(&scenes)?;")
