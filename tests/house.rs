@@ -142,7 +142,7 @@ fn table_of_invariants_is_complete() {
     let named = rows.iter().flat_map(|cells| names(cells[cells.len() - 1]));
     let is_file = |name: &String| Path::new(name).extension().is_some();
     let (files, named): (BTreeSet<_>, BTreeSet<_>) = named.map(str::to_owned).partition(is_file);
-    let folders = ["tests/invariants", "tests"].map(at_root);
+    let folders = ["laws/src/number", "tests/invariants", "tests"].map(at_root);
     for file in files {
         assert!(
             folders.iter().any(|folder| folder.join(&file).exists()),
@@ -152,16 +152,17 @@ fn table_of_invariants_is_complete() {
     assert_same(&named, &properties());
 }
 
-/// The names in the lists `invariants! { … }`, and those of the tests beside them.
+/// The names in the lists `properties! { … }`, and those of the tests beside them.
 fn properties() -> BTreeSet<String> {
     let mut properties = BTreeSet::new();
-    for path in rust_files(&at_root("tests/invariants")) {
+    let folders = ["laws/src/number", "tests/invariants"].map(at_root);
+    for path in folders.iter().flat_map(|folder| rust_files(folder)) {
         let code = code(&read(path));
-        for list in code.split("invariants! {").skip(1) {
+        for list in code.split("properties! {").skip(1) {
             let list = list.split('}').next().unwrap_or_default();
-            let list = list.rsplit(':').next().unwrap_or_default(); // drop a label
             let names = list
                 .split(',')
+                .filter_map(|name| name.rsplit([':', ']']).next()) // drop a label
                 .map(str::trim)
                 .filter(|name| !name.is_empty());
             properties.extend(names.map(str::to_owned));

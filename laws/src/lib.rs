@@ -75,6 +75,7 @@ mod claim;
 mod generator;
 mod law;
 mod mistake;
+pub mod number;
 mod profile;
 mod reference;
 mod renderer;
@@ -84,6 +85,7 @@ mod scene;
 mod textbook;
 
 pub use mistake::Mistake;
+pub use number::Number;
 pub use profile::Profile;
 pub use renderer::{Renderer, from_fn};
 pub use report::{Counterexample, LawReport, Report, Verdict};

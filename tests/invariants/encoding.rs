@@ -2,8 +2,7 @@
 
 use proptest::prelude::*;
 use shading::Rgb;
-
-use crate::check::{check, within};
+use shading_laws::number::check::{check, within};
 
 /// A number of arbitrary bits, or one that a display can show.
 fn any_number() -> impl Strategy<Value = f32> {

@@ -11,10 +11,11 @@ use proptest::test_runner::TestCaseResult;
 use shading::{
     DirectionalLight, Exponent, IncidentLight, Lanes, Material, Real, Rgb, Shaded, Vec3, shade,
 };
-
-use crate::check::{check, same, to_f64, within};
-use crate::generators::{Model, Scene, Shine, adversarial_scene, model, scene, unit};
-use crate::number::Number;
+use shading_laws::Number;
+use shading_laws::number::check::{check, same, to_f64, within};
+use shading_laws::number::generators::{
+    Model, Scene, Shine, adversarial_scene, model, scene, unit,
+};
 
 /// The shininess of a scene, for its lanes.
 #[derive(Clone, Copy)]
@@ -234,7 +235,29 @@ where
     });
 }
 
-invariants! { of lights in lanes:
+/// Makes a test of each property for each type of lanes.
+macro_rules! properties {
+    ($($property:ident,)*) => {
+        tests! { wide::f32x4 as four: $($property,)* }
+        tests! { wide::f32x8 as eight: $($property,)* }
+        tests! { wide::f64x4 as four_of_double: $($property,)* }
+    };
+}
+
+macro_rules! tests {
+    ($lanes:ty as $module:ident: $($property:ident,)*) => {
+        mod $module {
+            $(
+                #[test]
+                fn $property() {
+                    super::$property::<$lanes>();
+                }
+            )*
+        }
+    };
+}
+
+properties! {
     light_in_lanes_is_light,
     lights_in_lanes_agree_with_one_by_one,
     light_in_lanes_is_additive,

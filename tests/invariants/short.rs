@@ -7,8 +7,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use shading::{Elementary, Exponent, Real};
-
-use crate::number::Number;
+use shading_laws::Number;
 
 /// A float with 16 significant bits and the range of `f64`.
 ///
@@ -126,3 +125,5 @@ impl Number for Short {
         self.0
     }
 }
+
+shading_laws::number!(Short);

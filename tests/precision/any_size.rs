@@ -160,7 +160,7 @@ fn shares_of_any_size_are_right<T: Float>() {
     });
 }
 
-/// The tolerance is derived in `invariants/derived.rs`.
+/// The tolerance is derived in `laws/src/number/derived.rs`.
 fn mapped_normals_of_any_size_are_right<T: Float>() {
     let handedness = prop_oneof![Just(1.0), Just(-1.0)];
     let direction = of_any_size::<T>().prop_filter_map("zero", Vec3::unit);

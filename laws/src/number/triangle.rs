@@ -3,10 +3,10 @@
 use proptest::prelude::*;
 use shading::{UnitVec3, Vec3, normal};
 
-use crate::check::{check, equal, near, same, to_f64, within};
-use crate::exact::{cross, dot, length, square_excess, subtract};
-use crate::generators::{adversarial_vector, dyadic_point, point, unit};
-use crate::number::Number;
+use super::Number;
+use super::check::{check, equal, near, same, to_f64, within};
+use super::exact::{cross, dot, length, square_excess, subtract};
+use super::generators::{adversarial_vector, dyadic_point, point, unit};
 
 type Triangle<T> = [Vec3<T>; 3];
 
@@ -211,7 +211,7 @@ fn optionally<T: Number>(
     }
 }
 
-invariants! {
+properties! { triangle:
     cyclic_shift_changes_little,
     swapping_two_vertices_negates,
     normal_is_perpendicular_to_each_edge,

@@ -3,12 +3,13 @@
 use proptest::prelude::*;
 use shading::{Light, PointLight, Ranged, Rgb, SoftCone, SpotLight, UnitVec3, shade, term};
 
-use crate::check::{check, same, to_f64, within};
-use crate::generators::{
+use super::Number;
+use super::check::{check, same, to_f64, within};
+use super::exact;
+use super::generators::{
     adversarial, adversarial_color, adversarial_vector, coefficients, cone, light_color, pair,
     point, triple, unit,
 };
-use crate::number::Number;
 
 /// A soft cone from its cosines, as `cone` makes a hard one.
 fn soft_cone<T: Number>(inner: f64, outer: f64) -> SoftCone<T> {
@@ -96,7 +97,7 @@ fn soft_cone_follows_its_formula<T: Number>() {
         let [inner, outer] = cones[0].cosines().map(T::to_f64);
         let width = inner - outer;
         prop_assume!(width > 1e-3);
-        let cosine = -crate::exact::dot(to_f64(axis), to_f64(l));
+        let cosine = -exact::dot(to_f64(axis), to_f64(l));
         let t = ((cosine - outer) / width).clamp(0.0, 1.0);
         let tolerance = (3.0 * (3.0 / width + 2.0) + 8.0) * (T::U + f64::EPSILON);
         within(cones[0].factor(axis, l).to_f64() - t * t, tolerance)?;
@@ -274,7 +275,7 @@ fn lights_out_of_range_are_left_out<T: Number>() {
     });
 }
 
-invariants! {
+properties! { edge:
     soft_cone_is_full_inside_and_dark_outside,
     soft_cone_does_not_fall_toward_the_axis,
     soft_cone_with_one_edge_is_the_hard_cone,

@@ -7,13 +7,13 @@ use shading::{
     Attenuation, DirectionalLight, Light, PointLight, Rgb, SpotLight, Vec3, attenuation, term,
 };
 
-use crate::check::{check, near, same, to_f64, within};
-use crate::exact;
-use crate::generators::{
+use super::Number;
+use super::check::{check, near, same, to_f64, within};
+use super::exact;
+use super::generators::{
     Relation, adversarial, adversarial_color, adversarial_vector, coefficients, coefficients_of,
     cone, direction, light, light_color, pair, point, rounded, two_directions, unit,
 };
-use crate::number::Number;
 
 /// (36) Attenuation does not rise with q, a, b or c: each operation of Horner's scheme is monotone.
 fn attenuation_does_not_rise<T: Number>() {
@@ -357,7 +357,7 @@ fn lights_keep_their_numbers_in_another_type<T: Number>() {
     });
 }
 
-invariants! {
+properties! { light:
     attenuation_does_not_rise,
     constant_one_does_not_attenuate,
     attenuation_is_bounded,

@@ -3,6 +3,8 @@
 //! Directions are made from angles or taken from a list, so no strategy here can shrink to the zero
 //! vector. Degenerate configurations are generated on purpose, not left to chance.
 
+#![allow(clippy::must_use_candidate, clippy::return_self_not_must_use)] // users do not call these functions
+
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use proptest::collection::vec;
@@ -13,8 +15,8 @@ use shading::{
     Shaded, SpotLight, UnitVec3, Vec3, shade,
 };
 
-use crate::exact;
-use crate::number::Number;
+use super::Number;
+use super::exact;
 
 /// Axes, a Pythagorean direction and a diagonal.
 const KNOWN: [[f64; 3]; 10] = [

@@ -5,10 +5,10 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 use proptest::prelude::*;
 use shading::{Exponent, UnitVec3, Vec3, half_vector, reflection, term};
 
-use crate::check::{at_least, check, same, to_f64, within};
-use crate::exact::{determinant, dot};
-use crate::generators::{Relation, Shine, direction, rounded, shine, triple};
-use crate::number::Number;
+use super::check::{at_least, check, same, to_f64, within};
+use super::exact::{determinant, dot};
+use super::generators::{Relation, Shine, direction, rounded, shine, triple};
+use super::{Number, RealPowers};
 
 /// R·V, N·H, det[N, L, V], and 1 + L·V, exact for the R and H that were computed.
 struct Cosines {
@@ -232,7 +232,7 @@ fn whole_powers_add_up<T: Number>() {
 }
 
 /// (34) The same for real m, within the error of each of the three powers, and u for the product.
-fn real_powers_add_up<T: Number<Shininess = T>>() {
+fn real_powers_add_up<T: RealPowers>() {
     check(
         (cosine::<T>(), shine(5000), shine(5000)),
         |(cosine, a, b)| {
@@ -267,7 +267,7 @@ fn power_of_a_root_is_half_the_power<T: Number>() {
 }
 
 /// (34) (√s)^m for real m, within the errors of both powers, and m times the rounding of the root.
-fn real_power_of_a_root_is_half_the_power<T: Number<Shininess = T>>() {
+fn real_power_of_a_root_is_half_the_power<T: RealPowers>() {
     check((cosine::<T>(), shine(5000)), |(square, m)| {
         let real = Shine { whole: false, ..m };
         let power = raise_root(real, square).to_f64();
@@ -292,7 +292,7 @@ fn faint_highlights_are_kept<T: Number>() {
 }
 
 /// (34) An integer m and the same m as a real number agree.
-fn whole_and_real_powers_agree<T: Number>() {
+fn whole_and_real_powers_agree<T: RealPowers>() {
     check((cosine::<T>(), shine(10_000)), |(cosine, shine)| {
         let m = shine.m.floor();
         let [whole, real] =
@@ -301,7 +301,7 @@ fn whole_and_real_powers_agree<T: Number>() {
     });
 }
 
-invariants! {
+properties! { lobe:
     phong_and_blinn_cosines_are_related,
     phong_cosine_is_at_least_that_of_twice_the_angle,
     blinn_with_fourfold_shininess_covers_phong_in_a_plane,
@@ -314,10 +314,8 @@ invariants! {
     whole_powers_add_up,
     power_of_a_root_is_half_the_power,
     faint_highlights_are_kept,
+    [real powers]
     whole_and_real_powers_agree,
-}
-
-invariants! { of numbers with real powers:
     real_powers_add_up,
     real_power_of_a_root_is_half_the_power,
 }

@@ -7,10 +7,10 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use shading::{UnitVec3, Vec3, normal};
 
-use crate::check::{check, equal, near, same, to_f64, within};
-use crate::exact::{cross, dot, length};
-use crate::generators::{adversarial_vector, direction, dyadic_point, pair, point, rounded, unit};
-use crate::number::Number;
+use super::Number;
+use super::check::{check, equal, near, same, to_f64, within};
+use super::exact::{cross, dot, length, square_excess};
+use super::generators::{adversarial_vector, direction, dyadic_point, pair, point, rounded, unit};
 
 type Matrix<T> = [Vec3<T>; 3];
 
@@ -399,13 +399,13 @@ fn derived_normals_have_length_one_or_are_none<T: Number>() {
             normal::mapped(n, a, b.x, c),
         ];
         for n in normals.into_iter().flatten() {
-            within(crate::exact::square_excess(to_f64(n)), 8.0 * T::U)?;
+            within(square_excess(to_f64(n)), 8.0 * T::U)?;
         }
         Ok(())
     });
 }
 
-invariants! {
+properties! { derived:
     facing_normals_face_the_viewer,
     transformed_normal_is_perpendicular_to_transformed_tangents,
     transformed_normal_is_that_of_the_transformed_triangle,

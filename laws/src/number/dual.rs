@@ -3,9 +3,9 @@
 use proptest::prelude::*;
 use shading::{Dual, Elementary, Real, Vec3};
 
-use crate::check::{check, equal, near, nearly, same, to_f64};
-use crate::generators::point;
-use crate::number::Number;
+use super::Number;
+use super::check::{check, equal, near, nearly, same, to_f64};
+use super::generators::point;
 
 /// A dual number with any gradient and with a value in [½, 2), of either sign.
 fn dual<T: Number>() -> impl Strategy<Value = Dual<T>> {
@@ -186,7 +186,7 @@ fn variables_have_the_axes_as_gradients<T: Number>() {
     });
 }
 
-invariants! {
+properties! { dual:
     sum_rule,
     product_rule,
     quotient_rule,

@@ -5,10 +5,11 @@ use std::fmt::Debug;
 use proptest::prelude::*;
 use proptest::test_runner::{TestCaseResult, TestRunner};
 
-use crate::number::Number;
+use super::Number;
 
 /// Runs a property on many cases, and reports the smallest case that fails. `PROPTEST_CASES` sets
 /// their number.
+#[track_caller] // a failure names the property
 pub fn check<S: Strategy<Value: Debug>>(inputs: S, property: impl Fn(S::Value) -> TestCaseResult) {
     let mut config = ProptestConfig {
         failure_persistence: None,

@@ -3,11 +3,11 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use proptest::prelude::*;
-use shading::{Exponent, UnitVec3, half_vector, reflection, term};
+use shading::{UnitVec3, half_vector, reflection, term};
 
-use crate::check::{check, within};
-use crate::generators::{Shine, rounded, shine};
-use crate::number::Number;
+use super::check::{check, within};
+use super::generators::{Shine, rounded, shine};
+use super::{Number, RealPowers};
 
 /// A normalized highlight: its value for N = Z, L, and V.
 type Lobe<T> = fn(UnitVec3<T>, UnitVec3<T>, Shine) -> T;
@@ -16,7 +16,7 @@ fn phong<T: Number>(l: UnitVec3<T>, v: UnitVec3<T>, m: Shine) -> T {
     term::phong_normalization(T::of(m.m)) * term::phong(reflection(UnitVec3::Z, l), v, m)
 }
 
-fn blinn<T: Number + Exponent<T>>(l: UnitVec3<T>, v: UnitVec3<T>, m: Shine) -> T {
+fn blinn<T: RealPowers>(l: UnitVec3<T>, v: UnitVec3<T>, m: Shine) -> T {
     let h = half_vector(l, v).expect("both above the surface");
     term::blinn_normalization(T::of(m.m)) * term::blinn(UnitVec3::Z, h, m)
 }
@@ -78,7 +78,7 @@ fn tolerance<T: Number>(Shine { m, .. }: Shine) -> f64 {
 /// (61) No more is returned than arrives, for every m and every V. Phong's lobe around R and the
 /// cosine around N both fall with the angle from their axis, and two such functions overlap most
 /// where the axes coincide. For Blinn's lobe, only the integral shows it.
-fn normalized_highlight_returns_no_more_than_arrives<T: Number + Exponent<T>>() {
+fn normalized_highlight_returns_no_more_than_arrives<T: RealPowers>() {
     let polar = prop_oneof![3 => 0.0..=FRAC_PI_2, 1 => 0.0..=0.1, 1 => Just(FRAC_PI_2)];
     check((polar, 0.0..TAU, shininess()), |(polar, azimuth, m)| {
         let (sin, cos) = polar.sin_cos();
@@ -92,7 +92,7 @@ fn normalized_highlight_returns_no_more_than_arrives<T: Number + Exponent<T>>() 
 }
 
 /// (61) All of it is returned where V = N, for every m.
-fn normalized_highlight_returns_all_at_normal_incidence<T: Number + Exponent<T>>() {
+fn normalized_highlight_returns_all_at_normal_incidence<T: RealPowers>() {
     check(shininess(), |m| {
         for lobe in [phong, blinn] {
             within(returned::<T>(lobe, UnitVec3::Z, m) - 1.0, tolerance::<T>(m))?;
@@ -101,8 +101,8 @@ fn normalized_highlight_returns_all_at_normal_incidence<T: Number + Exponent<T>>
     });
 }
 
-invariants! {
-    of numbers with real powers:
+properties! { energy:
+    [real powers]
     normalized_highlight_returns_no_more_than_arrives,
     normalized_highlight_returns_all_at_normal_incidence,
 }

@@ -3,10 +3,10 @@
 use proptest::prelude::*;
 use shading::{Vec3, half_vector, reflection, term};
 
-use crate::check::{check, equal, near, same, to_f64, within};
-use crate::exact::{determinant, dot, dot_difference, length, square_excess, sum_of_products};
-use crate::generators::{pair, shine};
-use crate::number::Number;
+use super::Number;
+use super::check::{check, equal, near, same, to_f64, within};
+use super::exact::{determinant, dot, dot_difference, length, square_excess, sum_of_products};
+use super::generators::{pair, shine};
 
 // The error of R = 2(N·L)N − L, in units of u: N·L is off by 2 (three products, and two partial
 // sums below 1), so 2(N·L)N is off by 4 along N and by 2 in the product; the difference adds 1.
@@ -132,7 +132,7 @@ fn mirrored_eye_sees_the_full_highlight<T: Number>() {
     });
 }
 
-invariants! {
+properties! { direction:
     reflection_keeps_the_length,
     reflection_keeps_the_angle_to_the_normal,
     reflection_is_its_own_inverse,

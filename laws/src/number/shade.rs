@@ -4,11 +4,11 @@ use proptest::prelude::*;
 use proptest::sample::Index;
 use shading::{IncidentLight, Material, Rgb, Shaded, term};
 
-use crate::check::{at_least, check, nearly, same, to_f64};
-use crate::generators::{
+use super::Number;
+use super::check::{at_least, check, nearly, same, to_f64};
+use super::generators::{
     MODELS, Model, Scene, adversarial_scene, light_color, model, pair, reflectance, scene, unit,
 };
-use crate::number::Number;
 
 /// (1) No light is negative.
 fn no_light_is_negative<T: Number>() {
@@ -300,7 +300,7 @@ fn is_far_from_underflow<T: Number>(scene: &Scene<T>, model: Model) -> bool {
     })
 }
 
-invariants! {
+properties! { shade:
     no_light_is_negative,
     light_is_additive,
     nothing_is_nan_or_overflows_early,

@@ -8,13 +8,13 @@ use shading::{
     Vec3, term,
 };
 
-use crate::check::{at_least, check, near, same, to_f64};
-use crate::exact;
-use crate::generators::{
+use super::Number;
+use super::check::{at_least, check, near, same, to_f64};
+use super::exact;
+use super::generators::{
     Relation, coefficients_of, direction, dyadic_point, light, light_color, model, point, rounded,
     scene, unit,
 };
-use crate::number::Number;
 
 /// (14) Tilting L toward N never lowers the diffuse term. The two dot products are off by 2u each:
 /// three products and two partial sums, none above 1. So pairs closer than 4u are left out.
@@ -188,7 +188,7 @@ fn map_position<T: Number>(light: Light<T>, f: impl Fn(Vec3<T>) -> Vec3<T>) -> L
     }
 }
 
-invariants! {
+properties! { motion:
     tilting_the_light_toward_the_normal_brightens,
     rotation_changes_nothing,
     half_a_turn_changes_nothing,

@@ -6,9 +6,9 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use shading::{Dual, Elementary, Real, UnitVec3, Vec3, normal};
 
-use crate::check::{check, equal, near, same, to_f64, within};
-use crate::exact::dot;
-use crate::number::Number;
+use super::Number;
+use super::check::{check, equal, near, same, to_f64, within};
+use super::exact::dot;
 
 /// A surface with both an implicit and a parametric form.
 #[derive(Clone, Copy, Debug)]
@@ -256,7 +256,7 @@ fn singular_points_have_no_normal<T: Number>() {
     });
 }
 
-invariants! {
+properties! { surface:
     implicit_and_parametric_normals_agree,
     factor_of_an_implicit_surface_does_not_matter,
     gradient_is_perpendicular_to_both_tangents,

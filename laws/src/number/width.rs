@@ -4,10 +4,10 @@
 use proptest::prelude::*;
 use shading::{IncidentLight, Material, UnitVec3, half_vector, reflection, term};
 
-use crate::check::{check, near, same, to_f64, within};
-use crate::exact::square_excess;
-use crate::generators::{Scene, adversarial_signed, model, pair, scene};
-use crate::number::Number;
+use super::Number;
+use super::check::{check, near, same, to_f64, within};
+use super::exact::square_excess;
+use super::generators::{Scene, adversarial_signed, model, pair, scene};
 
 fn wide<T: Number>(n: UnitVec3<T>) -> UnitVec3<f64> {
     n.cast(T::to_f64)
@@ -129,7 +129,7 @@ fn widened<T: Number>(scene: &Scene<T>) -> Scene<f64> {
     }
 }
 
-invariants! {
+properties! { width:
     directions_agree_with_double,
     shading_agrees_with_double,
     decisions_are_as_promised,
