@@ -210,9 +210,8 @@ impl Profile {
                 return Some((beyond, slack));
             }
         }
-        let levels = f64::from(self.bits?).exp2() - 1.0;
-        let level = reply * levels;
-        let off = (level - level.round()).abs();
-        (off > 0.01).then_some((off / levels, 0.01 / levels))
+        let level = self.level()?;
+        let off = (reply - (reply / level).round() * level).abs();
+        (off > 0.01 * level).then_some((off, 0.01 * level))
     }
 }

@@ -80,6 +80,8 @@ mistakes! {
     SrgbUnasked = "sRGB is applied where linear light was promised",
     /// x^(1/2.2) in place of the encoding of sRGB.
     Gamma22ForSrgb = "a gamma of 2.2 is applied for sRGB",
+    /// ⌊255 c⌋/255.
+    LevelsTruncated = "levels are truncated, not rounded",
     /// k_s k_d in place of k_s.
     HighlightTimesDiffuse = "k_s is multiplied by k_d",
     /// k_s I (N·H)^m N·L.

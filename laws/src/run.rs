@@ -310,13 +310,10 @@ impl<R: Renderer> Trial<'_, R> {
                 tree.complicate()
             };
         }
-        let agree = |mistake: &&Mistake| {
-            let mistakes = [**mistake];
-            let scenes = group.scenes.iter().zip(&replies);
-            self.agrees(&mistakes, scenes)
-        };
+        let suspects = Mistake::ALL.iter().copied();
+        let suspects = suspects.filter(|mistake| self.explains(*mistake, &group.scenes, &replies));
         Ok(Counterexample {
-            suspects: Mistake::ALL.iter().filter(agree).copied().collect(),
+            suspects: suspects.collect(),
             scenes: group
                 .scenes
                 .iter()
@@ -357,12 +354,24 @@ impl<R: Renderer> Trial<'_, R> {
             mistakes,
         };
         seen.all(|(scene, reply)| {
-            let expected = textbook.reply(scene);
-            (0..3).all(|i| {
-                let [low, high] = expected[i];
-                (low..=high).contains(&reply[i]) || low == f64::NEG_INFINITY
-            })
+            let expected = textbook.reply(scene).into_iter().zip(reply);
+            expected
+                .into_iter()
+                .all(|(ends, reply)| ends.is_none_or(|[low, high]| (low..=high).contains(reply)))
         })
+    }
+
+    /// Whether the mistake gives these colors, and the formulas do not.
+    fn explains(&self, mistake: Mistake, scenes: &[Scene], replies: &[Triple]) -> bool {
+        let textbook = Textbook {
+            profile: &self.profile,
+            mistakes: &[mistake],
+        };
+        let seen = || scenes.iter().zip(replies);
+        let has_answer = |scene| textbook.reply(scene).iter().all(Option::is_some);
+        scenes.iter().all(has_answer)
+            && self.agrees(&[mistake], seen())
+            && !self.agrees(&[], seen())
     }
 }
 

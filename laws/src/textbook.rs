@@ -272,19 +272,19 @@ impl Textbook<'_> {
         }
     }
 
-    /// The least and the largest reply that the renderer may give for each channel.
-    pub fn reply(&self, scene: &Scene) -> [[f64; 2]; 3] {
-        self.linear(scene)
-            .map(|c| {
-                if c.error.is_infinite() {
-                    return [f64::NEG_INFINITY, f64::INFINITY];
-                }
-                [c.value - c.error, c.value + c.error].map(|end| self.encoded(end))
-            })
-            .map(|[low, high]| {
-                let slack = self.profile.reply_slack(low.abs().max(high.abs()));
-                [low - slack, high + slack]
-            })
+    /// The least and the largest reply that the renderer may give for each channel, where the
+    /// formulas have an answer.
+    pub fn reply(&self, scene: &Scene) -> [Option<[f64; 2]>; 3] {
+        self.linear(scene).map(|c| {
+            let ends = [c.value - c.error, c.value + c.error];
+            let [low, high] = ends.map(|end| self.encoded(end));
+            let slack = self.profile.reply_slack(low.abs().max(high.abs()));
+            let below = match self.profile.level() {
+                Some(level) if self.has(Mistake::LevelsTruncated) => slack.max(level),
+                _ => slack,
+            };
+            c.error.is_finite().then_some([low - below, high + slack])
+        })
     }
 
     fn encoded(&self, linear: f64) -> f64 {
@@ -312,12 +312,15 @@ impl Profile {
         self.clamps.or(self.bits.map(|_| [0.0, 1.0]))
     }
 
+    /// The distance between two levels of a channel.
+    pub(crate) fn level(&self) -> Option<f64> {
+        Some(1.0 / (f64::from(self.bits?).exp2() - 1.0))
+    }
+
     /// How far a reply may be from the exact encoding: 0.6 of a level, as for Vulkan's normalized
     /// formats, or the error of a power in floating point.
     fn reply_slack(&self, size: f64) -> f64 {
-        let of_level = self
-            .bits
-            .map_or(0.0, |bits| 0.6 / (f64::from(bits).exp2() - 1.0));
+        let of_level = self.level().map_or(0.0, |level| 0.6 * level);
         let of_power = if self.srgb { 16.0 } else { 2.0 };
         of_level + of_power * self.roundoff * size
     }

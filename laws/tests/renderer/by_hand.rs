@@ -208,7 +208,12 @@ pub fn shade(scene: &Scene, profile: &Profile, mistakes: &[Mistake]) -> [f64; 3]
     }
     if let Some(bits) = profile.bits {
         let most = f64::from(bits).exp2() - 1.0;
-        return color.map(|c| (f64::from(c) * most).round() / most);
+        let level = if is(LevelsTruncated) {
+            f64::floor
+        } else {
+            f64::round
+        };
+        return color.map(|c| level(f64::from(c) * most) / most);
     }
     color.map(f64::from)
 }

@@ -14,7 +14,10 @@ fn report(renderer: &mut impl Renderer) -> Report {
 /// The kind of renderer in which the mistake shows.
 fn profile_that_shows(mistake: Mistake) -> Profile {
     match mistake {
-        Mistake::SrgbTwice | Mistake::SrgbForgotten | Mistake::Gamma22ForSrgb => profiles::bytes(),
+        Mistake::SrgbTwice
+        | Mistake::SrgbForgotten
+        | Mistake::Gamma22ForSrgb
+        | Mistake::LevelsTruncated => profiles::bytes(),
         Mistake::EachLightClamped => profiles::clamped(),
         _ => profiles::linear(),
     }
