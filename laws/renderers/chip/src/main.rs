@@ -1,10 +1,9 @@
 //! Shades scenes with `embedded-3dgfx`, a renderer for microcontrollers. It reads and writes the
 //! format of `../docs/format.md`.
 //!
-//! The crate has one directional light, white and of intensity 1, and a white highlight. So the
-//! mesh's color is k_d I, and each channel has a rendering of its own, with the highlight k_s I of
-//! that channel. It adds a tenth of the mesh's color as ambient light; the host measures that
-//! behind the terminator and subtracts it.
+//! The engine has one directional light, white and of intensity 1, and white highlights. So the
+//! color of the mesh is k_d I, and each channel of a scene is drawn by itself, with the highlight
+//! k_s I of that channel. It is drawn in green, which has the most bits of RGB565.
 
 use std::io::{self, BufRead, Write};
 
@@ -15,7 +14,7 @@ use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use nalgebra::{Matrix4, Point3, Vector3};
 use serde::Deserialize;
 
-const PROFILE: &str = r#"{"name":"embedded-3dgfx","models":["lambert","blinn_phong"],"ambient":false,"lights":["directional"],"most_lights":1,"unit_vectors":true,"clamps":[0,0.9],"bits":5,"highlight_on_the_dark_side":true}"#;
+const PROFILE: &str = r#"{"name":"embedded-3dgfx","models":["lambert","blinn_phong"],"ambient":false,"lights":["directional"],"most_lights":1,"unit_vectors":true,"bits":6,"highlight_on_the_dark_side":true}"#;
 
 type Triple = [f32; 3];
 
@@ -37,53 +36,14 @@ struct Light {
     l: Triple,
 }
 
-/// The channels of a color, from 0 to 1.
-fn channels(color: Rgb565) -> Triple {
-    [
-        f32::from(color.r()) / 31.0,
-        f32::from(color.g()) / 63.0,
-        f32::from(color.b()) / 31.0,
-    ]
-}
-
-/// The nearest color. `as` clamps.
-#[allow(clippy::cast_sign_loss)]
-fn nearest(color: Triple) -> Rgb565 {
-    let level = |x: f32, highest: f32| (x * highest).round().min(highest) as u8;
-    Rgb565::new(
-        level(color[0], 31.0),
-        level(color[1], 63.0),
-        level(color[2], 31.0),
-    )
-}
-
-/// The color that the engine gives a triangle.
-fn color(engine: &K3dengine, triangle: Geometry, color: Rgb565, mode: RenderMode) -> Triple {
-    let mut mesh = K3dMesh::new(triangle);
-    mesh.set_color(color);
-    mesh.set_render_mode(mode);
-    let mut commands = CommandBuffer::<8>::new();
-    engine
-        .record([&mesh], &mut commands, None)
-        .expect("room for one triangle");
-    let color = commands.iter().find_map(|command| match command {
-        RenderCommand::Draw(DrawPrimitive::ColoredTriangleWithDepth { color, .. }) => Some(*color),
-        RenderCommand::Draw(DrawPrimitive::GouraudTriangleWithDepth { colors, .. }) => {
-            Some(colors[0])
-        }
-        _ => None,
-    });
-    channels(color.expect("a triangle"))
-}
-
 fn shade(engine: &mut K3dengine, scene: &Scene) -> Triple {
     let Some(light) = scene.lights.first() else {
         return [0.0; 3];
     };
     let [p, n, v, l] = [scene.p, scene.n, scene.v, light.l].map(Vector3::from);
     engine.camera.position = Point3::from(p + v);
-
-    // around p, and tilted so that no eye sees its back
+    let light_dir = Vector3::new(l.x, l.y, -l.z); // the engine reverses z
+    // around p, and tilted so that no eye sees its back, which is not drawn
     let vertices = [p - 2.0 * n, p + n, p + n].map(Into::into);
     let triangle = Geometry {
         vertices: &vertices,
@@ -92,33 +52,44 @@ fn shade(engine: &mut K3dengine, scene: &Scene) -> Triple {
         vertex_normals: &[scene.n; 3],
         ..Geometry::default()
     };
-    let surface = nearest(std::array::from_fn(|i| scene.k_d[i] * light.intensity[i]));
-    // the engine turns the z of a light's direction around
-    let toward = |l: Vector3<f32>| Vector3::new(l.x, l.y, -l.z);
 
-    let ambient = color(
-        engine,
-        triangle,
-        surface,
-        RenderMode::GouraudLightDir(toward(-n)),
-    );
     std::array::from_fn(|i| {
+        let [k_d, k_s] = [scene.k_d, scene.k_s].map(|k| k[i] * light.intensity[i]);
         let mode = match scene.model.as_str() {
-            "lambert" => RenderMode::GouraudLightDir(toward(l)),
+            "lambert" => RenderMode::GouraudLightDir(light_dir),
             _ => RenderMode::BlinnPhong {
-                light_dir: toward(l),
-                specular_intensity: scene.k_s[i] * light.intensity[i],
+                light_dir,
+                specular_intensity: k_s,
                 shininess: scene.m,
             },
         };
-        let lit = color(engine, triangle, surface, mode)[i];
-        (lit - ambient[i]).clamp(0.0, 0.9)
+        let mut mesh = K3dMesh::new(triangle);
+        // the engine takes level 63 for 63/64
+        #[allow(clippy::cast_sign_loss)]
+        mesh.set_color(Rgb565::new(0, (k_d * 64.0).round().min(63.0) as u8, 0));
+        mesh.set_render_mode(mode);
+        drawn(engine, &mesh)
     })
+}
+
+/// The green that the engine gives a triangle.
+fn drawn(engine: &K3dengine, mesh: &K3dMesh) -> f32 {
+    let mut commands = CommandBuffer::<8>::new();
+    let recorded = engine.record([mesh], &mut commands, None);
+    recorded.expect("room for one triangle");
+    let color = commands.iter().find_map(|command| match command {
+        RenderCommand::Draw(DrawPrimitive::ColoredTriangleWithDepth { color, .. }) => Some(*color),
+        RenderCommand::Draw(DrawPrimitive::GouraudTriangleWithDepth { colors, .. }) => {
+            Some(colors[0])
+        }
+        _ => None,
+    });
+    f32::from(color.expect("a triangle").g()) / 63.0
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut engine = K3dengine::new(1, 1);
-    // otherwise the engine leaves the highlight out
+    // by default, the engine leaves highlights out
     engine.set_material_profile(MaterialProfile::SimpleSpecular);
     // every point is in view, at the only pixel
     engine.camera.vp_matrix = Matrix4::zeros();
