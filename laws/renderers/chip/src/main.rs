@@ -1,0 +1,113 @@
+//! Shades scenes with `embedded-3dgfx`, a renderer for microcontrollers. It reads and writes the
+//! format of `../docs/format.md`.
+//!
+//! The engine has one directional light, white and of intensity 1, and white highlights. So the
+//! color of the mesh is k_d I, and each channel of a scene is drawn by itself, with the highlight
+//! k_s I of that channel. It is drawn in green, which has the most bits of RGB565.
+
+use std::io::{self, BufRead, Write};
+
+use embedded_3dgfx::config::MaterialProfile;
+use embedded_3dgfx::pipeline::command_buffer::RenderCommand;
+use embedded_3dgfx::prelude::*;
+use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+use nalgebra::{Matrix4, Point3, Vector3};
+use serde::Deserialize;
+
+const PROFILE: &str = r#"{"name":"embedded-3dgfx","models":["lambert","blinn_phong"],"ambient":false,"lights":["directional"],"most_lights":1,"unit_vectors":true,"bits":6,"highlight_on_the_dark_side":true}"#;
+
+type Triple = [f32; 3];
+
+#[derive(Deserialize)]
+struct Scene {
+    model: String,
+    p: Triple,
+    n: Triple,
+    v: Triple,
+    k_d: Triple,
+    k_s: Triple,
+    m: f32,
+    lights: Vec<Light>,
+}
+
+#[derive(Deserialize)]
+struct Light {
+    intensity: Triple,
+    l: Triple,
+}
+
+fn shade(engine: &mut K3dengine, scene: &Scene) -> Triple {
+    let Some(light) = scene.lights.first() else {
+        return [0.0; 3];
+    };
+    let [p, n, v, l] = [scene.p, scene.n, scene.v, light.l].map(Vector3::from);
+    engine.camera.position = Point3::from(p + v);
+    let light_dir = Vector3::new(l.x, l.y, -l.z); // the engine reverses z
+    // around p, and tilted so that no eye sees its back, which is not drawn
+    let vertices = [p - 2.0 * n, p + n, p + n].map(Into::into);
+    let triangle = Geometry {
+        vertices: &vertices,
+        faces: &[[0, 1, 2]],
+        normals: &[scene.n],
+        vertex_normals: &[scene.n; 3],
+        ..Geometry::default()
+    };
+
+    std::array::from_fn(|i| {
+        let [k_d, k_s] = [scene.k_d, scene.k_s].map(|k| k[i] * light.intensity[i]);
+        let mode = match scene.model.as_str() {
+            "lambert" => RenderMode::GouraudLightDir(light_dir),
+            _ => RenderMode::BlinnPhong {
+                light_dir,
+                specular_intensity: k_s,
+                shininess: scene.m,
+            },
+        };
+        let mut mesh = K3dMesh::new(triangle);
+        // the engine takes level 63 for 63/64
+        #[allow(clippy::cast_sign_loss)]
+        mesh.set_color(Rgb565::new(0, (k_d * 64.0).round().min(63.0) as u8, 0));
+        mesh.set_render_mode(mode);
+        drawn(engine, &mesh)
+    })
+}
+
+/// The green that the engine gives a triangle.
+fn drawn(engine: &K3dengine, mesh: &K3dMesh) -> f32 {
+    let mut commands = CommandBuffer::<8>::new();
+    let recorded = engine.record([mesh], &mut commands, None);
+    recorded.expect("room for one triangle");
+    let color = commands.iter().find_map(|command| match command {
+        RenderCommand::Draw(DrawPrimitive::ColoredTriangleWithDepth { color, .. }) => Some(*color),
+        RenderCommand::Draw(DrawPrimitive::GouraudTriangleWithDepth { colors, .. }) => {
+            Some(colors[0])
+        }
+        _ => None,
+    });
+    f32::from(color.expect("a triangle").g()) / 63.0
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut engine = K3dengine::new(1, 1);
+    // by default, the engine leaves highlights out
+    engine.set_material_profile(MaterialProfile::SimpleSpecular);
+    // every point is in view, at the only pixel
+    engine.camera.vp_matrix = Matrix4::zeros();
+    engine.camera.vp_matrix[(3, 3)] = 1.0;
+
+    let mut output = io::BufWriter::new(io::stdout().lock());
+    for line in io::stdin().lock().lines() {
+        match line?.as_str() {
+            r#"{"shading-laws":1}"# => writeln!(output, "{PROFILE}")?,
+            "" => {}
+            scene => {
+                let color = shade(&mut engine, &serde_json::from_str(scene)?);
+                serde_json::to_writer(&mut output, &color)?;
+                writeln!(output)?;
+                continue;
+            }
+        }
+        output.flush()?;
+    }
+    Ok(())
+}

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Puts each renderer to the laws, or only those that you name: `run.sh mesa chip`. Fails if the outcome of a law is not
+# that of expected.txt. The reports are in target/reports. Installs what is missing.
+set -euo pipefail
+cd "$(dirname "$0")"
+. ../../tests/firmware/toolchain.sh
+mkdir -p target/reports
+
+# Each function builds a renderer and hands the command that starts it to `judge`.
+
+mesa() {
+    install_packages libosmesa6-dev
+    "${CC:-cc}" -std=c99 -O2 -Wall -Wextra -Werror mesa/host.c -lOSMesa -lm -o target/mesa
+    judge target/mesa
+}
+
+chip() {
+    cargo clippy --quiet -p chip -- -D warnings
+    cargo build --quiet --release -p chip
+    judge --cases 1000 target/release/chip # one law is broken in 1 % of the cases
+}
+
+# Runs the laws on a command, with the options before it, and compares the outcome of each with the expected one.
+judge() {
+    local report=target/reports/$renderer.txt status=0
+    cargo run --quiet --release --manifest-path ../../Cargo.toml -p shading-laws -- "$@" >"$report" || status=$?
+    cat "$report"
+    [ "$status" -le 1 ] || exit "$status"
+    # law, cases, verdict; up to the empty line after the table
+    awk -v renderer="$renderer" '
+        /^law / { in_table = 1; next }
+        in_table && !NF { exit }
+        in_table { print renderer, $1, $3 == "BROKEN" ? "broken" : $3 == "not" ? "not tried" : $3 }
+    ' "$report" | diff --unified=0 --label expected --label found <(grep "^$renderer " expected.txt) - || failed=1
+}
+
+renderers=(mesa chip)
+failed=0
+for renderer in "${@:-"${renderers[@]}"}"; do
+    [[ " ${renderers[*]} " == *" $renderer "* ]] || {
+        echo "there is no renderer $renderer; the renderers are: ${renderers[*]}" >&2
+        exit 2
+    }
+    printf '\n== %s\n' "$renderer"
+    SECONDS=0
+    "$renderer"
+    echo "== $renderer: $SECONDS s"
+done
+exit $failed
