@@ -95,7 +95,8 @@ impl Default for Profile {
 
 impl Profile {
     /// Why the profile is contradictory, if it is.
-    pub(crate) fn complaint(&self) -> Option<String> {
+    #[must_use]
+    pub fn complaint(&self) -> Option<String> {
         let complaint = if !(self.roundoff > 0.0 && self.roundoff < 0.01) {
             format!("roundoff is {}, not between 0 and 0.01", self.roundoff)
         } else if self.models.is_empty() {
