@@ -201,6 +201,9 @@ pub mod guide {
     #[doc = include_str!("../docs/recipes.md")]
     pub mod recipes {}
     #[cfg(not(doctest))] // its examples need other crates; `tests/features` runs them
+    #[doc = include_str!("../docs/renderers.md")]
+    pub mod renderers {}
+    #[cfg(not(doctest))] // its examples need other crates; `tests/features` runs them
     #[doc = include_str!("../docs/schema.md")]
     pub mod schema {}
     #[doc = include_str!("../docs/shader.md")]

@@ -91,3 +91,13 @@ pub use renderer::{Renderer, from_fn};
 pub use report::{Counterexample, LawReport, Report, Verdict};
 pub use run::{Laws, Progress, check};
 pub use scene::{Light, Material, Model, Scene, Triple};
+
+/// The format that the program `shading-laws` and a renderer speak.
+#[cfg(doc)]
+#[doc = include_str!("../docs/format.md")]
+pub mod format {}
+
+/// The README's code blocks, compiled as documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -114,9 +114,10 @@ fn run(arguments: Arguments) -> Result<(String, bool), String> {
 /// Each law and what it says, a line each.
 fn list() -> String {
     let width = Laws::names().map(|(name, _)| name.len()).max().unwrap_or(0);
-    Laws::names()
-        .map(|(name, says)| format!("{name:width$}  {says}\n"))
-        .collect()
+    let lines: Vec<String> = Laws::names()
+        .map(|(name, says)| format!("{name:width$}  {says}"))
+        .collect();
+    lines.join("\n") + "\n"
 }
 
 fn report(arguments: &Arguments) -> Result<Report, String> {

@@ -25,6 +25,8 @@ pub struct Scene {
 mod pages {
     #[doc = include_str!("../../../docs/buffers.md")]
     struct Buffers;
+    #[doc = include_str!("../../../docs/renderers.md")]
+    struct Renderers;
     #[doc = include_str!("../../../docs/schema.md")]
     struct Schema;
 }
