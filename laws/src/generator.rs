@@ -93,12 +93,14 @@ impl Profile {
 }
 
 /// An integer vector that is not 0.
-fn integers() -> impl Strategy<Value = Integers> {
+fn integers() -> BoxedStrategy<Integers> {
     let component = || prop_oneof![3 => -4..=4, 1 => -60..=60];
-    [component(), component(), component()].prop_map(|v| if v == [0; 3] { [0, 0, 1] } else { v })
+    let integers = [component(), component(), component()];
+    let integers = integers.prop_map(|v| if v == [0; 3] { [0, 0, 1] } else { v });
+    integers.boxed() // otherwise all of a scene's alternatives overflow the stack of a test
 }
 
-fn way() -> impl Strategy<Value = Way> {
+fn way() -> BoxedStrategy<Way> {
     prop_oneof![
         10 => integers().prop_map(Way::InFront),
         4 => integers().prop_map(Way::Anywhere),
@@ -106,6 +108,7 @@ fn way() -> impl Strategy<Value = Way> {
         1 => Just(Way::Along),
         1 => Just(Way::Against),
     ]
+    .boxed()
 }
 
 /// A multiple of 1/8 from 0 to `most`.
