@@ -96,8 +96,3 @@ pub use scene::{Light, Material, Model, Scene, Triple};
 #[cfg(doc)]
 #[doc = include_str!("../docs/format.md")]
 pub mod format {}
-
-/// The README's code blocks, compiled as documentation tests.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;

@@ -98,7 +98,7 @@ impl Renderer for Piped {
         }
         self.batches += 1;
 
-        let lines: Vec<String> = scenes.iter().map(format::scene).collect();
+        let lines: Vec<String> = scenes.iter().map(Scene::to_json).collect();
         self.process.write(lines.join("\n") + "\n\n");
         let mut colors = Vec::with_capacity(scenes.len());
         for (i, line) in lines.iter().enumerate() {
