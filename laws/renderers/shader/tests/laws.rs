@@ -1,0 +1,49 @@
+//! The shader under the laws, and mistakes that the laws find in it.
+
+use shader::{PHONG, Shader};
+use shading_laws::Mistake::{self, *};
+use shading_laws::{Laws, check};
+
+fn shader(wgsl: &str) -> Shader {
+    Shader::new(wgsl).expect("a Vulkan device, if only Mesa's")
+}
+
+#[test]
+fn the_shader_follows_the_laws() {
+    check(shader(PHONG));
+}
+
+/// The right code, a usual mistake in its place, and its name.
+#[rustfmt::skip] // a table
+const MISTAKES: [(&str, &str, Mistake); 11] = [
+    ("normalize(scene.n)", "scene.n", NormalNotNormalized),
+    ("normalize(scene.v)", "scene.v", ViewNotNormalized),
+    ("l = to_light / q", "l = to_light", LightNotNormalized),
+    ("reflect(-l, n)", "reflect(l, n)", ReflectionReversed),
+    ("normalize(l + v)", "l + v", HalfVectorNotNormalized),
+    ("normalize(l + v)", "(l + v) / 2", HalfVectorHalved),
+    ("let n_dot_l = dot(n, l);\n        if n_dot_l <= 0 { continue; }", "let n_dot_l = max(dot(n, l), 0);", HighlightNotGated),
+    ("color += scene.k_s * intensity", "color += scene.k_s * light.intensity", HighlightNotAttenuated),
+    ("i < scene.count", "i < min(scene.count, 1)", FirstLightOnly),
+    ("dot(-l, light.axis)", "dot(l, light.axis)", ConeReversed),
+    ("cos_angle { continue; }", "cos_angle { }", ConeForgotten),
+];
+
+#[test]
+fn usual_mistakes_are_found_and_named() {
+    for (right, wrong, mistake) in MISTAKES {
+        assert_eq!(PHONG.matches(right).count(), 1, "{right}");
+        let mut shader = shader(&PHONG.replace(right, wrong));
+        let report = Laws::new().run(&mut shader).expect("colors");
+        assert_eq!(report.causes, [[mistake]], "{wrong}: {report}");
+    }
+}
+
+#[test]
+fn the_page_shows_the_host() {
+    let (_, host) = include_str!("../README.md")
+        .split_once("```rust\n")
+        .expect("Rust");
+    let (host, _) = host.split_once("```").expect("its end");
+    assert!(include_str!("../src/lib.rs").contains(host));
+}
