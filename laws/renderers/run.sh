@@ -20,6 +20,26 @@ chip() {
     judge --cases 1000 target/release/chip # one law is broken in 1 % of the cases
 }
 
+shader() {
+    install_packages libvulkan1 mesa-vulkan-drivers
+    cargo clippy --quiet -p shader --all-targets -- -D warnings
+    cargo test --quiet --release -p shader
+    cargo build --quiet --release -p shader
+    judge target/release/shader
+}
+
+web() {
+    command -v "${CHROMIUM:-chromium}" >/dev/null || install_packages chromium
+    command -v npm >/dev/null || install_packages nodejs npm
+    npm ci --prefix web --silent --no-audit --no-fund --ignore-scripts
+    judge --timeout 60 node web/host.mjs
+}
+
+# the same, which says of itself what its formula says
+web_said() {
+    judge --timeout 60 node web/host.mjs '{"clamps":[0,1],"highlight_on_the_dark_side":true}'
+}
+
 # Runs the laws on a command, with the options before it, and compares the outcome of each with the expected one.
 judge() {
     local report=target/reports/$renderer.txt status=0
@@ -34,7 +54,7 @@ judge() {
     ' "$report" | diff --unified=0 --label expected --label found <(grep "^$renderer " expected.txt) - || failed=1
 }
 
-renderers=(mesa chip)
+renderers=(mesa chip shader web web_said)
 failed=0
 for renderer in "${@:-"${renderers[@]}"}"; do
     [[ " ${renderers[*]} " == *" $renderer "* ]] || {
