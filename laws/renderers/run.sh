@@ -5,6 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")"
 . ../../tests/firmware/toolchain.sh
 mkdir -p target/reports
+cargo fmt --all --check
 
 # Each function builds a renderer and hands the command that starts it to `judge`.
 

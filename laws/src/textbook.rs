@@ -265,8 +265,8 @@ impl Textbook<'_> {
         let m = scene.material.m;
         if !self.has(Mistake::PowerNotClamped) {
             cosine.at_least_zero().power(m)
-        } else if cosine.value < cosine.error && m.fract() != 0.0 {
-            Bounded::UNKNOWN // a fractional power of a negative number
+        } else if cosine.value < cosine.error {
+            Bounded::UNKNOWN // a shader's power of a negative number may be anything
         } else {
             cosine.power(m)
         }
