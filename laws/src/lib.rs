@@ -70,19 +70,27 @@
 
 #![allow(clippy::float_cmp)] // special cases are exact
 
+// a number type
+pub mod number;
+
+// a renderer: each paragraph uses the ones above it
+mod mistake;
+mod profile;
+mod renderer;
+mod scene;
+
+// the right color, how far a renderer may be from it, and the colors of mistakes
 mod bounded;
+mod reference;
+mod textbook;
+
+// scenes, and what must hold between their colors
 mod claim;
 mod generator;
 mod law;
-mod mistake;
-pub mod number;
-mod profile;
-mod reference;
-mod renderer;
+
 mod report;
 mod run;
-mod scene;
-mod textbook;
 
 pub use mistake::Mistake;
 pub use number::Number;
