@@ -23,6 +23,7 @@ chip() {
 
 shader() {
     install_packages libvulkan1 mesa-vulkan-drivers
+    export XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-$PWD/target} # Mesa asks for it
     cargo clippy --quiet -p shader --all-targets -- -D warnings
     cargo test --quiet --release -p shader
     cargo build --quiet --release -p shader

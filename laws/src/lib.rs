@@ -51,7 +51,7 @@
 //! into a test, and names the [`Mistake`] that gives the same colors:
 //!
 //! ```text
-//! dark_side             256  BROKEN in 232
+//! dark_side    256  BROKEN in 86
 //!
 //! Likely cause: every color of this run is that of the formulas with this mistake:
 //!   the highlight is not gated on N·L > 0, so faces turned away from a light have one
@@ -93,6 +93,7 @@ mod report;
 mod run;
 
 pub use mistake::Mistake;
+#[doc(inline)]
 pub use number::Number;
 pub use profile::Profile;
 pub use renderer::{Renderer, from_fn};
