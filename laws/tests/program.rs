@@ -209,8 +209,8 @@ fn a_wrong_start_is_refused() {
     ); // says what it hears
     refused(start("echo ready"), &["expected a JSON object", "ready"]);
     refused(
-        start(r#"echo '{"colour":1}'"#),
-        &[r#""colour": there is no such member"#],
+        start(r#"echo '{"hue":1}'"#),
+        &[r#""hue": there is no such member"#],
     );
     refused(
         start(r#"echo '{"bits":"8"}'"#),

@@ -47,3 +47,8 @@ fn the_page_shows_the_host() {
     let (host, _) = host.split_once("```").expect("its end");
     assert!(include_str!("../src/lib.rs").contains(host));
 }
+
+#[test]
+fn the_guide_shows_the_shader() {
+    assert!(include_str!("../../../../docs/renderers.md").contains(PHONG));
+}
