@@ -9,6 +9,7 @@ use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use clap::builder::PossibleValuesParser;
@@ -79,6 +80,12 @@ fn seconds(text: &str) -> Result<Duration, String> {
     Ok(duration)
 }
 
+/// Ctrl-C was pressed. The renderer is killed then, and that it ended is no news.
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+
+/// The exit status of a program that was interrupted.
+const INTERRUPT: u8 = 130;
+
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     match run(arguments) {
@@ -87,6 +94,7 @@ fn main() -> ExitCode {
             let _ = io::stdout().write_all(text.as_bytes());
             ExitCode::from(u8::from(is_broken))
         }
+        Err(_) if INTERRUPTED.load(Ordering::SeqCst) => ExitCode::from(INTERRUPT),
         Err(why) => {
             let _ = writeln!(io::stderr(), "shading-laws: {why}");
             ExitCode::from(2)
@@ -134,8 +142,9 @@ fn report(arguments: &Arguments) -> Result<Report, String> {
     let mut renderer = Piped::start(&arguments.command, arguments.timeout, |process| {
         let kill = process.killer();
         let handler = move || {
+            INTERRUPTED.store(true, Ordering::SeqCst);
             kill();
-            std::process::exit(130);
+            std::process::exit(INTERRUPT.into());
         };
         ctrlc::set_handler(handler).map_err(|error| error.to_string())
     })?;
