@@ -197,21 +197,3 @@ impl Claim {
         is_broken.then_some((sum, allowed + spread))
     }
 }
-
-impl Profile {
-    fn is_not_as_said(&self, reply: f64) -> Option<(f64, f64)> {
-        let slack = 4.0 * self.roundoff;
-        if !reply.is_finite() {
-            return None;
-        }
-        if let Some([low, high]) = self.range() {
-            let beyond = (reply - high).max(low - reply);
-            if beyond > slack {
-                return Some((beyond, slack));
-            }
-        }
-        let level = self.level()?;
-        let off = (reply - (reply / level).round() * level).abs();
-        (off > 0.01 * level).then_some((off, 0.01 * level))
-    }
-}

@@ -82,6 +82,7 @@ mod scene;
 // the right color, how far a renderer may be from it, and the colors of mistakes
 mod bounded;
 mod reference;
+mod reply;
 mod textbook;
 
 // scenes, and what must hold between their colors
@@ -91,6 +92,7 @@ mod law;
 
 mod report;
 mod run;
+mod trial;
 
 pub use mistake::Mistake;
 #[doc(inline)]

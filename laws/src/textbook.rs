@@ -8,6 +8,7 @@ use crate::bounded::{
 };
 use crate::mistake::Mistake;
 use crate::profile::Profile;
+use crate::reply::to_srgb;
 use crate::scene::{Light, Model, Scene};
 
 /// The formulas with these mistakes in them.
@@ -304,58 +305,6 @@ impl Textbook<'_> {
         };
         clamp(x)
     }
-}
-
-impl Profile {
-    /// The range of its colors. Levels end at 0 and 1.
-    pub(crate) fn range(&self) -> Option<[f64; 2]> {
-        self.clamps.or(self.bits.map(|_| [0.0, 1.0]))
-    }
-
-    /// The distance between two levels of a channel.
-    pub(crate) fn level(&self) -> Option<f64> {
-        Some(1.0 / (f64::from(self.bits?).exp2() - 1.0))
-    }
-
-    /// How far a reply may be from the exact encoding: 0.6 of a level, as for Vulkan's normalized
-    /// formats, or the error of a power in floating point.
-    fn reply_slack(&self, size: f64) -> f64 {
-        let of_level = self.level().map_or(0.0, |level| 0.6 * level);
-        let of_power = if self.srgb { 16.0 } else { 2.0 };
-        of_level + of_power * self.roundoff * size
-    }
-
-    /// The least and the largest linear light that the renderer may have meant by a reply.
-    pub(crate) fn meant(&self, reply: f64) -> [f64; 2] {
-        let slack = self.reply_slack(reply.abs());
-        let ends = [reply - slack, reply + slack];
-        let mut ends = if self.srgb { ends.map(from_srgb) } else { ends };
-        if self.range().is_some_and(|[_, high]| reply >= high - slack) {
-            ends[1] = f64::INFINITY;
-        }
-        ends
-    }
-}
-
-/// The encoding of sRGB (IEC 61966-2-1), odd about 0.
-fn to_srgb(x: f64) -> f64 {
-    let size = x.abs();
-    let encoded = if size <= 0.003_130_8 {
-        12.92 * size
-    } else {
-        1.055 * size.powf(1.0 / 2.4) - 0.055
-    };
-    encoded.copysign(x)
-}
-
-fn from_srgb(y: f64) -> f64 {
-    let size = y.abs();
-    let decoded = if size <= 0.040_45 {
-        size / 12.92
-    } else {
-        ((size + 0.055) / 1.055).powf(2.4)
-    };
-    decoded.copysign(y)
 }
 
 #[cfg(test)]

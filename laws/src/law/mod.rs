@@ -89,11 +89,6 @@ impl Law {
     }
 }
 
-use Need::{
-    Ambient, AnyLength, GatedHighlight, Highlight, Lamp, PointAndSpot, PointLight, SpotLight, Sun,
-    TwoLights,
-};
-
 /// Every law, in the order of the report.
 pub const LAWS: &[Law] = &[
     Law::new("finite", "every color is finite", &[], single::finite),
@@ -118,25 +113,25 @@ pub const LAWS: &[Law] = &[
     Law::new(
         "ambient_alone",
         "without lights there is k_a I_a",
-        &[Ambient],
+        &[Need::Ambient],
         single::ambient_alone,
     ),
     Law::new(
         "additive",
         "the light of several lights is the sum of the light of each",
-        &[TwoLights],
+        &[Need::TwoLights],
         light::additive,
     ),
     Law::new(
         "order",
         "the order of the lights does not matter",
-        &[TwoLights],
+        &[Need::TwoLights],
         light::order,
     ),
     Law::new(
         "black_light",
         "a black light changes nothing",
-        &[TwoLights],
+        &[Need::TwoLights],
         light::black_light,
     ),
     Law::new(
@@ -172,7 +167,7 @@ pub const LAWS: &[Law] = &[
     Law::new(
         "behind",
         "a light behind the surface adds nothing",
-        &[TwoLights],
+        &[Need::TwoLights],
         light::behind,
     ),
     Law::new(
@@ -184,61 +179,61 @@ pub const LAWS: &[Law] = &[
     Law::new(
         "toward_the_normal",
         "a light that is tilted toward the normal does not darken a diffuse surface",
-        &[Lamp],
+        &[Need::Lamp],
         direction::toward_the_normal,
     ),
     Law::new(
         "both_reversed",
         "with N and every L reversed, a diffuse surface looks the same",
-        &[Lamp],
+        &[Need::Lamp],
         direction::both_reversed,
     ),
     Law::new(
         "length_of_n",
         "the length of the vector along N does not matter",
-        &[AnyLength],
+        &[Need::AnyLength],
         direction::length_of_n,
     ),
     Law::new(
         "length_of_v",
         "the distance of the eye does not matter",
-        &[AnyLength],
+        &[Need::AnyLength],
         direction::length_of_v,
     ),
     Law::new(
         "mirror",
         "seen in the mirror direction, the highlight is k_s I",
-        &[Highlight, Lamp],
+        &[Need::Highlight, Need::Lamp],
         single::mirror,
     ),
     Law::new(
         "eye_for_light",
         "the highlight is the same with eye and light exchanged",
-        &[Highlight, Lamp],
+        &[Need::Highlight, Need::Lamp],
         direction::eye_for_light,
     ),
     Law::new(
         "shininess",
         "a higher shininess does not brighten",
-        &[Highlight],
+        &[Need::Highlight],
         material::shininess,
     ),
     Law::new(
         "dark_side",
         "a highlight needs N·L > 0",
-        &[GatedHighlight],
+        &[Need::GatedHighlight],
         light::dark_side,
     ),
     Law::new(
         "distance",
         "a lamp farther away in the same direction does not brighten",
-        &[PointLight],
+        &[Need::PointLight],
         light::distance,
     ),
     Law::new(
         "far_lamp",
         "a lamp far away that is not attenuated is a directional light",
-        &[Sun],
+        &[Need::Sun],
         light::far_lamp,
     ),
     Law::new(
@@ -262,13 +257,13 @@ pub const LAWS: &[Law] = &[
     Law::new(
         "cone",
         "a spot is a point light within its cone, and dark outside",
-        &[PointAndSpot],
+        &[Need::PointAndSpot],
         light::cone,
     ),
     Law::new(
         "wider_cone",
         "a wider cone does not darken",
-        &[SpotLight],
+        &[Need::SpotLight],
         light::wider_cone,
     ),
     Law::new(

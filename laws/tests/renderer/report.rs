@@ -133,6 +133,11 @@ fn what_prevents_a_report_is_said_in_one_line() {
     );
 
     let mut black = from_fn(profiles::linear(), |_| [0.0; 3]);
+    let error = Laws::new().cases(0).run(&mut black);
+    assert_eq!(
+        error.expect_err("nothing to try"),
+        "the number of cases is 0"
+    );
     let error = Laws::new()
         .only("gravity")
         .run(&mut black)
