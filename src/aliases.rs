@@ -1,5 +1,25 @@
 //! The types of a scene in one number type, so that constants need not name the number type.
 
+macro_rules! types {
+    ($number:ty) => {
+        pub type Vec3 = crate::Vec3<$number>;
+        pub type UnitVec3 = crate::UnitVec3<$number>;
+        pub type Rgb = crate::Rgb<$number>;
+        pub type Dual = crate::Dual<$number>;
+        pub type Attenuation = crate::Attenuation<$number>;
+        pub type Ranged = crate::Ranged<$number>;
+        pub type Cone = crate::Cone<$number>;
+        pub type SoftCone = crate::SoftCone<$number>;
+        pub type IncidentLight = crate::IncidentLight<$number>;
+        pub type DirectionalLight = crate::DirectionalLight<$number>;
+        pub type PointLight<A = Attenuation> = crate::PointLight<$number, A>;
+        pub type SpotLight<C = Cone, A = Attenuation> = crate::SpotLight<$number, C, A>;
+        pub type Light = crate::Light<$number>;
+        pub type Material<M = u32> = crate::Material<$number, M>;
+        pub type Shaded = crate::Shaded<$number>;
+    };
+}
+
 macro_rules! aliases {
     ($float:ident) => {
         #[doc = concat!("The types of a scene in `", stringify!($float), "`.")]
@@ -27,24 +47,39 @@ macro_rules! aliases {
         /// ```
         #[allow(missing_docs)] // each is documented where it is defined
         pub mod $float {
-            pub type Vec3 = crate::Vec3<$float>;
-            pub type UnitVec3 = crate::UnitVec3<$float>;
-            pub type Rgb = crate::Rgb<$float>;
-            pub type Dual = crate::Dual<$float>;
-            pub type Attenuation = crate::Attenuation<$float>;
-            pub type Ranged = crate::Ranged<$float>;
-            pub type Cone = crate::Cone<$float>;
-            pub type SoftCone = crate::SoftCone<$float>;
-            pub type IncidentLight = crate::IncidentLight<$float>;
-            pub type DirectionalLight = crate::DirectionalLight<$float>;
-            pub type PointLight<A = Attenuation> = crate::PointLight<$float, A>;
-            pub type SpotLight<C = Cone, A = Attenuation> = crate::SpotLight<$float, C, A>;
-            pub type Light = crate::Light<$float>;
-            pub type Material<M = u32> = crate::Material<$float, M>;
-            pub type Shaded = crate::Shaded<$float>;
+            types!($float);
         }
     };
 }
 
 aliases!(f32);
 aliases!(f64);
+
+/// The types of a scene in [`Fixed`](crate::Fixed).
+///
+/// The constructors that work in constants take `Fixed`, which [`Fixed::new`](crate::Fixed::new)
+/// makes of a literal:
+///
+/// ```
+/// use shading::Fixed;
+/// use shading::fixed::{Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3};
+///
+/// const fn x(literal: f64) -> Fixed {
+///     Fixed::new(literal)
+/// }
+/// static SPOT: SpotLight = SpotLight {
+///     point: PointLight {
+///         position: Vec3::new(x(0.0), x(3.0), x(0.0)),
+///         intensity: Rgb::WHITE,
+///         attenuation: Attenuation::new(x(1.0), x(0.0), x(0.25)).unwrap(),
+///     },
+///     axis: UnitVec3::normalized(x(0.1), x(-1.0), x(0.0)).unwrap(),
+///     cone: Cone::from_half_angle(x(0.5)).unwrap(),
+/// };
+/// assert!(SPOT.at(Vec3::ZERO).intensity.r > x(0.0));
+/// ```
+#[cfg(feature = "fixed")]
+#[allow(missing_docs)] // each is documented where it is defined
+pub mod fixed {
+    types!(crate::Fixed);
+}

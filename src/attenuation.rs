@@ -108,6 +108,17 @@ pub struct Attenuation<T = f32> {
 }
 
 impl<T: Real> Attenuation<T> {
+    /// An attenuation whose coefficients have been checked.
+    #[cfg(feature = "fixed")]
+    pub(crate) const fn unchecked(a: T, b: T, c: T) -> Self {
+        Self {
+            a,
+            b,
+            c,
+            clamped: NO,
+        }
+    }
+
     /// No attenuation: the factor is exactly 1 at every finite distance.
     ///
     /// ```
@@ -244,6 +255,11 @@ impl<T: Real> Falloff<T> for Attenuation<T> {
     // small chips.
     #[inline(always)]
     fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T> {
+        if T::IS_FIXED {
+            let least = if self.clamped == YES { T::ONE } else { T::ZERO };
+            let denominator = (self.a + q * (self.b + self.c * q)).at_least(least);
+            return T::quotients((*intensity).into(), denominator).into();
+        }
         let factor = self.unlimited(q);
         // a factor of up to 1 can neither exceed the limit nor overflow
         if factor.any_outside(T::ZERO, T::ONE) {

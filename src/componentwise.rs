@@ -56,7 +56,7 @@ macro_rules! componentwise {
             type Output = Self;
             #[inline]
             fn mul(self, factor: T) -> Self {
-                Self::new(self.$x * factor, self.$y * factor, self.$z * factor)
+                T::scaled(self.into(), factor).into()
             }
         }
 

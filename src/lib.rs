@@ -162,6 +162,8 @@ pub mod shade;
 mod aliases;
 mod features;
 
+#[cfg(feature = "fixed")]
+pub use aliases::fixed;
 pub use aliases::{f32, f64};
 pub use attenuation::{Attenuation, Falloff, attenuation};
 pub use cone::{Beam, Cone};
@@ -169,6 +171,8 @@ pub use direction::{half_vector, reflection};
 pub use dual::Dual;
 pub use elementary::Elementary;
 pub use exponent::Exponent;
+#[cfg(feature = "fixed")]
+pub use features::Fixed;
 #[cfg(feature = "wide")]
 pub use features::Lanes;
 pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};

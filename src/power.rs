@@ -42,7 +42,9 @@ const OCTAVE: u32 = 0x0080_0000;
 #[inline]
 pub(crate) fn integer_power<T: Real>(m: u32) -> impl Fn(T) -> T {
     let is_wider = (T::MAX - T::of_f32(f32::MAX)).any_positive();
-    let (least, top, m) = if m == 0 {
+    let (least, top, m) = if T::IS_FIXED {
+        (T::ZERO, T::ONE, m)
+    } else if m == 0 {
         // the first power of a cosine, where every cosine above 0 counts as 1
         (T::ZERO, T::ZERO, 1)
     } else if is_wider {
@@ -51,6 +53,9 @@ pub(crate) fn integer_power<T: Real>(m: u32) -> impl Fn(T) -> T {
         (T::of_f32(least_normal_base(m)), T::ONE, m)
     };
     move |cosine: T| {
+        if let Some(power) = cosine.power_of_cosine(m) {
+            return power;
+        }
         let cosine = cosine.if_above(top, T::ONE, cosine);
         by_squaring(cosine.if_above(least, cosine, T::ZERO), m)
     }

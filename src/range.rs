@@ -31,6 +31,12 @@ pub struct Ranged<T = f32> {
 }
 
 impl<T: Real> Ranged<T> {
+    /// A range that has been checked.
+    #[cfg(feature = "fixed")]
+    pub(crate) const fn unchecked(attenuation: Attenuation<T>, range: T) -> Self {
+        Self { attenuation, range }
+    }
+
     /// The factor at the distance q ≥ 0.
     ///
     /// ```text

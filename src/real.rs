@@ -148,6 +148,66 @@ pub trait Real:
         let outside = (self - low).if_positive(Self::ZERO, Self::ONE);
         (high - self).if_positive(outside, Self::ONE).any_positive()
     }
+
+    // what is computed of three numbers at once
+
+    /// The dot product.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn dot([ax, ay, az]: [Self; 3], [bx, by, bz]: [Self; 3]) -> Self {
+        ax * bx + ay * by + az * bz
+    }
+
+    /// Each number times a factor.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn scaled([x, y, z]: [Self; 3], factor: Self) -> [Self; 3] {
+        [x * factor, y * factor, z * factor]
+    }
+
+    // for numbers that are evenly spaced
+
+    /// Whether neighboring numbers have the same distance everywhere. Such numbers lose their relative
+    /// precision toward 0, and the formulas call the methods below.
+    #[doc(hidden)]
+    const IS_FIXED: bool = false;
+
+    /// Each number divided by a divisor.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn quotients([x, y, z]: [Self; 3], divisor: Self) -> [Self; 3] {
+        [x / divisor, y / divisor, z / divisor]
+    }
+
+    /// The vector times a power of two that makes it neither so long that its square overflows nor so
+    /// short that it loses bits.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn tamed(v: [Self; 3]) -> [Self; 3] {
+        v
+    }
+
+    /// The direction and the length of a vector; both are 0 for the zero vector.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn unit_and_length(v: [Self; 3]) -> ([Self; 3], Self) {
+        let length = Self::dot(v, v).sqrt();
+        (Self::quotients(v, length), length)
+    }
+
+    /// An integer power of a cosine, if the type has a better way than to square itself.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn power_of_cosine(self, m: u32) -> Option<Self> {
+        let _ = m;
+        None
+    }
 }
 
 /// A constant as the sum of three numbers in single precision, split by the compiler.

@@ -22,7 +22,13 @@ pub(crate) fn tame<T: Real>(v: Vec3<T>) -> Vec3<T> {
         let [shrink, grow] = scales(v.dot(v));
         shrink * grow
     }
-    if is_extreme(v.dot(v)) { v * cold(v) } else { v }
+    if T::IS_FIXED {
+        T::tamed(v.into()).into()
+    } else if is_extreme(v.dot(v)) {
+        v * cold(v)
+    } else {
+        v
+    }
 }
 
 /// `to` − `from`, tamed.
@@ -35,7 +41,9 @@ pub(crate) fn tame_difference<T: Real>(to: Vec3<T>, from: Vec3<T>) -> Vec3<T> {
         extreme_difference(to, from, difference.dot(difference)).0
     }
     let difference = to - from;
-    if is_extreme(difference.dot(difference)) {
+    if T::IS_FIXED {
+        tame(difference)
+    } else if is_extreme(difference.dot(difference)) {
         cold(to, from)
     } else {
         difference

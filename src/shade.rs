@@ -93,6 +93,7 @@ use crate::real::Real;
 use crate::rgb::Rgb;
 use crate::term;
 use crate::unit::UnitVec3;
+use crate::vector::Vec3;
 
 /// The light that a point reflects to the eye, in three parts.
 ///
@@ -278,8 +279,13 @@ pub fn blinn_phong<T: Real, M: Exponent<T>>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    let half = material.m.half();
+    // in fixed point, the square of a short h is not worth a power of half the exponent
+    let half = material.m.half().filter(|_| !T::IS_FIXED);
     let n_dot_h = |l| {
+        if T::IS_FIXED {
+            let (h, _) = T::unit_and_length(between(l, v).into());
+            return n.dot(Vec3::from(h));
+        }
         let square = term::n_dot_h_squared(n, between(l, v));
         if half.is_some() {
             square

@@ -183,7 +183,7 @@ impl<T: Copy> From<Cone<T>> for SoftCone<T> {
 }
 
 impl<T: Copy> SoftCone<T> {
-    const fn between(inner: Cone<T>, outer: Cone<T>) -> Self {
+    pub(crate) const fn between(inner: Cone<T>, outer: Cone<T>) -> Self {
         Self {
             inner: inner.cosine,
             outer: outer.cosine,

@@ -27,6 +27,9 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn length(self) -> T {
+        if T::IS_FIXED {
+            return T::unit_and_length(self.into()).1;
+        }
         let square = self.dot(self);
         if is_extreme(square) {
             let (tame, scale) = extreme_difference(self, Self::ZERO, square);
@@ -60,6 +63,10 @@ impl<T: Real> Vec3<T> {
     where
         T: PartialOrd,
     {
+        if T::IS_FIXED {
+            let (unit, length) = T::unit_and_length(self.into());
+            return (length > T::ZERO).then(|| UnitVec3(unit.into()));
+        }
         let tame = tame(self);
         let length = tame.dot(tame).sqrt();
         (length > T::ZERO && length <= T::MAX).then(|| UnitVec3(tame / length))
@@ -77,6 +84,15 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn unit_or(self, fallback: UnitVec3<T>) -> UnitVec3<T> {
+        if T::IS_FIXED {
+            let (unit, length) = T::unit_and_length(self.into());
+            let is_zero = !length.any_positive();
+            return if is_zero {
+                fallback
+            } else {
+                UnitVec3(unit.into())
+            };
+        }
         let tame = tame(self);
         let length = tame.dot(tame).sqrt();
         // positive if the length is neither zero nor infinite nor NaN

@@ -8,6 +8,8 @@ mod approx;
 mod bytemuck;
 #[cfg(feature = "defmt")]
 mod defmt;
+#[cfg(feature = "fixed")]
+mod fixed;
 #[cfg(feature = "mint")]
 mod mint;
 #[cfg(feature = "serde")]
@@ -15,5 +17,7 @@ mod serde;
 #[cfg(feature = "wide")]
 mod wide;
 
+#[cfg(feature = "fixed")]
+pub use fixed::Fixed;
 #[cfg(feature = "wide")]
 pub use wide::Lanes;

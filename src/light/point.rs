@@ -156,6 +156,9 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     /// The light at p, given P_light − p.
     #[inline(always)]
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>) -> IncidentLight<T> {
+        if T::IS_FIXED {
+            return self.along_direction(to_light);
+        }
         let square = to_light.dot(to_light);
         let (l, q, distance) = if is_extreme(square) {
             self.extreme_way(p.into(), square)
@@ -168,6 +171,25 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
             l,
             intensity,
             distance,
+        }
+    }
+
+    /// [`along`](PointLight::along) in numbers that need not be scaled.
+    #[inline(always)]
+    fn along_direction(&self, to_light: Vec3<T>) -> IncidentLight<T> {
+        let (l, q) = T::unit_and_length(to_light.into());
+        if q.any_positive() {
+            IncidentLight {
+                l: UnitVec3::assume_unit(l.into()),
+                intensity: self.attenuation.dim(&self.intensity, q),
+                distance: q,
+            }
+        } else {
+            IncidentLight {
+                l: UnitVec3::Z,
+                intensity: Rgb::BLACK,
+                distance: T::MAX,
+            }
         }
     }
 

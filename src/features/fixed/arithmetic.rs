@@ -1,0 +1,262 @@
+//! The operators, the square root and powers.
+//!
+//! Sums saturate. Products are rounded once, to the nearest step, and a tie goes up.
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use super::{Fixed, ONE};
+use crate::rgb::Rgb;
+use crate::vector::Vec3;
+
+/// Whether the processor multiplies 32 bits by 32 bits to 64. Of Arm's cores without atomic
+/// operations, the Cortex-M0 is the one in use, and it has no such instruction.
+pub(super) const LONG_MULTIPLY: bool =
+    !cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+
+/// The upper half of a product.
+#[inline]
+pub(super) const fn upper(a: u32, b: u32) -> u32 {
+    if LONG_MULTIPLY {
+        ((a as u64 * b as u64) >> 32) as u32
+    } else {
+        by_halves::upper(a, b)
+    }
+}
+
+/// The upper half of a product with sign.
+#[inline]
+pub(super) const fn upper_signed(a: i32, b: i32) -> i32 {
+    if LONG_MULTIPLY {
+        ((a as i64 * b as i64) >> 32) as i32
+    } else {
+        // read without signs, a negative number is too large by 2³²
+        (by_halves::upper(a as u32, b as u32) as i32)
+            .wrapping_sub(a >> 31 & b)
+            .wrapping_sub(b >> 31 & a)
+    }
+}
+
+/// A number times a share in units of 2⁻³², rounded.
+#[inline]
+pub(super) const fn part(number: i32, share: u32) -> i32 {
+    if LONG_MULTIPLY {
+        let product = number as i64 * share as i64;
+        (product >> 32) as i32 + (product as u32 >> 31) as i32
+    } else {
+        by_halves::part(number, share)
+    }
+}
+
+/// The whole product.
+#[inline]
+pub(super) const fn product64(a: i32, b: i32) -> i64 {
+    if LONG_MULTIPLY {
+        a as i64 * b as i64
+    } else {
+        by_halves::product64(a, b)
+    }
+}
+
+/// The product of two numbers in steps, rounded and saturated.
+#[inline]
+fn product(a: i32, b: i32) -> i32 {
+    if LONG_MULTIPLY {
+        let steps = (a as i64 * b as i64 + 0x8000) >> 16;
+        if i64::from(steps as i32) == steps {
+            steps as i32
+        } else {
+            (a ^ b) >> 31 ^ i32::MAX
+        }
+    } else {
+        by_halves::product(a, b)
+    }
+}
+
+/// The same products of 16-bit halves.
+mod by_halves {
+    const fn halves(a: u32, b: u32) -> [u32; 4] {
+        [a >> 16, a & 0xFFFF, b >> 16, b & 0xFFFF]
+    }
+
+    #[inline(never)]
+    pub(super) const fn upper(a: u32, b: u32) -> u32 {
+        let [a1, a0, b1, b0] = halves(a, b);
+        let middle = a1 * b0 + ((a0 * b0) >> 16);
+        let other = a0 * b1 + (middle & 0xFFFF);
+        a1 * b1 + (middle >> 16) + (other >> 16)
+    }
+
+    #[inline(never)]
+    pub(super) const fn part(number: i32, share: u32) -> i32 {
+        let [a1, a0, b1, b0] = halves(number as u32, share);
+        let middle = a1 * b0 + ((a0 * b0) >> 16);
+        let other = a0 * b1 + (middle & 0xFFFF);
+        let upper = a1 * b1 + (middle >> 16) + (other >> 16);
+        let upper = upper.wrapping_sub((number >> 31) as u32 & share);
+        upper.wrapping_add(other >> 15 & 1) as i32
+    }
+
+    #[inline(never)]
+    pub(super) const fn product64(a: i32, b: i32) -> i64 {
+        let [a1, a0, b1, b0] = halves(a as u32, b as u32);
+        let low = a0 * b0;
+        let middle = a1 * b0 + (low >> 16);
+        let other = a0 * b1 + (middle & 0xFFFF);
+        let upper = a1 * b1 + (middle >> 16) + (other >> 16);
+        let upper = (upper as i32)
+            .wrapping_sub(a >> 31 & b)
+            .wrapping_sub(b >> 31 & a);
+        (upper as i64) << 32 | (other << 16 | low & 0xFFFF) as i64
+    }
+
+    #[inline(never)]
+    pub(super) fn product(a: i32, b: i32) -> i32 {
+        let [a1, b1] = [a >> 16, b >> 16];
+        let [a0, b0] = [a & 0xFFFF, b & 0xFFFF];
+        // neither sum overflows: (2¹⁵ − 1)(2¹⁶ − 1) + 2¹⁶ < 2³¹
+        let low = ((a0 as u32 * b0 as u32 + 0x8000) >> 16) as i32;
+        let middle = a1 * b0 + low;
+        let other = a0 * b1;
+        let low = (middle & 0xFFFF) + (other & 0xFFFF);
+        let high = a1 * b1 + (middle >> 16) + (other >> 16) + (low >> 16);
+        if i32::from(high as i16) == high {
+            high << 16 | low & 0xFFFF
+        } else {
+            (high >> 31) ^ i32::MAX
+        }
+    }
+}
+
+/// dividend·2¹⁶/divisor, rounded to the nearest and saturated. 0/0 is 0.
+#[inline(never)]
+fn quotient(dividend: u32, divisor: u32) -> u32 {
+    if divisor == 0 {
+        return if dividend == 0 { 0 } else { u32::MAX };
+    }
+    let whole = dividend / divisor;
+    if whole >= 1 << 16 {
+        return u32::MAX;
+    }
+    let (mut quotient, mut rest) = (whole, dividend - whole * divisor);
+    let mut bit = 0;
+    while bit < 16 {
+        // the rest is below the divisor, which is at most 2³¹
+        rest <<= 1;
+        quotient <<= 1;
+        if rest >= divisor {
+            rest -= divisor;
+            quotient |= 1;
+        }
+        bit += 1;
+    }
+    quotient + u32::from(rest >= divisor - rest)
+}
+
+/// √(`steps`·2¹⁶), rounded to the nearest.
+#[inline(never)]
+fn root(steps: u32) -> u32 {
+    let (mut root, mut rest, mut bits) = (0_u32, 0_u32, steps);
+    let mut digit = 0;
+    while digit < 24 {
+        rest = rest << 2 | bits >> 30;
+        bits <<= 2;
+        root <<= 1;
+        let next = root << 1 | 1;
+        if rest >= next {
+            rest -= next;
+            root |= 1;
+        }
+        digit += 1;
+    }
+    // (root + ½)² = root² + root + ¼
+    root + u32::from(rest > root)
+}
+
+impl Fixed {
+    pub(super) fn root(self) -> Self {
+        Self(root(self.0.max(0) as u32) as i32)
+    }
+
+    /// The m-th power of a cosine. Below 1, it has 32 bits after the point.
+    #[inline]
+    pub(super) fn cosine_power(self, m: u32) -> Self {
+        if self.0 <= 0 {
+            return Self(0);
+        }
+        if self.0 >= ONE || m == 0 {
+            return Self(ONE);
+        }
+        let base = (self.0 as u32) << 16;
+        let mut power = base;
+        let mut bits = m << m.leading_zeros() << 1;
+        let mut count = m.ilog2();
+        while count > 0 {
+            power = upper(power, power);
+            if bits >> 31 == 1 {
+                power = upper(power, base);
+            }
+            bits <<= 1;
+            count -= 1;
+        }
+        Self((((power >> 15) + 1) >> 1) as i32)
+    }
+}
+
+impl Add for Fixed {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self(self.0.saturating_add(other.0))
+    }
+}
+
+impl Sub for Fixed {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        Self(self.0.saturating_sub(other.0))
+    }
+}
+
+impl Neg for Fixed {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self(self.0.saturating_neg())
+    }
+}
+
+impl Mul for Fixed {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Self(product(self.0, other.0))
+    }
+}
+
+impl Div for Fixed {
+    type Output = Self;
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        let magnitude = quotient(self.0.unsigned_abs(), other.0.unsigned_abs());
+        Self(if (self.0 ^ other.0) < 0 {
+            0_i32.saturating_sub_unsigned(magnitude)
+        } else {
+            0_i32.saturating_add_unsigned(magnitude)
+        })
+    }
+}
+
+macro_rules! number_first {
+    ($($type:ident),*) => {
+        $(impl Mul<$type<Fixed>> for Fixed {
+            type Output = $type<Fixed>;
+            #[inline]
+            fn mul(self, value: $type<Fixed>) -> $type<Fixed> {
+                value * self
+            }
+        })*
+    };
+}
+
+number_first!(Vec3, Rgb);
