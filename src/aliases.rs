@@ -55,31 +55,5 @@ macro_rules! aliases {
 aliases!(f32);
 aliases!(f64);
 
-/// The types of a scene in [`Fixed`](crate::Fixed).
-///
-/// The constructors that work in constants take `Fixed`, which [`Fixed::new`](crate::Fixed::new)
-/// makes of a literal:
-///
-/// ```
-/// use shading::Fixed;
-/// use shading::fixed::{Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3};
-///
-/// const fn x(literal: f64) -> Fixed {
-///     Fixed::new(literal)
-/// }
-/// static SPOT: SpotLight = SpotLight {
-///     point: PointLight {
-///         position: Vec3::new(x(0.0), x(3.0), x(0.0)),
-///         intensity: Rgb::WHITE,
-///         attenuation: Attenuation::new(x(1.0), x(0.0), x(0.25)).unwrap(),
-///     },
-///     axis: UnitVec3::normalized(x(0.1), x(-1.0), x(0.0)).unwrap(),
-///     cone: Cone::from_half_angle(x(0.5)).unwrap(),
-/// };
-/// assert!(SPOT.at(Vec3::ZERO).intensity.r > x(0.0));
-/// ```
 #[cfg(feature = "fixed")]
-#[allow(missing_docs)] // each is documented where it is defined
-pub mod fixed {
-    types!(crate::Fixed);
-}
+pub(crate) use types;

@@ -162,8 +162,6 @@ pub mod shade;
 mod aliases;
 mod features;
 
-#[cfg(feature = "fixed")]
-pub use aliases::fixed;
 pub use aliases::{f32, f64};
 pub use attenuation::{Attenuation, Falloff, attenuation};
 pub use cone::{Beam, Cone};
@@ -171,10 +169,10 @@ pub use direction::{half_vector, reflection};
 pub use dual::Dual;
 pub use elementary::Elementary;
 pub use exponent::Exponent;
-#[cfg(feature = "fixed")]
-pub use features::Fixed;
 #[cfg(feature = "wide")]
 pub use features::Lanes;
+#[cfg(feature = "fixed")]
+pub use features::fixed;
 pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
 pub use material::Material;
 pub use range::Ranged;

@@ -9,7 +9,7 @@ mod bytemuck;
 #[cfg(feature = "defmt")]
 mod defmt;
 #[cfg(feature = "fixed")]
-mod fixed;
+pub mod fixed;
 #[cfg(feature = "mint")]
 mod mint;
 #[cfg(feature = "serde")]
@@ -17,7 +17,5 @@ mod serde;
 #[cfg(feature = "wide")]
 mod wide;
 
-#[cfg(feature = "fixed")]
-pub use fixed::Fixed;
 #[cfg(feature = "wide")]
 pub use wide::Lanes;

@@ -1,4 +1,28 @@
-//! Fixed-point numbers, for processors without floating point.
+//! [`Fixed`], a fixed-point number for processors without floating point, and the types of a scene in
+//! it.
+//!
+//! The constructors that work in constants take `Fixed`, which [`Fixed::new`] makes of a literal:
+//!
+//! ```
+//! use shading::fixed::{Attenuation, Cone, Fixed, PointLight, Rgb, SpotLight, UnitVec3, Vec3};
+//!
+//! const fn x(literal: f64) -> Fixed {
+//!     Fixed::new(literal)
+//! }
+//! static SPOT: SpotLight = SpotLight {
+//!     point: PointLight {
+//!         position: Vec3::new(x(0.0), x(3.0), x(0.0)),
+//!         intensity: Rgb::WHITE,
+//!         attenuation: Attenuation::new(x(1.0), x(0.0), x(0.25)).unwrap(),
+//!     },
+//!     axis: UnitVec3::normalized(x(0.1), x(-1.0), x(0.0)).unwrap(),
+//!     cone: Cone::from_half_angle(x(0.5)).unwrap(),
+//! };
+//! assert!(SPOT.at(Vec3::ZERO).intensity.r > x(0.0));
+//! ```
+//!
+//! A scene in `f32` becomes one in `Fixed` by [`cast`](crate::PointLight::cast):
+//! `lamp.cast(Fixed::from_f32)`.
 
 // the bits of a number are moved between integers of every kind, on purpose
 #![allow(
@@ -14,7 +38,14 @@ mod real;
 mod scene;
 mod triple;
 
+#[allow(missing_docs)] // each is documented where it is defined
+mod types {
+    crate::aliases::types!(super::Fixed);
+}
+
 use core::fmt;
+
+pub use types::*;
 
 /// A fixed-point number: 32 bits, 16 of them after the binary point.
 ///
@@ -23,8 +54,8 @@ use core::fmt;
 /// [`guide::embedded`](mod@crate::guide::embedded) says which number suits which chip.
 ///
 /// ```
-/// use shading::fixed::{Attenuation, Material, PointLight, Rgb, UnitVec3, Vec3};
-/// use shading::{Fixed, shade};
+/// use shading::fixed::{Attenuation, Fixed, Material, PointLight, Rgb, UnitVec3, Vec3};
+/// use shading::shade;
 ///
 /// const fn x(literal: f64) -> Fixed {
 ///     Fixed::new(literal)
@@ -79,7 +110,7 @@ impl Fixed {
     /// [`from_f32`](Fixed::from_f32), which takes no double precision.
     ///
     /// ```
-    /// use shading::Fixed;
+    /// use shading::fixed::Fixed;
     ///
     /// const HALF: Fixed = Fixed::new(0.5);
     /// assert_eq!(HALF + HALF, Fixed::from(1_i16));
@@ -101,7 +132,7 @@ impl Fixed {
     /// for NaN it is 0.
     ///
     /// ```
-    /// use shading::Fixed;
+    /// use shading::fixed::Fixed;
     ///
     /// assert_eq!(Fixed::from_f32(0.25).to_f32(), 0.25);
     /// assert_eq!(Fixed::from_f32(1e9), Fixed::MAX);
@@ -125,7 +156,7 @@ impl Fixed {
     /// The nearest number in single precision.
     ///
     /// ```
-    /// use shading::Fixed;
+    /// use shading::fixed::Fixed;
     /// assert_eq!(Fixed::new(-1.5).to_f32(), -1.5);
     /// ```
     #[inline]
@@ -137,7 +168,7 @@ impl Fixed {
     /// The number that is so many steps of 2⁻¹⁶.
     ///
     /// ```
-    /// use shading::Fixed;
+    /// use shading::fixed::Fixed;
     /// assert_eq!(Fixed::from_bits(0x8000), Fixed::new(0.5));
     /// ```
     #[inline]
@@ -149,7 +180,7 @@ impl Fixed {
     /// The number of steps of 2⁻¹⁶.
     ///
     /// ```
-    /// use shading::Fixed;
+    /// use shading::fixed::Fixed;
     /// assert_eq!(Fixed::new(1.0).to_bits(), 0x1_0000);
     /// ```
     #[inline]

@@ -16,8 +16,7 @@ impl UnitVec3<Fixed> {
     /// `None`. For vectors of any length, use [`normalized`](Self::normalized) or [`Vec3::unit`].
     ///
     /// ```
-    /// use shading::Fixed;
-    /// use shading::fixed::UnitVec3;
+    /// use shading::fixed::{Fixed, UnitVec3};
     ///
     /// const UP_AND_RIGHT: UnitVec3 =
     ///     UnitVec3::new(Fixed::new(0.6), Fixed::new(0.0), Fixed::new(0.8)).unwrap();
@@ -44,8 +43,7 @@ impl UnitVec3<Fixed> {
     /// It has the same bits as [`Vec3::unit`] and is `None` for the zero vector.
     ///
     /// ```
-    /// use shading::Fixed;
-    /// use shading::fixed::{UnitVec3, Vec3};
+    /// use shading::fixed::{Fixed, UnitVec3, Vec3};
     ///
     /// const fn x(literal: f64) -> Fixed {
     ///     Fixed::new(literal)
@@ -69,8 +67,7 @@ impl Attenuation<Fixed> {
     /// The attenuation 1/(a + bq + cq²). Returns `None` if a coefficient is negative, or if all are 0.
     ///
     /// ```
-    /// use shading::Fixed;
-    /// use shading::fixed::Attenuation;
+    /// use shading::fixed::{Attenuation, Fixed};
     ///
     /// let x = Fixed::new;
     /// let inverse_square = Attenuation::new(x(0.0), x(0.0), x(1.0)).unwrap();
@@ -91,8 +88,7 @@ impl Attenuation<Fixed> {
     /// if r is 0 or negative. [`Fixed::MAX`] means no range. [`Ranged::at`] gives the formula.
     ///
     /// ```
-    /// use shading::Fixed;
-    /// use shading::fixed::Attenuation;
+    /// use shading::fixed::{Attenuation, Fixed};
     ///
     /// let lamp = Attenuation::NONE.within(Fixed::new(8.0)).unwrap();
     /// assert_eq!(lamp.at(Fixed::new(8.0)), Fixed::new(0.0));
@@ -122,8 +118,7 @@ impl Cone<Fixed> {
     /// The constructor computes in double precision, so on a small processor use it in constants.
     ///
     /// ```
-    /// use shading::Fixed;
-    /// use shading::fixed::Cone;
+    /// use shading::fixed::{Cone, Fixed};
     ///
     /// const CONE: Cone = Cone::from_half_angle(Fixed::new(0.5)).unwrap();
     /// assert_eq!(CONE.cosine(), Fixed::new(0.87758));
@@ -151,8 +146,7 @@ impl Cone<Fixed> {
     /// as a cone of every direction, for the reason that [`Cone::<f32>::from_cosine`] gives.
     ///
     /// ```
-    /// use shading::Fixed;
-    /// use shading::fixed::{Cone, UnitVec3};
+    /// use shading::fixed::{Cone, Fixed, UnitVec3};
     ///
     /// let hemisphere = Cone::from_cosine(Fixed::new(0.0)).unwrap();
     /// assert_eq!(hemisphere.factor(UnitVec3::Z, UnitVec3::X), Fixed::new(1.0)); // on its edge
@@ -185,8 +179,7 @@ impl SoftCone<Fixed> {
     /// The constructor computes in double precision, so on a small processor use it in constants.
     ///
     /// ```
-    /// use shading::Fixed;
-    /// use shading::fixed::SoftCone;
+    /// use shading::fixed::{Fixed, SoftCone};
     ///
     /// const CONE: SoftCone =
     ///     SoftCone::from_half_angles(Fixed::new(0.0), Fixed::new(0.6)).unwrap();
@@ -209,8 +202,7 @@ impl SoftCone<Fixed> {
     /// Returns `None` for other cosines. Each cosine is treated as in [`Cone::from_cosine`].
     ///
     /// ```
-    /// use shading::Fixed;
-    /// use shading::fixed::SoftCone;
+    /// use shading::fixed::{Fixed, SoftCone};
     ///
     /// let x = Fixed::new;
     /// assert!(SoftCone::from_cosines(x(0.75), x(0.5)).is_some());

@@ -7,8 +7,8 @@ use core::hint::black_box;
 
 use firmware::scene::{AMBIENT, CAP, LAMPS, brass};
 use firmware::{board, broken};
-use shading::fixed::UnitVec3;
-use shading::{Fixed, shade};
+use shading::fixed::{Fixed, UnitVec3};
+use shading::shade;
 
 #[board::entry]
 fn main() -> ! {
