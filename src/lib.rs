@@ -109,6 +109,7 @@
 //!
 //! | floor | files |
 //! |---|---|
+//! | 6 names | `aliases` |
 //! | 5 the model | `shade` |
 //! | 4 scenes | `light`, `material` |
 //! | 3 formulas | `direction`, `term`, `normal`, `attenuation`, `range`, `cone`, `soft_cone` |
