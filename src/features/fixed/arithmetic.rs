@@ -36,6 +36,16 @@ pub(super) const fn upper_signed(a: i32, b: i32) -> i32 {
     }
 }
 
+/// The upper half of a square.
+#[inline]
+pub(super) const fn upper_of_square(a: i32) -> u32 {
+    if LONG_MULTIPLY {
+        upper_signed(a, a) as u32
+    } else {
+        by_halves::upper(a.unsigned_abs(), a.unsigned_abs())
+    }
+}
+
 /// A number times a share in units of 2⁻³², rounded.
 #[inline]
 pub(super) const fn part(number: i32, share: u32) -> i32 {
@@ -47,14 +57,52 @@ pub(super) const fn part(number: i32, share: u32) -> i32 {
     }
 }
 
+/// A number times a share in units of 2⁻¹⁶, rounded.
+#[inline]
+pub(super) const fn short_part(number: i32, share: u16) -> i32 {
+    if LONG_MULTIPLY {
+        part(number, (share as u32) << 16)
+    } else {
+        let low = (number as u32 & 0xFFFF) * share as u32;
+        (number >> 16) * share as i32 + ((low + 0x8000) >> 16) as i32
+    }
+}
+
 /// The whole product.
 #[inline]
 pub(super) const fn product64(a: i32, b: i32) -> i64 {
     if LONG_MULTIPLY {
         a as i64 * b as i64
     } else {
-        by_halves::product64(a, b)
+        (upper_signed(a, b) as i64) << 32 | a.wrapping_mul(b) as u32 as i64
     }
+}
+
+/// The number of zeros above the highest bit.
+#[inline]
+pub(super) const fn leading_zeros(mut bits: u32) -> u32 {
+    if !cfg!(target_arch = "riscv32") && LONG_MULTIPLY {
+        return bits.leading_zeros();
+    }
+    // fewer instructions than the compiler finds for a processor that cannot count them
+    let mut zeros = 0;
+    if bits >> 16 == 0 {
+        zeros = 16;
+        bits <<= 16;
+    }
+    if bits >> 24 == 0 {
+        zeros += 8;
+        bits <<= 8;
+    }
+    if bits >> 28 == 0 {
+        zeros += 4;
+        bits <<= 4;
+    }
+    if bits >> 30 == 0 {
+        zeros += 2;
+        bits <<= 2;
+    }
+    zeros + (!bits >> 31)
 }
 
 /// The product of two numbers in steps, rounded and saturated.
@@ -78,35 +126,26 @@ mod by_halves {
         [a >> 16, a & 0xFFFF, b >> 16, b & 0xFFFF]
     }
 
+    /// The upper half of a product to which `round`·2¹⁶ is added.
+    ///
+    /// If it were known to be 0, LLVM would see a multiplication of 64 bits and call one from a library.
     #[inline(never)]
-    pub(super) const fn upper(a: u32, b: u32) -> u32 {
+    const fn upper_rounded(a: u32, b: u32, round: u32) -> u32 {
         let [a1, a0, b1, b0] = halves(a, b);
         let middle = a1 * b0 + ((a0 * b0) >> 16);
-        let other = a0 * b1 + (middle & 0xFFFF);
+        let other = a0 * b1 + (middle & 0xFFFF) + round;
         a1 * b1 + (middle >> 16) + (other >> 16)
     }
 
-    #[inline(never)]
-    pub(super) const fn part(number: i32, share: u32) -> i32 {
-        let [a1, a0, b1, b0] = halves(number as u32, share);
-        let middle = a1 * b0 + ((a0 * b0) >> 16);
-        let other = a0 * b1 + (middle & 0xFFFF);
-        let upper = a1 * b1 + (middle >> 16) + (other >> 16);
-        let upper = upper.wrapping_sub((number >> 31) as u32 & share);
-        upper.wrapping_add(other >> 15 & 1) as i32
+    #[inline]
+    pub(super) const fn upper(a: u32, b: u32) -> u32 {
+        upper_rounded(a, b, 0)
     }
 
-    #[inline(never)]
-    pub(super) const fn product64(a: i32, b: i32) -> i64 {
-        let [a1, a0, b1, b0] = halves(a as u32, b as u32);
-        let low = a0 * b0;
-        let middle = a1 * b0 + (low >> 16);
-        let other = a0 * b1 + (middle & 0xFFFF);
-        let upper = a1 * b1 + (middle >> 16) + (other >> 16);
-        let upper = (upper as i32)
-            .wrapping_sub(a >> 31 & b)
-            .wrapping_sub(b >> 31 & a);
-        (upper as i64) << 32 | (other << 16 | low & 0xFFFF) as i64
+    #[inline]
+    pub(super) const fn part(number: i32, share: u32) -> i32 {
+        let upper = upper_rounded(number as u32, share, 0x8000);
+        upper.wrapping_sub((number >> 31) as u32 & share) as i32
     }
 
     #[inline(never)]
@@ -177,7 +216,7 @@ impl Fixed {
         Self(root(self.0.max(0) as u32) as i32)
     }
 
-    /// The m-th power of a cosine. Below 1, it has 32 bits after the point.
+    /// The m-th power of a cosine, computed with 32 bits after the point.
     #[inline]
     pub(super) fn cosine_power(self, m: u32) -> Self {
         if self.0 <= 0 {
@@ -186,17 +225,18 @@ impl Fixed {
         if self.0 >= ONE || m == 0 {
             return Self(ONE);
         }
-        let base = (self.0 as u32) << 16;
+        let (mut base, mut m) = ((self.0 as u32) << 16, m);
+        while m & 1 == 0 {
+            base = upper(base, base);
+            m >>= 1;
+        }
         let mut power = base;
-        let mut bits = m << m.leading_zeros() << 1;
-        let mut count = m.ilog2();
-        while count > 0 {
-            power = upper(power, power);
-            if bits >> 31 == 1 {
+        while m > 1 {
+            base = upper(base, base);
+            m >>= 1;
+            if m & 1 == 1 {
                 power = upper(power, base);
             }
-            bits <<= 1;
-            count -= 1;
         }
         Self((((power >> 15) + 1) >> 1) as i32)
     }

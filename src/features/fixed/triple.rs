@@ -2,7 +2,9 @@
 //!
 //! Each result is rounded to steps once, at the end.
 
-use super::arithmetic::{part, product64, upper, upper_signed};
+use super::arithmetic::{
+    LONG_MULTIPLY, leading_zeros, part, product64, short_part, upper, upper_of_square, upper_signed,
+};
 use super::{Fixed, ONE};
 
 /// Σ ab.
@@ -27,8 +29,7 @@ pub(super) const fn dot([ax, ay, az]: [Fixed; 3], [bx, by, bz]: [Fixed; 3]) -> F
 #[inline]
 pub(super) fn scaled(v: [Fixed; 3], factor: Fixed) -> [Fixed; 3] {
     if (factor.0 as u32) < ONE as u32 {
-        let share = (factor.0 as u32) << 16;
-        v.map(|c| Fixed(part(c.0, share)))
+        v.map(|c| Fixed(short_part(c.0, factor.0 as u16)))
     } else {
         v.map(|c| c * factor)
     }
@@ -50,13 +51,33 @@ pub(super) fn quotients(v: [Fixed; 3], divisor: Fixed) -> [Fixed; 3] {
 /// 2³² times the reciprocal of a number above 1, with a relative error below 2⁻²⁷.
 #[inline]
 fn reciprocal(steps: u32) -> u32 {
-    let zeros = steps.leading_zeros();
+    let zeros = leading_zeros(steps);
     let x = steps << zeros; // x/2³² is from ½ to 1
-    let first = u32::MAX / (x >> 16); // 16 bits after the point
+    let first = short_reciprocal(x >> 16); // 16 bits after the point
     // Newton's method: y + y(1 − xy)
     let e = (1_u32 << 31).wrapping_sub(upper(x, first << 15)) as i32;
     let second = (first << 13).wrapping_add(((first as i32 * (e >> 4)) >> 14) as u32); // 29 bits
     second << 2 >> (15 - zeros)
+}
+
+/// (2³² − 1) / x, rounded down, for x from 2¹⁵ to 2¹⁶ − 1.
+#[inline]
+fn short_reciprocal(x: u32) -> u32 {
+    // a processor with a long multiply has a divider too
+    if LONG_MULTIPLY {
+        return u32::MAX / x;
+    }
+    let first = 256 + u32::from(ROOTS[(x >> 10) as usize & 63]);
+    // Newton's method, whose e = xy − 1 has 32 bits after the point
+    let y = (first * first) as i32;
+    let e = (x as i32).wrapping_mul(y);
+    let y = y - (y * (e >> 16) >> 16);
+    let e = (x as i32).wrapping_mul(y);
+    let y = (y - (y * (e >> 8) >> 24) - 1) as u32;
+    // what is left is off by one at most
+    let rest = u32::MAX.wrapping_sub(x * y);
+    y.wrapping_add(u32::from(rest as i32 >= x as i32))
+        .wrapping_sub(rest >> 31)
 }
 
 /// The direction and the length of a vector; both are 0 for the zero vector.
@@ -66,7 +87,7 @@ fn reciprocal(steps: u32) -> u32 {
 pub(super) const fn unit_and_length(v: [Fixed; 3]) -> ([Fixed; 3], Fixed) {
     let shift = headroom(v);
     let [x, y, z] = [v[0].0 << shift, v[1].0 << shift, v[2].0 << shift];
-    let sum = (upper_signed(x, x) + upper_signed(y, y)) as u32 + upper_signed(z, z) as u32;
+    let sum = upper_of_square(x) + upper_of_square(y) + upper_of_square(z);
     if sum == 0 {
         return ([Fixed(0); 3], Fixed(0));
     }
@@ -108,7 +129,7 @@ pub(super) fn tamed(v: [Fixed; 3]) -> [Fixed; 3] {
 #[inline]
 const fn headroom([x, y, z]: [Fixed; 3]) -> u32 {
     let magnitude = (x.0 ^ x.0 >> 31) | (y.0 ^ y.0 >> 31) | (z.0 ^ z.0 >> 31);
-    (magnitude << 1 | 1).leading_zeros()
+    leading_zeros((magnitude << 1 | 1) as u32)
 }
 
 /// 2⁸(1/√x − 1) for the middle x of each 64th, from ¼ to 1.
