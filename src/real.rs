@@ -200,6 +200,14 @@ pub trait Real:
         (Self::quotients(v, length), length)
     }
 
+    /// The cosine of the angle between a direction and a vector of any length; 0 for the zero vector.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn cosine_between(n: [Self; 3], v: [Self; 3]) -> Self {
+        Self::dot(n, Self::unit_and_length(v).0)
+    }
+
     /// An integer power of a cosine, if the type has a better way than to square itself.
     #[doc(hidden)]
     #[inline]

@@ -93,7 +93,6 @@ use crate::real::Real;
 use crate::rgb::Rgb;
 use crate::term;
 use crate::unit::UnitVec3;
-use crate::vector::Vec3;
 
 /// The light that a point reflects to the eye, in three parts.
 ///
@@ -283,8 +282,7 @@ pub fn blinn_phong<T: Real, M: Exponent<T>>(
     let half = material.m.half().filter(|_| !T::IS_FIXED);
     let n_dot_h = |l| {
         if T::IS_FIXED {
-            let (h, _) = T::unit_and_length(between(l, v).into());
-            return n.dot(Vec3::from(h));
+            return T::cosine_between((*n).into(), between(l, v).into());
         }
         let square = term::n_dot_h_squared(n, between(l, v));
         if half.is_some() {

@@ -13,6 +13,9 @@ use crate::vector::Vec3;
 pub(super) const LONG_MULTIPLY: bool =
     !cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
+/// Whether the processor counts leading zeros.
+pub(super) const COUNTS_ZEROS: bool = LONG_MULTIPLY && !cfg!(target_arch = "riscv32");
+
 /// The upper half of a product.
 #[inline]
 pub(super) const fn upper(a: u32, b: u32) -> u32 {
@@ -33,6 +36,16 @@ pub(super) const fn upper_signed(a: i32, b: i32) -> i32 {
         (by_halves::upper(a as u32, b as u32) as i32)
             .wrapping_sub(a >> 31 & b)
             .wrapping_sub(b >> 31 & a)
+    }
+}
+
+/// The upper half of a product with a number of at least 0.
+#[inline]
+pub(super) const fn upper_of_part(a: i32, b: i32) -> i32 {
+    if LONG_MULTIPLY {
+        upper_signed(a, b)
+    } else {
+        (by_halves::upper(a as u32, b as u32) as i32).wrapping_sub(a >> 31 & b)
     }
 }
 
@@ -76,33 +89,6 @@ pub(super) const fn product64(a: i32, b: i32) -> i64 {
     } else {
         (upper_signed(a, b) as i64) << 32 | a.wrapping_mul(b) as u32 as i64
     }
-}
-
-/// The number of zeros above the highest bit.
-#[inline]
-pub(super) const fn leading_zeros(mut bits: u32) -> u32 {
-    if !cfg!(target_arch = "riscv32") && LONG_MULTIPLY {
-        return bits.leading_zeros();
-    }
-    // fewer instructions than the compiler finds for a processor that cannot count them
-    let mut zeros = 0;
-    if bits >> 16 == 0 {
-        zeros = 16;
-        bits <<= 16;
-    }
-    if bits >> 24 == 0 {
-        zeros += 8;
-        bits <<= 8;
-    }
-    if bits >> 28 == 0 {
-        zeros += 4;
-        bits <<= 4;
-    }
-    if bits >> 30 == 0 {
-        zeros += 2;
-        bits <<= 2;
-    }
-    zeros + (!bits >> 31)
 }
 
 /// The product of two numbers in steps, rounded and saturated.
@@ -166,29 +152,45 @@ mod by_halves {
     }
 }
 
-/// dividend·2¹⁶/divisor, rounded to the nearest and saturated. 0/0 is 0.
+/// The quotient of two numbers in steps, rounded and saturated. 0/0 is 0.
 #[inline(never)]
-fn quotient(dividend: u32, divisor: u32) -> u32 {
-    if divisor == 0 {
-        return if dividend == 0 { 0 } else { u32::MAX };
+fn quotient(dividend: i32, divisor: i32) -> i32 {
+    let magnitude = quotient_of_magnitudes(dividend.unsigned_abs(), divisor.unsigned_abs());
+    if (dividend ^ divisor) < 0 {
+        0_i32.saturating_sub_unsigned(magnitude)
+    } else {
+        0_i32.saturating_add_unsigned(magnitude)
     }
-    let whole = dividend / divisor;
-    if whole >= 1 << 16 {
-        return u32::MAX;
+}
+
+#[inline]
+fn quotient_of_magnitudes(dividend: u32, divisor: u32) -> u32 {
+    if dividend == 0 {
+        return 0;
     }
-    let (mut quotient, mut rest) = (whole, dividend - whole * divisor);
-    let mut bit = 0;
-    while bit < 16 {
-        // the rest is below the divisor, which is at most 2³¹
-        rest <<= 1;
+    let (mut quotient, mut rest, mut bits, mut count) = (0, 0, dividend, 48);
+    if LONG_MULTIPLY {
+        // a processor that has a long multiply has a divider too
+        quotient = dividend.checked_div(divisor).unwrap_or(u32::MAX);
+        rest = dividend.wrapping_sub(quotient.wrapping_mul(divisor));
+        (bits, count) = (0, 16);
+    }
+    // bit by bit, down to 16 beyond the lowest of the dividend
+    while count > 0 {
+        if quotient >> 31 == 1 {
+            return u32::MAX;
+        }
         quotient <<= 1;
+        // the rest is below the divisor, which is at most 2³¹
+        rest = rest << 1 | bits >> 31;
+        bits <<= 1;
         if rest >= divisor {
             rest -= divisor;
             quotient |= 1;
         }
-        bit += 1;
+        count -= 1;
     }
-    quotient + u32::from(rest >= divisor - rest)
+    quotient.saturating_add(u32::from(rest >= divisor - rest))
 }
 
 /// √(`steps`·2¹⁶), rounded to the nearest.
@@ -278,12 +280,7 @@ impl Div for Fixed {
     type Output = Self;
     #[inline]
     fn div(self, other: Self) -> Self {
-        let magnitude = quotient(self.0.unsigned_abs(), other.0.unsigned_abs());
-        Self(if (self.0 ^ other.0) < 0 {
-            0_i32.saturating_sub_unsigned(magnitude)
-        } else {
-            0_i32.saturating_add_unsigned(magnitude)
-        })
+        Self(quotient(self.0, other.0))
     }
 }
 

@@ -54,17 +54,17 @@ impl Real for Fixed {
 
     #[inline]
     fn dot(a: [Self; 3], b: [Self; 3]) -> Self {
-        triple::dot(a, b)
+        triple::dot(&a, &b)
     }
 
     #[inline]
     fn scaled(v: [Self; 3], factor: Self) -> [Self; 3] {
-        triple::scaled(v, factor)
+        triple::scaled(&v, factor)
     }
 
     #[inline]
     fn quotients(v: [Self; 3], divisor: Self) -> [Self; 3] {
-        triple::quotients(v, divisor)
+        triple::quotients(&v, divisor)
     }
 
     #[inline]
@@ -74,7 +74,12 @@ impl Real for Fixed {
 
     #[inline]
     fn unit_and_length(v: [Self; 3]) -> ([Self; 3], Self) {
-        triple::unit_and_length(v)
+        triple::unit_and_length(&v)
+    }
+
+    #[inline]
+    fn cosine_between(n: [Self; 3], v: [Self; 3]) -> Self {
+        triple::cosine_between(&n, &v)
     }
 
     #[inline]

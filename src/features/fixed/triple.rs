@@ -3,133 +3,247 @@
 //! Each result is rounded to steps once, at the end.
 
 use super::arithmetic::{
-    LONG_MULTIPLY, leading_zeros, part, product64, short_part, upper, upper_of_square, upper_signed,
+    COUNTS_ZEROS, LONG_MULTIPLY, part, product64, short_part, upper, upper_of_part,
+    upper_of_square, upper_signed,
 };
 use super::{Fixed, ONE};
 
 /// Σ ab.
-#[inline]
-pub(super) const fn dot([ax, ay, az]: [Fixed; 3], [bx, by, bz]: [Fixed; 3]) -> Fixed {
-    let (x, y, z) = (
-        product64(ax.0, bx.0),
-        product64(ay.0, by.0),
-        product64(az.0, bz.0),
-    );
-    let steps = (x.wrapping_add(y).wrapping_add(z).wrapping_add(0x8000)) >> 16;
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+pub(super) const fn dot(a: &[Fixed; 3], b: &[Fixed; 3]) -> Fixed {
+    if !LONG_MULTIPLY && is_short(a) && is_short(b) {
+        return dot_of_short(a, b);
+    }
+    let (mut sum, mut quarter, mut i) = (0x8000_i64, 0, 0);
+    while i < 3 {
+        let product = product64(a[i].0, b[i].0);
+        sum = sum.wrapping_add(product);
+        quarter += (product >> 34) as i32;
+        i += 1;
+    }
+    let steps = sum >> 16;
     Fixed(if steps as i32 as i64 == steps {
         steps as i32
     } else {
-        // the sum of the products may itself have wrapped
-        let quarter = (x >> 2) + (y >> 2) + (z >> 2);
-        (quarter >> 63) as i32 ^ i32::MAX
+        // the sum may have wrapped, but a quarter of it has not
+        quarter >> 31 ^ i32::MAX
     })
 }
 
+/// Σ ab of numbers from −4 to 4, by halves.
+#[inline]
+const fn dot_of_short(a: &[Fixed; 3], b: &[Fixed; 3]) -> Fixed {
+    let (mut sum, mut rest, mut i) = (0, 0x8000, 0);
+    while i < 3 {
+        let [a1, a0] = [a[i].0 >> 16, a[i].0 & 0xFFFF];
+        let [b1, b0] = [b[i].0 >> 16, b[i].0 & 0xFFFF];
+        let low = a0 as u32 * b0 as u32;
+        sum += ((a1 * b1) << 16) + a1 * b0 + a0 * b1 + (low >> 16) as i32;
+        rest += low & 0xFFFF;
+        i += 1;
+    }
+    Fixed(sum + (rest >> 16) as i32)
+}
+
 /// Each number times a factor, as by `*`.
-#[inline]
-pub(super) fn scaled(v: [Fixed; 3], factor: Fixed) -> [Fixed; 3] {
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+pub(super) fn scaled(&[x, y, z]: &[Fixed; 3], factor: Fixed) -> [Fixed; 3] {
     if (factor.0 as u32) < ONE as u32 {
-        v.map(|c| Fixed(short_part(c.0, factor.0 as u16)))
+        let share = factor.0 as u16;
+        [x, y, z].map(|c| Fixed(short_part(c.0, share)))
     } else {
-        v.map(|c| c * factor)
+        [x * factor, y * factor, z * factor]
     }
 }
 
-/// Each number divided by a divisor.
+/// Each number divided by a divisor, which counts as one step if it is not positive.
 ///
-/// The error is below 0.51 steps, or 2⁻²⁷ of a result of many steps. A divisor of up to 1 gives what `/` gives.
-#[inline]
-pub(super) fn quotients(v: [Fixed; 3], divisor: Fixed) -> [Fixed; 3] {
-    if divisor.0 > ONE {
+/// The error is below 0.51 steps and 2⁻¹⁸ of the result. A result above 2¹⁴ may be the largest number.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+pub(super) fn quotients(&[x, y, z]: &[Fixed; 3], divisor: Fixed) -> [Fixed; 3] {
+    if LONG_MULTIPLY && divisor.0 > ONE {
+        // the usual case; where flash is scarce, the general one does
         let share = reciprocal(divisor.0 as u32);
-        v.map(|c| Fixed(part(c.0, share)))
-    } else {
-        v.map(|c| c / divisor)
+        return [x, y, z].map(|c| Fixed(part(c.0, share)));
     }
+    let (mut divisor, mut shift) = (divisor.0.max(1), 0);
+    while divisor <= ONE {
+        divisor <<= 1;
+        shift += 1;
+    }
+    let share = reciprocal(divisor as u32);
+    let quotient = |c: Fixed| {
+        let shifted = c.0 << shift;
+        Fixed(if shifted >> shift == c.0 {
+            part(shifted, share)
+        } else {
+            c.0 >> 31 ^ i32::MAX
+        })
+    };
+    [quotient(x), quotient(y), quotient(z)]
 }
 
-/// 2³² times the reciprocal of a number above 1, with a relative error below 2⁻²⁷.
-#[inline]
-fn reciprocal(steps: u32) -> u32 {
-    let zeros = leading_zeros(steps);
-    let x = steps << zeros; // x/2³² is from ½ to 1
-    let first = short_reciprocal(x >> 16); // 16 bits after the point
-    // Newton's method: y + y(1 − xy)
-    let e = (1_u32 << 31).wrapping_sub(upper(x, first << 15)) as i32;
-    let second = (first << 13).wrapping_add(((first as i32 * (e >> 4)) >> 14) as u32); // 29 bits
-    second << 2 >> (15 - zeros)
+/// 2³² times the reciprocal of a number above 1.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+fn reciprocal(mut steps: u32) -> u32 {
+    let mut excess = 0;
+    while steps >> 22 != 0 {
+        steps = (steps + 8) >> 4;
+        excess += 4;
+    }
+    // 2³² = quotient·steps + rest, nearly; Newton's method adds quotient·rest/2³²
+    let (quotient, rest) = reciprocal_quotient(steps);
+    ((quotient << 16) + ((quotient * rest) >> 16)) >> excess
 }
 
-/// (2³² − 1) / x, rounded down, for x from 2¹⁵ to 2¹⁶ − 1.
+/// (2³² − 1) / divisor, which is at least 2¹⁶, and the rest.
 #[inline]
-fn short_reciprocal(x: u32) -> u32 {
-    // a processor with a long multiply has a divider too
+fn reciprocal_quotient(divisor: u32) -> (u32, u32) {
     if LONG_MULTIPLY {
-        return u32::MAX / x;
+        // a processor that has a long multiply has a divider too
+        let quotient = u32::MAX.checked_div(divisor).unwrap_or(0);
+        return (quotient, u32::MAX - quotient * divisor);
     }
-    let first = 256 + u32::from(ROOTS[(x >> 10) as usize & 63]);
-    // Newton's method, whose e = xy − 1 has 32 bits after the point
-    let y = (first * first) as i32;
+    let (mut x, mut shift) = (divisor, 0);
+    while x >> 16 != 0 {
+        x >>= 1;
+        shift += 1;
+    }
+    // Newton's method, from the square of a reciprocal root; 32 bits of e = xy − 1 are after the point
+    let root = 256 + i32::from(ROOTS[(x >> 10) as usize & 63]);
+    let y = root * root;
     let e = (x as i32).wrapping_mul(y);
-    let y = y - (y * (e >> 16) >> 16);
+    let y = y - ((y * (e >> 16)) >> 16);
     let e = (x as i32).wrapping_mul(y);
-    let y = (y - (y * (e >> 8) >> 24) - 1) as u32;
-    // what is left is off by one at most
-    let rest = u32::MAX.wrapping_sub(x * y);
-    y.wrapping_add(u32::from(rest as i32 >= x as i32))
-        .wrapping_sub(rest >> 31)
+    let y = y - ((y * (e >> 8)) >> 24);
+    // and once more with the whole divisor
+    let y = y >> shift;
+    let e = (divisor as i32).wrapping_mul(y);
+    let y = (y - ((y * (e >> 8)) >> 24) - 1) as u32;
+    // it is off by one at most
+    let rest = u32::MAX.wrapping_sub(divisor * y);
+    if rest as i32 >= divisor as i32 {
+        (y + 1, rest - divisor)
+    } else if (rest as i32) < 0 {
+        (y - 1, rest.wrapping_add(divisor))
+    } else {
+        (y, rest)
+    }
+}
+
+/// The cosine of the angle between a direction and a vector of any length; 0 for the zero vector.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+pub(super) fn cosine_between(n: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
+    #[cold]
+    #[inline(never)]
+    fn of_long(n: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
+        dot(n, &unit_and_length(v).0)
+    }
+    if !(is_short(n) && is_short(v)) {
+        return of_long(n, v);
+    }
+    let (mut square, mut dot, mut i) = (0, 0, 0);
+    while i < 3 {
+        let c = v[i].0 << 13;
+        square += upper_of_square(c);
+        dot += upper_signed(n[i].0 << 12, c);
+        i += 1;
+    }
+    let pairs = pairs_of_zeros(square);
+    let root = reciprocal_root(square << (2 * pairs));
+    Fixed((upper_of_part(dot << pairs, root) + (1 << 6)) >> 7)
+}
+
+/// Whether each component is from −4 to 4, as in a direction or the sum of two.
+#[inline]
+const fn is_short([x, y, z]: &[Fixed; 3]) -> bool {
+    let [x, y, z] = [
+        x.0.wrapping_add(4 * ONE),
+        y.0.wrapping_add(4 * ONE),
+        z.0.wrapping_add(4 * ONE),
+    ];
+    ((x | y | z) as u32) < 8 * ONE as u32
 }
 
 /// The direction and the length of a vector; both are 0 for the zero vector.
 ///
 /// The direction does not depend on the length, even if that saturates.
-#[inline]
-pub(super) const fn unit_and_length(v: [Fixed; 3]) -> ([Fixed; 3], Fixed) {
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+pub(super) const fn unit_and_length(v: &[Fixed; 3]) -> ([Fixed; 3], Fixed) {
     let shift = headroom(v);
-    let [x, y, z] = [v[0].0 << shift, v[1].0 << shift, v[2].0 << shift];
-    let sum = upper_of_square(x) + upper_of_square(y) + upper_of_square(z);
-    if sum == 0 {
-        return ([Fixed(0); 3], Fixed(0));
-    }
-    // by an even number of bits, so that the leading one is among the first two
-    let odd = (sum < 1 << 30) as u32;
-    let sum = sum << (2 * odd);
-    let reciprocal = reciprocal_root(sum);
-    let length = upper(sum, reciprocal); // in units of 2^(3 − shift − odd) steps
-    let down = shift + odd;
-    let length = if down > 3 {
-        ((length >> (down - 4)) + 1) >> 1
+    let square = upper_of_square(v[0].0 << shift)
+        + upper_of_square(v[1].0 << shift)
+        + upper_of_square(v[2].0 << shift);
+    let pairs = pairs_of_zeros(square);
+    let reciprocal = reciprocal_root(square << (2 * pairs)) << pairs;
+    let length = upper(square, reciprocal as u32); // in units of 2^(5 − shift) steps
+    let length = if shift > 5 {
+        ((length >> (shift - 6)) + 1) >> 1
     } else {
-        let up = 3 - down;
+        let up = 5 - shift;
         let most = (i32::MAX as u32) >> up;
         (if length < most { length } else { most }) << up
     };
     let unit = [
-        share_of(x, reciprocal, odd),
-        share_of(y, reciprocal, odd),
-        share_of(z, reciprocal, odd),
+        share_of(v[0].0 << shift, reciprocal),
+        share_of(v[1].0 << shift, reciprocal),
+        share_of(v[2].0 << shift, reciprocal),
     ];
     (unit, Fixed(length as i32))
 }
 
 /// A component times the reciprocal of the length, rounded.
 #[inline]
-const fn share_of(component: i32, reciprocal: u32, odd: u32) -> Fixed {
-    Fixed(((upper_signed(component, reciprocal as i32) >> (12 - odd)) + 1) >> 1)
+const fn share_of(component: i32, reciprocal: i32) -> Fixed {
+    Fixed((upper_of_part(component, reciprocal) + (1 << 10)) >> 11)
 }
 
-/// The vector times a power of two, so that its largest component is from 32 to 64.
+/// The vector times a power of two, so that its largest component is from 16 to 64.
 #[inline]
 pub(super) fn tamed(v: [Fixed; 3]) -> [Fixed; 3] {
-    let shift = headroom(v);
+    let shift = headroom(&v);
     v.map(|c| Fixed(c.0 << shift >> 9))
 }
 
-/// By how many bits the vector can be shifted up. It is 31 for the zero vector.
+/// How many pairs of zeros are above the highest bit; 15 for 0.
 #[inline]
-const fn headroom([x, y, z]: [Fixed; 3]) -> u32 {
+const fn pairs_of_zeros(bits: u32) -> u32 {
+    let mut bits = bits | 1;
+    if COUNTS_ZEROS {
+        return bits.leading_zeros() >> 1;
+    }
+    let mut pairs = 0;
+    while bits >> 30 == 0 {
+        bits <<= 2;
+        pairs += 1;
+    }
+    pairs
+}
+
+/// By how many bits the vector can be shifted up, or one bit less. It is 30 for the zero vector.
+#[inline]
+const fn headroom([x, y, z]: &[Fixed; 3]) -> u32 {
     let magnitude = (x.0 ^ x.0 >> 31) | (y.0 ^ y.0 >> 31) | (z.0 ^ z.0 >> 31);
-    leading_zeros((magnitude << 1 | 1) as u32)
+    let mut bits = magnitude as u32 | 1;
+    if COUNTS_ZEROS {
+        return (bits.leading_zeros() - 1) & !1;
+    }
+    let mut shift = 0;
+    while bits >> 23 == 0 {
+        bits <<= 8;
+        shift += 8;
+    }
+    while bits >> 29 == 0 {
+        bits <<= 2;
+        shift += 2;
+    }
+    shift
 }
 
 /// 2⁸(1/√x − 1) for the middle x of each 64th, from ¼ to 1.
@@ -148,9 +262,9 @@ static ROOTS: [u8; 64] = {
     table
 };
 
-/// 2²⁹/√x for x = `bits`/2³² from ¼ on, with a relative error below 2⁻²⁷.
+/// 2²⁷/√x for x = `bits`/2³² from ¼ on.
 #[inline]
-const fn reciprocal_root(bits: u32) -> u32 {
+const fn reciprocal_root(bits: u32) -> i32 {
     let first = 256 + ROOTS[(bits >> 26) as usize] as i32; // 8 bits after the point
     // e = xy² − 1, with 32 bits after the point; y(1 − e/2 + 3e²/8) leaves 5e³/16
     let e = ((first * first) as u32).wrapping_mul(bits >> 16) as i32;
@@ -159,5 +273,5 @@ const fn reciprocal_root(bits: u32) -> u32 {
     let second = (first << 6) - ((first * twice) >> 15); // 14 bits
     // y(1 − e/2) leaves 3e²/8
     let e = (1 << 28) - upper(bits, (second * second) as u32) as i32;
-    ((second << 15) + ((second * e) >> 14)) as u32
+    (second << 13) + (second.wrapping_mul(e) >> 16)
 }
