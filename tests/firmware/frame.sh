@@ -14,16 +14,17 @@ prepare_cross
 mkdir -p target
 chip=thumbv6m-none-eabi
 
-# frame FEATURES PICTURE: draws in the number type of the features, and prints the program's floating-point routines
+# frame FEATURES PICTURE: draws in the number type of the features
 frame() {
-    local program features=$1
-    program=$(build $chip release frame)
+    program=$(features=$1 build $chip release frame)
     emulate $chip "$program" >target/frame.txt
-    (cd ../.. && cargo run --quiet --release -p display --features "$features" -- --beside tests/firmware/target/frame.txt "$2") >&2
-    arm-none-eabi-nm "$program" | grep -oE ' (__aeabi_(c?[df][a-z]+|[df]2[a-z]+|[a-z]+2[df])|__[a-z]*[sd]f[a-z]*[0-9]?)$' || true
+    (cd ../.. && cargo run --quiet --release -p display --features "$1" -- --beside tests/firmware/target/frame.txt "$2")
+    routines=$(arm-none-eabi-nm "$program" |
+        grep -oE ' (__aeabi_(c?[df][a-z]+|[df]2[a-z]+|[a-z]+2[df])|__[a-z]*[sd]f[a-z]*[0-9]?)$') || true
 }
-[ -n "$(frame "" "${1:-docs/pictures}/desktop_and_chip.png")" ]
-routines=$(frame fixed target/desktop_and_chip_fixed.png)
+frame "" "${1:-docs/pictures}/desktop_and_chip.png"
+[ -n "$routines" ] || { echo "the search for floating-point routines finds none in floating point" >&2; exit 1; }
+frame fixed target/desktop_and_chip_fixed.png
 [ -z "$routines" ] || { echo "the frame in fixed point takes $routines" >&2; exit 1; }
 
 for target in $chip_targets; do
