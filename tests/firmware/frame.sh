@@ -14,9 +14,9 @@ prepare_cross
 mkdir -p target
 chip=thumbv6m-none-eabi
 
-# frame FEATURES PICTURE: draws in the number type of the features
+# frame TYPE PICTURE: draws in floating point, or in the type `fixed`
 frame() {
-    program=$(features=$1 build $chip release frame)
+    program=$(features=${1:+frame-in-$1} build $chip release frame)
     emulate $chip "$program" >target/frame.txt
     (cd ../.. && cargo run --quiet --release -p display --features "$1" -- --beside tests/firmware/target/frame.txt "$2")
     routines=$(arm-none-eabi-nm "$program" |

@@ -10,9 +10,9 @@ use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
 use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Size};
 use firmware::board;
-#[cfg(feature = "fixed")]
+#[cfg(feature = "frame-in-fixed")]
 use firmware::picture::fixed::ball;
-#[cfg(not(feature = "fixed"))]
+#[cfg(not(feature = "frame-in-fixed"))]
 use firmware::picture::float::ball;
 
 const WIDTH: usize = 160;
