@@ -84,11 +84,13 @@ where
     let Size { width, height } = display.size();
     let pixels = |count: u32| Number::from(count as i16);
     let radius = number(23.0) * pixels(width.min(height)) / number(50.0);
+    // by a factor 256 times as large and by 1/256, since RADIUS / radius alone would lose bits
+    let (scale, back) = (number(256.0) * RADIUS / radius, number(1.0 / 256.0));
     let center = (HALF * pixels(width), HALF * pixels(height));
     for row in 0..height {
-        let y = (center.1 - pixels(row) - HALF) * RADIUS / radius;
+        let y = (center.1 - pixels(row) - HALF) * scale * back;
         let colors = (0..width).map(|column| {
-            let x = (pixels(column) + HALF - center.0) * RADIUS / radius;
+            let x = (pixels(column) + HALF - center.0) * scale * back;
             let light = ball(x, y, turn).unwrap_or(BEHIND);
             Rgb565::from(RawU16::new(light.to_rgb565()))
         });
