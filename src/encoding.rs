@@ -14,8 +14,8 @@
 
 use crate::rgb::Rgb;
 
-/// Encodings exist only for `f32`. Convert colors of other types first; a display shows no
-/// difference.
+/// Encodings exist only for `f32` and, with the feature `fixed`, for fixed point. Convert colors of
+/// other types first; a display shows no difference.
 impl Rgb<f32> {
     /// Encodes linear light as sRGB bytes.
     ///
@@ -42,9 +42,9 @@ impl Rgb<f32> {
     #[must_use]
     pub const fn to_srgb8(self) -> [u8; 3] {
         [
-            level(self.r, &EIGHT_BITS) as u8,
-            level(self.g, &EIGHT_BITS) as u8,
-            level(self.b, &EIGHT_BITS) as u8,
+            level(order(self.r), &EIGHT_BITS) as u8,
+            level(order(self.g), &EIGHT_BITS) as u8,
+            level(order(self.b), &EIGHT_BITS) as u8,
         ]
     }
 
@@ -98,9 +98,9 @@ impl Rgb<f32> {
     #[inline]
     #[must_use]
     pub const fn to_rgb565(self) -> u16 {
-        let r = level(self.r, &FIVE_BITS) as u16;
-        let g = level(self.g, &SIX_BITS) as u16;
-        let b = level(self.b, &FIVE_BITS) as u16;
+        let r = level(order(self.r), &FIVE_BITS) as u16;
+        let g = level(order(self.g), &SIX_BITS) as u16;
+        let b = level(order(self.b), &FIVE_BITS) as u16;
         r << 11 | g << 5 | b
     }
 }
@@ -116,14 +116,13 @@ const fn order(value: f32) -> i32 {
     (value.to_bits() as i32).wrapping_add(NAN)
 }
 
-/// The last level that begins at or below a value. N must be a power of two.
+/// The last level that begins at or below a place. N must be a power of two.
 #[inline]
-const fn level<const N: usize>(value: f32, begin: &[i32; N]) -> usize {
-    let value = order(value);
+pub(crate) const fn level<const N: usize>(place: i32, begin: &[i32; N]) -> usize {
     let (mut level, mut step) = (0, N / 2);
     while step > 0 {
         // the mask changes nothing, but shows the compiler that the index is within bounds
-        if value >= begin[(level | step) & (N - 1)] {
+        if place >= begin[(level | step) & (N - 1)] {
             level |= step;
         }
         step /= 2;
@@ -162,7 +161,7 @@ static DECODED: [f32; 256] = {
 /// The standard's decoding, used only at compile time. The error is at most 2⁻⁵⁰ of the result. That
 /// suffices: no level begins within 2⁻³⁶ of an `f32`, and the light of no byte is within 2⁻³⁶ of a
 /// tie.
-const fn decoded(encoded: f64) -> f64 {
+pub(crate) const fn decoded(encoded: f64) -> f64 {
     if encoded <= 0.040_45 {
         return encoded / 12.92;
     }

@@ -88,6 +88,9 @@
 //! - `bytemuck` implements `Pod` for [`Vec3`] and [`Rgb`], and `NoUninit` for [`UnitVec3`].
 //!   [`guide::buffers`] shows how to fill uniform buffers with them.
 //! - `defmt` implements `Format` for all types, so that a microcontroller can log them.
+//! - `fixed` adds `fixed::Fixed`, a number with 16 bits before the binary point and 16 after it, for
+//!   processors without an FPU, and the types of a scene in it. [`guide::embedded`] says which
+//!   number suits which chip.
 //! - `mint` converts [`Vec3`] from and to `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to
 //!   `Vector3`. Through these types it converts to the vectors of any version of glam, nalgebra,
 //!   cgmath, euclid and vek.

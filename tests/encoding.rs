@@ -28,7 +28,7 @@ fn bytes_begin_where_the_standard_says() {
 /// Green has six bits; red and blue have five.
 #[test]
 fn levels_of_rgb565_begin_where_the_standard_says() {
-    let only = |r, g, b| Rgb::new(r, g, b).to_rgb565();
+    let only = |r: f32, g, b| Rgb::new(r, g, b).to_rgb565();
     for (level, edge) in (1..).zip(edges(31)) {
         assert_eq!(only(edge, 0.0, 0.0), level << 11);
         assert_eq!(only(0.0, 0.0, edge), level);
@@ -71,4 +71,50 @@ fn constants_are_encoded_by_the_compiler() {
     assert_eq!(BACKGROUND, rgb565(23, 46, 23));
     assert_eq!(BYTES, [255; 3]);
     assert_eq!(BRASS.to_srgb8(), [0xB5, 0xA6, 0x42]);
+}
+
+/// Each step from 0 to 1 is an `f32`, whose level is that of the standard.
+#[cfg(feature = "fixed")]
+#[test]
+fn every_fixed_point_number_has_its_level() {
+    use shading::fixed::Fixed;
+
+    let [mut bytes, mut fives, mut sixes] = [255, 31, 63].map(|highest| {
+        let edges = edges(highest).into_iter().map(f64::from);
+        edges.chain([f64::INFINITY]).peekable()
+    });
+    let (mut byte, mut five, mut six) = (0_u8, 0_u16, 0_u16);
+    for steps in 0..=65_536 {
+        let light = f64::from(steps) / 65_536.0;
+        byte += u8::from(bytes.next_if(|&edge| edge <= light).is_some());
+        five += u16::from(fives.next_if(|&edge| edge <= light).is_some());
+        six += u16::from(sixes.next_if(|&edge| edge <= light).is_some());
+        let color = Rgb::gray(Fixed::from_bits(steps));
+        assert_eq!(color.to_srgb8(), [byte; 3], "{steps} steps");
+        assert_eq!(color.to_rgb565(), rgb565(five, six, five), "{steps} steps");
+    }
+    assert_eq!([u16::from(byte), five, six], [255, 31, 63]);
+
+    let outside = (-32_768..32_767).map(|whole| whole * 65_536);
+    for steps in outside
+        .filter(|&steps| steps != 0)
+        .chain([-1, 65_537, i32::MAX])
+    {
+        let is_light = steps > 0;
+        let color = Rgb::gray(Fixed::from_bits(steps));
+        assert_eq!(color.to_srgb8(), [if is_light { 255 } else { 0 }; 3]);
+        assert_eq!(color.to_rgb565(), if is_light { u16::MAX } else { 0 });
+    }
+}
+
+#[cfg(feature = "fixed")]
+#[test]
+fn each_fixed_point_channel_has_its_own_level() {
+    use shading::fixed::Fixed;
+
+    const BYTES: [u8; 3] = Rgb::new(Fixed::new(0.5), Fixed::new(0.001), Fixed::new(1.0)).to_srgb8();
+    const BITS: u16 = Rgb::new(Fixed::new(0.5), Fixed::new(0.001), Fixed::new(1.0)).to_rgb565();
+    // as in `each_channel_has_its_own_level`
+    assert_eq!(BYTES, [188, 3, 255]);
+    assert_eq!(BITS, rgb565(23, 1, 31));
 }

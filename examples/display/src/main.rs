@@ -6,21 +6,24 @@
 //! cargo run -p display -- --beside FRAME.txt PICTURE.png
 //! ```
 //!
+//! With `--features fixed`, it draws in fixed point, for chips without floating point.
+//!
 //! The second form shows a frame drawn by a chip (`tests/firmware/frame.sh`), the same frame drawn
 //! here, and their difference, side by side.
 //!
-//! Besides the driver of its display, firmware needs only `ball.rs`: `tests/firmware` compiles the
-//! same file for a Cortex-M0.
+//! Besides the driver of its display, firmware needs only `ball.rs` and, as its module `number`,
+//! `float.rs` or `fixed.rs`: `tests/firmware` compiles the same files for a Cortex-M0.
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,
-    clippy::cast_precision_loss,
-    clippy::cast_sign_loss,
-    reason = "pixels are counted with integers and placed with floating-point numbers"
+    reason = "a display has few pixels, and literals are in double precision"
 )]
 
 mod ball;
 mod beside;
+#[cfg_attr(feature = "fixed", path = "fixed.rs")]
+#[cfg_attr(not(feature = "fixed"), path = "float.rs")]
+mod number;
 
 use std::fmt::Display;
 use std::path::{Path, PathBuf};

@@ -34,6 +34,7 @@
 )]
 
 mod arithmetic;
+mod encoding;
 mod real;
 mod scene;
 mod triple;

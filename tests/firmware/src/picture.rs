@@ -1,7 +1,18 @@
-//! The picture of the display example, drawn on the chip by the same code.
+//! The picture of the display example, drawn on the chip by the same code, in both number types.
 
-#[path = "../../../examples/display/src/ball.rs"]
-pub mod ball;
+#[path = "../../../examples/display/src"]
+pub mod float {
+    pub mod ball;
+    #[path = "float.rs"]
+    mod number;
+}
+
+#[path = "../../../examples/display/src"]
+pub mod fixed {
+    pub mod ball;
+    #[path = "fixed.rs"]
+    mod number;
+}
 
 use core::convert::Infallible;
 
@@ -38,5 +49,5 @@ impl DrawTarget for Display<'_> {
 
 /// Absorbs a frame of the picture.
 pub fn absorb(digest: &mut Fnv) {
-    let Ok(()) = ball::draw(&mut Display(digest), ball::Turn::NONE.next());
+    let Ok(()) = float::ball::draw(&mut Display(digest), float::ball::Turn::NONE.next());
 }

@@ -9,7 +9,11 @@ use embedded_graphics::Pixel;
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::{RawData, RawU16};
 use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Size};
-use firmware::{board, picture::ball};
+use firmware::board;
+#[cfg(feature = "frame-in-fixed")]
+use firmware::picture::fixed::ball;
+#[cfg(not(feature = "frame-in-fixed"))]
+use firmware::picture::float::ball;
 
 const WIDTH: usize = 160;
 
