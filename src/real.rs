@@ -208,6 +208,15 @@ pub trait Real:
         Self::dot(n, Self::unit_and_length(v).0)
     }
 
+    /// The cosine between v and the reflection of l in n, 2(n·l)(n·v) − l·v.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn reflected_cosine(n: [Self; 3], l: [Self; 3], v: [Self; 3]) -> Self {
+        let n_dot_l = Self::dot(n, l);
+        (n_dot_l + n_dot_l) * Self::dot(n, v) - Self::dot(l, v)
+    }
+
     /// An integer power of a cosine, if the type has a better way than to square itself.
     #[doc(hidden)]
     #[inline]

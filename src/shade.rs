@@ -241,7 +241,13 @@ pub fn phong<T: Real, M: Exponent<T>>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    let r_dot_v = |l| reflection(n, l).dot(v);
+    let r_dot_v = |l: UnitVec3<T>| {
+        if T::IS_FIXED {
+            T::reflected_cosine((*n).into(), (*l).into(), (*v).into())
+        } else {
+            reflection(n, l).dot(v)
+        }
+    };
     sum(n, material, i_a, lights, material.m, r_dot_v)
 }
 

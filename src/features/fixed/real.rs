@@ -83,6 +83,11 @@ impl Real for Fixed {
     }
 
     #[inline]
+    fn reflected_cosine(n: [Self; 3], l: [Self; 3], v: [Self; 3]) -> Self {
+        triple::reflected_cosine(&n, &l, &v)
+    }
+
+    #[inline]
     fn power_of_cosine(self, m: u32) -> Option<Self> {
         Some(self.cosine_power(m))
     }

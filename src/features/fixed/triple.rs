@@ -12,7 +12,7 @@ use super::{Fixed, ONE};
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 pub(super) const fn dot(a: &[Fixed; 3], b: &[Fixed; 3]) -> Fixed {
-    if !LONG_MULTIPLY && is_short(a) && is_short(b) {
+    if !LONG_MULTIPLY && is_within(4, a) && is_within(4, b) {
         return dot_of_short(a, b);
     }
     let (mut sum, mut quarter, mut i) = (0x8000_i64, 0, 0);
@@ -144,7 +144,7 @@ pub(super) fn cosine_between(n: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
     fn of_long(n: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
         dot(n, &unit_and_length(v).0)
     }
-    if !(is_short(n) && is_short(v)) {
+    if !(is_within(4, n) && is_within(4, v)) {
         return of_long(n, v);
     }
     let (mut square, mut dot, mut i) = (0, 0, 0);
@@ -159,15 +159,39 @@ pub(super) fn cosine_between(n: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
     Fixed((upper_of_part(dot << pairs, root) + (1 << 6)) >> 7)
 }
 
-/// Whether each component is from −4 to 4, as in a direction or the sum of two.
+/// Whether each component is from −`limit` to `limit`, a power of two. Those of directions are within 2,
+/// and those of the sum of two directions within 4.
 #[inline]
-const fn is_short([x, y, z]: &[Fixed; 3]) -> bool {
+const fn is_within(limit: i32, [x, y, z]: &[Fixed; 3]) -> bool {
+    let limit = limit * ONE;
     let [x, y, z] = [
-        x.0.wrapping_add(4 * ONE),
-        y.0.wrapping_add(4 * ONE),
-        z.0.wrapping_add(4 * ONE),
+        x.0.wrapping_add(limit),
+        y.0.wrapping_add(limit),
+        z.0.wrapping_add(limit),
     ];
-    ((x | y | z) as u32) < 8 * ONE as u32
+    ((x | y | z) as u32) < 2 * limit as u32
+}
+
+/// The cosine of the angle between v and the reflection of l in n, 2(n·l)(n·v) − l·v.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+pub(super) fn reflected_cosine(n: &[Fixed; 3], l: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
+    if !(is_within(2, n) && is_within(2, l) && is_within(2, v)) {
+        let n_dot_l = dot(n, l);
+        return (n_dot_l + n_dot_l) * dot(n, v) - dot(l, v);
+    }
+    // with 25 bits after the point
+    let (mut n_dot_l, mut n_dot_v, mut l_dot_v, mut i) = (0, 0, 0, 0);
+    while i < 3 {
+        let [n, v] = [n[i].0 << 12, v[i].0 << 13];
+        n_dot_l += upper_signed(n, l[i].0 << 13);
+        n_dot_v += upper_signed(n, v);
+        l_dot_v += upper_signed(l[i].0 << 12, v);
+        i += 1;
+    }
+    // with 22 bits
+    let product = upper_signed(n_dot_l << 2, n_dot_v << 2);
+    Fixed((2 * product - (l_dot_v >> 3) + (1 << 5)) >> 6)
 }
 
 /// The direction and the length of a vector; both are 0 for the zero vector.
