@@ -120,13 +120,16 @@ impl Fixed {
     #[must_use]
     pub const fn new(literal: f64) -> Self {
         let steps = literal * ONE as f64;
-        Self(
-            (if steps < 0.0 {
-                steps - 0.5
-            } else {
-                steps + 0.5
-            }) as i32,
-        )
+        let whole = steps as i32;
+        // exact, which steps + 0.5 is not
+        let rest = steps - whole as f64;
+        Self(if rest >= 0.5 {
+            whole.saturating_add(1)
+        } else if rest <= -0.5 {
+            whole.saturating_sub(1)
+        } else {
+            whole
+        })
     }
 
     /// The nearest number; a tie goes away from 0. Beyond the range, it is the end of the range, and
