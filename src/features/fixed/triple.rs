@@ -173,33 +173,41 @@ const fn is_within(limit: i32, [x, y, z]: &[Fixed; 3]) -> bool {
 }
 
 /// The cosine of the angle between v and the reflection of l in n, 2(n·l)(n·v) − l·v.
+#[inline]
+pub(super) fn reflected_cosine(n: &[Fixed; 3], l: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
+    let product = upper_signed(fine_dot(n, l) << 5, fine_dot(n, v) << 5);
+    Fixed((2 * product - fine_dot(l, v) + (1 << 5)) >> 6)
+}
+
+/// Σ ab of directions, with 22 bits after the point, within ±15.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
-pub(super) fn reflected_cosine(n: &[Fixed; 3], l: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
-    if !(is_within(2, n) && is_within(2, l) && is_within(2, v)) {
-        let n_dot_l = dot(n, l);
-        return (n_dot_l + n_dot_l) * dot(n, v) - dot(l, v);
+fn fine_dot(a: &[Fixed; 3], b: &[Fixed; 3]) -> i32 {
+    if !(is_within(2, a) && is_within(2, b)) {
+        return dot(a, b).0.clamp(-15 * ONE, 15 * ONE) << 6;
     }
-    // with 25 bits after the point
-    let (mut n_dot_l, mut n_dot_v, mut l_dot_v, mut i) = (0, 0, 0, 0);
+    let (mut sum, mut i) = (0, 0);
     while i < 3 {
-        let [n, v] = [n[i].0 << 12, v[i].0 << 13];
-        n_dot_l += upper_signed(n, l[i].0 << 13);
-        n_dot_v += upper_signed(n, v);
-        l_dot_v += upper_signed(l[i].0 << 12, v);
+        sum += upper_signed(a[i].0 << 12, b[i].0 << 13);
         i += 1;
     }
-    // with 22 bits
-    let product = upper_signed(n_dot_l << 2, n_dot_v << 2);
-    Fixed((2 * product - (l_dot_v >> 3) + (1 << 5)) >> 6)
+    sum >> 3
 }
 
 /// The direction and the length of a vector; both are 0 for the zero vector.
 ///
 /// The direction does not depend on the length, even if that saturates.
+#[inline]
+pub(super) const fn unit_and_length(v: &[Fixed; 3]) -> ([Fixed; 3], Fixed) {
+    let mut unit = *v;
+    let length = normalize(&mut unit);
+    (unit, length)
+}
+
+/// Makes a direction of a vector, and returns its length.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
-pub(super) const fn unit_and_length(v: &[Fixed; 3]) -> ([Fixed; 3], Fixed) {
+const fn normalize(v: &mut [Fixed; 3]) -> Fixed {
     let shift = headroom(v);
     let square = upper_of_square(v[0].0 << shift)
         + upper_of_square(v[1].0 << shift)
@@ -214,12 +222,10 @@ pub(super) const fn unit_and_length(v: &[Fixed; 3]) -> ([Fixed; 3], Fixed) {
         let most = (i32::MAX as u32) >> up;
         (if length < most { length } else { most }) << up
     };
-    let unit = [
-        share_of(v[0].0 << shift, reciprocal),
-        share_of(v[1].0 << shift, reciprocal),
-        share_of(v[2].0 << shift, reciprocal),
-    ];
-    (unit, Fixed(length as i32))
+    v[0] = share_of(v[0].0 << shift, reciprocal);
+    v[1] = share_of(v[1].0 << shift, reciprocal);
+    v[2] = share_of(v[2].0 << shift, reciprocal);
+    Fixed(length as i32)
 }
 
 /// A component times the reciprocal of the length, rounded.
