@@ -200,15 +200,16 @@ pub trait Real:
         (Self::quotients(v, length), length)
     }
 
-    /// The cosine of the angle between a direction and a vector of any length; 0 for the zero vector.
+    /// N·H, where H is the half vector of L and V; 0 if L = −V.
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn cosine_between(n: [Self; 3], v: [Self; 3]) -> Self {
-        Self::dot(n, Self::unit_and_length(v).0)
+    fn half_cosine(n: [Self; 3], [lx, ly, lz]: [Self; 3], [vx, vy, vz]: [Self; 3]) -> Self {
+        let h = [lx + vx, ly + vy, lz + vz];
+        Self::dot(n, Self::unit_and_length(h).0)
     }
 
-    /// The cosine between v and the reflection of l in n, 2(n·l)(n·v) − l·v.
+    /// R·V, where R is the reflection of L: 2(N·L)(N·V) − L·V.
     #[doc(hidden)]
     #[inline]
     #[must_use]

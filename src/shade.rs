@@ -286,9 +286,9 @@ pub fn blinn_phong<T: Real, M: Exponent<T>>(
 ) -> Shaded<T> {
     // in fixed point, the square of a short h is not worth a power of half the exponent
     let half = material.m.half().filter(|_| !T::IS_FIXED);
-    let n_dot_h = |l| {
+    let n_dot_h = |l: UnitVec3<T>| {
         if T::IS_FIXED {
-            return T::cosine_between((*n).into(), between(l, v).into());
+            return T::half_cosine((*n).into(), (*l).into(), (*v).into());
         }
         let square = term::n_dot_h_squared(n, between(l, v));
         if half.is_some() {

@@ -78,8 +78,8 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn cosine_between(n: [Self; 3], v: [Self; 3]) -> Self {
-        triple::cosine_between(&n, &v)
+    fn half_cosine(n: [Self; 3], l: [Self; 3], v: [Self; 3]) -> Self {
+        triple::half_cosine(&n, &l, &v)
     }
 
     #[inline]

@@ -12,7 +12,7 @@ use super::{Fixed, ONE};
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 pub(super) const fn dot(a: &[Fixed; 3], b: &[Fixed; 3]) -> Fixed {
-    if !LONG_MULTIPLY && is_within(4, a) && is_within(4, b) {
+    if !LONG_MULTIPLY && is_short(a) && is_short(b) {
         return dot_of_short(a, b);
     }
     let (mut sum, mut quarter, mut i) = (0x8000_i64, 0, 0);
@@ -44,6 +44,17 @@ const fn dot_of_short(a: &[Fixed; 3], b: &[Fixed; 3]) -> Fixed {
         i += 1;
     }
     Fixed(sum + (rest >> 16) as i32)
+}
+
+/// Whether each component is from −4 to 4.
+#[inline]
+const fn is_short([x, y, z]: &[Fixed; 3]) -> bool {
+    let [x, y, z] = [
+        x.0.wrapping_add(4 * ONE),
+        y.0.wrapping_add(4 * ONE),
+        z.0.wrapping_add(4 * ONE),
+    ];
+    ((x | y | z) as u32) < 8 * ONE as u32
 }
 
 /// Each number times a factor, as by `*`.
@@ -114,7 +125,7 @@ fn reciprocal_quotient(divisor: u32) -> (u32, u32) {
         shift += 1;
     }
     // Newton's method, from the square of a reciprocal root; 32 bits of e = xy − 1 are after the point
-    let root = 256 + i32::from(ROOTS[(x >> 10) as usize & 63]);
+    let root = 256 + i32::from(ROOTS[(x >> 9) as usize & 127]);
     let y = root * root;
     let e = (x as i32).wrapping_mul(y);
     let y = y - ((y * (e >> 16)) >> 16);
@@ -135,23 +146,15 @@ fn reciprocal_quotient(divisor: u32) -> (u32, u32) {
     }
 }
 
-/// The cosine of the angle between a direction and a vector of any length; 0 for the zero vector.
+/// The cosine of the angle between n and the half vector of l and v, N·H; 0 if they are opposite.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
-pub(super) fn cosine_between(n: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
-    #[cold]
-    #[inline(never)]
-    fn of_long(n: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
-        dot(n, &unit_and_length(v).0)
-    }
-    if !(is_within(4, n) && is_within(4, v)) {
-        return of_long(n, v);
-    }
-    let (mut square, mut dot, mut i) = (0, 0, 0);
+pub(super) fn half_cosine(n: &[Fixed; 3], l: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
+    let (mut square, mut dot, mut i) = (0_u32, 0_i32, 0);
     while i < 3 {
-        let c = v[i].0 << 13;
-        square += upper_of_square(c);
-        dot += upper_signed(n[i].0 << 12, c);
+        let h = l[i].0.wrapping_add(v[i].0) << 13;
+        square += upper_of_square(h);
+        dot = dot.wrapping_add(upper_signed(n[i].0 << 12, h));
         i += 1;
     }
     let pairs = pairs_of_zeros(square);
@@ -159,36 +162,21 @@ pub(super) fn cosine_between(n: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
     Fixed((upper_of_part(dot << pairs, root) + (1 << 6)) >> 7)
 }
 
-/// Whether each component is from −`limit` to `limit`, a power of two. Those of directions are within 2,
-/// and those of the sum of two directions within 4.
-#[inline]
-const fn is_within(limit: i32, [x, y, z]: &[Fixed; 3]) -> bool {
-    let limit = limit * ONE;
-    let [x, y, z] = [
-        x.0.wrapping_add(limit),
-        y.0.wrapping_add(limit),
-        z.0.wrapping_add(limit),
-    ];
-    ((x | y | z) as u32) < 2 * limit as u32
-}
-
-/// The cosine of the angle between v and the reflection of l in n, 2(n·l)(n·v) − l·v.
+/// The cosine of the angle between v and the reflection of l in n, R·V = 2(n·l)(n·v) − l·v.
 #[inline]
 pub(super) fn reflected_cosine(n: &[Fixed; 3], l: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
     let product = upper_signed(fine_dot(n, l) << 5, fine_dot(n, v) << 5);
-    Fixed((2 * product - fine_dot(l, v) + (1 << 5)) >> 6)
+    let cosine = (product << 1).wrapping_sub(fine_dot(l, v)); // 22 bits after the point
+    Fixed(((cosine >> 5) + 1) >> 1)
 }
 
-/// Σ ab of directions, with 22 bits after the point, within ±15.
+/// Σ ab of directions, with 22 bits after the point.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 fn fine_dot(a: &[Fixed; 3], b: &[Fixed; 3]) -> i32 {
-    if !(is_within(2, a) && is_within(2, b)) {
-        return dot(a, b).0.clamp(-15 * ONE, 15 * ONE) << 6;
-    }
-    let (mut sum, mut i) = (0, 0);
+    let (mut sum, mut i) = (0_i32, 0);
     while i < 3 {
-        sum += upper_signed(a[i].0 << 12, b[i].0 << 13);
+        sum = sum.wrapping_add(upper_signed(a[i].0 << 12, b[i].0 << 13));
         i += 1;
     }
     sum >> 3
@@ -276,14 +264,14 @@ const fn headroom([x, y, z]: &[Fixed; 3]) -> u32 {
     shift
 }
 
-/// 2⁸(1/√x − 1) for the middle x of each 64th, from ¼ to 1.
-static ROOTS: [u8; 64] = {
-    let mut table = [0; 64];
-    let mut i = 16;
-    while i < 64 {
-        // the largest r with (2⁸ + r)² x ≤ 2¹⁶, where x = (2i + 1)/2⁷
+/// 2⁸(1/√x − 1) for the middle x of each 128th, from ¼ to 1.
+static ROOTS: [u8; 128] = {
+    let mut table = [0; 128];
+    let mut i = 32;
+    while i < 128 {
+        // the largest r with (2⁸ + r)² x ≤ 2¹⁶, where x = (2i + 1)/2⁸
         let mut r = 255_u32;
-        while (256 + r) * (256 + r) * (2 * i as u32 + 1) > 1 << 23 {
+        while (256 + r) * (256 + r) * (2 * i as u32 + 1) > 1 << 24 {
             r -= 1;
         }
         table[i] = r as u8;
@@ -295,13 +283,11 @@ static ROOTS: [u8; 64] = {
 /// 2²⁷/√x for x = `bits`/2³² from ¼ on.
 #[inline]
 const fn reciprocal_root(bits: u32) -> i32 {
-    let first = 256 + ROOTS[(bits >> 26) as usize] as i32; // 8 bits after the point
-    // e = xy² − 1, with 32 bits after the point; y(1 − e/2 + 3e²/8) leaves 5e³/16
+    let first = 256 + ROOTS[(bits >> 25) as usize] as i32; // 8 bits after the point
+    // Newton's method, y(1 − e/2), where e = xy² − 1 has 32 bits after the point
     let e = ((first * first) as u32).wrapping_mul(bits >> 16) as i32;
-    let short = e >> 16;
-    let twice = (e >> 12) - ((3 * short * short) >> 14);
-    let second = (first << 6) - ((first * twice) >> 15); // 14 bits
-    // y(1 − e/2) leaves 3e²/8
+    let second = (first << 6) - ((first * (e >> 12)) >> 15); // 14 bits
+    // once more
     let e = (1 << 28) - upper(bits, (second * second) as u32) as i32;
-    (second << 13) + (second.wrapping_mul(e) >> 16)
+    (second << 13) + (second.wrapping_mul(e >> 1) >> 15)
 }
