@@ -53,6 +53,16 @@ fn edges() -> Vec<Fixed> {
     steps.map(Fixed::from_bits).collect()
 }
 
+/// The table of `docs/precision.md` must have this line, with the largest error rounded up.
+fn assert_documented(what: &str, largest: f64, bound: f64, unit: &str) {
+    assert!(largest <= bound, "{what}: {largest} {unit}");
+    let largest = (largest * 1000.0).ceil() / 1000.0;
+    let line = format!("| {what} | {largest:.3} | {bound} | {unit} |");
+    let page = include_str!("../../docs/precision.md");
+    let is_there = page.lines().any(|documented| documented == line);
+    assert!(is_there, "docs/precision.md lacks\n{line}");
+}
+
 /// A number in steps.
 fn steps(number: Fixed) -> f64 {
     f64::from(number.to_bits())

@@ -3,7 +3,7 @@
 use shading::fixed::{Attenuation, Dual, Fixed, PointLight, Rgb, UnitVec3, Vec3};
 use shading::{Real, normal};
 
-use crate::{Random, edges, exact, steps};
+use crate::{Random, assert_documented, edges, exact, steps};
 
 fn vector(mut component: impl FnMut() -> Fixed) -> Vec3 {
     Vec3::new(component(), component(), component())
@@ -69,6 +69,7 @@ fn a_factor_multiplies_each_component() {
 /// than half a step and 0.01; the length, in steps, by half of one and 2⁻²⁶ of itself.
 #[test]
 fn directions_and_lengths_are_within_their_bounds() {
+    let (mut largest, mut longest) = (0.0_f64, 0.0_f64);
     for v in vectors().filter(|v| *v != Vec3::ZERO) {
         let [x, y, z] = [v.x, v.y, v.z].map(steps);
         let length = (x * x + y * y + z * z).sqrt();
@@ -77,15 +78,20 @@ fn directions_and_lengths_are_within_their_bounds() {
         for (component, part) in [(unit.x, x), (unit.y, y), (unit.z, z)] {
             let error = (steps(component) - part / length * 65536.0).abs();
             assert!(error <= 0.51, "the unit of {v:?} is off by {error} steps");
+            largest = largest.max(error);
         }
         assert_eq!(v.unit_or(UnitVec3::X), unit);
         assert_eq!(UnitVec3::normalized(v.x, v.y, v.z), Some(unit));
 
         let expected = length.min(steps(Fixed::MAX));
         let error = (steps(v.length()) - expected).abs();
-        let bound = 0.5 + expected / f64::from(1 << 26);
-        assert!(error <= bound, "|{v:?}| is off by {error} steps");
+        let excess = (error - 0.5).max(0.0) / expected * f64::from(1 << 26);
+        assert!(excess <= 1.0, "|{v:?}| is off by {error} steps");
+        longest = longest.max(excess);
     }
+    assert_documented("a direction", largest, 0.51, "steps");
+    let unit = "2⁻²⁶ of the length, and half a step";
+    assert_documented("a length", longest, 1.0, unit);
 }
 
 /// The denominator is the distance that the light reports. Newton's method leaves the reciprocal off
