@@ -1,7 +1,7 @@
 //! The constructors that check, and scenes in constants.
 
 use shading::fixed::{
-    Attenuation, Cone, DirectionalLight, Fixed, Light, Material, PointLight, Rgb, SoftCone,
+    Attenuation, Cone, DirectionalLight, Fixed, Light, Material, PointLight, Ranged, Rgb, SoftCone,
     SpotLight, UnitVec3, Vec3,
 };
 use shading::{Real, shade};
@@ -106,10 +106,7 @@ fn coefficients_and_ranges_are_checked() {
             }
         }
         let ranged = LAMP.attenuation.within(a);
-        assert_eq!(
-            ranged.map(|ranged| ranged.range()),
-            (a.to_bits() > 0).then_some(a)
-        );
+        assert_eq!(ranged.map(Ranged::range), (a.to_bits() > 0).then_some(a));
         assert!(ranged.is_none_or(|ranged| ranged.attenuation() == LAMP.attenuation));
     }
 }
