@@ -208,3 +208,18 @@ fn dual_slopes_saturate() {
     }
     assert_eq!((Dual::ONE / zero).value, Fixed::MAX);
 }
+
+#[test]
+fn channels_out_of_range_get_the_last_level() {
+    for dark in [Fixed::MIN, Fixed::NEG_ONE, -Fixed::STEP] {
+        let dark = Rgb::gray(dark);
+        assert_eq!((dark.to_srgb8(), dark.to_rgb565()), ([0; 3], 0));
+    }
+    for bright in [Fixed::ONE + Fixed::STEP, Fixed::MAX] {
+        let bright = Rgb::gray(bright);
+        assert_eq!(
+            (bright.to_srgb8(), bright.to_rgb565()),
+            ([255; 3], u16::MAX)
+        );
+    }
+}

@@ -112,7 +112,13 @@ pub mod fixed {
         conversions();
         operators();
         constructors();
+        encodings();
         short_names();
+    }
+
+    fn encodings() {
+        assert_eq!(Rgb::<Fixed>::to_srgb8(Rgb::gray(X(1.0))), [255; 3]);
+        assert_eq!(Rgb::<Fixed>::to_rgb565(Rgb::gray(X(1.0))), u16::MAX);
     }
 
     fn number<N: Display + Eq + Hash>(number: N) {
