@@ -37,7 +37,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// [`guide::invariants`](mod@crate::guide::invariants) explains how to test such a type.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a number type that this crate computes with",
-    label = "expected `f32`, `f64`, `Dual<_>` or SIMD lanes",
+    label = "expected `f32`, `f64`, `Fixed`, `Dual<_>` or SIMD lanes",
     note = "write numbers with a decimal point: `Vec3::new(0.0, 0.0, 1.0)`, not `Vec3::new(0, 0, 1)`"
 )]
 pub trait Real:

@@ -5,6 +5,8 @@
 
 use bytemuck::{NoUninit, Pod, Zeroable};
 
+#[cfg(feature = "fixed")]
+use crate::fixed::Fixed;
 use crate::{Rgb, UnitVec3, Vec3};
 
 macro_rules! pod {
@@ -22,3 +24,10 @@ pod!(Rgb);
 // SAFETY: The type is a transparent `Vec3`. It can only be written: a value read from bytes might
 // have any length.
 unsafe impl<T: Pod> NoUninit for UnitVec3<T> {}
+
+#[cfg(feature = "fixed")]
+// SAFETY: The type is a transparent `i32`, and every `i32` is a number.
+unsafe impl Zeroable for Fixed {}
+#[cfg(feature = "fixed")]
+// SAFETY: As above.
+unsafe impl Pod for Fixed {}

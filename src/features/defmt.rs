@@ -2,6 +2,8 @@
 
 use defmt::{Format, Formatter, write};
 
+#[cfg(feature = "fixed")]
+use crate::fixed::Fixed;
 use crate::{
     Attenuation, Cone, DirectionalLight, Dual, IncidentLight, Light, Material, PointLight, Ranged,
     Real, Rgb, Shaded, SoftCone, SpotLight, UnitVec3, Vec3,
@@ -45,5 +47,13 @@ impl<T: Real + Format, C: Format, A: Format> Format for Light<T, C, A> {
             Self::Point(light) => light.format(f),
             Self::Spot(light) => light.format(f),
         }
+    }
+}
+
+/// The number in decimal digits.
+#[cfg(feature = "fixed")]
+impl Format for Fixed {
+    fn format(&self, f: Formatter) {
+        write!(f, "{=f64}", f64::from(*self));
     }
 }

@@ -83,6 +83,13 @@ pub use types::*;
 /// Scenes of ±100 units with lamps from 0.1 to 200 units away are right: each channel of a color is
 /// within half a level of an 8-bit display of the exact formula, with an intensity of up to 1 at the
 /// surface and an m of up to 128. [`guide::precision`](mod@crate::guide::precision) has the figures.
+/// Closer to the step, precision is lost in three places:
+///
+/// - The denominator of an [`attenuation`](crate::attenuation()) should be (1 + q)/100 or more. An
+///   inverse square, 1/(cq²), therefore needs c ≥ 1.1 at q = 0.1, but only c ≥ 0.02 at q = 1.
+/// - The cosines of a soft cone should be 0.05 or more apart.
+/// - The highlight of Blinn–Phong loses precision where L is within 6° of −V, so that it grazes the
+///   surface.
 ///
 /// The sum, the difference, the product, the quotient and the square root round correctly: to the
 /// nearest number, and a product halfway between two numbers goes up. The results have the same bits

@@ -4,6 +4,7 @@ use super::{Fixed, ONE, triple};
 use crate::elementary::Elementary;
 use crate::real::Real;
 
+#[diagnostic::do_not_recommend] // the trait's own message names the types
 impl Real for Fixed {
     const ZERO: Self = Self(0);
     const ONE: Self = Self(ONE);

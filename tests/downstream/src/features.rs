@@ -30,6 +30,12 @@ pub mod bytemuck {
     pub fn call() {
         both_ways::<Vec3>(Vec3::new(1.0, 2.0, 3.0));
         both_ways::<Rgb>(Rgb::WHITE);
+        #[cfg(feature = "fixed")]
+        {
+            use shading::fixed::Fixed;
+            both_ways::<Fixed>(Fixed::STEP);
+            assert_eq!(<Fixed as Zeroable>::zeroed(), Fixed::from(0));
+        }
         assert_eq!(<Vec3 as Zeroable>::zeroed(), Vec3::ZERO);
         assert_eq!(<Rgb as Zeroable>::zeroed(), Rgb::BLACK);
         one_way::<UnitVec3>(UnitVec3::X);
@@ -55,6 +61,11 @@ pub mod defmt {
     use crate::scenes::{CLAY, LAMP, SPOT, SUN};
 
     pub fn call() {
+        #[cfg(feature = "fixed")]
+        {
+            use shading::fixed::Fixed;
+            log::<Fixed>(Fixed::STEP);
+        }
         log::<Vec3>(Vec3::ZERO);
         log::<UnitVec3>(UnitVec3::X);
         log::<Rgb>(Rgb::WHITE);
@@ -74,6 +85,101 @@ pub mod defmt {
 
     fn log<V: Format>(value: V) {
         defmt::println!("{}", value);
+    }
+}
+
+#[cfg(feature = "fixed")]
+pub mod fixed {
+    use core::fmt::Display;
+    use core::hash::Hash;
+    use core::ops::{Add, Div, Mul, Neg, Sub};
+
+    use shading::fixed::Fixed;
+    use shading::{Attenuation, Cone, Ranged, Rgb, SoftCone, UnitVec3, Vec3};
+
+    use crate::numbers::{elementary, real};
+    use crate::types::{same, value};
+
+    const X: fn(f64) -> Fixed = Fixed::new;
+    const UP: UnitVec3<Fixed> =
+        UnitVec3::<Fixed>::normalized(Fixed::STEP, Fixed::STEP, Fixed::MAX).unwrap();
+
+    pub fn call() {
+        value::<Fixed>(Fixed::STEP);
+        number::<Fixed>(Fixed::STEP);
+        real::<Fixed>();
+        elementary::<Fixed>();
+        conversions();
+        operators();
+        constructors();
+        encodings();
+        short_names();
+    }
+
+    fn encodings() {
+        assert_eq!(Rgb::<Fixed>::to_srgb8(Rgb::gray(X(1.0))), [255; 3]);
+        assert_eq!(Rgb::<Fixed>::to_rgb565(Rgb::gray(X(1.0))), u16::MAX);
+    }
+
+    fn number<N: Display + Eq + Hash>(number: N) {
+        assert!(number == number);
+    }
+
+    fn conversions() {
+        assert_eq!(Fixed::from_bits(Fixed::to_bits(Fixed::MIN)), Fixed::MIN);
+        assert_eq!(Fixed::to_f32(Fixed::from_f32(0.5)), 0.5);
+        assert_eq!(<f64 as From<Fixed>>::from(Fixed::new(0.5)), 0.5);
+        assert_eq!(<Fixed as From<i16>>::from(1), X(1.0));
+        assert_eq!(<Fixed as Default>::default(), X(0.0));
+    }
+
+    fn operators() {
+        let (two, three) = (X(2.0), X(3.0));
+        assert_eq!(<Fixed as Add>::add(two, three), X(5.0));
+        assert_eq!(<Fixed as Sub>::sub(two, three), X(-1.0));
+        assert_eq!(<Fixed as Mul>::mul(two, three), X(6.0));
+        assert_eq!(<Fixed as Div>::div(three, two), X(1.5));
+        assert_eq!(<Fixed as Neg>::neg(two), X(-2.0));
+        let (v, gray) = (Vec3::new(two, two, two), Rgb::gray(two));
+        assert_eq!(<Fixed as Mul<Vec3<Fixed>>>::mul(three, v), v * three);
+        assert_eq!(<Fixed as Mul<Rgb<Fixed>>>::mul(three, gray).g, X(6.0));
+        assert!(<Fixed as Ord>::cmp(&two, &three).is_lt());
+        assert!(<Fixed as PartialOrd>::partial_cmp(&two, &three).is_some());
+    }
+
+    fn constructors() {
+        assert_eq!(UP, UnitVec3::Z);
+        assert_eq!(
+            UnitVec3::<Fixed>::new(X(1.0), X(0.0), X(0.0)),
+            Some(UnitVec3::X)
+        );
+        let one = Attenuation::<Fixed>::new(X(1.0), X(0.0), X(0.0)).unwrap();
+        assert_eq!(one, Attenuation::NONE);
+        let ranged = Attenuation::<Fixed>::within(one, Fixed::MAX);
+        assert_eq!(ranged, Some(Ranged::from(one)));
+        let cone = Cone::<Fixed>::from_cosine(X(0.5)).unwrap();
+        assert!(Cone::<Fixed>::from_half_angle(X(4.0)).is_none());
+        let soft = SoftCone::<Fixed>::from_cosines(X(0.5), X(0.5));
+        assert_eq!(soft, Some(SoftCone::from(cone)));
+        assert!(SoftCone::<Fixed>::from_half_angles(X(0.5), X(0.25)).is_none());
+    }
+
+    fn short_names() {
+        same::<shading::fixed::Vec3, Vec3<Fixed>>();
+        same::<shading::fixed::UnitVec3, UnitVec3<Fixed>>();
+        same::<shading::fixed::Rgb, Rgb<Fixed>>();
+        same::<shading::fixed::Dual, shading::Dual<Fixed>>();
+        same::<shading::fixed::Attenuation, Attenuation<Fixed>>();
+        same::<shading::fixed::Ranged, Ranged<Fixed>>();
+        same::<shading::fixed::Cone, Cone<Fixed>>();
+        same::<shading::fixed::SoftCone, SoftCone<Fixed>>();
+        same::<shading::fixed::IncidentLight, shading::IncidentLight<Fixed>>();
+        same::<shading::fixed::DirectionalLight, shading::DirectionalLight<Fixed>>();
+        same::<shading::fixed::PointLight, shading::PointLight<Fixed>>();
+        same::<shading::fixed::SpotLight, shading::SpotLight<Fixed>>();
+        same::<shading::fixed::Light, shading::Light<Fixed>>();
+        same::<shading::fixed::Material, shading::Material<Fixed>>();
+        same::<shading::fixed::Shaded, shading::Shaded<Fixed>>();
     }
 }
 

@@ -28,7 +28,7 @@ pub(crate) fn real<T: Real + PartialEq>() {
     assert!(Real::at_least(extreme, max) == max);
 }
 
-fn elementary<T: Elementary + PartialEq>() {
+pub(crate) fn elementary<T: Elementary + PartialEq>() {
     assert!(Elementary::sin(T::ZERO) == T::ZERO && Elementary::cos(T::ZERO) == T::ONE);
     assert!(Elementary::exp(T::ZERO) == T::ONE && Elementary::ln(T::ONE) == T::ZERO);
     assert!(Elementary::powi(T::of(2.0), -2) == T::of(0.25));

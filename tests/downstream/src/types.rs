@@ -39,7 +39,7 @@ impl Write for Length {
     }
 }
 
-fn value<V: Copy + Debug + PartialEq>(value: V) {
+pub(crate) fn value<V: Copy + Debug + PartialEq>(value: V) {
     let copy = value;
     assert!(V::clone(&value) == copy);
     let mut text = Length(0);
@@ -48,9 +48,9 @@ fn value<V: Copy + Debug + PartialEq>(value: V) {
 }
 
 /// Two names of one type.
-trait Same<T> {}
+pub(crate) trait Same<T> {}
 impl<T> Same<T> for T {}
-fn same<A: Same<B>, B>() {}
+pub(crate) fn same<A: Same<B>, B>() {}
 
 fn short_names() {
     same::<shading::f32::Vec3, Vec3<f32>>();

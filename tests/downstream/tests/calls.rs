@@ -21,6 +21,12 @@ fn bytemuck() {
     downstream::features::bytemuck::call();
 }
 
+#[cfg(feature = "fixed")]
+#[test]
+fn fixed() {
+    downstream::features::fixed::call();
+}
+
 #[cfg(feature = "mint")]
 #[test]
 fn mint() {

@@ -13,11 +13,12 @@ const SOURCE: &str = concat!(
 
 /// Traits that many types implement, each with the generic function that calls it, as in `value::<Vec3>`. All other traits
 /// are called by name, as in `<Vec3 as Neg>`.
-const CALLED_BY: [(&str, &[&str]); 8] = [
+const CALLED_BY: [(&str, &[&str]); 9] = [
     (
         "value",
         &["Clone", "Copy", "Debug", "PartialEq", "StructuralPartialEq"],
     ),
+    ("number", &["Display", "Eq", "Hash"]),
     ("real", &["Real"]),
     ("elementary", &["Elementary"]),
     ("near", &["AbsDiffEq", "RelativeEq", "UlpsEq"]),
@@ -126,7 +127,7 @@ fn has_field(source: &[&str], of: &str, field: &str) -> bool {
 fn names(source: &[&str], kind: Option<&str>, item: &[&str], types: &[&str]) -> bool {
     let number = item
         .windows(4)
-        .find(|w| matches!(w, ["<", "f32" | "f64", ">", "::"]));
+        .find(|w| matches!(w, [_, "f32" | "f64" | "Fixed", ">", "::"]));
     let item = plain(item, types);
     let path = item
         .split(|token| ["(", "<", "=", ":"].contains(token))

@@ -11,6 +11,7 @@ use shading::f32::{
     Attenuation, Cone, DirectionalLight, Light, Material, PointLight, Rgb, SpotLight, UnitVec3,
     Vec3,
 };
+use shading::fixed::Fixed;
 
 const PAGE: &str = include_str!("../../../docs/buffers.md");
 
@@ -34,6 +35,9 @@ fn three_numbers_follow_each_other_without_padding() {
         bytes_of(&shading::f64::UnitVec3::Z),
         bytes_of(&[0.0, 0.0, 1.0])
     );
+    let fixed: &[shading::fixed::Vec3] = cast_slice(&[0x1_0000, 0x8000, -1]);
+    let [half, step] = [Fixed::new(0.5), Fixed::STEP];
+    assert_eq!(fixed, [shading::Vec3::new(Fixed::new(1.0), half, -step)]);
     assert_eq!(
         shading::Vec3::<i16>::zeroed(),
         shading::Vec3 { x: 0, y: 0, z: 0 }

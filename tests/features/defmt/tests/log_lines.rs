@@ -51,6 +51,9 @@ fn each_type_has_a_line() {
         log(shading::f64::Rgb::new(1.0, 0.5, 0.1)),
         "Rgb(1.0, 0.5, 0.1)"
     );
+    let number = shading::fixed::Fixed::new(-1.25);
+    assert_eq!(log(number), "-1.25");
+    assert_eq!(log(shading::Rgb::gray(number)), "Rgb(-1.25, -1.25, -1.25)");
     assert_eq!(
         log(Dual {
             value: 2.5,
