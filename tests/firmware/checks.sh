@@ -19,6 +19,7 @@ emulate() {
     shift 2
     case $target in
     thumbv6m-*) machine="qemu-system-arm -machine microbit" ;;
+    thumbv7m-*) machine="qemu-system-arm -machine mps2-an385" ;;
     thumbv7em-*) machine="qemu-system-arm -machine mps2-an386 -cpu cortex-m4" ;;
     riscv32*) machine="qemu-system-riscv32 -machine virt -bios none" ;;
     esac
@@ -40,7 +41,7 @@ digest() {
     esac
 }
 
-# Prints the instructions per point light, with an integer m and with a real one, under `release` or the profile given.
+# Prints the instructions per point light, with an integer m, with a real one and in fixed point, under `release` or the profile given.
 instructions() {
     local shift=10 program
     case $1 in riscv32*) shift=0 ;; esac
@@ -82,6 +83,7 @@ compile_c() {
     shift 2
     case $target in
     thumbv6m-*) flags="-mcpu=cortex-m0" ;;
+    thumbv7m-*) flags="-mcpu=cortex-m3" ;;
     thumbv7em-*) flags="-mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard" ;;
     esac
     srgb_table >target/table.h
