@@ -41,25 +41,27 @@ digest() {
     esac
 }
 
-# Prints the instructions per point light, with an integer m, with a real one and in fixed point, under `release` or the profile given.
-instructions() {
+# Prints the instructions per point light, with an integer m and with a real one, under `release` or the profile given.
+instructions() { counted "$1" "${2-release}" count; }
+
+# Prints the same in fixed point, with an integer m.
+instructions_of_fixed() { counted "$1" "${2-release}" count_fixed; }
+
+# Prints what a program counts.
+counted() {
     local shift=10 program
     case $1 in riscv32*) shift=0 ;; esac
-    program=$(build "$1" "${2-release}" count) && emulate "$1" "$program" -icount "shift=$shift"
+    program=$(build "$1" "$2" "$3") && emulate "$1" "$program" -icount "shift=$shift"
 }
 
-# Prints the same for the C kernel at -O2.
+# Prints the same for the C kernels at -O2: with an integer m, with a real one, and in fixed point.
 instructions_of_c() {
-    compile_c "$1" target/kernel -O2 c/kernel.c c/count.c
+    compile_c "$1" target/kernel -O2 c/kernel.c c/kernel_fixed.c c/count.c
     emulate "$1" target/kernel -icount shift=10 2>&1 # the debug console is standard error
 }
 
 # Prints the instructions per color: to sRGB bytes, from sRGB bytes, to RGB565.
-instructions_to_encode() {
-    local shift=10 program
-    case $1 in riscv32*) shift=0 ;; esac
-    program=$(build "$1" "${2-release}" encode) && emulate "$1" "$program" -icount "shift=$shift"
-}
+instructions_to_encode() { counted "$1" "${2-release}" encode; }
 
 # Prints the same in C: to sRGB bytes with powf, to sRGB bytes with a table, to RGB565 with powf.
 instructions_to_encode_in_c() {
