@@ -27,14 +27,14 @@ emulate() {
     timeout 120 $machine -nographic -semihosting-config enable=on,target=native "$@" -kernel "$program" </dev/null
 }
 
-# Prints the digests for a target, or `host`, under a profile: SINGLE-DOUBLE.
+# Prints the digests for a target, or `host`, under a profile: SINGLE-DOUBLE-FIXED.
 digest() {
     local target=$1 profile=$2 program
     case $target in
     host) cargo run --quiet --profile "$profile" --features "$features" --bin host ;;
     wasm32-*) program=$(build "$target" "$profile" wasm) && node wasm.mjs "$program.wasm" ;;
     *)
-        for program in single double; do
+        for program in single double fixed; do
             program=$(build "$target" "$profile" "$program") && emulate "$target" "$program" || return
         done | paste -sd -
         ;;

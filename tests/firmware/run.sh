@@ -146,9 +146,7 @@ little_stack() { [ "$(stack $m0 release | cut -d' ' -f"$1")" -le 256 ]; }
 broken bits same_bits 1
 broken bits same_bits 3
 broken panic cannot_panic $m4f release
-broken panic cannot_panic $m0 release fixed
 broken doubles has_no_doubles $m4f release
-broken doubles has_no_doubles $m0 release fixed
 broken doubles has_no_f64 $m4f
 broken instructions few_instructions
 broken instructions few_in_fixed_point $m0 1600
