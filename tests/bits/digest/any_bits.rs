@@ -39,12 +39,15 @@ pub fn absorb(digest: &mut Fnv) {
             lamp.at(p),
             lamp.at(q + Vec3::new(share, share, Fixed::STEP)),
         ]);
-    } // the division by numbers above 1 begins with the reciprocal of the 16 leading bits
+    }
+
+    // a Cortex-M0 divides by numbers above 1 in its own way: all up to 2, and some of each larger size
     for leading in 0x8000..0x1_0000 {
-        let divisor = Fixed::from_bits((leading << 15 | leading) >> (leading & 7));
-        digest.absorb(Fixed::quotients(
-            [Fixed::MAX, Fixed::MIN, Fixed::ONE],
-            divisor,
-        ));
+        let larger = (leading << 15 | leading) >> (leading & 7);
+        for steps in [2 * leading, 2 * leading + 1, larger] {
+            let divisor = Fixed::from_bits(steps);
+            let dividends = [Fixed::MAX, Fixed::MIN, Fixed::ONE];
+            digest.absorb(Fixed::quotients(dividends, divisor));
+        }
     }
 }
