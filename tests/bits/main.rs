@@ -12,37 +12,64 @@ mod digest;
 #[cfg(feature = "wide")]
 mod lanes;
 
-use std::any::type_name;
 use std::fs;
 
-use digest::{Float, Fnv, Of, absorb};
+#[cfg(feature = "fixed")]
+use digest::any_bits;
+use digest::{Fnv, Function, Number, Of, absorb};
 
 /// One line per function and number type, with the digest of all its results.
 const PINNED: &str = include_str!("pinned.txt");
 
 #[test]
 fn bits_are_as_pinned() {
-    let lines: Vec<_> = lines::<f32>().chain(lines::<f64>()).collect();
-    let pinned: Vec<_> = PINNED.lines().collect();
+    let single = lists::<f32>().into_iter().chain([Of::<f32>::OF_FLOATS]);
+    let double = lists::<f64>().into_iter().chain([Of::<f64>::OF_FLOATS]);
+    assert_pinned(
+        "pinned.txt",
+        PINNED,
+        lines("f32", single).chain(lines("f64", double)),
+    );
+}
+
+#[cfg(feature = "fixed")]
+#[test]
+fn bits_of_fixed_point_are_as_pinned() {
+    let mut digest = Fnv::EMPTY;
+    any_bits::absorb(&mut digest);
+    let any_bits = format!("{:016x} fixed any bits", digest.0);
+    let lines = lines("fixed", lists::<shading::fixed::Fixed>()).chain([any_bits]);
+    assert_pinned("fixed.txt", include_str!("fixed.txt"), lines);
+}
+
+fn assert_pinned(file: &str, pinned: &str, lines: impl Iterator<Item = String>) {
+    let lines: Vec<_> = lines.collect();
+    let pinned: Vec<_> = pinned.lines().collect();
     if lines != pinned {
         let is_new = |line: &&String| !pinned.contains(&line.as_str());
         let new: Vec<_> = lines.iter().filter(is_new).collect();
-        let now = concat!(env!("CARGO_TARGET_TMPDIR"), "/pinned.txt");
-        fs::write(now, lines.join("\n") + "\n").expect("a file");
+        let now = format!("{}/{file}", env!("CARGO_TARGET_TMPDIR"));
+        fs::write(&now, lines.join("\n") + "\n").expect("a file");
         panic!(
-            "not in tests/bits/pinned.txt:\n{new:#?}\n\
+            "not in tests/bits/{file}:\n{new:#?}\n\
             If that is meant, say in CHANGELOG.md what changes and why, and\n\
-            cp {now} tests/bits/pinned.txt"
+            cp {now} tests/bits/{file}"
         );
     }
 }
 
-fn lines<T: Float>() -> impl Iterator<Item = String> {
-    let functions = Of::<T>::FUNCTIONS.iter().chain(Of::ANGLES);
-    functions.map(|function| {
+fn lists<T: Number>() -> [&'static [Function<T>]; 3] {
+    [Of::<T>::FUNCTIONS, Of::HALF_ANGLES, Of::ANGLES]
+}
+
+fn lines<T: Number>(
+    number: &str,
+    lists: impl IntoIterator<Item = &'static [Function<T>]>,
+) -> impl Iterator<Item = String> {
+    lists.into_iter().flatten().map(move |function| {
         let (name, _) = function;
         let mut digest = Fnv::EMPTY;
         absorb(&[*function], &mut digest);
-        format!("{:016x} {} {name}", digest.0, type_name::<T>())
+        format!("{:016x} {number} {name}", digest.0)
     })
 }

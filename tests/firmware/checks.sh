@@ -19,6 +19,7 @@ emulate() {
     shift 2
     case $target in
     thumbv6m-*) machine="qemu-system-arm -machine microbit" ;;
+    thumbv7m-*) machine="qemu-system-arm -machine mps2-an385" ;;
     thumbv7em-*) machine="qemu-system-arm -machine mps2-an386 -cpu cortex-m4" ;;
     riscv32*) machine="qemu-system-riscv32 -machine virt -bios none" ;;
     esac
@@ -26,14 +27,14 @@ emulate() {
     timeout 120 $machine -nographic -semihosting-config enable=on,target=native "$@" -kernel "$program" </dev/null
 }
 
-# Prints the digests for a target, or `host`, under a profile: SINGLE-DOUBLE.
+# Prints the digests for a target, or `host`, under a profile: SINGLE-DOUBLE-FIXED.
 digest() {
     local target=$1 profile=$2 program
     case $target in
     host) cargo run --quiet --profile "$profile" --features "$features" --bin host ;;
     wasm32-*) program=$(build "$target" "$profile" wasm) && node wasm.mjs "$program.wasm" ;;
     *)
-        for program in single double; do
+        for program in single double fixed; do
             program=$(build "$target" "$profile" "$program") && emulate "$target" "$program" || return
         done | paste -sd -
         ;;
@@ -41,24 +42,26 @@ digest() {
 }
 
 # Prints the instructions per point light, with an integer m and with a real one, under `release` or the profile given.
-instructions() {
+instructions() { counted "$1" "${2-release}" count; }
+
+# Prints the same in fixed point, with an integer m.
+instructions_of_fixed() { counted "$1" "${2-release}" count_fixed; }
+
+# Prints what a program counts.
+counted() {
     local shift=10 program
     case $1 in riscv32*) shift=0 ;; esac
-    program=$(build "$1" "${2-release}" count) && emulate "$1" "$program" -icount "shift=$shift"
+    program=$(build "$1" "$2" "$3") && emulate "$1" "$program" -icount "shift=$shift"
 }
 
-# Prints the same for the C kernel at -O2.
+# Prints the same for the C kernels at -O2: with an integer m, with a real one, and in fixed point.
 instructions_of_c() {
-    compile_c "$1" target/kernel -O2 c/kernel.c c/count.c
+    compile_c "$1" target/kernel -O2 c/kernel.c c/kernel_fixed.c c/count.c
     emulate "$1" target/kernel -icount shift=10 2>&1 # the debug console is standard error
 }
 
 # Prints the instructions per color: to sRGB bytes, from sRGB bytes, to RGB565.
-instructions_to_encode() {
-    local shift=10 program
-    case $1 in riscv32*) shift=0 ;; esac
-    program=$(build "$1" "${2-release}" encode) && emulate "$1" "$program" -icount "shift=$shift"
-}
+instructions_to_encode() { counted "$1" "${2-release}" encode; }
 
 # Prints the same in C: to sRGB bytes with powf, to sRGB bytes with a table, to RGB565 with powf.
 instructions_to_encode_in_c() {
@@ -82,6 +85,7 @@ compile_c() {
     shift 2
     case $target in
     thumbv6m-*) flags="-mcpu=cortex-m0" ;;
+    thumbv7m-*) flags="-mcpu=cortex-m3" ;;
     thumbv7em-*) flags="-mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard" ;;
     esac
     srgb_table >target/table.h

@@ -3,7 +3,7 @@
 # rustup fetches the compiled `core` of each target. If rustup is missing or cannot fetch, Debian's compiler builds `core`
 # from Debian's sources instead. Either way, `cross TARGET COMMAND ARGUMENT...` runs cargo for a target.
 
-chip_targets="thumbv6m-none-eabi thumbv7em-none-eabihf riscv32imac-unknown-none-elf"
+chip_targets="thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabihf riscv32imac-unknown-none-elf"
 no_std_targets="$chip_targets wasm32-unknown-unknown"
 
 # Installs the given Debian packages that are missing.

@@ -136,7 +136,7 @@ fn reciprocal_quotient(divisor: u32) -> (u32, u32) {
     let e = (divisor as i32).wrapping_mul(y);
     let y = (y - ((y * (e >> 8)) >> 24) - 1) as u32;
     // it is off by one at most
-    let rest = u32::MAX.wrapping_sub(divisor * y);
+    let rest = u32::MAX.wrapping_sub(divisor.wrapping_mul(y));
     if rest as i32 >= divisor as i32 {
         (y + 1, rest - divisor)
     } else if (rest as i32) < 0 {

@@ -38,6 +38,13 @@ macro_rules! float {
 float!(f32, 0x7fc0_0000);
 float!(f64, 0x7ff8_0000_0000_0000);
 
+#[cfg(feature = "fixed")]
+impl Absorb for shading::fixed::Fixed {
+    fn absorb_into(self, digest: &mut Fnv) {
+        digest.bytes(self.to_bits().to_le_bytes());
+    }
+}
+
 impl Absorb for bool {
     fn absorb_into(self, digest: &mut Fnv) {
         digest.bytes([self.into()]);

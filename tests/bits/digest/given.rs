@@ -1,5 +1,7 @@
 //! The inputs of the functions: exact numbers, the same on every machine.
 
+#[cfg(feature = "fixed")]
+use shading::fixed::Fixed;
 use shading::{
     Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, IncidentLight, Light,
     Material, PointLight, Ranged, Rgb, Shaded, SoftCone, SpotLight, UnitVec3, Vec3, shade,
@@ -7,8 +9,8 @@ use shading::{
 
 use super::fnv::Absorb;
 
-/// `f32` or `f64`, with the functions that exist separately for each.
-pub trait Float: Elementary + PartialOrd + Exponent<Self> + Absorb + From<f32> + 'static {
+/// `f32`, `f64` or a fixed-point number, with the functions that exist separately for each.
+pub trait Number: Elementary + PartialOrd + Absorb + 'static {
     const EPSILON: Self;
     /// Sizes from zero to the largest number, with subnormal ones.
     const SIZES: [Self; 10];
@@ -31,16 +33,20 @@ pub trait Float: Elementary + PartialOrd + Exponent<Self> + Absorb + From<f32> +
 
     fn times_vector(self, v: Vec3<Self>) -> Vec3<Self>;
     fn times_rgb(self, rgb: Rgb<Self>) -> Rgb<Self>;
+}
+
+/// `f32` or `f64`.
+pub trait Float: Number + Exponent<Self> + From<f32> {
     /// self + dual, self − dual, self · dual and self / dual.
     fn before(self, dual: Dual<Self>) -> [Dual<Self>; 4];
 }
 
-macro_rules! float {
-    ($float:ident, $sizes:expr, $draw:expr, $any_bits:expr) => {
-        impl Float for $float {
-            const EPSILON: Self = $float::EPSILON;
+macro_rules! number {
+    ($number:ident, $epsilon:expr, $sizes:expr, $cone:expr, $draw:expr, $draw_any:expr, $single:expr) => {
+        impl Number for $number {
+            const EPSILON: Self = $epsilon;
             const SIZES: [Self; 10] = $sizes;
-            const CONE: Cone<Self> = Cone::<$float>::from_half_angle(0.9).unwrap();
+            const CONE: Cone<Self> = Cone::<$number>::from_half_angle($cone).unwrap();
 
             #[allow(clippy::cast_precision_loss)] // nothing is lost: as many bits are drawn as fit
             fn draw(numbers: &mut Numbers) -> Self {
@@ -48,33 +54,32 @@ macro_rules! float {
             }
 
             fn draw_any(numbers: &mut Numbers) -> Self {
-                let any = Self::from_bits($any_bits(numbers));
-                if any.is_finite() { any } else { Self::MAX }
+                $draw_any(numbers)
             }
 
             #[allow(clippy::cast_possible_truncation)] // of a double, on purpose: only `f32` is encoded
             fn single(self) -> f32 {
-                self as f32
+                $single(self)
             }
 
             fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>> {
-                Attenuation::<$float>::new(a, b, c)
+                Attenuation::<$number>::new(a, b, c)
             }
 
             fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>> {
-                Cone::<$float>::from_half_angle(radians)
+                Cone::<$number>::from_half_angle(radians)
             }
 
             fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>> {
-                Cone::<$float>::from_cosine(cosine)
+                Cone::<$number>::from_cosine(cosine)
             }
 
             fn soft_cone_from_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
-                SoftCone::<$float>::from_half_angles(inner, outer)
+                SoftCone::<$number>::from_half_angles(inner, outer)
             }
 
             fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
-                SoftCone::<$float>::from_cosines(inner, outer)
+                SoftCone::<$number>::from_cosines(inner, outer)
             }
 
             fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>> {
@@ -82,11 +87,11 @@ macro_rules! float {
             }
 
             fn unit_vector(v: Vec3<Self>) -> Option<UnitVec3<Self>> {
-                UnitVec3::<$float>::new(v.x, v.y, v.z)
+                UnitVec3::<$number>::new(v.x, v.y, v.z)
             }
 
             fn normalized(v: Vec3<Self>) -> Option<UnitVec3<Self>> {
-                UnitVec3::<$float>::normalized(v.x, v.y, v.z)
+                UnitVec3::<$number>::normalized(v.x, v.y, v.z)
             }
 
             fn times_vector(self, v: Vec3<Self>) -> Vec3<Self> {
@@ -96,7 +101,26 @@ macro_rules! float {
             fn times_rgb(self, rgb: Rgb<Self>) -> Rgb<Self> {
                 self * rgb
             }
+        }
+    };
+}
 
+macro_rules! float {
+    ($float:ident, $sizes:expr, $draw:expr, $any_bits:expr) => {
+        number!(
+            $float,
+            $float::EPSILON,
+            $sizes,
+            0.9,
+            $draw,
+            |numbers: &mut Numbers| {
+                let any = $float::from_bits($any_bits(numbers));
+                if any.is_finite() { any } else { $float::MAX }
+            },
+            |number: $float| number as f32
+        );
+
+        impl Float for $float {
             fn before(self, dual: Dual<Self>) -> [Dual<Self>; 4] {
                 [self + dual, self - dual, self * dual, self / dual]
             }
@@ -121,8 +145,30 @@ float!(
     |numbers: &mut Numbers| numbers.next_u64()
 );
 
+#[cfg(feature = "fixed")]
+number!(
+    Fixed,
+    Fixed::STEP,
+    [
+        Fixed::new(0.0),
+        Fixed::STEP,
+        Fixed::new(0.001),
+        Fixed::new(0.1),
+        Fixed::new(0.5),
+        Fixed::new(1.0),
+        Fixed::new(181.0), // its square is within the range
+        Fixed::new(182.0), // and that of this number is not
+        Fixed::new(16384.0),
+        Fixed::MAX
+    ],
+    Fixed::new(0.9),
+    |numbers: &mut Numbers| Fixed::from_bits(numbers.next_i32() >> 15),
+    Numbers::next_fixed,
+    Fixed::to_f32
+);
+
 /// A linear congruential generator (Knuth's constants, as in *Numerical Recipes*).
-pub struct Numbers(u32);
+pub struct Numbers(pub u32);
 
 impl Numbers {
     fn next(&mut self) -> u32 {
@@ -134,6 +180,30 @@ impl Numbers {
         u64::from(self.next()) << 32 | u64::from(self.next())
     }
 
+    #[cfg(feature = "fixed")]
+    fn next_i32(&mut self) -> i32 {
+        i32::from_le_bytes(self.next().to_le_bytes())
+    }
+
+    /// A number of any size, each as often as the others.
+    #[cfg(feature = "fixed")]
+    pub fn next_fixed(&mut self) -> Fixed {
+        let bits = self.next_i32();
+        Fixed::from_bits(bits >> (self.next() >> 27))
+    }
+
+    /// A number in [0, 1).
+    #[cfg(feature = "fixed")]
+    pub fn next_share(&mut self) -> Fixed {
+        Fixed::from_bits(self.next_i32() >> 16 & 0xFFFF)
+    }
+
+    /// A number with any bits.
+    #[cfg(feature = "fixed")]
+    pub fn next_bits(&mut self) -> Fixed {
+        Fixed::from_bits(self.next_i32())
+    }
+
     /// Chooses one of several values.
     fn choose<T: Copy, const N: usize>(&mut self, choices: [T; N]) -> T {
         const { assert!(N > 0) }
@@ -142,11 +212,11 @@ impl Numbers {
     }
 
     /// A vector with each coordinate in [−1, 1).
-    fn vector<T: Float>(&mut self) -> Vec3<T> {
+    fn vector<T: Number>(&mut self) -> Vec3<T> {
         Vec3::new(T::draw(self), T::draw(self), T::draw(self))
     }
 
-    fn along_an_axis<T: Float>(&mut self) -> Vec3<T> {
+    fn along_an_axis<T: Number>(&mut self) -> Vec3<T> {
         let [x, y, z] = [UnitVec3::X, UnitVec3::Y, UnitVec3::Z];
         *self.choose([x, y, z, -x, -z]) * self.choose(T::SIZES)
     }
@@ -158,14 +228,14 @@ const PLACES: u32 = 1024;
 /// Most places are ordinary. An eighth of them have vectors of any size, an eighth have vectors
 /// whose components are of any size, and an eighth have vectors and directions along the axes, many
 /// of which coincide or are opposite.
-pub fn places<T: Float>() -> impl Iterator<Item = Given<T>> {
+pub fn places<T: Number>() -> impl Iterator<Item = Given<T>> {
     let mut numbers = Numbers(1);
     (0..PLACES).map(move |i| {
         let vector: fn(&mut Numbers) -> Vec3<T> = match i % 8 {
             5 => |numbers| numbers.vector() * T::draw_any(numbers),
             6 => |numbers| Vec3::from([(); 3].map(|()| T::draw_any(numbers))),
             7 => Numbers::along_an_axis,
-            _ => |numbers| numbers.vector() * T::from(4.0),
+            _ => |numbers| numbers.vector() * T::of_f32(4.0),
         };
         Given::new(&mut numbers, vector)
     })
@@ -196,7 +266,7 @@ pub struct Given<T> {
     pub spot: SpotLight<T>,
 }
 
-impl<T: Float> Given<T> {
+impl<T: Number> Given<T> {
     fn new(numbers: &mut Numbers, vector: fn(&mut Numbers) -> Vec3<T>) -> Self {
         let [p, a, b, c] = [(); 4].map(|()| vector(numbers));
         let [n, l, v, axis] = [(); 4].map(|()| vector(numbers).unit_or(UnitVec3::Z));
@@ -205,7 +275,7 @@ impl<T: Float> Given<T> {
         let Vec3 { x, y, z } = vector(numbers);
 
         let share = T::draw(numbers).abs();
-        let near_one = T::ONE - share * T::from(64.0) * T::EPSILON;
+        let near_one = T::ONE - share * T::of_f32(64.0) * T::EPSILON;
         let any = T::draw_any(numbers).abs().at_most(T::ONE);
         let cosine = numbers.choose([share, share, near_one, any]);
 

@@ -1,5 +1,7 @@
 //! Everything that the crate computes, at the same places on every machine.
 
+#[cfg(feature = "fixed")]
+pub mod any_bits;
 pub mod fnv;
 pub mod given;
 
@@ -10,14 +12,14 @@ use shading::{
 
 use fnv::Each;
 pub use fnv::Fnv;
-pub use given::Float;
+pub use given::{Float, Number};
 use given::{Given, places};
 
 /// A function's name, and a function that digests its results at a place.
 pub type Function<T> = (&'static str, fn(&Given<T>, &mut Fnv));
 
 /// Digests the results of the functions at all places.
-pub fn absorb<T: Float>(functions: &[Function<T>], digest: &mut Fnv) {
+pub fn absorb<T: Number>(functions: &[Function<T>], digest: &mut Fnv) {
     for given in places() {
         for (_, absorb_results) in functions {
             absorb_results(&given, digest);
@@ -33,17 +35,17 @@ const REAL: [f32; 8] = [0.0, 0.5, 1.0, 10.25, 32.0, 100.5, 1e4, f32::MAX];
 pub struct Of<T>(T);
 
 macro_rules! functions {
-    ($($(#[$doc:meta])* $list:ident { $($name:literal: |$given:ident| $results:expr;)* })*) => {
-        impl<T: Float> Of<T> {
-            $($(#[$doc])* pub const $list: &[Function<T>] =
-                &[$(($name, |$given, digest| digest.absorb($results))),*];)*
-        }
+    ($($(#[$doc:meta])* $list:ident: $bound:ident { $($name:literal: |$given:ident| $results:expr;)* })*) => {
+        $(impl<T: $bound> Of<T> {
+            $(#[$doc])* pub const $list: &[Function<T>] =
+                &[$(($name, |$given, digest| digest.absorb($results))),*];
+        })*
     };
 }
 
 functions! {
     /// One line per function.
-    FUNCTIONS {
+    FUNCTIONS: Number {
         // numbers
         "Real::sqrt": |g| g.x.abs().sqrt();
         "Real::abs": |g| g.x.abs();
@@ -56,10 +58,6 @@ functions! {
         "Elementary::exp": |g| g.x.exp();
         "Elementary::ln": |g| g.x.abs().ln();
         "Exponent::raise, integer m": |g| INTEGER.map(|m| m.raise(g.cosine));
-        "Exponent::raise, real m": |g| REAL.map(|m| T::from(m).raise(g.cosine));
-        "Exponent::raise, invalid m": |g| [f32::INFINITY, -1.0, f32::NAN].map(|m| T::from(m).raise(g.cosine));
-        "Exponent::raise, where the power vanishes": |g| [2, 5, 33, 1000, 10_000].map(|m| vanishing(m, g.cosine));
-        "Exponent::raise, where all coefficients count": |g| Each((0_u8..32).map(|i| difficult(i, g.cosine)));
 
         // vectors and colors
         "Vec3, operators": |g| [g.a + g.b, g.a - g.b, g.a * g.x, g.x.times_vector(g.a), g.a / g.x, -g.a];
@@ -83,7 +81,6 @@ functions! {
         // dual numbers
         "Dual, operators": |g| [g.f + g.h, g.f - g.h, g.f * g.h, g.f / g.h, -g.f];
         "Dual, with a number": |g| [g.f + g.y, g.f - g.y, g.f * g.y, g.f / g.y];
-        "Dual, after a number": |g| g.y.before(g.f);
         "Dual::chain": |g| g.f.chain(g.y, g.x);
         "Dual::sqrt": |g| g.f.abs().sqrt();
         "Dual::powi": |g| [-3, -1, 0, 1, 2, 7].map(|i| g.f.powi(i));
@@ -108,22 +105,17 @@ functions! {
         "reflection": |g| reflection(g.n, g.l);
         "half_vector": |g| half_vector(g.l, g.v);
         "term::ambient": |g| term::ambient(g.k_a, g.rgb);
-        "term::phong_normalization": |_g| REAL.map(|m| term::phong_normalization(T::from(m)));
-        "term::blinn_normalization": |_g| REAL.map(|m| term::blinn_normalization(T::from(m)));
+        "term::phong_normalization": |_g| REAL.map(|m| term::phong_normalization(T::of_f32(m)));
         "term::lambert": |g| term::lambert(g.n, g.l);
         "term::phong, integer m": |g| INTEGER.map(|m| term::phong(g.l, g.v, m));
-        "term::phong, real m": |g| REAL.map(|m| term::phong(g.l, g.v, T::from(m)));
         "term::blinn, integer m": |g| INTEGER.map(|m| term::blinn(g.n, g.v, m));
-        "term::blinn, real m": |g| REAL.map(|m| term::blinn(g.n, g.v, T::from(m)));
         "attenuation": |g| attenuation(g.a.x, g.a.y, g.a.z, g.x);
         "Attenuation::new": |g| T::attenuation(g.x, g.y, g.cosine).map(Attenuation::coefficients);
         "Attenuation::is_clamped": |g| g.lamps.map(|lamp| lamp.attenuation.is_clamped());
         "Attenuation::at": |g| g.attenuation.at(g.x.abs());
         "Attenuation::clamped": |g| g.attenuation.clamped().at(g.x.abs());
-        "Cone::from_half_angle": |g| T::cone_from_half_angle(g.cosine * T::from(3.25)).map(Cone::cosine);
         "Cone::from_cosine": |g| T::cone_from_cosine(g.cosine + g.cosine - T::ONE).map(Cone::cosine);
         "Cone::factor": |g| T::cone_from_cosine(g.cosine).map(|cone| cone.factor(g.n, g.l));
-        "SoftCone::from_half_angles": |g| T::soft_cone_from_half_angles(g.cosine, g.cosine * T::from(3.0)).map(SoftCone::cosines);
         "SoftCone::from_cosines": |g| T::soft_cone_from_cosines(g.cosine, -g.cosine).map(SoftCone::cosines);
         "SoftCone::factor": |g| T::soft_cone_from_cosines(g.cosine, -g.cosine).map(|cone| cone.factor(g.n, g.l));
         "SoftCone::smoothstep": |g| T::soft_cone_from_cosines(g.cosine, -g.cosine).map(|cone| cone.smoothstep().factor(g.n, g.l));
@@ -149,10 +141,8 @@ functions! {
         // sums over lights
         "shade::lambert": |g| shade::lambert(g.n, &g.material(0), g.rgb, g.arriving());
         "shade::phong, integer m": |g| shade::phong(g.n, g.v, &g.material(32), g.rgb, g.arriving());
-        "shade::phong, real m": |g| shade::phong(g.n, g.v, &g.material(T::from(32.5)), g.rgb, g.arriving());
         "shade::blinn_phong, even m": |g| shade::blinn_phong(g.n, g.v, &g.material(32), g.rgb, g.arriving());
         "shade::blinn_phong, odd m": |g| shade::blinn_phong(g.n, g.v, &g.material(33), g.rgb, g.arriving());
-        "shade::blinn_phong, real m": |g| shade::blinn_phong(g.n, g.v, &g.material(T::from(32.5)), g.rgb, g.arriving());
         "Shaded, operators": |g| [g.shaded() + g.shaded() * g.x, [g.shaded(), g.shaded()].into_iter().sum()];
         "Shaded::total": |g| g.shaded().total();
 
@@ -160,8 +150,28 @@ functions! {
         "PointLight::cast": |g| g.lamps[0].cast(Dual::constant).at(Dual::point(g.p));
     }
 
+    /// Functions of a real shininess, and of a number before a dual number.
+    OF_FLOATS: Float {
+        "Exponent::raise, real m": |g| REAL.map(|m| T::from(m).raise(g.cosine));
+        "Exponent::raise, invalid m": |g| [f32::INFINITY, -1.0, f32::NAN].map(|m| T::from(m).raise(g.cosine));
+        "Exponent::raise, where the power vanishes": |g| [2, 5, 33, 1000, 10_000].map(|m| vanishing(m, g.cosine));
+        "Exponent::raise, where all coefficients count": |g| Each((0_u8..32).map(|i| difficult(i, g.cosine)));
+        "term::blinn_normalization": |_g| REAL.map(|m| term::blinn_normalization(T::from(m)));
+        "Dual, after a number": |g| g.y.before(g.f);
+        "term::phong, real m": |g| REAL.map(|m| term::phong(g.l, g.v, T::from(m)));
+        "term::blinn, real m": |g| REAL.map(|m| term::blinn(g.n, g.v, T::from(m)));
+        "shade::phong, real m": |g| shade::phong(g.n, g.v, &g.material(T::from(32.5)), g.rgb, g.arriving());
+        "shade::blinn_phong, real m": |g| shade::blinn_phong(g.n, g.v, &g.material(T::from(32.5)), g.rgb, g.arriving());
+    }
+
+    /// Functions that use doubles internally in fixed point.
+    HALF_ANGLES: Number {
+        "Cone::from_half_angle": |g| T::cone_from_half_angle(g.cosine * T::of_f32(3.25)).map(Cone::cosine);
+        "SoftCone::from_half_angles": |g| T::soft_cone_from_half_angles(g.cosine, g.cosine * T::of_f32(3.0)).map(SoftCone::cosines);
+    }
+
     /// Functions for which `libm` uses doubles internally.
-    ANGLES {
+    ANGLES: Number {
         "Elementary::sin": |g| g.x.sin();
         "Elementary::cos": |g| g.x.cos();
         "Dual::sin": |g| g.f.sin();

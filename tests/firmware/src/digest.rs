@@ -5,7 +5,8 @@
 mod functions;
 
 pub use functions::Fnv;
-use functions::{Of, absorb};
+use functions::{Of, absorb, any_bits};
+use shading::fixed::Fixed;
 
 use crate::{broken, picture};
 
@@ -19,11 +20,13 @@ pub fn single() -> u64 {
     digest.0
 }
 
-/// The digest of all functions that promise not to link any double-precision routine.
+/// The digest of all functions of `f32` that promise not to link any double-precision routine.
 #[must_use]
 pub fn without_doubles() -> u64 {
     let mut digest = Fnv::EMPTY;
     absorb(Of::<f32>::FUNCTIONS, &mut digest);
+    absorb(Of::<f32>::HALF_ANGLES, &mut digest);
+    absorb(Of::<f32>::OF_FLOATS, &mut digest);
     digest.absorb(broken::promise(0.0));
     digest.0
 }
@@ -33,6 +36,28 @@ pub fn without_doubles() -> u64 {
 pub fn double() -> u64 {
     let mut digest = Fnv::EMPTY;
     absorb(Of::<f64>::FUNCTIONS, &mut digest);
+    absorb(Of::<f64>::HALF_ANGLES, &mut digest);
+    absorb(Of::<f64>::OF_FLOATS, &mut digest);
     absorb(Of::<f64>::ANGLES, &mut digest);
+    digest.0
+}
+
+/// The digest of fixed-point numbers.
+#[must_use]
+pub fn fixed() -> u64 {
+    let mut digest = Fnv(fixed_without_doubles());
+    absorb(Of::<Fixed>::HALF_ANGLES, &mut digest);
+    absorb(Of::<Fixed>::ANGLES, &mut digest);
+    digest.0
+}
+
+/// The digest of all functions of fixed-point numbers that promise not to link any double-precision
+/// routine.
+#[must_use]
+pub fn fixed_without_doubles() -> u64 {
+    let mut digest = Fnv::EMPTY;
+    absorb(Of::<Fixed>::FUNCTIONS, &mut digest);
+    any_bits::absorb(&mut digest);
+    digest.absorb(broken::promise(0.0));
     digest.0
 }

@@ -13,6 +13,11 @@ extern "C" fn double() -> u64 {
     digest::double()
 }
 
+#[unsafe(no_mangle)]
+extern "C" fn fixed() -> u64 {
+    digest::fixed()
+}
+
 #[cfg(target_family = "wasm")]
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo) -> ! {

@@ -8,13 +8,13 @@ use core::hint::black_box;
 use core::sync::atomic::AtomicU32;
 
 use firmware::{board, broken};
+use shading::fixed::Fixed;
 use shading::{
     Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight,
     Ranged, Real, Rgb, SoftCone, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal,
     reflection, shade, term,
 };
 
-type V = Vec3<f32>;
 type N = UnitVec3<f32>;
 
 /// Keeps only the named call, and rejects a name that is not in the list at compile time.
@@ -39,39 +39,41 @@ const fn is_measured(name: &str) -> bool {
 }
 
 /// Arguments in RAM about which the compiler knows nothing.
-struct Given {
-    n: N,
-    l: N,
-    v: N,
-    p: V,
-    a: V,
-    b: V,
-    i_a: Rgb<f32>,
-    whole: Material<f32, u32>,
-    real: Material<f32, f32>,
-    attenuation: Attenuation<f32>,
-    cone: Cone<f32>,
-    sun: DirectionalLight<f32>,
-    lamps: [PointLight<f32>; 4],
-    spot: SpotLight<f32>,
-    soft_spot: SpotLight<f32, SoftCone<f32>, Ranged<f32>>,
-    light: Light<f32>,
+struct Given<T> {
+    n: UnitVec3<T>,
+    l: UnitVec3<T>,
+    v: UnitVec3<T>,
+    p: Vec3<T>,
+    a: Vec3<T>,
+    b: Vec3<T>,
+    i_a: Rgb<T>,
+    whole: Material<T, u32>,
+    real: Material<T, T>,
+    attenuation: Attenuation<T>,
+    cone: Cone<T>,
+    sun: DirectionalLight<T>,
+    lamps: [PointLight<T>; 4],
+    spot: SpotLight<T>,
+    soft_spot: SpotLight<T, SoftCone<T>, Ranged<T>>,
+    light: Light<T>,
     bytes: [u8; 3],
 }
 
 #[board::entry]
 fn main() -> ! {
-    static MEMORY: [AtomicU32; size_of::<Given>() / 4] =
-        [const { AtomicU32::new(0) }; size_of::<Given>() / 4];
+    const SIZE: usize = size_of::<Given<f32>>();
+    const { assert!(size_of::<Given<Fixed>>() == SIZE) };
+    static MEMORY: [AtomicU32; SIZE / 4] = [const { AtomicU32::new(0) }; SIZE / 4];
     loop {
-        // SAFETY: zeros are a valid value of every type in it, and nothing writes to it.
-        measured(black_box(unsafe { &*MEMORY.as_ptr().cast() }));
+        let memory = black_box(MEMORY.as_ptr());
+        // SAFETY: zeros are a valid value of every type in them, and nothing writes to them.
+        unsafe { measured(&*memory.cast(), &*memory.cast()) };
     }
 }
 
 #[allow(clippy::too_many_lines)] // one line per function
 #[inline(never)]
-fn measured(given: &Given) {
+fn measured(given: &Given<f32>, fixed: &Given<Fixed>) {
     let &Given {
         n,
         l,
@@ -131,6 +133,11 @@ fn measured(given: &Given) {
         "shade::phong, integer m" => keep(shade::phong(n, v, whole, i_a, lights())),
         "shade::phong, real m" => keep(shade::phong(n, v, real, i_a, lights())),
         "shade::blinn_phong, integer m" => keep(shade::blinn_phong(n, v, whole, i_a, lights())),
+        "shade::blinn_phong, fixed point" => {
+            let &Given { n, v, p, i_a, .. } = fixed;
+            let lights = fixed.lamps.iter().map(|lamp| lamp.at(p));
+            keep(shade::blinn_phong(n, v, &fixed.whole, i_a, lights));
+        },
         "shade::blinn_phong, real m" => keep(shade::blinn_phong(n, v, real, i_a, lights())),
         "Exponent::raise, integer m" => keep(whole.m.raise(a.x)),
         "Exponent::raise, real m" => keep(real.m.raise(a.x)),

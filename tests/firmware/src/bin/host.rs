@@ -3,5 +3,6 @@
 use firmware::digest;
 
 fn main() {
-    println!("{:016x}-{:016x}", digest::single(), digest::double());
+    let [single, double, fixed] = [digest::single(), digest::double(), digest::fixed()];
+    println!("{single:016x}-{double:016x}-{fixed:016x}");
 }

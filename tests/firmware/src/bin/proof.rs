@@ -1,4 +1,4 @@
-//! Proves, if it links, that nothing which the crate computes with `f32` can panic: a panic would
+//! Proves, if it links, that nothing which the crate computes with `f32` or in fixed point can panic: a panic would
 //! call an undefined function. The finished program is searched for double-precision routines.
 #![no_std]
 #![no_main]
@@ -10,6 +10,7 @@ use firmware::{board, digest};
 #[board::entry]
 fn main() -> ! {
     black_box(digest::without_doubles());
+    black_box(digest::fixed_without_doubles());
     loop {}
 }
 
