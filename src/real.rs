@@ -182,13 +182,13 @@ pub trait Real:
         [x / divisor, y / divisor, z / divisor]
     }
 
-    /// The vector times a power of two that makes it neither so long that its square overflows nor so
-    /// short that it loses bits.
+    /// The vectors times one power of two, which makes the longest neither so long that its square
+    /// overflows nor so short that it loses bits.
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn tamed(v: [Self; 3]) -> [Self; 3] {
-        v
+    fn tamed<const N: usize>(vectors: [[Self; 3]; N]) -> [[Self; 3]; N] {
+        vectors
     }
 
     /// The direction and the length of a vector; both are 0 for the zero vector.

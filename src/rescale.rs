@@ -23,7 +23,8 @@ pub(crate) fn tame<T: Real>(v: Vec3<T>) -> Vec3<T> {
         shrink * grow
     }
     if T::IS_FIXED {
-        T::tamed(v.into()).into()
+        let [tame] = T::tamed([v.into()]);
+        tame.into()
     } else if is_extreme(v.dot(v)) {
         v * cold(v)
     } else {

@@ -82,11 +82,16 @@ pub fn transformed<T: Real + PartialOrd>(
     n: UnitVec3<T>,
     columns: [Vec3<T>; 3],
 ) -> Option<UnitVec3<T>> {
+    let cofactors =
+        |a: Vec3<T>, b: Vec3<T>, c: Vec3<T>| b.cross(c) * n.x + c.cross(a) * n.y + a.cross(b) * n.z;
     let [a, b, c] = columns;
-    if is_extreme(a.dot(a)) || is_extreme(b.dot(b)) || is_extreme(c.dot(c)) {
+    if T::IS_FIXED {
+        let [a, b, c] = T::tamed([a.into(), b.into(), c.into()]);
+        cofactors(a.into(), b.into(), c.into())
+    } else if is_extreme(a.dot(a)) || is_extreme(b.dot(b)) || is_extreme(c.dot(c)) {
         by_cofactors_of_any_size(n, columns)
     } else {
-        b.cross(c) * n.x + c.cross(a) * n.y + a.cross(b) * n.z
+        cofactors(a, b, c)
     }
     .unit()
 }

@@ -69,8 +69,8 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn tamed(v: [Self; 3]) -> [Self; 3] {
-        triple::tamed(v)
+    fn tamed<const N: usize>(vectors: [[Self; 3]; N]) -> [[Self; 3]; N] {
+        triple::tamed(vectors)
     }
 
     #[inline]

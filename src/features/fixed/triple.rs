@@ -196,7 +196,7 @@ pub(super) const fn unit_and_length(v: &[Fixed; 3]) -> ([Fixed; 3], Fixed) {
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 const fn normalize(v: &mut [Fixed; 3]) -> Fixed {
-    let shift = headroom(v);
+    let shift = headroom(magnitude(v));
     let square = upper_of_square(v[0].0 << shift)
         + upper_of_square(v[1].0 << shift)
         + upper_of_square(v[2].0 << shift);
@@ -222,11 +222,12 @@ const fn share_of(component: i32, reciprocal: i32) -> Fixed {
     Fixed((upper_of_part(component, reciprocal) + (1 << 10)) >> 11)
 }
 
-/// The vector times a power of two, so that its largest component is from 16 to 64.
+/// The vectors times one power of two, so that the largest component is from 16 to 64.
 #[inline]
-pub(super) fn tamed(v: [Fixed; 3]) -> [Fixed; 3] {
-    let shift = headroom(&v);
-    v.map(|c| Fixed(c.0 << shift >> 9))
+pub(super) fn tamed<const N: usize>(vectors: [[Fixed; 3]; N]) -> [[Fixed; 3]; N] {
+    let largest = vectors.iter().fold(0, |bits, v| bits | magnitude(v));
+    let shift = headroom(largest);
+    vectors.map(|v| v.map(|c| Fixed(c.0 << shift >> 9)))
 }
 
 /// How many pairs of zeros are above the highest bit; 15 for 0.
@@ -244,11 +245,16 @@ const fn pairs_of_zeros(bits: u32) -> u32 {
     pairs
 }
 
-/// By how many bits the vector can be shifted up, or one bit less. It is 30 for the zero vector.
+/// The highest bits of a vector's components.
 #[inline]
-const fn headroom([x, y, z]: &[Fixed; 3]) -> u32 {
-    let magnitude = (x.0 ^ x.0 >> 31) | (y.0 ^ y.0 >> 31) | (z.0 ^ z.0 >> 31);
-    let mut bits = magnitude as u32 | 1;
+const fn magnitude([x, y, z]: &[Fixed; 3]) -> u32 {
+    ((x.0 ^ x.0 >> 31) | (y.0 ^ y.0 >> 31) | (z.0 ^ z.0 >> 31)) as u32
+}
+
+/// By how many bits a vector of a magnitude can be shifted up, or one bit less. It is 30 for 0.
+#[inline]
+const fn headroom(magnitude: u32) -> u32 {
+    let mut bits = magnitude | 1;
     if COUNTS_ZEROS {
         return (bits.leading_zeros() - 1) & !1;
     }
