@@ -66,7 +66,8 @@
 //! # A number type
 //!
 //! The formulas of [`shading`] are generic over the number type. [`Number`] says what the suite must
-//! know of yours, and [`number!`] makes a test of each of over a hundred properties.
+//! know of yours, a float or a fixed-point number, and [`number!`] makes a test of each of over a hundred
+//! properties.
 
 #![allow(clippy::float_cmp)] // special cases are exact
 

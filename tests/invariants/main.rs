@@ -20,3 +20,7 @@ mod double {
 mod dual {
     shading_laws::number!(shading::Dual<f64>, integer powers);
 }
+#[cfg(feature = "fixed")]
+mod fixed {
+    shading_laws::number!(shading::fixed::Fixed, integer powers);
+}

@@ -24,6 +24,14 @@ pub fn check<S: Strategy<Value: Debug>>(inputs: S, property: impl Fn(S::Value) -
     }
 }
 
+/// What each kind of number is due: a float, whose error is u of a result, and an evenly spaced type,
+/// whose error is u at any size. So a factor that comes later leaves the error of a float as it is, and
+/// multiplies that of an evenly spaced type.
+#[must_use]
+pub fn by_spacing<T: Number>(float: f64, even: f64) -> f64 {
+    if T::EVENLY_SPACED { even } else { float }
+}
+
 pub fn to_f64<T: Number>(components: impl Into<[T; 3]>) -> [f64; 3] {
     components.into().map(T::to_f64)
 }
@@ -47,6 +55,25 @@ pub fn equal<T: Number, V: Into<[T; 3]>>(a: V, b: V) -> TestCaseResult {
     Ok(())
 }
 
+/// Compares floats bit for bit, and evenly spaced numbers within `k` times u.
+pub fn same_or_near<T: Number, V: Into<[T; 3]>>(a: V, b: V, k: f64) -> TestCaseResult {
+    if T::EVENLY_SPACED {
+        near(a, b, k * T::U)
+    } else {
+        same(a, b)
+    }
+}
+
+/// Compares as numbers what differs in sign before it is rounded. An evenly spaced type may round a tie
+/// up on either side of 0, so it may differ by a step.
+pub fn equal_but_for_ties<T: Number, V: Into<[T; 3]>>(a: V, b: V) -> TestCaseResult {
+    if T::EVENLY_SPACED {
+        near(a, b, 2.0 * T::U)
+    } else {
+        equal(a, b)
+    }
+}
+
 /// Compares component by component within an absolute `tolerance`.
 pub fn near<T: Number, V: Into<[T; 3]>>(a: V, b: V, tolerance: f64) -> TestCaseResult {
     let (a, b) = (to_f64(a), to_f64(b));
@@ -57,12 +84,13 @@ pub fn near<T: Number, V: Into<[T; 3]>>(a: V, b: V, tolerance: f64) -> TestCaseR
 }
 
 /// Compares component by component within `k` units of roundoff of the larger number. An operation
-/// that underflows loses half of the smallest number instead.
+/// that underflows loses half of the smallest number instead. In an evenly spaced type, a unit is u.
 pub fn nearly<T: Number, V: Into<[T; 3]>>(a: V, b: V, k: f64) -> TestCaseResult {
     let (a, b) = (to_f64(a), to_f64(b));
     for i in 0..3 {
         let magnitude = a[i].abs().max(b[i].abs());
-        within(a[i] - b[i], k * (T::U * magnitude + T::TINY.to_f64()))?;
+        let unit = by_spacing::<T>(T::U * magnitude + T::TINY.to_f64(), T::U);
+        within(a[i] - b[i], k * unit)?;
     }
     Ok(())
 }

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use shading::{Light, PointLight, Ranged, Rgb, SoftCone, SpotLight, UnitVec3, shade, term};
 
 use super::Number;
-use super::check::{check, same, to_f64, within};
+use super::check::{by_spacing, check, same, to_f64, within};
 use super::exact;
 use super::generators::{
     adversarial, adversarial_color, adversarial_vector, coefficients, cone, light_color, pair,
@@ -52,7 +52,8 @@ fn soft_cone_is_full_inside_and_dark_outside<T: Number>() {
 }
 
 /// (55) Toward the axis, the square does not fall. The smoothstep has three roundings of 1u, which
-/// may hide a rise.
+/// may hide a rise. In an evenly spaced type, the square is off by u, three times as much after the
+/// product, and that by u: 8u for two smoothsteps.
 fn soft_cone_does_not_fall_toward_the_axis<T: Number>() {
     check((triple::<T>(), cosines()), |([axis, a, b], cosines)| {
         let (near, far) = if (-axis).dot(a) >= (-axis).dot(b) {
@@ -63,7 +64,8 @@ fn soft_cone_does_not_fall_toward_the_axis<T: Number>() {
         let [squared, smooth] =
             both::<T>(cosines).map(|cone| [near, far].map(|l| cone.factor(axis, l)));
         prop_assert!(squared[0] >= squared[1]);
-        prop_assert!(smooth[0].to_f64() >= smooth[1].to_f64() * (1.0 - 6.0 * T::U));
+        let [near, far] = smooth.map(T::to_f64);
+        prop_assert!(near >= by_spacing::<T>(far * (1.0 - 6.0 * T::U), far - 8.0 * T::U));
         Ok(())
     });
 }
@@ -90,7 +92,8 @@ fn soft_cone_with_one_edge_is_the_hard_cone<T: Number>() {
 
 /// (55) Between the edges, the factor is t² or t²(3 − 2t) of the cosine. The cosine is off by 3u,
 /// which counts more the narrower the edge is, and 3 times in the slope; there are eight more
-/// roundings.
+/// roundings. In an evenly spaced type, the cosine is off by 1u and t by u more, which count twice at
+/// most; the square adds up to 3u, and the last product 1u.
 fn soft_cone_follows_its_formula<T: Number>() {
     check((pair::<T>(), cosines()), |([axis, l], cosines)| {
         let cones = both::<T>(cosines);
@@ -99,7 +102,8 @@ fn soft_cone_follows_its_formula<T: Number>() {
         prop_assume!(width > 1e-3);
         let cosine = -exact::dot(to_f64(axis), to_f64(l));
         let t = ((cosine - outer) / width).clamp(0.0, 1.0);
-        let tolerance = (3.0 * (3.0 / width + 2.0) + 8.0) * (T::U + f64::EPSILON);
+        let k = by_spacing::<T>(3.0 * (3.0 / width + 2.0) + 8.0, 2.0 / width + 6.0);
+        let tolerance = k * (T::U + f64::EPSILON);
         within(cones[0].factor(axis, l).to_f64() - t * t, tolerance)?;
         within(
             cones[1].factor(axis, l).to_f64() - t * t * (3.0 - 2.0 * t),
@@ -118,6 +122,7 @@ fn ranged<T: Number>() -> impl Strategy<Value = Ranged<T>> {
         Just(f64::INFINITY)
     ];
     (coefficients::<T>(), range).prop_map(|(attenuation, range)| {
+        let range = range.max(T::TINY.to_f64());
         let attenuation = attenuation.cast(T::to_f64).within(range);
         attenuation.expect("above 0").cast(T::of)
     })
@@ -134,11 +139,15 @@ fn ranged_attenuation_ends_at_its_range<T: Number>() {
     );
     check(inputs, |(ranged, p, q, share)| {
         let (r, free) = (ranged.range(), ranged.attenuation());
-        same([ranged.at(r); 3], [T::ZERO; 3])?;
+        // without an infinity, the largest number means no range
+        let is_endless = T::EVENLY_SPACED && r == T::MAX;
+        if !is_endless {
+            same([ranged.at(r); 3], [T::ZERO; 3])?;
+        }
         for q in [p, q, r * T::of(share)] {
             let factor = ranged.at(q);
             prop_assert!(factor >= T::ZERO && factor <= free.at(q));
-            if q >= r {
+            if q >= r && !is_endless {
                 same([factor; 3], [T::ZERO; 3])?;
             }
             for other in [p, q, r * T::of(share)] {
@@ -151,6 +160,9 @@ fn ranged_attenuation_ends_at_its_range<T: Number>() {
 
 /// (56) It is the attenuation times (1 − (q/r)⁴)², or 0. The quotient is off by 1u and its fourth
 /// power by 7u, which counts twice; the attenuation is off by 6u; there are three more roundings.
+///
+/// In an evenly spaced type, the window is off by 15u. The denominator of the attenuation is off by
+/// (q + 1)u, and its reciprocal by 1u. An attenuation above 256 is not a scene's.
 fn ranged_attenuation_follows_its_formula<T: Number>() {
     let inputs = (coefficients::<T>(), 0.1..10.0, 0.0..1.5);
     check(inputs, |(attenuation, range, share)| {
@@ -161,7 +173,14 @@ fn ranged_attenuation_follows_its_formula<T: Number>() {
         let share = q.to_f64() / range.to_f64();
         let window = f64::max(0.0, 1.0 - share.powi(4)).powi(2);
         let free = attenuation.cast(T::to_f64).at(q.to_f64());
-        within(ranged.at(q).to_f64() - free * window, 24.0 * T::U * free)
+        prop_assume!(!T::EVENLY_SPACED || free <= 256.0);
+        let denominator = (q.to_f64() + 1.0) * T::U * free;
+        let reciprocal = free * denominator / (1.0 - denominator) + T::U;
+        let tolerance = by_spacing::<T>(
+            24.0 * T::U * free,
+            15.0 * T::U * (free + reciprocal) + reciprocal + T::U,
+        );
+        within(ranged.at(q).to_f64() - free * window, tolerance)
     });
 }
 
@@ -253,8 +272,15 @@ fn lights_out_of_range_are_left_out<T: Number>() {
                 }
                 Light::Directional(_) => T::MAX,
             };
-            // out of range by more than the rounding of a distance
-            let is_far = all.distance.to_f64() > range.to_f64() * (1.0 + 16.0 * T::U) + 1e-10;
+            // out of range by more than the rounding of a distance, or, in an evenly spaced type, by more
+            // than 1/EXTREME and the rounding of the two squares
+            let r = range.to_f64();
+            let squares = r * r + 1.0 / T::EXTREME.to_f64() + 2.0 * T::U;
+            let reach = by_spacing::<T>(
+                r * (1.0 + 16.0 * T::U) + 1e-10,
+                squares.sqrt() + 1.01 * T::U,
+            );
+            let is_far = all.distance.to_f64() > reach;
             prop_assert!(!is_far || light.in_front(p, n).is_none());
         }
         let sum = |lights: &mut dyn Iterator<Item = shading::IncidentLight<T>>| {

@@ -51,7 +51,8 @@ pub fn direction() -> impl Strategy<Value = [f64; 3]> {
     ]
 }
 
-/// Rounds a direction: each component has a relative error of u, and so does the length.
+/// Rounds a direction: each component has a relative error of u, and so does the length. In an evenly
+/// spaced type, each component is off by u, and the vector and its length by √3u.
 pub fn rounded<T: Number>(direction: [f64; 3]) -> UnitVec3<T> {
     // one step of Newton's method removes the errors of sine and cosine
     let excess = 0.5 * exact::square_excess(direction);
@@ -164,7 +165,7 @@ impl<T: Number> Exponent<T> for Shine {
 
     fn half(self) -> Option<Self> {
         // a type without real powers has only an integer shininess
-        let is_integer = self.whole || T::POWER_ERROR == 0.0;
+        let is_integer = self.whole || T::EVENLY_SPACED || T::POWER_ERROR == 0.0;
         let m = if is_integer { self.m.floor() } else { self.m } / 2.0;
         (!is_integer || m.fract() == 0.0).then_some(Self { m, ..self })
     }
@@ -181,7 +182,8 @@ impl Shine {
     /// power, and the type's own bound for a real one. An error of the cosine itself counts m
     /// times.
     pub fn error<T: Number>(self) -> f64 {
-        if self.whole || T::POWER_ERROR == 0.0 {
+        let is_multiplied = self.whole && !T::EVENLY_SPACED;
+        if is_multiplied || T::POWER_ERROR == 0.0 {
             self.m
         } else {
             T::POWER_ERROR
@@ -189,8 +191,16 @@ impl Shine {
     }
 }
 
-/// A shininess up to `most`.
-pub fn shine(most: u32) -> impl Strategy<Value = Shine> {
+/// A shininess up to `most`, or in an evenly spaced type up to 128.
+pub fn shine<T: Number>(most: u32) -> impl Strategy<Value = Shine> {
+    any_shine(if T::EVENLY_SPACED {
+        most.min(128)
+    } else {
+        most
+    })
+}
+
+fn any_shine(most: u32) -> impl Strategy<Value = Shine> {
     let m = prop_oneof![
         1 => select(&[0.0, 1.0, 2.0, 3.0, 5.0, 32.0][..]),
         1 => (0..=4 * most).prop_map(|quarters| f64::from(quarters) / 4.0),
@@ -353,7 +363,7 @@ where
         reflectance(),
         reflectance(),
         reflectance(),
-        shine(most_shiny),
+        any_shine(most_shiny),
     );
     // zero to many lights, and often enough V is the mirror direction of the first
     let lights = vec((relation(), light()), 0..9);
@@ -397,6 +407,28 @@ pub fn dyadic<T: Number>() -> impl Strategy<Value = T> {
 /// A point on the dyadic grid.
 pub fn dyadic_point<T: Number>() -> impl Strategy<Value = Vec3<T>> {
     [dyadic(), dyadic(), dyadic()].prop_map(Vec3::from)
+}
+
+/// k, for points 2^k times as large or as small, nearly to the ends of the range. In an evenly spaced
+/// type they are only larger, because smaller ones lose bits.
+pub fn octaves<T: Number>() -> impl Strategy<Value = f64> {
+    // coordinates up to 6 stay in the range
+    let shares = if T::EVENLY_SPACED {
+        0.0..0.75
+    } else {
+        -0.9..0.9
+    };
+    shares.prop_map(|share| f64::floor(share * T::MAX.to_f64().log2()))
+}
+
+/// k from −`most` to `most`, for numbers 2^k times as large. In an evenly spaced type it is from 0 to
+/// `most_even`: smaller numbers lose bits, and larger ones leave the range.
+pub fn exponent<T: Number>(most: i32, most_even: i32) -> impl Strategy<Value = i32> {
+    if T::EVENLY_SPACED {
+        0..=most_even
+    } else {
+        -most..=most
+    }
 }
 
 /// A point within a cube of side 2.

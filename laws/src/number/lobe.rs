@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 use proptest::prelude::*;
 use shading::{Exponent, UnitVec3, Vec3, half_vector, reflection, term};
 
-use super::check::{at_least, check, same, to_f64, within};
+use super::check::{at_least, by_spacing, check, same, to_f64, within};
 use super::exact::{determinant, dot};
 use super::generators::{Relation, Shine, direction, rounded, shine, triple};
 use super::{Number, RealPowers};
@@ -33,9 +33,12 @@ impl Cosines {
     }
 
     /// R is off by 7u, and by 2u for the length of N. N·H is off by 3u, so twice its square is off
-    /// by 12u. The lengths of L and V add 2u/(1 + L·V) to H, and as much to the last term.
+    /// by 12u. The lengths of L and V add 2u/(1 + L·V) to H, and as much to the last term. In an evenly
+    /// spaced type, R is off by 4u, twice the square of N·H by 7u, and the lengths, by √3u: 4√3u for N,
+    /// and as much for L and V.
     fn tolerance<T: Number>(&self) -> f64 {
-        (21.0 + 4.0 / self.one_plus_l_dot_v) * T::U
+        let per_sum = 1.0 / self.one_plus_l_dot_v;
+        T::U * by_spacing::<T>(21.0 + 4.0 * per_sum, 18.0 + 7.0 * per_sum)
     }
 }
 
@@ -79,9 +82,11 @@ fn coplanar<T: Number>() -> impl Strategy<Value = [UnitVec3<T>; 3]> {
     })
 }
 
-/// (30) In a plane, Blinn's highlight with 4m is at least Phong's with m, since cos⁴(α/2) ≥ cos α.
+/// (30) In a plane, Blinn's highlight with 4m is at least Phong's with m, since cos⁴(α/2) ≥ cos α. In an
+/// evenly spaced type, 4m is at most 128.
 fn blinn_with_fourfold_shininess_covers_phong_in_a_plane<T: Number>() {
-    check((coplanar::<T>(), 1..=500_u32), |([n, l, v], m)| {
+    let m = 1..=if T::EVENLY_SPACED { 32 } else { 500_u32 };
+    check((coplanar::<T>(), m), |([n, l, v], m)| {
         let h = half_vector(l, v).expect("within a right angle");
         let (blinn, phong) = (
             term::blinn(n, h, 4 * m),
@@ -94,9 +99,11 @@ fn blinn_with_fourfold_shininess_covers_phong_in_a_plane<T: Number>() {
 }
 
 /// (31) A trap: out of the plane, Blinn's highlight may be smaller than Phong's with the same m. If
-/// L and V are next to the horizon and 120° apart, R is 60° from V, and H is nearly on the horizon.
+/// L and V are next to the horizon and 120° apart, R is 60° from V, and H is nearly on the horizon. In an
+/// evenly spaced type, both are 0 if m is large.
 fn blinn_may_be_smaller_than_phong<T: Number>() {
-    check((0.001..0.1, 1..=100_u32), |(height, m)| {
+    let m = 1..=if T::EVENLY_SPACED { 12 } else { 100_u32 };
+    check((0.001..0.1, m), |(height, m)| {
         let radius = f64::sqrt(1.0 - height * height);
         let (sin, cos) = f64::to_radians(120.0).sin_cos();
         let n = UnitVec3::<T>::Z;
@@ -110,7 +117,7 @@ fn blinn_may_be_smaller_than_phong<T: Number>() {
 
 /// (32) L and V are interchangeable, exactly so for Blinn, whose H is the same.
 fn blinn_is_symmetric<T: Number>() {
-    check((triple::<T>(), shine(1000)), |([n, l, v], m)| {
+    check((triple::<T>(), shine::<T>(1000)), |([n, l, v], m)| {
         if let (Some(lv), Some(vl)) = (half_vector(l, v), half_vector(v, l)) {
             same([term::blinn(n, lv, m); 3], [term::blinn(n, vl, m); 3])?;
         }
@@ -119,9 +126,10 @@ fn blinn_is_symmetric<T: Number>() {
 }
 
 /// (32) For Phong, they are interchangeable within 8u of the cosine, times m: R·V = 2(N·L)(N·V) −
-/// L·V. Below m = 1, the power is steep at 0. Each of the two powers also has its own error.
+/// L·V. Below m = 1, the power is steep at 0. Each of the two powers also has its own error. In an
+/// evenly spaced type, R is off by 4u and R·V by 1u: 10u for both.
 fn phong_is_symmetric<T: Number>() {
-    check((triple::<T>(), shine(1000)), |([n, l, v], m)| {
+    check((triple::<T>(), shine::<T>(1000)), |([n, l, v], m)| {
         prop_assume!(m.m >= 1.0);
         let (lv, vl) = (
             term::phong(reflection(n, l), v, m),
@@ -129,7 +137,7 @@ fn phong_is_symmetric<T: Number>() {
         );
         within(
             lv.to_f64() - vl.to_f64(),
-            (8.0 * m.m + 2.0 * m.error::<T>()) * T::U,
+            (by_spacing::<T>(8.0, 10.0) * m.m + 2.0 * m.error::<T>()) * T::U,
         )
     });
 }
@@ -161,10 +169,11 @@ fn cosine<T: Number>() -> impl Strategy<Value = T> {
 }
 
 /// (33) A highlight does not rise with m, except by the roundings of two powers, m each, if m is an
-/// integer, and by one unit in the last place if m is real.
+/// integer, and by one unit in the last place if m is real. In an evenly spaced type, it is the error of
+/// the two powers.
 fn highlight_does_not_rise_with_the_shininess<T: Number>() {
     check(
-        (cosine::<T>(), shine(10_000), shine(10_000)),
+        (cosine::<T>(), shine::<T>(10_000), shine::<T>(10_000)),
         |(cosine, a, b)| {
             let whole = a.whole && b.whole;
             let [a, b] = [a, b].map(|shine| Shine { whole, ..shine });
@@ -175,7 +184,11 @@ fn highlight_does_not_rise_with_the_shininess<T: Number>() {
                 highlight(cosine, large).to_f64(),
             );
             let k = if whole { small.m + large.m } else { 2.0 };
-            at_least(brighter, darker, k * T::U * brighter + NEGLIGIBLE)
+            let roundings = by_spacing::<T>(
+                k * T::U * brighter + NEGLIGIBLE,
+                (small.error::<T>() + large.error::<T>()) * T::U,
+            );
+            at_least(brighter, darker, roundings)
         },
     );
 }
@@ -184,11 +197,12 @@ fn highlight_does_not_rise_with_the_shininess<T: Number>() {
 /// multiplication is monotone, and by at most one unit in the last place for a real m.
 fn highlight_does_not_fall_with_the_cosine<T: Number>() {
     check(
-        (cosine::<T>(), cosine::<T>(), shine(10_000)),
+        (cosine::<T>(), cosine::<T>(), shine::<T>(10_000)),
         |(a, b, m)| {
             let (small, large) = if a <= b { (a, b) } else { (b, a) };
             let (darker, brighter) = (highlight(small, m).to_f64(), highlight(large, m).to_f64());
-            let k = if m.whole { 0.0 } else { 1.0 };
+            let is_integer = m.whole || T::EVENLY_SPACED;
+            let k = if is_integer { 0.0 } else { 1.0 };
             at_least(
                 brighter,
                 darker,
@@ -201,7 +215,7 @@ fn highlight_does_not_fall_with_the_cosine<T: Number>() {
 /// (33) Where the cosine is not positive, the highlight is 0 for every m. Where the cosine is 1, or
 /// more than 1 by rounding, the highlight is exactly 1.
 fn highlight_ends_at_the_horizon<T: Number>() {
-    check((cosine::<T>(), shine(10_000)), |(cosine, m)| {
+    check((cosine::<T>(), shine::<T>(10_000)), |(cosine, m)| {
         same([highlight(-cosine, m); 3], [T::ZERO; 3])?;
         same([highlight(T::ONE, m); 3], [T::ONE; 3])?;
         same([highlight(T::of(1.0 + 2.0 * T::U), m); 3], [T::ONE; 3])
@@ -209,32 +223,32 @@ fn highlight_ends_at_the_horizon<T: Number>() {
 }
 
 /// (34) f^(m₁ + m₂) = f^m₁ · f^m₂ for integer m, within 2(m + 1)u: m roundings on either side. Both
-/// sides may be 0 where they would be negligible.
+/// sides may be 0 where they would be negligible. In an evenly spaced type, it is the error of the three
+/// powers, and u for the product.
 fn whole_powers_add_up<T: Number>() {
-    check(
-        (cosine::<T>(), 0..5000_u32, 0..5000_u32),
-        |(cosine, a, b)| {
-            let highlight = |m: u32| {
-                highlight(
-                    cosine,
-                    Shine {
-                        m: m.into(),
-                        whole: true,
-                    },
-                )
-            };
-            let (product, power) = (highlight(a) * highlight(b), highlight(a + b));
-            let (product, power) = (product.to_f64(), power.to_f64());
-            let roundings = 2.0 * f64::from(a + b + 1) * T::U * power.max(product);
-            within(power - product, roundings.max(NEGLIGIBLE))
-        },
-    );
+    let most = if T::EVENLY_SPACED { 64 } else { 5000_u32 };
+    check((cosine::<T>(), 0..most, 0..most), |(cosine, a, b)| {
+        let shine = |m: u32| Shine {
+            m: m.into(),
+            whole: true,
+        };
+        let [a, b, sum] = [a, b, a + b].map(shine);
+        let (product, power) = (
+            highlight(cosine, a) * highlight(cosine, b),
+            highlight(cosine, sum),
+        );
+        let (product, power) = (product.to_f64(), power.to_f64());
+        let roundings = 2.0 * (sum.m + 1.0) * T::U * power.max(product);
+        let errors: f64 = [a, b, sum].map(Shine::error::<T>).into_iter().sum();
+        let tolerance = by_spacing::<T>(roundings.max(NEGLIGIBLE), (errors + 1.0) * T::U);
+        within(power - product, tolerance)
+    });
 }
 
 /// (34) The same for real m, within the error of each of the three powers, and u for the product.
 fn real_powers_add_up<T: RealPowers>() {
     check(
-        (cosine::<T>(), shine(5000), shine(5000)),
+        (cosine::<T>(), shine::<T>(5000), shine::<T>(5000)),
         |(cosine, a, b)| {
             let highlight = |m: f64| highlight(cosine, Shine { m, whole: false }).to_f64();
             let (product, power) = (highlight(a.m) * highlight(b.m), highlight(a.m + b.m));
@@ -268,7 +282,7 @@ fn power_of_a_root_is_half_the_power<T: Number>() {
 
 /// (34) (√s)^m for real m, within the errors of both powers, and m times the rounding of the root.
 fn real_power_of_a_root_is_half_the_power<T: RealPowers>() {
-    check((cosine::<T>(), shine(5000)), |(square, m)| {
+    check((cosine::<T>(), shine::<T>(5000)), |(square, m)| {
         let real = Shine { whole: false, ..m };
         let power = raise_root(real, square).to_f64();
         let expected = real.raise(square.sqrt()).to_f64();
@@ -278,22 +292,30 @@ fn real_power_of_a_root_is_half_the_power<T: RealPowers>() {
 }
 
 /// An integer power is right to m − 1 roundings down to the smallest normal `f32`: a result that
-/// single precision can hold in full never becomes 0. The expected value is rounded once.
+/// single precision can hold in full never becomes 0. The expected value is rounded once. In an evenly
+/// spaced type, the power has its own error, down to a twentieth of a step.
 fn faint_highlights_are_kept<T: Number>() {
-    check((1..=10_000_u32, 0.0..126.0_f64), |(m, octaves)| {
+    let (m, octaves) = if T::EVENLY_SPACED {
+        (1..=128, 0.0..20.0)
+    } else {
+        (1..=10_000_u32, 0.0..126.0_f64)
+    };
+    check((m, octaves), |(m, octaves)| {
         let cosine = T::of((-octaves / f64::from(m)).exp2());
         let expected = cosine.to_f64().powf(m.into());
         prop_assume!(expected >= NEGLIGIBLE);
         let (m, whole) = (f64::from(m), true);
-        let error = highlight(cosine, Shine { m, whole }).to_f64() - expected;
+        let shine = Shine { m, whole };
+        let error = highlight(cosine, shine).to_f64() - expected;
         let roundings = ((m - 1.0) * T::U).exp_m1(); // (1 + u)^(m − 1) − 1
-        within(error, (roundings + f64::U) * expected)
+        let tolerance = by_spacing::<T>(roundings * expected, shine.error::<T>() * T::U);
+        within(error, tolerance + f64::U * expected)
     });
 }
 
 /// (34) An integer m and the same m as a real number agree.
 fn whole_and_real_powers_agree<T: RealPowers>() {
-    check((cosine::<T>(), shine(10_000)), |(cosine, shine)| {
+    check((cosine::<T>(), shine::<T>(10_000)), |(cosine, shine)| {
         let m = shine.m.floor();
         let [whole, real] =
             [true, false].map(|whole| highlight(cosine, Shine { m, whole }).to_f64());

@@ -6,7 +6,8 @@
 //! [`shading::guide::invariants`](https://docs.rs/shading/latest/shading/guide/invariants/) shows both in
 //! full, with what a failure looks like.
 //!
-//! Tolerances are in units of u, the unit roundoff, and each has its reason beside it. Results
+//! Tolerances are in units of u, the unit roundoff, and each has its reason beside it. Where a float and
+//! an evenly spaced type, such as a fixed-point number, round differently, each has its own. Results
 //! without a tolerance are compared bit for bit.
 
 #![allow(clippy::float_cmp)] // floats are compared exactly, on purpose
@@ -150,10 +151,14 @@ macro_rules! tests_of_file {
 pub trait Number: Elementary + PartialOrd + Debug + 'static {
     /// The unit roundoff u: half the distance from 1 to the next number above.
     const U: f64;
+    /// Whether the distance from a number to the next is 2u everywhere, as in fixed point. A float is off by
+    /// u of a result, an evenly spaced type by u itself, which is half a step.
+    const EVENLY_SPACED: bool = false;
     /// The smallest positive number.
     const TINY: Self;
     /// The largest error of a power by a real number, in units of u. The base is at most 1. It is 0 if
-    /// [`Shininess`](Number::Shininess) is `u32`.
+    /// [`Shininess`](Number::Shininess) is `u32`: a power by m then has m roundings. An evenly spaced type
+    /// with better integer powers states their error for m up to 128.
     const POWER_ERROR: f64;
     /// `Self` for a type with powers by real numbers, and `u32` for one without.
     type Shininess: Exponent<Self> + Debug;
@@ -198,10 +203,28 @@ impl Number for f64 {
     }
 }
 
+#[cfg(feature = "fixed")]
+impl Number for shading::fixed::Fixed {
+    const U: f64 = 1.0 / 131_072.0; // 2⁻¹⁷
+    const EVENLY_SPACED: bool = true;
+    const TINY: Self = Self::STEP;
+    const POWER_ERROR: f64 = 1.02; // 0.51 steps
+    type Shininess = u32;
+
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    fn shininess(m: f64) -> u32 {
+        m as u32
+    }
+    fn to_f64(self) -> f64 {
+        self.into()
+    }
+}
+
 /// The value of a dual number obeys every invariant; its gradient has invariants of its own in
 /// `dual.rs`.
 impl<T: Number> Number for Dual<T> {
     const U: f64 = T::U;
+    const EVENLY_SPACED: bool = T::EVENLY_SPACED;
     const TINY: Self = Self::constant(T::TINY);
     const POWER_ERROR: f64 = 0.0;
     type Shininess = u32;
