@@ -106,7 +106,7 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> SpotLight<T, C, A> {
     }
 
     /// The light of the point light, reduced by the cone, or `None` if nothing is left.
-    #[inline]
+    #[inline(always)]
     pub(super) fn narrowed_in_front(&self, incident: IncidentLight<T>) -> Option<IncidentLight<T>> {
         let is_inside = self.cone.factor(self.axis, incident.l).any_positive();
         is_inside.then(|| self.narrowed(incident))
