@@ -36,6 +36,7 @@
 mod arithmetic;
 mod encoding;
 mod real;
+mod reciprocal;
 mod scene;
 mod triple;
 
@@ -50,8 +51,8 @@ pub use types::*;
 
 /// A fixed-point number: 32 bits, 16 of them after the binary point.
 ///
-/// It is for processors without floating point. On a Cortex-M0 a point light in `Fixed` takes a
-/// sixth of the instructions that it takes in `f32`.
+/// It is for processors without floating point. On a Cortex-M0 a point light in `Fixed` takes less
+/// than a quarter of the instructions that it takes in `f32`, and on a Cortex-M3 a tenth.
 /// [`guide::embedded`](mod@crate::guide::embedded) says which number suits which chip.
 ///
 /// ```

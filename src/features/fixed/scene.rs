@@ -113,7 +113,8 @@ impl From<Attenuation<Fixed>> for Ranged<Fixed> {
 }
 
 impl Cone<Fixed> {
-    /// The cone of a half-angle in radians, within [0, π]. Returns `None` for other angles.
+    /// The cone of a half-angle in radians, from 0 to π rounded up to a step. Returns `None` for other
+    /// angles.
     ///
     /// The constructor computes in double precision, so on a small processor use it in constants.
     ///
