@@ -2,7 +2,7 @@
 //!
 //! The numbers are integers with the binary point wherever all their bits count.
 
-use super::arithmetic::{COUNTS_ZEROS, LONG_MULTIPLY, upper};
+use super::product::{COUNTS_ZEROS, LONG_MULTIPLY, upper};
 
 /// 2²⁷/√x for x = `bits`/2³² from ¼ on.
 #[inline]

@@ -3,7 +3,7 @@
 //! Each result is rounded to steps once, at the end. On a Cortex-M0, whose flash and stack are small,
 //! a function has one copy that is called; elsewhere, it becomes a part of the caller.
 
-use super::arithmetic::{
+use super::product::{
     COUNTS_ZEROS, LONG_MULTIPLY, part, product64, short_part, upper, upper_of_part,
     upper_of_square, upper_signed,
 };
