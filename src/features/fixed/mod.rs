@@ -66,7 +66,7 @@ pub use types::*;
 /// static LAMP: PointLight = PointLight {
 ///     position: Vec3::new(x(0.0), x(0.0), x(4.0)),
 ///     intensity: Rgb::new(x(1.0), x(0.9), x(0.7)),
-///     attenuation: Attenuation::new(x(1.0), x(0.25), x(0.0)).unwrap(), // halved at a distance of 4
+///     attenuation: Attenuation::new(x(1.0), x(0.25), x(0.0)).unwrap(), // ½ at 4
 /// };
 /// static BRICK: Material =
 ///     Material { k_a: Rgb::BLACK, k_d: Rgb::gray(x(0.5)), k_s: Rgb::BLACK, m: 1 };
