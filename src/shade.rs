@@ -284,7 +284,7 @@ pub fn blinn_phong<T: Real, M: Exponent<T>>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    // in fixed point, the square of a short h is not worth a power of half the exponent
+    // in fixed point, the cosine is N·H itself, not its square
     let half = material.m.half().filter(|_| !T::IS_FIXED);
     let n_dot_h = |l: UnitVec3<T>| {
         if T::IS_FIXED {
