@@ -132,13 +132,7 @@ impl Fixed {
         let whole = steps as i32;
         // exact, which steps + 0.5 is not
         let rest = steps - whole as f64;
-        Self(if rest >= 0.5 {
-            whole.saturating_add(1)
-        } else if rest <= -0.5 {
-            whole.saturating_sub(1)
-        } else {
-            whole
-        })
+        Self(whole.saturating_add((rest >= 0.5) as i32 - (rest <= -0.5) as i32))
     }
 
     /// The nearest number; a tie goes away from 0. Beyond the range, it is the end of the range, and
@@ -157,13 +151,7 @@ impl Fixed {
         let whole = steps as i32;
         // exact: from 2²³ on, there is no fraction
         let rest = steps - whole as f32;
-        Self(if rest >= 0.5 {
-            whole.saturating_add(1)
-        } else if rest <= -0.5 {
-            whole.saturating_sub(1)
-        } else {
-            whole
-        })
+        Self(whole.saturating_add((rest >= 0.5) as i32 - (rest <= -0.5) as i32))
     }
 
     /// The nearest number in single precision.

@@ -45,7 +45,7 @@ pub(super) fn reciprocal(mut steps: u32) -> u32 {
     ((quotient << 16) + ((quotient * rest) >> 16)) >> excess
 }
 
-/// (2³² − 1) / divisor, which is at least 2¹⁶, and the rest.
+/// The quotient of 2³² − 1 and a divisor from 2¹⁶ to 2²², and the rest.
 #[inline]
 fn reciprocal_quotient(divisor: u32) -> (u32, u32) {
     if LONG_MULTIPLY {

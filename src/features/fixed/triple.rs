@@ -73,7 +73,7 @@ pub(super) fn scaled(&[x, y, z]: &[Fixed; 3], factor: Fixed) -> [Fixed; 3] {
 
 /// Each number divided by a divisor, which counts as one step if it is not positive.
 ///
-/// The error is below 0.51 steps and 2⁻¹⁸ of the result. A result above 2¹⁴ may be the largest number.
+/// The error is below a step and 2⁻¹⁸ of the result. A result above 2¹⁴ may be the largest number.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 pub(super) fn quotients(&[x, y, z]: &[Fixed; 3], divisor: Fixed) -> [Fixed; 3] {
@@ -137,7 +137,7 @@ fn fine_dot(a: &[Fixed; 3], b: &[Fixed; 3]) -> i32 {
 
 /// The direction and the length of a vector; both are 0 for the zero vector.
 ///
-/// The direction does not depend on the length, even if that saturates.
+/// The direction is right even if the length saturates.
 #[inline]
 pub(super) const fn unit_and_length(v: &[Fixed; 3]) -> ([Fixed; 3], Fixed) {
     let mut unit = *v;
