@@ -209,22 +209,16 @@ impl<T: Real> Attenuation<T> {
     #[inline]
     #[must_use]
     pub fn at(self, q: T) -> T {
-        self.limited(self.unlimited(q))
+        // at an infinite distance the factor is 0, even if the formula gives NaN
+        let factor = attenuation(self.a, self.b, self.c, q);
+        factor.at_least(T::ZERO).at_most(self.limit())
     }
 
-    /// The factor before it is limited.
+    /// The limit of the factor, which is at least 1.
     #[inline]
-    fn unlimited(self, q: T) -> T {
-        attenuation(self.a, self.b, self.c, q)
-    }
-
-    /// The factor up to its limit, which is at least 1. At an infinite distance the factor is 0,
-    /// even if the formula gives NaN.
-    #[inline]
-    fn limited(self, factor: T) -> T {
-        // the limit is not stored in a field, because MAX of one type is not MAX in another
-        let limit = if self.clamped == YES { T::ONE } else { T::MAX };
-        factor.at_least(T::ZERO).at_most(limit)
+    fn limit(&self) -> T {
+        // it is not stored in a field, because MAX of one type is not MAX in another
+        if self.clamped == YES { T::ONE } else { T::MAX }
     }
 
     /// The same attenuation in another number type. `f` converts each coefficient and may only
@@ -255,19 +249,8 @@ impl<T: Real> Falloff<T> for Attenuation<T> {
     // small chips.
     #[inline(always)]
     fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T> {
-        if T::IS_FIXED {
-            let least = if self.clamped == YES { T::ONE } else { T::ZERO };
-            let denominator = (self.a + q * (self.b + self.c * q)).at_least(least);
-            return T::quotients((*intensity).into(), denominator).into();
-        }
-        let factor = self.unlimited(q);
-        // a factor of up to 1 can neither exceed the limit nor overflow
-        if factor.any_outside(T::ZERO, T::ONE) {
-            let dimmed = *intensity * self.limited(factor);
-            dimmed.map(|channel| channel.at_most(T::MAX))
-        } else {
-            *intensity * factor
-        }
+        let denominator = self.a + q * (self.b + self.c * q);
+        T::divided((*intensity).into(), denominator, || self.limit()).into()
     }
 
     #[inline]

@@ -1,6 +1,6 @@
 //! The reflection vector R and the half vector H.
 
-use crate::real::Real;
+use crate::real::{Real, triple};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -31,8 +31,7 @@ use crate::vector::Vec3;
 #[inline]
 #[must_use]
 pub fn reflection<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> UnitVec3<T> {
-    let n_dot_l = n.dot(l);
-    UnitVec3::assume_unit(*n * (n_dot_l + n_dot_l) - *l)
+    UnitVec3::assume_unit(triple::reflection(n.into(), l.into()).into())
 }
 
 /// The half vector H: the direction halfway between L and V.

@@ -1,7 +1,7 @@
 //! The shininess m of a highlight.
 
 use crate::batch::{OneByOne, Powers};
-use crate::power::{integer_power, power};
+use crate::power::power;
 use crate::real::Real;
 
 /// The shininess m of a highlight: an integer (`u32`) or a real number of the scene's type (`f32`,
@@ -101,7 +101,7 @@ impl<T: Real> Exponent<T> for u32 {
         if self == 0 {
             cosine.if_positive(T::ONE, T::ZERO)
         } else {
-            integer_power(self)(cosine)
+            T::cosine_power(self)(cosine)
         }
     }
 
@@ -113,7 +113,7 @@ impl<T: Real> Exponent<T> for u32 {
     // whatever depends on m alone is computed once
     #[inline]
     fn powers<I: Copy>(self, _none: I, each: impl FnMut(I, T)) -> impl Powers<I, T> {
-        let power = integer_power(self);
+        let power = T::cosine_power(self);
         OneByOne { power, each }
     }
 }

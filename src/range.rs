@@ -70,10 +70,7 @@ impl<T: Real> Ranged<T> {
     /// w(q)
     #[inline]
     fn window(self, q: T) -> T {
-        if T::IS_FIXED && !(T::MAX - self.range).any_positive() {
-            return T::ONE; // it has no infinity
-        }
-        let share = q / self.range;
+        let share = q.ratio(self.range);
         let square = share * share;
         let root = (T::ONE - square * square).at_least(T::ZERO);
         root * root

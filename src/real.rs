@@ -1,5 +1,8 @@
 //! The number type that every formula is written over.
 
+pub(crate) mod triple;
+pub(crate) mod whole_power;
+
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A real number: `f32`, `f64`, a dual number, a set of SIMD lanes, or a type of your own.
@@ -149,7 +152,8 @@ pub trait Real:
         (high - self).if_positive(outside, Self::ONE).any_positive()
     }
 
-    // what is computed of three numbers at once
+    // What is computed of three numbers at once, or of a cosine. The defaults are for floats; a number
+    // whose precision is not relative overrides them.
 
     /// The dot product.
     #[doc(hidden)]
@@ -167,64 +171,104 @@ pub trait Real:
         [x * factor, y * factor, z * factor]
     }
 
-    // for numbers that are evenly spaced
-
-    /// Whether neighboring numbers have the same distance everywhere. Such numbers lose their relative
-    /// precision toward 0, and the formulas call the methods below.
-    #[doc(hidden)]
-    const IS_FIXED: bool = false;
-
-    /// Each number divided by a divisor.
+    /// self/whole, where `whole` may be infinite; in a type without infinities, `MAX` counts as infinite.
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn quotients([x, y, z]: [Self; 3], divisor: Self) -> [Self; 3] {
-        [x / divisor, y / divisor, z / divisor]
+    fn ratio(self, whole: Self) -> Self {
+        self / whole
     }
 
-    /// The vectors times one power of two, which makes the longest neither so long that its square
-    /// overflows nor so short that it loses bits.
+    /// v divided by a denominator that is not negative; 1/denominator counts as `limit` at most.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn divided(v: [Self; 3], denominator: Self, limit: impl FnOnce() -> Self) -> [Self; 3] {
+        triple::divided(v, denominator, limit)
+    }
+
+    /// |v|.
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn tamed<const N: usize>(vectors: [[Self; 3]; N]) -> [[Self; 3]; N] {
-        vectors
+    fn length(v: [Self; 3]) -> Self {
+        triple::length(v)
     }
 
-    /// The direction and the length of a vector; both are 0 for the zero vector.
+    /// v/|v|, and a number that is positive and finite exactly if v has a direction.
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn unit_and_length(v: [Self; 3]) -> ([Self; 3], Self) {
-        let length = Self::dot(v, v).sqrt();
-        (Self::quotients(v, length), length)
+    fn unit(v: [Self; 3]) -> ([Self; 3], Self) {
+        triple::unit(v)
     }
 
-    /// N·H, where H is the half vector of L and V; 0 if L = −V.
+    /// v times a power of two that keeps its products within range.
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn half_cosine(n: [Self; 3], [lx, ly, lz]: [Self; 3], [vx, vy, vz]: [Self; 3]) -> Self {
-        let h = [lx + vx, ly + vy, lz + vz];
-        Self::dot(n, Self::unit_and_length(h).0)
+    fn tame(v: [Self; 3]) -> [Self; 3] {
+        triple::tame(v)
     }
 
-    /// R·V, where R is the reflection of L: 2(N·L)(N·V) − L·V.
+    /// `to` − `from`, likewise.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn tame_difference(to: [Self; 3], from: [Self; 3]) -> [Self; 3] {
+        triple::tame_difference(to, from)
+    }
+
+    /// Three vectors times one power of two, likewise, if there is one for all.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn tame_together(vectors: [[Self; 3]; 3]) -> Option<[[Self; 3]; 3]> {
+        triple::tame_together(vectors)
+    }
+
+    /// L, q and the distance of a light, given its position and the point, and the way to the light.
+    /// A light without a direction has a q at which [`lit`](Real::lit) is black.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn way(
+        light_and_p: impl FnOnce() -> [[Self; 3]; 2],
+        to_light: [Self; 3],
+    ) -> ([Self; 3], Self, Self) {
+        triple::way(light_and_p, to_light)
+    }
+
+    /// The light that arrives from q, which is `black` where q says so.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn lit<C>(_q: Self, light: C, _black: C) -> C {
+        light
+    }
+
+    /// N·H, where H is the half vector of L and V, or its square; 0 if L = −V.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn half_cosine(n: [Self; 3], l: [Self; 3], v: [Self; 3], squared: bool) -> Self {
+        triple::half_cosine(n, l, v, squared)
+    }
+
+    /// R·V, where R is the reflection of L.
     #[doc(hidden)]
     #[inline]
     #[must_use]
     fn reflected_cosine(n: [Self; 3], l: [Self; 3], v: [Self; 3]) -> Self {
-        let n_dot_l = Self::dot(n, l);
-        (n_dot_l + n_dot_l) * Self::dot(n, v) - Self::dot(l, v)
+        Self::dot(triple::reflection(n, l), v)
     }
 
-    /// An integer power of a cosine, if the type has a better way than to square itself.
+    /// The m-th power of a cosine, as a function of the cosine.
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn power_of_cosine(self, m: u32) -> Option<Self> {
-        let _ = m;
-        None
+    fn cosine_power(m: u32) -> impl Fn(Self) -> Self {
+        whole_power::of_cosine(m)
     }
 }
 

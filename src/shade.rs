@@ -85,7 +85,6 @@ use core::iter::Sum;
 use core::ops::{Add, Mul};
 
 use crate::batch::Powers;
-use crate::direction::{between, reflection};
 use crate::exponent::Exponent;
 use crate::light::IncidentLight;
 use crate::material::Material;
@@ -241,13 +240,7 @@ pub fn phong<T: Real, M: Exponent<T>>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    let r_dot_v = |l: UnitVec3<T>| {
-        if T::IS_FIXED {
-            T::reflected_cosine((*n).into(), (*l).into(), (*v).into())
-        } else {
-            reflection(n, l).dot(v)
-        }
-    };
+    let r_dot_v = |l: UnitVec3<T>| T::reflected_cosine(n.into(), l.into(), v.into());
     sum(n, material, i_a, lights, material.m, r_dot_v)
 }
 
@@ -284,19 +277,8 @@ pub fn blinn_phong<T: Real, M: Exponent<T>>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    // in fixed point, the cosine is N·H itself, not its square
-    let half = material.m.half().filter(|_| !T::IS_FIXED);
-    let n_dot_h = |l: UnitVec3<T>| {
-        if T::IS_FIXED {
-            return T::half_cosine((*n).into(), (*l).into(), (*v).into());
-        }
-        let square = term::n_dot_h_squared(n, between(l, v));
-        if half.is_some() {
-            square
-        } else {
-            square.sqrt()
-        }
-    };
+    let half = material.m.half();
+    let n_dot_h = |l: UnitVec3<T>| T::half_cosine(n.into(), l.into(), v.into(), half.is_some());
     sum(
         n,
         material,

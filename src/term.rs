@@ -16,7 +16,6 @@ use crate::exponent::Exponent;
 use crate::real::{Real, constant, parts};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
-use crate::vector::Vec3;
 
 /// The ambient term, for light without a direction.
 ///
@@ -222,23 +221,4 @@ pub fn blinn_normalization<T: Real + Exponent<T>>(m: T) -> T {
 fn valid<T: Real>(m: T) -> T {
     // not `at_least`, which may let a signaling NaN through
     m.if_positive(m.at_most(T::MAX), T::ZERO)
-}
-
-/// (N·H)², with the sign of N·H, for an unnormalized h = L + V. (N·h)²/(h·h) takes one division;
-/// normalizing h would take a square root and a division. Rounding may leave the result above 1.
-#[inline(always)] // on a Cortex-M0 a call from the sum would take 56 bytes of stack
-pub(crate) fn n_dot_h_squared<T: Real>(n: UnitVec3<T>, mut h: Vec3<T>) -> T {
-    // Not h.dot(h): LLVM would pack two sums of the same order into one SIMD register, and moving
-    // the operands there costs more than the second sum.
-    let square = |h: Vec3<T>| h.z * h.z + h.y * h.y + h.x * h.x;
-    let mut h_dot_h = square(h);
-    // if L is close to −V, the square loses some or all of its bits
-    let least = T::ONE / T::EXTREME;
-    if least.if_above(h_dot_h, T::ONE, T::ZERO).any_positive() {
-        h *= least.if_above(h_dot_h, T::EXTREME, T::ONE);
-        h_dot_h = square(h);
-    }
-    let n_dot_h = n.dot(h);
-    // NaN if L = −V; NaN counts as 0
-    n_dot_h * n_dot_h.abs() / h_dot_h
 }

@@ -3,7 +3,6 @@
 use core::ops::{Deref, Neg};
 
 use crate::real::Real;
-use crate::rescale::{extreme_difference, is_extreme, tame};
 use crate::root;
 use crate::vector::Vec3;
 
@@ -27,16 +26,7 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn length(self) -> T {
-        if T::IS_FIXED {
-            return T::unit_and_length(self.into()).1;
-        }
-        let square = self.dot(self);
-        if is_extreme(square) {
-            let (tame, scale) = extreme_difference(self, Self::ZERO, square);
-            tame.dot(tame).sqrt() / scale
-        } else {
-            square.sqrt()
-        }
+        T::length(self.into())
     }
 
     /// The direction of the vector: the vector of length 1 that points the same way.
@@ -63,13 +53,8 @@ impl<T: Real> Vec3<T> {
     where
         T: PartialOrd,
     {
-        if T::IS_FIXED {
-            let (unit, length) = T::unit_and_length(self.into());
-            return (length > T::ZERO).then(|| UnitVec3(unit.into()));
-        }
-        let tame = tame(self);
-        let length = tame.dot(tame).sqrt();
-        (length > T::ZERO && length <= T::MAX).then(|| UnitVec3(tame / length))
+        let (unit, length) = T::unit(self.into());
+        (length > T::ZERO && length <= T::MAX).then(|| UnitVec3(unit.into()))
     }
 
     /// [`unit`](Vec3::unit), or `fallback` if that is `None`. This method does not branch on the
@@ -84,25 +69,14 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn unit_or(self, fallback: UnitVec3<T>) -> UnitVec3<T> {
-        if T::IS_FIXED {
-            let (unit, length) = T::unit_and_length(self.into());
-            let is_zero = !length.any_positive();
-            return if is_zero {
-                fallback
-            } else {
-                UnitVec3(unit.into())
-            };
-        }
-        let tame = tame(self);
-        let length = tame.dot(tame).sqrt();
+        let ([x, y, z], length) = T::unit(self.into());
         // positive if the length is neither zero nor infinite nor NaN
-        let valid = length.if_positive(T::MAX / length, T::ZERO);
-        let unit = tame / valid.if_positive(length, T::ONE);
+        let valid = length.if_above(T::MAX, T::ZERO, length);
         let or = |a, b| valid.if_positive(a, b);
         UnitVec3(Self::new(
-            or(unit.x, fallback.x),
-            or(unit.y, fallback.y),
-            or(unit.z, fallback.z),
+            or(x, fallback.x),
+            or(y, fallback.y),
+            or(z, fallback.z),
         ))
     }
 }

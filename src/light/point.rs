@@ -4,7 +4,6 @@ use super::in_front::{Filtered, is_in_front};
 use super::incident::IncidentLight;
 use crate::attenuation::{Attenuation, Falloff};
 use crate::real::Real;
-use crate::rescale::{extreme_difference, is_extreme};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
@@ -156,67 +155,13 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     /// The light at p, given P_light − p.
     #[inline(always)]
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>) -> IncidentLight<T> {
-        if T::IS_FIXED {
-            return self.along_direction(to_light);
-        }
-        let square = to_light.dot(to_light);
-        let (l, q, distance) = if is_extreme(square) {
-            self.extreme_way(p.into(), square)
-        } else {
-            let q = square.sqrt();
-            (UnitVec3::assume_unit(to_light * (T::ONE / q)), q, q)
-        };
+        let (l, q, distance) = T::way(|| [self.position.into(), p.into()], to_light.into());
         let intensity = self.attenuation.dim(&self.intensity, q);
         IncidentLight {
-            l,
-            intensity,
+            l: UnitVec3::assume_unit(l.into()),
+            intensity: T::lit(q, intensity, Rgb::BLACK),
             distance,
         }
-    }
-
-    /// [`along`](PointLight::along) in numbers that need not be scaled.
-    #[inline(always)]
-    fn along_direction(&self, to_light: Vec3<T>) -> IncidentLight<T> {
-        let (l, q) = T::unit_and_length(to_light.into());
-        if q.any_positive() {
-            IncidentLight {
-                l: UnitVec3::assume_unit(l.into()),
-                intensity: self.attenuation.dim(&self.intensity, q),
-                distance: q,
-            }
-        } else {
-            IncidentLight {
-                l: UnitVec3::Z,
-                intensity: Rgb::BLACK,
-                distance: T::MAX,
-            }
-        }
-    }
-
-    /// L, q and the distance if q² is out of range. A light without a direction counts as
-    /// infinitely far away, which makes it black. Its distance is still the largest finite number.
-    ///
-    /// The point is passed as an array, which is built only here. A vector would be written to
-    /// memory for every light, even if this function is not called. For firmware the function is
-    /// inlined, because the call would take more flash and more stack.
-    #[cfg_attr(target_os = "none", inline(always))]
-    #[cfg_attr(not(target_os = "none"), cold, inline(never))]
-    fn extreme_way(&self, p: [T; 3], square: T) -> (UnitVec3<T>, T, T) {
-        let p = Vec3::from(p);
-        let (way, scale) = extreme_difference(self.position, p, square);
-        let q = way.dot(way).sqrt();
-        let reciprocal = T::ONE / q;
-        // positive if the reciprocal is neither zero nor infinite nor NaN
-        let valid = reciprocal * (T::MAX - reciprocal);
-        let component = |c, otherwise| valid.if_positive(c * reciprocal, otherwise);
-        let l = UnitVec3::assume_unit(Vec3::new(
-            component(way.x, T::ZERO),
-            component(way.y, T::ZERO),
-            component(way.z, T::ONE),
-        ));
-        let infinity = T::ONE / T::ZERO;
-        let q_or = |otherwise| valid.if_positive((q / scale).at_most(T::MAX), otherwise);
-        (l, q_or(infinity), q_or(T::MAX))
     }
 
     /// The same light in another number type. `f` converts each number and may only round it.

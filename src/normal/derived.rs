@@ -2,7 +2,7 @@
 
 use super::surface::from_tangents;
 use crate::real::Real;
-use crate::rescale::{extreme_difference, is_extreme, tame};
+use crate::rescale::{tame, tame_and_scale};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -85,13 +85,10 @@ pub fn transformed<T: Real + PartialOrd>(
     let cofactors =
         |a: Vec3<T>, b: Vec3<T>, c: Vec3<T>| b.cross(c) * n.x + c.cross(a) * n.y + a.cross(b) * n.z;
     let [a, b, c] = columns;
-    if T::IS_FIXED {
-        let [a, b, c] = T::tamed([a.into(), b.into(), c.into()]);
+    if let Some([a, b, c]) = T::tame_together([a.into(), b.into(), c.into()]) {
         cofactors(a.into(), b.into(), c.into())
-    } else if is_extreme(a.dot(a)) || is_extreme(b.dot(b)) || is_extreme(c.dot(c)) {
-        by_cofactors_of_any_size(n, columns)
     } else {
-        cofactors(a, b, c)
+        by_cofactors_of_any_size(n, columns)
     }
     .unit()
 }
@@ -139,7 +136,7 @@ fn by_cofactors_of_any_size<T: Real + PartialOrd>(
 /// A vector times a `power` of [`EXTREME`](Real::EXTREME), returned as a tame vector and a power.
 #[inline(never)]
 fn tame_power<T: Real + PartialOrd>(v: Vec3<T>, power: i32) -> (Vec3<T>, i32) {
-    let (tame, scale) = extreme_difference(v, Vec3::ZERO, v.dot(v));
+    let (tame, scale) = tame_and_scale(v);
     let grown = i32::from(scale > T::ONE) - i32::from(scale < T::ONE);
     (tame, power - grown)
 }

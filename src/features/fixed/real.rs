@@ -11,7 +11,6 @@ impl Real for Fixed {
     const NEG_ONE: Self = Self(-ONE);
     const MAX: Self = Self::MAX;
     const EXTREME: Self = Self(ONE << 9);
-    const IS_FIXED: bool = true;
 
     #[inline]
     fn of(literal: f64) -> Self {
@@ -64,23 +63,68 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn quotients(v: [Self; 3], divisor: Self) -> [Self; 3] {
-        triple::quotients(&v, divisor)
+    fn ratio(self, whole: Self) -> Self {
+        if whole == Self::MAX {
+            Self(0)
+        } else {
+            self / whole
+        }
     }
 
     #[inline]
-    fn tamed<const N: usize>(vectors: [[Self; 3]; N]) -> [[Self; 3]; N] {
-        triple::tamed(vectors)
+    fn divided(v: [Self; 3], denominator: Self, limit: impl FnOnce() -> Self) -> [Self; 3] {
+        let least = if limit() == Self::ONE {
+            Self::ONE
+        } else {
+            Self::ZERO
+        };
+        triple::quotients(&v, denominator.at_least(least))
     }
 
     #[inline]
-    fn unit_and_length(v: [Self; 3]) -> ([Self; 3], Self) {
+    fn length(v: [Self; 3]) -> Self {
+        triple::unit_and_length(&v).1
+    }
+
+    #[inline]
+    fn unit(v: [Self; 3]) -> ([Self; 3], Self) {
         triple::unit_and_length(&v)
     }
 
     #[inline]
-    fn half_cosine(n: [Self; 3], l: [Self; 3], v: [Self; 3]) -> Self {
-        triple::half_cosine(&n, &l, &v)
+    fn tame(v: [Self; 3]) -> [Self; 3] {
+        let [tame] = triple::tamed([v]);
+        tame
+    }
+
+    #[inline]
+    fn tame_difference([x, y, z]: [Self; 3], [a, b, c]: [Self; 3]) -> [Self; 3] {
+        Self::tame([x - a, y - b, z - c])
+    }
+
+    #[inline]
+    fn tame_together(vectors: [[Self; 3]; 3]) -> Option<[[Self; 3]; 3]> {
+        Some(triple::tamed(vectors))
+    }
+
+    #[inline(always)]
+    fn way(_: impl FnOnce() -> [[Self; 3]; 2], to_light: [Self; 3]) -> ([Self; 3], Self, Self) {
+        let (l, q) = triple::unit_and_length(&to_light);
+        if q.0 > 0 {
+            (l, q, q)
+        } else {
+            ([Self(0), Self(0), Self(ONE)], Self(0), Self::MAX)
+        }
+    }
+
+    #[inline(always)]
+    fn lit<C>(q: Self, light: C, black: C) -> C {
+        if q.0 > 0 { light } else { black }
+    }
+
+    #[inline]
+    fn half_cosine(n: [Self; 3], l: [Self; 3], v: [Self; 3], squared: bool) -> Self {
+        triple::half_cosine(&n, &l, &v, squared)
     }
 
     #[inline]
@@ -89,8 +133,8 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn power_of_cosine(self, m: u32) -> Option<Self> {
-        Some(self.cosine_power(m))
+    fn cosine_power(m: u32) -> impl Fn(Self) -> Self {
+        move |cosine: Self| cosine.cosine_power(m)
     }
 }
 

@@ -1,0 +1,193 @@
+//! What is computed of three numbers at once, for floating-point numbers: even if squared lengths
+//! overflow, underflow or lose bits.
+//!
+//! Such a vector is called *extreme*. Before it is squared, it is *tamed*: multiplied by a power of
+//! two. Scaling it up is exact. Scaling it down rounds only components below 2⁻⁷⁵ (`f32`) or 2⁻⁶⁶⁰
+//! (`f64`) of the largest one, which is far below the unit roundoff.
+
+use super::Real;
+
+type Triple<T> = [T; 3];
+
+#[inline(always)]
+fn minus<T: Real>([ax, ay, az]: Triple<T>, [bx, by, bz]: Triple<T>) -> Triple<T> {
+    [ax - bx, ay - by, az - bz]
+}
+
+/// Whether `square` = |v|² overflowed, underflowed or may be inexact, in any lane.
+#[inline(always)]
+fn is_extreme<T: Real>(square: T) -> bool {
+    square.any_outside(T::ONE / T::EXTREME, T::EXTREME)
+}
+
+/// The power of two that tames a vector, from its |v|²: one factor of at most 1 and one of at least
+/// 1.
+#[inline(always)]
+fn scales<T: Real>(square: T) -> [T; 2] {
+    [
+        T::EXTREME.if_above(square, T::ONE, T::ONE / T::EXTREME),
+        (T::ONE / T::EXTREME).if_above(square, T::EXTREME, T::ONE),
+    ]
+}
+
+/// [`tame_difference`] for an extreme `square` = |to − from|², with the power of two that tamed the
+/// difference.
+///
+/// The points are scaled down before the subtraction, since their difference may overflow. The
+/// difference is scaled up after it, since the points may be far from the origin.
+#[cfg_attr(target_os = "none", inline(always))]
+#[cfg_attr(not(target_os = "none"), inline)]
+pub(crate) fn extreme_difference<T: Real>(
+    to: Triple<T>,
+    from: Triple<T>,
+    square: T,
+) -> (Triple<T>, T) {
+    let [shrink, grow] = scales(square);
+    let difference = minus(T::scaled(to, shrink), T::scaled(from, shrink));
+    (T::scaled(difference, grow), shrink * grow)
+}
+
+#[inline]
+pub(super) fn length<T: Real>(v: Triple<T>) -> T {
+    let square = T::dot(v, v);
+    if is_extreme(square) {
+        let (tame, scale) = extreme_difference(v, [T::ZERO; 3], square);
+        T::dot(tame, tame).sqrt() / scale
+    } else {
+        square.sqrt()
+    }
+}
+
+#[inline]
+pub(super) fn tame<T: Real>(v: Triple<T>) -> Triple<T> {
+    #[cold]
+    #[inline(never)]
+    fn scale<T: Real>(v: Triple<T>) -> T {
+        let [shrink, grow] = scales(T::dot(v, v));
+        shrink * grow
+    }
+    if is_extreme(T::dot(v, v)) {
+        T::scaled(v, scale(v))
+    } else {
+        v
+    }
+}
+
+#[inline]
+pub(super) fn unit<T: Real>(v: Triple<T>) -> (Triple<T>, T) {
+    let tame @ [x, y, z] = tame(v);
+    let length = T::dot(tame, tame).sqrt();
+    ([x / length, y / length, z / length], length)
+}
+
+#[inline]
+pub(super) fn tame_difference<T: Real>(to: Triple<T>, from: Triple<T>) -> Triple<T> {
+    #[cold]
+    #[inline(never)]
+    fn cold<T: Real>(to: Triple<T>, from: Triple<T>) -> Triple<T> {
+        let difference = minus(to, from);
+        extreme_difference(to, from, T::dot(difference, difference)).0
+    }
+    let difference = minus(to, from);
+    if is_extreme(T::dot(difference, difference)) {
+        cold(to, from)
+    } else {
+        difference
+    }
+}
+
+#[inline]
+pub(super) fn tame_together<T: Real>([a, b, c]: [Triple<T>; 3]) -> Option<[Triple<T>; 3]> {
+    let is_extreme = |v| is_extreme(T::dot(v, v));
+    let is_any_extreme = is_extreme(a) || is_extreme(b) || is_extreme(c);
+    (!is_any_extreme).then_some([a, b, c])
+}
+
+#[inline(always)]
+pub(super) fn way<T: Real>(
+    light_and_p: impl FnOnce() -> [Triple<T>; 2],
+    to_light: Triple<T>,
+) -> (Triple<T>, T, T) {
+    let square = T::dot(to_light, to_light);
+    if is_extreme(square) {
+        extreme_way(light_and_p(), square)
+    } else {
+        let q = square.sqrt();
+        (T::scaled(to_light, T::ONE / q), q, q)
+    }
+}
+
+/// L, q and the distance if q² is out of range. A light without a direction counts as infinitely far
+/// away, which makes it black. Its distance is still the largest finite number.
+///
+/// For firmware the function is inlined, because the call would take more flash and more stack.
+#[cfg_attr(target_os = "none", inline(always))]
+#[cfg_attr(not(target_os = "none"), cold, inline(never))]
+fn extreme_way<T: Real>([light, p]: [Triple<T>; 2], square: T) -> (Triple<T>, T, T) {
+    let (way, scale) = extreme_difference(light, p, square);
+    let q = T::dot(way, way).sqrt();
+    let reciprocal = T::ONE / q;
+    // positive if the reciprocal is neither zero nor infinite nor NaN
+    let valid = reciprocal * (T::MAX - reciprocal);
+    let component = |c, otherwise| valid.if_positive(c * reciprocal, otherwise);
+    let [x, y, z] = way;
+    let l = [
+        component(x, T::ZERO),
+        component(y, T::ZERO),
+        component(z, T::ONE),
+    ];
+    let infinity = T::ONE / T::ZERO;
+    let q_or = |otherwise| valid.if_positive((q / scale).at_most(T::MAX), otherwise);
+    (l, q_or(infinity), q_or(T::MAX))
+}
+
+#[inline(always)]
+pub(super) fn divided<T: Real>(
+    v: Triple<T>,
+    denominator: T,
+    limit: impl FnOnce() -> T,
+) -> Triple<T> {
+    let factor = T::ONE / denominator;
+    // a factor of up to 1 can neither exceed the limit nor overflow
+    if factor.any_outside(T::ZERO, T::ONE) {
+        let [x, y, z] = T::scaled(v, factor.at_least(T::ZERO).at_most(limit()));
+        [x.at_most(T::MAX), y.at_most(T::MAX), z.at_most(T::MAX)]
+    } else {
+        T::scaled(v, factor)
+    }
+}
+
+/// R = 2(N·L)N − L
+#[inline]
+pub(crate) fn reflection<T: Real>(n: Triple<T>, l: Triple<T>) -> Triple<T> {
+    let n_dot_l = T::dot(n, l);
+    minus(T::scaled(n, n_dot_l + n_dot_l), l)
+}
+
+#[inline(always)] // on a Cortex-M0 a call from the sum would take 56 bytes of stack
+pub(super) fn half_cosine<T: Real>(
+    n: Triple<T>,
+    [lx, ly, lz]: Triple<T>,
+    [vx, vy, vz]: Triple<T>,
+    squared: bool,
+) -> T {
+    let mut h = [lx + vx, ly + vy, lz + vz];
+    // Not dot(h, h): LLVM would pack two sums of the same order into one SIMD register, and moving
+    // the operands there costs more than the second sum.
+    let square = |[x, y, z]: Triple<T>| z * z + y * y + x * x;
+    let mut h_dot_h = square(h);
+    // if L is close to −V, the square loses some or all of its bits
+    let least = T::ONE / T::EXTREME;
+    if least.if_above(h_dot_h, T::ONE, T::ZERO).any_positive() {
+        h = T::scaled(h, least.if_above(h_dot_h, T::EXTREME, T::ONE));
+        h_dot_h = square(h);
+    }
+    let n_dot_h = T::dot(n, h);
+    // NaN if L = −V; NaN counts as 0
+    let cosine_squared = n_dot_h * n_dot_h.abs() / h_dot_h;
+    if squared {
+        cosine_squared
+    } else {
+        cosine_squared.sqrt()
+    }
+}
