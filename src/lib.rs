@@ -118,7 +118,7 @@
 //! | 3 formulas | `direction`, `term`, `normal`, `attenuation`, `range`, `cone`, `soft_cone` |
 //! | 2 differentiation | `dual` |
 //! | 1 vectors, colors | `componentwise`, `vector`, `rescale`, `unit`, `rgb`, `encoding` |
-//! | 0 numbers | `flag`, `root`, `real`, `power`, `elementary`, `batch`, `exponent` |
+//! | 0 numbers | `flag`, `real`, `elementary`, `exponent` |
 #![no_std]
 #![deny(unsafe_code)]
 #![cfg_attr(
@@ -133,13 +133,10 @@
 
 // one paragraph per floor of the table above, the lowest first
 
-mod batch;
 mod elementary;
 mod exponent;
 mod flag;
-mod power;
 mod real;
-mod root;
 
 mod componentwise;
 mod encoding;

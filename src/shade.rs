@@ -84,8 +84,8 @@
 use core::iter::Sum;
 use core::ops::{Add, Mul};
 
-use crate::batch::Powers;
 use crate::exponent::Exponent;
+use crate::exponent::batch::Powers;
 use crate::light::IncidentLight;
 use crate::material::Material;
 use crate::real::Real;

@@ -3,7 +3,7 @@
 use core::ops::{Deref, Neg};
 
 use crate::real::Real;
-use crate::root;
+use crate::real::root;
 use crate::vector::Vec3;
 
 impl<T: Real> Vec3<T> {

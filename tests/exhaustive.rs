@@ -15,7 +15,7 @@ use shading::{Attenuation, Exponent, Real, Rgb, Vec3, attenuation};
 mod srgb;
 
 // the roots are not public
-#[path = "../src/root.rs"]
+#[path = "../src/real/root.rs"]
 mod root;
 
 /// u, the unit roundoff of `f32`.

@@ -39,7 +39,7 @@ mod product;
 mod real;
 mod reciprocal;
 mod scene;
-mod triple;
+mod vector;
 
 #[allow(missing_docs)] // each is documented where it is defined
 mod types {

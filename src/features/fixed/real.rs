@@ -1,6 +1,6 @@
 //! [`Real`] and [`Elementary`].
 
-use super::{Fixed, ONE, triple};
+use super::{Fixed, ONE, vector};
 use crate::elementary::Elementary;
 use crate::real::Real;
 
@@ -54,12 +54,12 @@ impl Real for Fixed {
 
     #[inline]
     fn dot(a: [Self; 3], b: [Self; 3]) -> Self {
-        triple::dot(&a, &b)
+        vector::dot(&a, &b)
     }
 
     #[inline]
     fn scaled(v: [Self; 3], factor: Self) -> [Self; 3] {
-        triple::scaled(&v, factor)
+        vector::scaled(&v, factor)
     }
 
     #[inline]
@@ -78,22 +78,22 @@ impl Real for Fixed {
         } else {
             Self::ZERO
         };
-        triple::quotients(&v, denominator.at_least(least))
+        vector::quotients(&v, denominator.at_least(least))
     }
 
     #[inline]
     fn length(v: [Self; 3]) -> Self {
-        triple::unit_and_length(&v).1
+        vector::unit_and_length(&v).1
     }
 
     #[inline]
     fn unit(v: [Self; 3]) -> ([Self; 3], Self) {
-        triple::unit_and_length(&v)
+        vector::unit_and_length(&v)
     }
 
     #[inline]
     fn tame(v: [Self; 3]) -> [Self; 3] {
-        let [tame] = triple::tamed([v]);
+        let [tame] = vector::tamed([v]);
         tame
     }
 
@@ -104,12 +104,12 @@ impl Real for Fixed {
 
     #[inline]
     fn tame_together(vectors: [[Self; 3]; 3]) -> Option<[[Self; 3]; 3]> {
-        Some(triple::tamed(vectors))
+        Some(vector::tamed(vectors))
     }
 
     #[inline(always)]
     fn way(_: impl FnOnce() -> [[Self; 3]; 2], to_light: [Self; 3]) -> ([Self; 3], Self, Self) {
-        let (l, q) = triple::unit_and_length(&to_light);
+        let (l, q) = vector::unit_and_length(&to_light);
         if q.0 > 0 {
             (l, q, q)
         } else {
@@ -124,12 +124,12 @@ impl Real for Fixed {
 
     #[inline]
     fn half_cosine(n: [Self; 3], l: [Self; 3], v: [Self; 3], squared: bool) -> Self {
-        triple::half_cosine(&n, &l, &v, squared)
+        vector::half_cosine(&n, &l, &v, squared)
     }
 
     #[inline]
     fn reflected_cosine(n: [Self; 3], l: [Self; 3], v: [Self; 3]) -> Self {
-        triple::reflected_cosine(&n, &l, &v)
+        vector::reflected_cosine(&n, &l, &v)
     }
 
     #[inline]

@@ -1,6 +1,6 @@
 //! The checked constructors, as `f32` has them.
 
-use super::{Fixed, ONE, triple};
+use super::{Fixed, ONE, vector};
 use crate::attenuation::Attenuation;
 use crate::cone::Cone;
 use crate::range::Ranged;
@@ -26,7 +26,7 @@ impl UnitVec3<Fixed> {
     #[must_use]
     pub const fn new(x: Fixed, y: Fixed, z: Fixed) -> Option<Self> {
         let v = [x, y, z];
-        let square = triple::dot(&v, &v).0;
+        let square = vector::dot(&v, &v).0;
         if ONE - SLACK <= square && square <= ONE + SLACK {
             Some(Self::assume_unit(Vec3 { x, y, z }))
         } else {
@@ -54,7 +54,7 @@ impl UnitVec3<Fixed> {
     #[doc(alias = "normalize")]
     #[must_use]
     pub const fn normalized(x: Fixed, y: Fixed, z: Fixed) -> Option<Self> {
-        let ([x, y, z], length) = triple::unit_and_length(&[x, y, z]);
+        let ([x, y, z], length) = vector::unit_and_length(&[x, y, z]);
         if length.0 > 0 {
             Some(Self::assume_unit(Vec3 { x, y, z }))
         } else {

@@ -11,7 +11,7 @@ use serde_core::{Deserialize, Deserializer, Serialize, Serializer};
 use super::Number;
 use super::complaint::{Complaint, Problem};
 use super::record::{Field, Form, Key, Named, entries, next, required};
-use super::triple::Coefficients;
+use super::vector::Coefficients;
 use crate::{Attenuation, Ranged};
 
 const EXPECTED: &str = "a list of 3 numbers, or a map, for attenuation";

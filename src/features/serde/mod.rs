@@ -11,7 +11,7 @@ mod cone;
 mod falloff;
 mod record;
 mod scene;
-mod triple;
+mod vector;
 
 use core::fmt::{Debug, Display};
 

@@ -11,7 +11,7 @@ use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x4, f64x8, i32x4, i32x8, i32x16};
 
 use crate::exponent::Exponent;
-use crate::power::{Binary32, EXPONENT, LEAST, power};
+use crate::exponent::power::{Binary32, EXPONENT, LEAST, power};
 use crate::real::Real;
 
 // x87 rounds a number in a register differently from a number in memory

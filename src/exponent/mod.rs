@@ -1,8 +1,11 @@
 //! The shininess m of a highlight.
 
-use crate::batch::{OneByOne, Powers};
-use crate::power::power;
+pub(crate) mod batch;
+pub(crate) mod power;
+
 use crate::real::Real;
+use batch::{OneByOne, Powers};
+use power::power;
 
 /// The shininess m of a highlight: an integer (`u32`) or a real number of the scene's type (`f32`,
 /// `f64`).
@@ -137,7 +140,7 @@ impl Exponent<f32> for f32 {
     ))]
     #[inline]
     fn powers<I: Copy>(self, none: I, each: impl FnMut(I, f32)) -> impl Powers<I, f32> {
-        crate::batch::by_fours::ByFours::new(self.at_least(0.0), none, each)
+        batch::by_fours::ByFours::new(self.at_least(0.0), none, each)
     }
 }
 

@@ -1,5 +1,6 @@
 //! The number type that every formula is written over.
 
+pub(crate) mod root;
 pub(crate) mod triple;
 pub(crate) mod whole_power;
 
@@ -354,5 +355,5 @@ macro_rules! float {
 }
 
 // 2^100 and 2^720, as their bits
-float!(f32, f32::from_bits((127 + 100) << 23), crate::root::sqrtf);
-float!(f64, f64::from_bits((1023 + 720) << 52), crate::root::sqrt);
+float!(f32, f32::from_bits((127 + 100) << 23), root::sqrtf);
+float!(f64, f64::from_bits((1023 + 720) << 52), root::sqrt);

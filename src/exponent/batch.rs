@@ -29,7 +29,7 @@ impl<I, T, P: Fn(T) -> T, F: FnMut(I, T)> Powers<I, T> for OneByOne<P, F> {
 ))]
 pub(crate) mod by_fours {
     use super::Powers;
-    use crate::power::power;
+    use crate::exponent::power::power;
 
     pub(crate) struct ByFours<I, F> {
         m: f32,
