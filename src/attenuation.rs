@@ -250,7 +250,7 @@ impl<T: Real> Falloff<T> for Attenuation<T> {
     #[inline(always)]
     fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T> {
         let denominator = self.a + q * (self.b + self.c * q);
-        T::divided((*intensity).into(), denominator, || self.limit()).into()
+        T::attenuated((*intensity).into(), denominator, || self.limit()).into()
     }
 
     #[inline]

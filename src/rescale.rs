@@ -3,21 +3,21 @@
 use crate::real::{Real, triple};
 use crate::vector::Vec3;
 
-/// v, tamed.
+/// v, rescaled.
 #[inline]
-pub(crate) fn tame<T: Real>(v: Vec3<T>) -> Vec3<T> {
-    T::tame(v.into()).into()
+pub(crate) fn rescaled<T: Real>(v: Vec3<T>) -> Vec3<T> {
+    T::rescaled(v.into()).into()
 }
 
-/// `to` − `from`, tamed.
+/// `to` − `from`, rescaled.
 #[inline]
-pub(crate) fn tame_difference<T: Real>(to: Vec3<T>, from: Vec3<T>) -> Vec3<T> {
-    T::tame_difference(to.into(), from.into()).into()
+pub(crate) fn rescaled_difference<T: Real>(to: Vec3<T>, from: Vec3<T>) -> Vec3<T> {
+    T::rescaled_difference(to.into(), from.into()).into()
 }
 
-/// v, tamed, and the power of two that tamed it.
+/// v, rescaled, and the power of two that rescaled it.
 #[inline]
-pub(crate) fn tame_and_scale<T: Real>(v: Vec3<T>) -> (Vec3<T>, T) {
-    let (tame, scale) = triple::extreme_difference(v.into(), [T::ZERO; 3], v.dot(v));
-    (tame.into(), scale)
+pub(crate) fn rescaled_with_scale<T: Real>(v: Vec3<T>) -> (Vec3<T>, T) {
+    let (rescaled, scale) = triple::extreme_difference(v.into(), [T::ZERO; 3], v.dot(v));
+    (rescaled.into(), scale)
 }

@@ -155,11 +155,12 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     /// The light at p, given P_light − p.
     #[inline(always)]
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>) -> IncidentLight<T> {
-        let (l, q, distance) = T::way(|| [self.position.into(), p.into()], to_light.into());
+        let (l, q, distance) =
+            T::direction_and_distance(|| [self.position.into(), p.into()], to_light.into());
         let intensity = self.attenuation.dim(&self.intensity, q);
         IncidentLight {
             l: UnitVec3::assume_unit(l.into()),
-            intensity: T::lit(q, intensity, Rgb::BLACK),
+            intensity: T::black_unless_lit(q, intensity, Rgb::BLACK),
             distance,
         }
     }

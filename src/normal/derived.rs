@@ -2,7 +2,7 @@
 
 use super::surface::from_tangents;
 use crate::real::Real;
-use crate::rescale::{tame, tame_and_scale};
+use crate::rescale::{rescaled, rescaled_with_scale};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -85,7 +85,7 @@ pub fn transformed<T: Real + PartialOrd>(
     let cofactors =
         |a: Vec3<T>, b: Vec3<T>, c: Vec3<T>| b.cross(c) * n.x + c.cross(a) * n.y + a.cross(b) * n.z;
     let [a, b, c] = columns;
-    if let Some([a, b, c]) = T::tame_together([a.into(), b.into(), c.into()]) {
+    if let Some([a, b, c]) = T::rescaled_together([a.into(), b.into(), c.into()]) {
         cofactors(a.into(), b.into(), c.into())
     } else {
         by_cofactors_of_any_size(n, columns)
@@ -94,7 +94,7 @@ pub fn transformed<T: Real + PartialOrd>(
 }
 
 /// A positive multiple of cof(M) N, for columns whose lengths differ so much that no single power
-/// of two brings all their products into range. Each product is kept as a tame vector and an
+/// of two brings all their products into range. Each product is kept as a rescaled vector and an
 /// integer power of [`EXTREME`](Real::EXTREME). The sum is computed relative to the highest power.
 #[cold]
 #[inline(never)]
@@ -133,12 +133,12 @@ fn by_cofactors_of_any_size<T: Real + PartialOrd>(
     Vec3::ZERO + share(x) + share(y) + share(z)
 }
 
-/// A vector times a `power` of [`EXTREME`](Real::EXTREME), returned as a tame vector and a power.
+/// A vector times a `power` of [`EXTREME`](Real::EXTREME), returned as a rescaled vector and a power.
 #[inline(never)]
 fn tame_power<T: Real + PartialOrd>(v: Vec3<T>, power: i32) -> (Vec3<T>, i32) {
-    let (tame, scale) = tame_and_scale(v);
+    let (rescaled, scale) = rescaled_with_scale(v);
     let grown = i32::from(scale > T::ONE) - i32::from(scale < T::ONE);
-    (tame, power - grown)
+    (rescaled, power - grown)
 }
 
 /// The normal of a surface with a normal map: a sample of the map, interpreted in the frame of the
@@ -201,6 +201,6 @@ pub fn mapped<T: Real + PartialOrd>(
         side.cross(n),
         *side * handedness.if_positive(T::ONE, T::NEG_ONE),
     );
-    let sample = tame(sample);
+    let sample = rescaled(sample);
     (t * sample.x + b * sample.y + *n * sample.z).unit()
 }

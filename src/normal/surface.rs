@@ -2,7 +2,7 @@
 
 use crate::dual::Dual;
 use crate::real::Real;
-use crate::rescale::{tame, tame_difference};
+use crate::rescale::{rescaled, rescaled_difference};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -59,8 +59,8 @@ pub fn triangle<T: Real + PartialOrd>(
     v2: Vec3<T>,
     v3: Vec3<T>,
 ) -> Option<UnitVec3<T>> {
-    tame_difference(v2, v1)
-        .cross(tame_difference(v3, v1))
+    rescaled_difference(v2, v1)
+        .cross(rescaled_difference(v3, v1))
         .unit()
 }
 
@@ -86,7 +86,7 @@ pub fn triangle<T: Real + PartialOrd>(
 #[inline]
 #[must_use]
 pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitVec3<T>> {
-    tame_difference(p, center).unit()
+    rescaled_difference(p, center).unit()
 }
 
 /// The normal of the implicit surface f(x, y, z) = 0 at a point p on it, from f itself.
@@ -254,5 +254,5 @@ fn is_one_noise<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> bool {
 #[inline]
 #[must_use]
 pub fn from_tangents<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<UnitVec3<T>> {
-    tame(s_u).cross(tame(s_v)).unit()
+    rescaled(s_u).cross(rescaled(s_v)).unit()
 }

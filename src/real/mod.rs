@@ -184,8 +184,8 @@ pub trait Real:
     #[doc(hidden)]
     #[inline(always)]
     #[must_use]
-    fn divided(v: [Self; 3], denominator: Self, limit: impl FnOnce() -> Self) -> [Self; 3] {
-        triple::divided(v, denominator, limit)
+    fn attenuated(v: [Self; 3], denominator: Self, limit: impl FnOnce() -> Self) -> [Self; 3] {
+        triple::attenuated(v, denominator, limit)
     }
 
     /// |v|.
@@ -208,43 +208,43 @@ pub trait Real:
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn tame(v: [Self; 3]) -> [Self; 3] {
-        triple::tame(v)
+    fn rescaled(v: [Self; 3]) -> [Self; 3] {
+        triple::rescaled(v)
     }
 
     /// `to` − `from`, likewise.
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn tame_difference(to: [Self; 3], from: [Self; 3]) -> [Self; 3] {
-        triple::tame_difference(to, from)
+    fn rescaled_difference(to: [Self; 3], from: [Self; 3]) -> [Self; 3] {
+        triple::rescaled_difference(to, from)
     }
 
     /// Three vectors times one power of two, likewise, if there is one for all.
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn tame_together(vectors: [[Self; 3]; 3]) -> Option<[[Self; 3]; 3]> {
-        triple::tame_together(vectors)
+    fn rescaled_together(vectors: [[Self; 3]; 3]) -> Option<[[Self; 3]; 3]> {
+        triple::rescaled_together(vectors)
     }
 
     /// L, q and the distance of a light, given its position and the point, and the way to the light.
-    /// A light without a direction has a q at which [`lit`](Real::lit) is black.
+    /// A light without a direction has a q at which [`black_unless_lit`](Real::black_unless_lit) is black.
     #[doc(hidden)]
     #[inline(always)]
     #[must_use]
-    fn way(
+    fn direction_and_distance(
         light_and_p: impl FnOnce() -> [[Self; 3]; 2],
         to_light: [Self; 3],
     ) -> ([Self; 3], Self, Self) {
-        triple::way(light_and_p, to_light)
+        triple::direction_and_distance(light_and_p, to_light)
     }
 
     /// The light that arrives from q, which is `black` where q says so.
     #[doc(hidden)]
     #[inline(always)]
     #[must_use]
-    fn lit<C>(_q: Self, light: C, _black: C) -> C {
+    fn black_unless_lit<C>(_q: Self, light: C, _black: C) -> C {
         light
     }
 

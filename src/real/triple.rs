@@ -1,7 +1,7 @@
 //! What is computed of three numbers at once, for floating-point numbers: even if squared lengths
 //! overflow, underflow or lose bits.
 //!
-//! Such a vector is called *extreme*. Before it is squared, it is *tamed*: multiplied by a power of
+//! Such a vector is called *extreme*. Before it is squared, it is *rescaled*: multiplied by a power of
 //! two. Scaling it up is exact. Scaling it down rounds only components below 2⁻⁷⁵ (`f32`) or 2⁻⁶⁶⁰
 //! (`f64`) of the largest one, which is far below the unit roundoff.
 
@@ -20,7 +20,7 @@ fn is_extreme<T: Real>(square: T) -> bool {
     square.any_outside(T::ONE / T::EXTREME, T::EXTREME)
 }
 
-/// The power of two that tames a vector, from its |v|²: one factor of at most 1 and one of at least
+/// The power of two that rescales a vector, from its |v|²: one factor of at most 1 and one of at least
 /// 1.
 #[inline(always)]
 fn scales<T: Real>(square: T) -> [T; 2] {
@@ -30,7 +30,7 @@ fn scales<T: Real>(square: T) -> [T; 2] {
     ]
 }
 
-/// [`tame_difference`] for an extreme `square` = |to − from|², with the power of two that tamed the
+/// [`rescaled_difference`] for an extreme `square` = |to − from|², with the power of two that rescaled the
 /// difference.
 ///
 /// The points are scaled down before the subtraction, since their difference may overflow. The
@@ -51,15 +51,15 @@ pub(crate) fn extreme_difference<T: Real>(
 pub(super) fn length<T: Real>(v: Triple<T>) -> T {
     let square = T::dot(v, v);
     if is_extreme(square) {
-        let (tame, scale) = extreme_difference(v, [T::ZERO; 3], square);
-        T::dot(tame, tame).sqrt() / scale
+        let (rescaled, scale) = extreme_difference(v, [T::ZERO; 3], square);
+        T::dot(rescaled, rescaled).sqrt() / scale
     } else {
         square.sqrt()
     }
 }
 
 #[inline]
-pub(super) fn tame<T: Real>(v: Triple<T>) -> Triple<T> {
+pub(super) fn rescaled<T: Real>(v: Triple<T>) -> Triple<T> {
     #[cold]
     #[inline(never)]
     fn scale<T: Real>(v: Triple<T>) -> T {
@@ -75,13 +75,13 @@ pub(super) fn tame<T: Real>(v: Triple<T>) -> Triple<T> {
 
 #[inline]
 pub(super) fn unit<T: Real>(v: Triple<T>) -> (Triple<T>, T) {
-    let tame @ [x, y, z] = tame(v);
-    let length = T::dot(tame, tame).sqrt();
+    let rescaled @ [x, y, z] = rescaled(v);
+    let length = T::dot(rescaled, rescaled).sqrt();
     ([x / length, y / length, z / length], length)
 }
 
 #[inline]
-pub(super) fn tame_difference<T: Real>(to: Triple<T>, from: Triple<T>) -> Triple<T> {
+pub(super) fn rescaled_difference<T: Real>(to: Triple<T>, from: Triple<T>) -> Triple<T> {
     #[cold]
     #[inline(never)]
     fn cold<T: Real>(to: Triple<T>, from: Triple<T>) -> Triple<T> {
@@ -97,20 +97,20 @@ pub(super) fn tame_difference<T: Real>(to: Triple<T>, from: Triple<T>) -> Triple
 }
 
 #[inline]
-pub(super) fn tame_together<T: Real>([a, b, c]: [Triple<T>; 3]) -> Option<[Triple<T>; 3]> {
+pub(super) fn rescaled_together<T: Real>([a, b, c]: [Triple<T>; 3]) -> Option<[Triple<T>; 3]> {
     let is_extreme = |v| is_extreme(T::dot(v, v));
     let is_any_extreme = is_extreme(a) || is_extreme(b) || is_extreme(c);
     (!is_any_extreme).then_some([a, b, c])
 }
 
 #[inline(always)]
-pub(super) fn way<T: Real>(
+pub(super) fn direction_and_distance<T: Real>(
     light_and_p: impl FnOnce() -> [Triple<T>; 2],
     to_light: Triple<T>,
 ) -> (Triple<T>, T, T) {
     let square = T::dot(to_light, to_light);
     if is_extreme(square) {
-        extreme_way(light_and_p(), square)
+        extreme_direction_and_distance(light_and_p(), square)
     } else {
         let q = square.sqrt();
         (T::scaled(to_light, T::ONE / q), q, q)
@@ -123,7 +123,10 @@ pub(super) fn way<T: Real>(
 /// For firmware the function is inlined, because the call would take more flash and more stack.
 #[cfg_attr(target_os = "none", inline(always))]
 #[cfg_attr(not(target_os = "none"), cold, inline(never))]
-fn extreme_way<T: Real>([light, p]: [Triple<T>; 2], square: T) -> (Triple<T>, T, T) {
+fn extreme_direction_and_distance<T: Real>(
+    [light, p]: [Triple<T>; 2],
+    square: T,
+) -> (Triple<T>, T, T) {
     let (way, scale) = extreme_difference(light, p, square);
     let q = T::dot(way, way).sqrt();
     let reciprocal = T::ONE / q;
@@ -142,7 +145,7 @@ fn extreme_way<T: Real>([light, p]: [Triple<T>; 2], square: T) -> (Triple<T>, T,
 }
 
 #[inline(always)]
-pub(super) fn divided<T: Real>(
+pub(super) fn attenuated<T: Real>(
     v: Triple<T>,
     denominator: T,
     limit: impl FnOnce() -> T,

@@ -61,7 +61,7 @@ fn cross_products_saturate() {
     assert_eq!(a.cross(b), at_z(Fixed::MAX));
     assert_eq!(b.cross(a), at_z(Fixed::MIN));
     assert_eq!(a.cross(a), Vec3::ZERO);
-    // but the normal is right, as the edges are tamed
+    // but the normal is right, as the edges are rescaled
     assert_eq!(normal::from_tangents(a, b), Some(UnitVec3::Z));
     assert_eq!(normal::from_tangents(a, a), None);
 }

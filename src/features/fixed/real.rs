@@ -72,7 +72,7 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn divided(v: [Self; 3], denominator: Self, limit: impl FnOnce() -> Self) -> [Self; 3] {
+    fn attenuated(v: [Self; 3], denominator: Self, limit: impl FnOnce() -> Self) -> [Self; 3] {
         let least = if limit() == Self::ONE {
             Self::ONE
         } else {
@@ -92,23 +92,26 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn tame(v: [Self; 3]) -> [Self; 3] {
-        let [tame] = vector::tamed([v]);
-        tame
+    fn rescaled(v: [Self; 3]) -> [Self; 3] {
+        let [rescaled] = vector::rescaled([v]);
+        rescaled
     }
 
     #[inline]
-    fn tame_difference([x, y, z]: [Self; 3], [a, b, c]: [Self; 3]) -> [Self; 3] {
-        Self::tame([x - a, y - b, z - c])
+    fn rescaled_difference([x, y, z]: [Self; 3], [a, b, c]: [Self; 3]) -> [Self; 3] {
+        Self::rescaled([x - a, y - b, z - c])
     }
 
     #[inline]
-    fn tame_together(vectors: [[Self; 3]; 3]) -> Option<[[Self; 3]; 3]> {
-        Some(vector::tamed(vectors))
+    fn rescaled_together(vectors: [[Self; 3]; 3]) -> Option<[[Self; 3]; 3]> {
+        Some(vector::rescaled(vectors))
     }
 
     #[inline(always)]
-    fn way(_: impl FnOnce() -> [[Self; 3]; 2], to_light: [Self; 3]) -> ([Self; 3], Self, Self) {
+    fn direction_and_distance(
+        _: impl FnOnce() -> [[Self; 3]; 2],
+        to_light: [Self; 3],
+    ) -> ([Self; 3], Self, Self) {
         let (l, q) = vector::unit_and_length(&to_light);
         if q.0 > 0 {
             (l, q, q)
@@ -118,7 +121,7 @@ impl Real for Fixed {
     }
 
     #[inline(always)]
-    fn lit<C>(q: Self, light: C, black: C) -> C {
+    fn black_unless_lit<C>(q: Self, light: C, black: C) -> C {
         if q.0 > 0 { light } else { black }
     }
 

@@ -184,7 +184,7 @@ const fn share_of(component: i32, reciprocal: i32) -> Fixed {
 
 /// The vectors times one power of two, so that the largest component is from 16 to 64.
 #[inline]
-pub(super) fn tamed<const N: usize>(vectors: [[Fixed; 3]; N]) -> [[Fixed; 3]; N] {
+pub(super) fn rescaled<const N: usize>(vectors: [[Fixed; 3]; N]) -> [[Fixed; 3]; N] {
     let largest = vectors.iter().fold(0, |bits, v| bits | magnitude(v));
     let shift = headroom(largest);
     vectors.map(|v| v.map(|c| Fixed(c.0 << shift >> 9)))
