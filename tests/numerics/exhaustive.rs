@@ -1,6 +1,6 @@
 //! Checks every `f32` of a domain.
 //!
-//! Checking all of them takes minutes: `cargo test --release -- --ignored`. A plain `cargo test`
+//! Checking all of them takes minutes: `cargo test --release -p numerics -- --ignored`. A plain `cargo test`
 //! takes every 509th, or every n-th with `SHADING_STRIDE=n`. An odd stride reaches every pattern of
 //! low-order bits.
 
@@ -11,11 +11,11 @@ use std::thread;
 
 use shading::{Attenuation, Exponent, Real, Rgb, Vec3, attenuation};
 
-#[path = "support/srgb.rs"]
+#[path = "../support/srgb.rs"]
 mod srgb;
 
 // the roots are not public
-#[path = "../src/real/root.rs"]
+#[path = "../../src/real/root.rs"]
 mod root;
 
 /// u, the unit roundoff of `f32`.
