@@ -41,4 +41,4 @@ page:
 
 # test every f32 of a domain: takes minutes
 exhaustive:
-    cargo test --release -- --ignored
+    cargo test --release -p numerics -- --ignored

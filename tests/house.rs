@@ -214,7 +214,7 @@ fn table_of_tests_is_complete() {
     let entries = fs::read_dir(at_root("tests")).expect("a folder");
     let entries = entries.map(|entry| entry.expect("an entry").path());
     let is_test = |path: &PathBuf| {
-        let programs = ["main.rs", "run.sh"].map(|name| path.join(name));
+        let programs = ["main.rs", "Cargo.toml"].map(|name| path.join(name));
         path.extension().is_some_and(|e| e == "rs") || programs.iter().any(|path| path.exists())
     };
     let name = |path: PathBuf| {

@@ -47,7 +47,7 @@ pub fn absorb(digest: &mut Fnv) {
         for steps in [2 * leading, 2 * leading + 1, larger] {
             let divisor = Fixed::from_bits(steps);
             let dividends = [Fixed::MAX, Fixed::MIN, Fixed::ONE];
-            digest.absorb(Fixed::divided(dividends, divisor, || Fixed::MAX));
+            digest.absorb(Fixed::attenuated(dividends, divisor, || Fixed::MAX));
         }
     }
 }

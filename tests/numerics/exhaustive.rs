@@ -1,7 +1,7 @@
 //! Checks every `f32` of a domain.
 //!
-//! Checking all of them takes minutes: `cargo test --release -- --ignored`. A plain `cargo test`
-//! takes every 509th, or every n-th with `SHADING_STRIDE=n`. An odd stride reaches every pattern of
+//! Checking all of them takes minutes: `cargo test --release -p numerics -- --ignored`. A plain `cargo test`
+//! takes every 2039th, or every n-th with `SHADING_STRIDE=n`. An odd stride reaches every pattern of
 //! low-order bits.
 
 use std::env;
@@ -11,11 +11,11 @@ use std::thread;
 
 use shading::{Attenuation, Exponent, Real, Rgb, Vec3, attenuation};
 
-#[path = "support/srgb.rs"]
+#[path = "../support/srgb.rs"]
 mod srgb;
 
 // the roots are not public
-#[path = "../src/real/root.rs"]
+#[path = "../../src/real/root.rs"]
 mod root;
 
 /// u, the unit roundoff of `f32`.
@@ -315,7 +315,7 @@ const TINY: f64 = f32::from_bits(1) as f64;
 fn stride() -> u32 {
     match env::var("SHADING_STRIDE") {
         Ok(stride) => stride.parse().expect("SHADING_STRIDE is a whole number"),
-        Err(_) => 509,
+        Err(_) => 2039,
     }
 }
 
