@@ -157,10 +157,11 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>) -> IncidentLight<T> {
         let (l, q, distance) =
             T::direction_and_distance(|| [self.position.into(), p.into()], to_light.into());
-        let intensity = self.attenuation.dim(&self.intensity, q);
+        let to_light = || (self.position - p).into();
+        let intensity = self.attenuation.dim_along(&self.intensity, q, to_light);
         IncidentLight {
             l: UnitVec3::assume_unit(l.into()),
-            intensity: T::black_unless_lit(q, intensity, Rgb::BLACK),
+            intensity: T::black_unless_lit(q[1], intensity, Rgb::BLACK),
             distance,
         }
     }

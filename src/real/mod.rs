@@ -172,20 +172,47 @@ pub trait Real:
         [x * factor, y * factor, z * factor]
     }
 
-    /// self/whole, where `whole` may be infinite; in a type without infinities, `MAX` counts as infinite.
+    /// The share of a light that is left by its range r, which may be infinite; in a type without
+    /// infinities, `MAX` counts as infinite.
+    ///
+    /// ```text
+    /// max(0, 1 − (q/r)⁴)²
+    /// ```
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn ratio(self, whole: Self) -> Self {
-        self / whole
+    fn window(q: Self, r: Self) -> Self {
+        triple::window(q, r)
     }
 
-    /// v divided by a denominator that is not negative; 1/denominator counts as `limit` at most.
+    /// v/(a + bq + cq²), where 1/(a + bq + cq²) counts as `limit` at most. q may be the finer one of
+    /// [`direction_and_distance`](Real::direction_and_distance).
     #[doc(hidden)]
     #[inline(always)]
     #[must_use]
-    fn attenuated(v: [Self; 3], denominator: Self, limit: impl FnOnce() -> Self) -> [Self; 3] {
-        triple::attenuated(v, denominator, limit)
+    fn attenuated(
+        v: [Self; 3],
+        coefficients: [Self; 3],
+        q: Self,
+        limit: impl FnOnce() -> Self,
+    ) -> [Self; 3] {
+        triple::attenuated(v, coefficients, q, limit)
+    }
+
+    /// The same times the [`window`](Real::window) of a range r. q is the length of `to_light`.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn attenuated_within(
+        r: Self,
+        v: [Self; 3],
+        coefficients: [Self; 3],
+        q: Self,
+        _to_light: impl FnOnce() -> [Self; 3],
+        limit: impl FnOnce() -> Self,
+    ) -> [Self; 3] {
+        let v = Self::scaled(v, Self::window(q, r));
+        Self::attenuated(v, coefficients, q, limit)
     }
 
     /// |v|.
@@ -228,7 +255,8 @@ pub trait Real:
         triple::rescaled_together(vectors)
     }
 
-    /// L, q and the distance of a light, given its position and the point, and the way to the light.
+    /// L, q and the distance of a light, given its position and the point, and the way to the light. There
+    /// are two q: one to compute with, and one that may be finer, for [`attenuated`](Real::attenuated) alone.
     /// A light without a direction has a q at which [`black_unless_lit`](Real::black_unless_lit) is black.
     #[doc(hidden)]
     #[inline(always)]
@@ -236,7 +264,7 @@ pub trait Real:
     fn direction_and_distance(
         light_and_p: impl FnOnce() -> [[Self; 3]; 2],
         to_light: [Self; 3],
-    ) -> ([Self; 3], Self, Self) {
+    ) -> ([Self; 3], [Self; 2], Self) {
         triple::direction_and_distance(light_and_p, to_light)
     }
 

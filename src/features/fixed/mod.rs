@@ -35,6 +35,7 @@
 
 mod arithmetic;
 mod encoding;
+mod falloff;
 mod product;
 mod real;
 mod reciprocal;
