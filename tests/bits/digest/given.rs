@@ -22,13 +22,6 @@ pub trait Number: Elementary + PartialOrd + Absorb + 'static {
     fn draw_any(numbers: &mut Numbers) -> Self;
 
     fn single(self) -> f32;
-    fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>>;
-    fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>>;
-    fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>>;
-    fn soft_cone_from_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
-    fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
-    fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>>;
-    fn unit_vector(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
     fn normalized(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
 
     fn times_vector(self, v: Vec3<Self>) -> Vec3<Self>;
@@ -60,34 +53,6 @@ macro_rules! number {
             #[allow(clippy::cast_possible_truncation)] // of a double, on purpose: only `f32` is encoded
             fn single(self) -> f32 {
                 $single(self)
-            }
-
-            fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>> {
-                Attenuation::<$number>::new(a, b, c)
-            }
-
-            fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>> {
-                Cone::<$number>::from_half_angle(radians)
-            }
-
-            fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>> {
-                Cone::<$number>::from_cosine(cosine)
-            }
-
-            fn soft_cone_from_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
-                SoftCone::<$number>::from_half_angles(inner, outer)
-            }
-
-            fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
-                SoftCone::<$number>::from_cosines(inner, outer)
-            }
-
-            fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>> {
-                attenuation.within(range)
-            }
-
-            fn unit_vector(v: Vec3<Self>) -> Option<UnitVec3<Self>> {
-                UnitVec3::<$number>::new(v.x, v.y, v.z)
             }
 
             fn normalized(v: Vec3<Self>) -> Option<UnitVec3<Self>> {
@@ -279,13 +244,13 @@ impl<T: Number> Given<T> {
         let any = T::draw_any(numbers).abs().at_most(T::ONE);
         let cosine = numbers.choose([share, share, near_one, any]);
 
-        let attenuation = T::attenuation(x.abs(), y.abs(), z.abs()).unwrap_or(Attenuation::NONE);
+        let attenuation = Attenuation::of(x.abs(), y.abs(), z.abs()).unwrap_or(Attenuation::NONE);
         let lamp = |position, attenuation| PointLight {
             position,
             intensity,
             attenuation,
         };
-        let cone = T::cone_from_cosine(T::draw(numbers)).unwrap_or(T::CONE);
+        let cone = Cone::of_cosine(T::draw(numbers)).unwrap_or(T::CONE);
         Self {
             p,
             a,
@@ -332,9 +297,9 @@ impl<T: Number> Given<T> {
         let point = PointLight {
             position: point.position,
             intensity: point.intensity,
-            attenuation: T::within(point.attenuation, range)?,
+            attenuation: Ranged::of(point.attenuation, range)?,
         };
-        let cone = T::soft_cone_from_cosines(self.cosine, -T::ONE)?;
+        let cone = SoftCone::of_cosines(self.cosine, -T::ONE)?;
         Some(SpotLight { point, axis, cone })
     }
 

@@ -6,7 +6,7 @@ pub mod fnv;
 pub mod given;
 
 use shading::{
-    Attenuation, Cone, Dual, Elementary, Exponent, Light, PointLight, Real, Rgb, SoftCone,
+    Attenuation, Cone, Dual, Elementary, Exponent, Light, PointLight, Ranged, Real, Rgb, SoftCone,
     UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 
@@ -69,7 +69,7 @@ functions! {
         "Vec3::unit": |g| g.a.unit();
         "Vec3::unit_or": |g| g.a.unit_or(g.n);
         "UnitVec3::assume_unit": |g| -UnitVec3::assume_unit(g.a);
-        "UnitVec3::new": |g| T::unit_vector(*g.n);
+        "UnitVec3::new": |g| UnitVec3::of(g.n.x, g.n.y, g.n.z);
         "UnitVec3::normalized": |g| T::normalized(g.a);
         "Rgb, operators": |g| [g.rgb + g.k_a, g.rgb - g.k_a, g.rgb * g.k_a, g.rgb * g.x, g.x.times_rgb(g.rgb), g.rgb / g.x];
         "Rgb, assigned": |g| { let mut c = g.rgb; c += g.k_a; c *= g.x; c -= g.k_d; c };
@@ -110,18 +110,18 @@ functions! {
         "term::phong, integer m": |g| INTEGER.map(|m| term::phong(g.l, g.v, m));
         "term::blinn, integer m": |g| INTEGER.map(|m| term::blinn(g.n, g.v, m));
         "attenuation": |g| attenuation(g.a.x, g.a.y, g.a.z, g.x);
-        "Attenuation::new": |g| T::attenuation(g.x, g.y, g.cosine).map(Attenuation::coefficients);
+        "Attenuation::new": |g| Attenuation::of(g.x, g.y, g.cosine).map(Attenuation::coefficients);
         "Attenuation::is_clamped": |g| g.lamps.map(|lamp| lamp.attenuation.is_clamped());
         "Attenuation::at": |g| g.attenuation.at(g.x.abs());
         "Attenuation::clamped": |g| g.attenuation.clamped().at(g.x.abs());
-        "Cone::from_cosine": |g| T::cone_from_cosine(g.cosine + g.cosine - T::ONE).map(Cone::cosine);
-        "Cone::factor": |g| T::cone_from_cosine(g.cosine).map(|cone| cone.factor(g.n, g.l));
-        "SoftCone::from_cosines": |g| T::soft_cone_from_cosines(g.cosine, -g.cosine).map(SoftCone::cosines);
-        "SoftCone::factor": |g| T::soft_cone_from_cosines(g.cosine, -g.cosine).map(|cone| cone.factor(g.n, g.l));
-        "SoftCone::smoothstep": |g| T::soft_cone_from_cosines(g.cosine, -g.cosine).map(|cone| cone.smoothstep().factor(g.n, g.l));
-        "SoftCone::is_smoothstep": |g| T::soft_cone_from_cosines(g.cosine, -g.cosine).map(SoftCone::is_smoothstep);
-        "Ranged, parts": |g| T::within(g.attenuation, g.y.abs()).map(|ranged| [ranged.range(), ranged.attenuation().at(g.x.abs())]);
-        "Ranged::at": |g| T::within(g.attenuation, g.y.abs()).map(|ranged| ranged.at(g.x.abs()));
+        "Cone::from_cosine": |g| Cone::of_cosine(g.cosine + g.cosine - T::ONE).map(Cone::cosine);
+        "Cone::factor": |g| Cone::of_cosine(g.cosine).map(|cone| cone.factor(g.n, g.l));
+        "SoftCone::from_cosines": |g| SoftCone::of_cosines(g.cosine, -g.cosine).map(SoftCone::cosines);
+        "SoftCone::factor": |g| SoftCone::of_cosines(g.cosine, -g.cosine).map(|cone| cone.factor(g.n, g.l));
+        "SoftCone::smoothstep": |g| SoftCone::of_cosines(g.cosine, -g.cosine).map(|cone| cone.smoothstep().factor(g.n, g.l));
+        "SoftCone::is_smoothstep": |g| SoftCone::of_cosines(g.cosine, -g.cosine).map(SoftCone::is_smoothstep);
+        "Ranged, parts": |g| Ranged::of(g.attenuation, g.y.abs()).map(|ranged| [ranged.range(), ranged.attenuation().at(g.x.abs())]);
+        "Ranged::at": |g| Ranged::of(g.attenuation, g.y.abs()).map(|ranged| ranged.at(g.x.abs()));
 
         // lights
         "IncidentLight::in_front": |g| g.lamps.map(|lamp| lamp.at(g.p).in_front(g.n));
@@ -166,8 +166,8 @@ functions! {
 
     /// Functions that use doubles internally in fixed point.
     HALF_ANGLES: Number {
-        "Cone::from_half_angle": |g| T::cone_from_half_angle(g.cosine * T::of_f32(3.25)).map(Cone::cosine);
-        "SoftCone::from_half_angles": |g| T::soft_cone_from_half_angles(g.cosine, g.cosine * T::of_f32(3.0)).map(SoftCone::cosines);
+        "Cone::from_half_angle": |g| Cone::of_half_angle(g.cosine * T::of_f32(3.25)).map(Cone::cosine);
+        "SoftCone::from_half_angles": |g| SoftCone::of_half_angles(g.cosine, g.cosine * T::of_f32(3.0)).map(SoftCone::cosines);
     }
 
     /// Functions for which `libm` uses doubles internally.
