@@ -23,7 +23,7 @@ bench:
     cargo bench --bench versus
     cargo bench --bench instructions -- --check
 
-# draw the gallery into target/gallery, and redraw the README's pictures
+# draw the gallery into target/gallery, and redraw the READMEs' pictures
 pictures:
     cargo run --release -p gallery
     cargo run --release -p gallery -- --readme

@@ -32,13 +32,13 @@ pub trait Falloff<T>: Copy {
     /// The type of the same falloff in another number type.
     type In<U>;
 
-    /// The light that is left of this intensity at the distance q ≥ 0. If the intensity is finite,
-    /// the result must be finite and not NaN.
+    /// The intensity that remains at the distance q ≥ 0. If `intensity` is finite, the result must
+    /// be finite and not NaN.
     #[must_use]
     fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T>;
 
-    /// Whether any light may be left at a distance, given by its square; in lanes, in any of them.
-    /// The default is `true`.
+    /// Whether light may remain at the distance whose square is given, in at least one lane. The
+    /// default is `true`.
     #[inline]
     #[must_use]
     fn reaches(&self, square: T) -> bool {

@@ -40,7 +40,7 @@ pub trait Beam<T>: Copy {
 }
 
 /// The hard cone of a spot light, given by its **half**-angle: the angle between the axis and the
-/// edge. The opening angle that most programs use is twice as large.
+/// edge, as in OpenGL, glTF and three.js. Unity and Blender give twice that angle.
 ///
 /// ```
 /// use shading::f32::{Cone, UnitVec3};

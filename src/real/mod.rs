@@ -9,9 +9,10 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A real number: `f32`, `f64`, a dual number, a set of SIMD lanes, or a type of your own.
 ///
-/// The trait has the operations that the formulas of this crate need, and no more. All of them
-/// round correctly, so a result has the same bits on every machine. There is no comparison:
-/// [`if_positive`](Real::if_positive) makes each decision, separately for each lane.
+/// The trait has the operations that the formulas of this crate need. `f32`, `f64` and the SIMD
+/// lanes round each of + − × ÷ √ correctly, so their results have the same bits on every machine.
+/// There is no comparison: [`if_positive`](Real::if_positive) makes each decision, separately for
+/// each lane.
 ///
 /// ```
 /// use shading::Real;
@@ -80,9 +81,8 @@ pub trait Real:
     #[must_use]
     fn sqrt(self) -> Self;
 
-    /// `then` where `self` > 0, and `otherwise` elsewhere, which includes 0, −0 and NaN. Lanes are
-    /// selected one by one. Maximum, clamp and every guard against a degenerate case are built from
-    /// this method.
+    /// Selects `then` where `self` > 0 and `otherwise` elsewhere, also for 0, −0 and NaN. In lanes,
+    /// each lane is selected on its own. Maximum, clamp and all guards are built from this method.
     ///
     /// ```
     /// use shading::Real;

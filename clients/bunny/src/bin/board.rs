@@ -5,7 +5,7 @@
 //! On a desktop it prints the same, without a count.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-use display_bunny::{Panel, Turn, draw_bunny};
+use bunny::{Panel, Turn, draw_bunny};
 
 /// By the angle of the triple 7, 24, 25.
 const TURN: Turn = Turn(0.96, 0.28);

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use display_bunny::{FACES, HEIGHT, Panel, Turn, VERTICES, WIDTH, draw, draw_bunny};
+use bunny::{FACES, HEIGHT, Panel, Turn, VERTICES, WIDTH, draw, draw_bunny};
 use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Size};
 use embedded_graphics::primitives::Rectangle;
 use shading::f32::Vec3;

@@ -5,7 +5,7 @@
 mod show {
     use std::fs::{self, File};
 
-    use display_bunny::{HEIGHT, WIDTH};
+    use bunny::{HEIGHT, WIDTH};
 
     pub fn write(frame: &str, picture: &str) -> Result<(), String> {
         let text = fs::read_to_string(frame).map_err(|error| format!("{frame}: {error}"))?;

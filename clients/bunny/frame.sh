@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Draws the bunny on an emulated Cortex-M0 and on this machine, and fails where the two differ.
-# clients/display/frame.sh [PICTURE.png]
+# clients/bunny/frame.sh [PICTURE.png]
 set -euo pipefail
 picture=$(realpath "${1:-bunny.png}")
 cd "$(dirname "$0")"
