@@ -41,14 +41,9 @@ macro_rules! same {
             let mut numbers = Numbers(1);
             for _ in 0..30_000 {
                 let [a, b, c] = [(); 3].map(|()| numbers.any(&decisive));
-                let of = Attenuation::of(a, b, c);
-                assert_eq!(of, Attenuation::<T>::new(a, b, c), "{a:?}, {b:?}, {c:?}");
-                if let Some(attenuation) = of {
-                    assert_eq!(
-                        T::ONE / attenuation.at(T::ZERO),
-                        T::ONE / Attenuation::<T>::new(a, b, c).unwrap().at(T::ZERO)
-                    );
-                }
+                // as text, which tells −0 from 0
+                let [of, new] = [Attenuation::of(a, b, c), Attenuation::<T>::new(a, b, c)];
+                assert_eq!(format!("{of:?}"), format!("{new:?}"), "{a:?}, {b:?}, {c:?}");
                 let free = Attenuation::<T>::NONE;
                 assert_eq!(Ranged::of(free, a), free.within(a), "{a:?}");
                 assert_eq!(
@@ -125,10 +120,10 @@ same!(
         .collect()
 );
 
-/// The slack of a cone is that of the type into which it is cast: of an axis with the same rounding
-/// errors in every type, each type loses as much.
+/// `cast(Fixed::from_f32)`, as the page of `Fixed` says it.
 #[cfg(feature = "fixed")]
 #[test]
+#[allow(clippy::cast_possible_truncation)] // of random numbers
 fn casts_from_single_precision_to_fixed_point_keep_what_was_proved() {
     let mut numbers = Numbers(7);
     let narrow = Cone::<f32>::from_half_angle(0.0).expect("an angle");
