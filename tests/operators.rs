@@ -111,7 +111,7 @@ fn parts_of_a_result_add_up_and_scale<T: Float>() {
 
 fn attenuation_returns_its_coefficients<T: Float>() {
     let abc = [0.25, 0.0, 3.0].map(T::of);
-    let attenuation = T::new_attenuation(abc[0], abc[1], abc[2]).expect("coefficients");
+    let attenuation = Attenuation::of(abc[0], abc[1], abc[2]).expect("coefficients");
     assert_eq!(attenuation.coefficients(), abc);
     assert!(!attenuation.is_clamped());
     assert_eq!(attenuation.clamped().coefficients(), abc);

@@ -165,7 +165,7 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> Light<T, C, A> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn cast<U>(self, f: impl FnMut(T) -> U) -> Light<U, C::In<U>, A::In<U>> {
+    pub fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> Light<U, C::In<U>, A::In<U>> {
         match self {
             Self::Directional(light) => Light::Directional(light.cast(f)),
             Self::Point(light) => Light::Point(light.cast(f)),

@@ -4,8 +4,9 @@
 use shading::fixed::{Attenuation, Fixed, PointLight, Rgb, Vec3};
 use shading::{Exponent, Real};
 
-use super::fnv::{Each, Fnv};
-use super::given::Numbers;
+use crate::digest::Fnv;
+use crate::places::Numbers;
+use crate::value::Each;
 
 /// Digests the results for many numbers, half of which have any bits and half of which any size.
 pub fn absorb(digest: &mut Fnv) {
