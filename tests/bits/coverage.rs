@@ -13,8 +13,19 @@ const WITHOUT_A_ROW: &[(&str, &[&str])] = &[
     ("Dual", &["constant", "point"]),
     // apply the user's own function; `PointLight::cast` has a row for all
     ("_", &["cast", "map"]),
+    // the constructors for generic code, which `tests/constructors.rs` compares with those that have a row
+    (
+        "_",
+        &[
+            "of",
+            "of_cosine",
+            "of_cosines",
+            "of_half_angle",
+            "of_half_angles",
+        ],
+    ),
     // round a literal
-    ("Real", &["of", "of_f32"]),
+    ("Real", &["of_f32"]),
     (
         "Fixed",
         &["new", "from_bits", "from_f32", "to_bits", "to_f32"],
