@@ -78,7 +78,7 @@ impl Scene {
     }
 
     #[must_use]
-    pub fn cast<U>(self, mut f: impl FnMut(f32) -> U) -> Scene<U> {
+    pub fn cast<U: Real>(self, mut f: impl FnMut(f32) -> U) -> Scene<U> {
         Scene {
             model: self.model,
             material: self.material.cast(&mut f),
