@@ -2,12 +2,12 @@
 //! the numbers of the result whatever the bits of the arguments. The name is the public name of
 //! the function, before any comma; `tests/bits/coverage.rs` names each public function without a row.
 
-/// Calls `$callback!` with all rows. Its sections differ in who else calls the functions:
+/// Calls `$callback!` with all rows. The sections differ in who calls the functions:
 ///
 /// - `ARITHMETIC`, `SWEEPS`, `SERIES`: the digests and the checks with any bits alone. The first
 ///   compile to a few instructions; the other two call a function several times in a row;
-/// - `FUNCTIONS`, `REAL_M`, `HALF_ANGLES`: also the counts of instructions, the flash, the shader;
-/// - `BYTES`, `ANGLES`: likewise, except the shader, which has neither bytes nor doubles.
+/// - `BYTES`, `ANGLES`: the counts of instructions and of flash, too;
+/// - `FUNCTIONS`, `REAL_M`, `HALF_ANGLES`: the shader, too, which has neither bytes nor doubles.
 ///
 /// `HALF_ANGLES` compute in doubles in fixed point, and `ANGLES` in `f32` too. `REAL_M` and
 /// `SERIES` are for floats.
@@ -72,6 +72,30 @@ macro_rules! for_each_function {
             every_phong "shade::phong, every light" |g| shade::phong(g.n, g.v, &g.integer, g.rgb, g.from_lights().filter_map(|light| light.in_front(g.n))) => light;
             every_blinn_phong "shade::blinn_phong, every light" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.from_lights()) => light;
             every_blinn_phong_in_front "shade::blinn_phong, every light in front" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, Light::all_in_front(&g.lights, g.p, g.n)) => light;
+        }
+        SERIES: Float {
+            raise_real_sweep "Exponent::raise, every real m" |g| REAL.map(|m| T::from(m).raise(g.cosine)) => nothing;
+            raise_invalid "Exponent::raise, invalid m" |g| [f32::INFINITY, -1.0, f32::NAN].map(|m| T::from(m).raise(g.cosine)) => nothing;
+            raise_vanishing "Exponent::raise, where the power vanishes" |g| [2_u16, 5, 33, 1000, 10_000].map(|m| u32::from(m).raise(vanishing(m, g.cosine))) => nothing;
+            raise_difficult "Exponent::raise, where all coefficients count" |g| Each((0_u8..32).map(|i| { let (m, cosine) = difficult(i, g.cosine); m.raise(cosine) })) => nothing;
+            phong_real_sweep "term::phong, every real m" |g| REAL.map(|m| term::phong(g.l, g.v, T::from(m))) => share;
+            blinn_real_sweep "term::blinn, every real m" |g| REAL.map(|m| term::blinn(g.n, g.v, T::from(m))) => share;
+            number_before_dual "Dual, after a number" |g| g.y.before(g.f) => nothing;
+            every_phong_real "shade::phong, real m, every light" |g| shade::phong(g.n, g.v, &g.real, g.rgb, g.from_lights()) => light;
+            every_blinn_phong_real "shade::blinn_phong, real m, every light" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.from_lights()) => light;
+        }
+        BYTES: Number {
+            to_srgb8 "Rgb::to_srgb8" |g| g.rgb.map(T::single).to_srgb8() => nothing;
+            from_srgb8 "Rgb::from_srgb8" |g| { let [r, g, b, _] = g.bits.to_le_bytes(); Rgb::from_srgb8([r, g, b]) } => share;
+            to_rgb565 "Rgb::to_rgb565" |g| g.rgb.map(T::single).to_rgb565() => nothing;
+        }
+        ANGLES: Number {
+            sin "Elementary::sin" |g| g.x.sin() => nothing;
+            cos "Elementary::cos" |g| g.x.cos() => nothing;
+            dual_sin "Dual::sin" |g| g.f.sin() => nothing;
+            dual_cos "Dual::cos" |g| g.f.cos() => nothing;
+            angular_implicit "normal::implicit, with angles" |g| normal::implicit(gyroid, g.p) => unit;
+            angular_parametric "normal::parametric, with angles" |g| normal::parametric(globe, g.x, g.y) => unit;
         }
         FUNCTIONS: Number {
             sqrt "Real::sqrt" |g| g.x.abs().sqrt() => nothing;
@@ -145,11 +169,6 @@ macro_rules! for_each_function {
             shade_all_in_front "shade::blinn_phong, integer m, all in front" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, PointLight::all_in_front(&g.lamps, g.p, g.n)) => light;
             shaded_total "Shaded::total" |g| g.shaded.total() => light;
         }
-        BYTES: Number {
-            to_srgb8 "Rgb::to_srgb8" |g| g.rgb.map(T::single).to_srgb8() => nothing;
-            from_srgb8 "Rgb::from_srgb8" |g| { let [r, g, b, _] = g.bits.to_le_bytes(); Rgb::from_srgb8([r, g, b]) } => share;
-            to_rgb565 "Rgb::to_rgb565" |g| g.rgb.map(T::single).to_rgb565() => nothing;
-        }
         REAL_M: Float {
             raise_real "Exponent::raise, real m" |g| g.real.m.raise(g.cosine) => nothing;
             term_phong_real "term::phong, real m" |g| term::phong(g.l, g.v, g.real.m) => share;
@@ -160,28 +179,9 @@ macro_rules! for_each_function {
             shade_in_front_real "shade::blinn_phong, real m, lights in front" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.lamps.iter().filter_map(|lamp| lamp.in_front(g.p, g.n))) => light;
             shade_all_in_front_real "shade::blinn_phong, real m, all in front" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, PointLight::all_in_front(&g.lamps, g.p, g.n)) => light;
         }
-        SERIES: Float {
-            raise_real_sweep "Exponent::raise, every real m" |g| REAL.map(|m| T::from(m).raise(g.cosine)) => nothing;
-            raise_invalid "Exponent::raise, invalid m" |g| [f32::INFINITY, -1.0, f32::NAN].map(|m| T::from(m).raise(g.cosine)) => nothing;
-            raise_vanishing "Exponent::raise, where the power vanishes" |g| [2_u16, 5, 33, 1000, 10_000].map(|m| u32::from(m).raise(vanishing(m, g.cosine))) => nothing;
-            raise_difficult "Exponent::raise, where all coefficients count" |g| Each((0_u8..32).map(|i| { let (m, cosine) = difficult(i, g.cosine); m.raise(cosine) })) => nothing;
-            phong_real_sweep "term::phong, every real m" |g| REAL.map(|m| term::phong(g.l, g.v, T::from(m))) => share;
-            blinn_real_sweep "term::blinn, every real m" |g| REAL.map(|m| term::blinn(g.n, g.v, T::from(m))) => share;
-            number_before_dual "Dual, after a number" |g| g.y.before(g.f) => nothing;
-            every_phong_real "shade::phong, real m, every light" |g| shade::phong(g.n, g.v, &g.real, g.rgb, g.from_lights()) => light;
-            every_blinn_phong_real "shade::blinn_phong, real m, every light" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.from_lights()) => light;
-        }
         HALF_ANGLES: Number {
             cone_from_half_angle "Cone::from_half_angle" |g| T::cone_from_half_angle(g.cosine * T::of_f32(3.25)).map(Cone::cosine) => cosines;
             soft_cone_from_half_angles "SoftCone::from_half_angles" |g| T::soft_cone_from_half_angles(g.cosine, g.cosine * T::of_f32(3.0)).map(SoftCone::cosines) => cosines;
-        }
-        ANGLES: Number {
-            sin "Elementary::sin" |g| g.x.sin() => nothing;
-            cos "Elementary::cos" |g| g.x.cos() => nothing;
-            dual_sin "Dual::sin" |g| g.f.sin() => nothing;
-            dual_cos "Dual::cos" |g| g.f.cos() => nothing;
-            angular_implicit "normal::implicit, with angles" |g| normal::implicit(gyroid, g.p) => unit;
-            angular_parametric "normal::parametric, with angles" |g| normal::parametric(globe, g.x, g.y) => unit;
         }
     } };
 }
