@@ -2,7 +2,6 @@
 
 use super::surface::from_tangents;
 use crate::real::Real;
-use crate::rescale::{rescaled, rescaled_with_scale};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -87,7 +86,7 @@ pub fn transformed<T: Real + PartialOrd>(
     let cofactors =
         |a: Vec3<T>, b: Vec3<T>, c: Vec3<T>| b.cross(c) * n.x + c.cross(a) * n.y + a.cross(b) * n.z;
     let [a, b, c] = columns;
-    if let Some([a, b, c]) = T::rescaled_together([a.into(), b.into(), c.into()]) {
+    if let Some(([a, b, c], _)) = T::rescaled_together([a.into(), b.into(), c.into()]) {
         cofactors(a.into(), b.into(), c.into())
     } else {
         by_cofactors_of_any_size(n, columns)
@@ -138,7 +137,7 @@ fn by_cofactors_of_any_size<T: Real + PartialOrd>(
 /// A vector times a `power` of [`EXTREME`](Real::EXTREME), returned as a rescaled vector and a power.
 #[inline(never)]
 fn tame_power<T: Real + PartialOrd>(v: Vec3<T>, power: i32) -> (Vec3<T>, i32) {
-    let (rescaled, scale) = rescaled_with_scale(v);
+    let (rescaled, scale) = v.rescaled_from(Vec3::ZERO);
     let grown = i32::from(scale > T::ONE) - i32::from(scale < T::ONE);
     (rescaled, power - grown)
 }
@@ -203,6 +202,6 @@ pub fn mapped<T: Real + PartialOrd>(
         side.cross(n),
         *side * handedness.if_positive(T::ONE, T::NEG_ONE),
     );
-    let sample = rescaled(sample);
+    let sample = sample.rescaled();
     (t * sample.x + b * sample.y + *n * sample.z).unit()
 }
