@@ -41,6 +41,7 @@ macro_rules! formats {
     };
 }
 
+#[allow(clippy::needless_pass_by_value)] // what `map_err` calls
 fn said(error: impl ToString) -> String {
     error.to_string()
 }

@@ -266,10 +266,7 @@ fn lights_and_materials_refuse_what_the_page_says() {
     type Wide = Light<f32, SoftCone<f32>, Ranged<f32>>;
     let of_angle = r#"{"half_angle": 0.5}"#;
     let spot = format!(r#"{{"point": {LAMP}, "axis": [0, 0, 1], "cone": {of_angle}}}"#);
-    let soft_spot = format!(
-        r#"{{"point": {FAR_LAMP}, "axis": [0, 0, 1], "cone": {}}}"#,
-        SOFT
-    );
+    let soft_spot = format!(r#"{{"point": {FAR_LAMP}, "axis": [0, 0, 1], "cone": {SOFT}}}"#);
     check::<DirectionalLight<f32>>("DirectionalLight", &[SUN], &[]);
     check::<PointLight<f32>>("PointLight", &[LAMP], &[]);
     check::<PointLight<f32, Ranged<f32>>>("PointLight", &[LAMP, FAR_LAMP], &[]);
