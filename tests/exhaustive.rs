@@ -16,10 +16,10 @@ mod srgb;
 
 // the roots are not public, nor are the tables of the encodings for chips
 #[path = "../src/encoding/edges.rs"]
-#[allow(clippy::pedantic)]
+#[allow(clippy::pedantic, dead_code)]
 mod edges;
 #[path = "../src/encoding/lines.rs"]
-#[allow(clippy::pedantic)]
+#[allow(clippy::pedantic, dead_code)]
 mod lines;
 #[path = "../src/real/root.rs"]
 mod root;

@@ -48,10 +48,14 @@ impl<const LENGTH: usize, const SHIFT: u32> Steps<LENGTH, SHIFT> {
 /// The bits of a number, brought into a range; NaN counts as dark.
 #[inline]
 pub(crate) const fn clamped(x: f32, low: f32, high: f32) -> u32 {
-    // each comparison becomes the processor's maximum or minimum
-    let x = if x > low { x } else { low };
-    let x = if x > high { high } else { x };
-    x.to_bits()
+    // The second comparison is one of integers, because the compiler would make a branch of two of
+    // floats: it sees that the result has only one level then.
+    let bits = if x > low { x } else { low }.to_bits();
+    if bits > high.to_bits() {
+        high.to_bits()
+    } else {
+        bits
+    }
 }
 
 /// The level of clamped bits, of 256.
