@@ -1,7 +1,7 @@
 //! The levels of a channel in double precision.
 
 use super::edges::next_edges_f64;
-use super::levels::{self, DARKEST};
+use super::levels::{self, place};
 
 /// The bits of the least `f64` of the next level.
 static EIGHT_BITS: [u64; 256] = next_edges_f64();
@@ -16,14 +16,16 @@ const fn clamped(channel: f64, low: f64, high: f64) -> u64 {
     channel.to_bits()
 }
 
-/// The bits of a channel, and those of the largest `f32` that does not exceed it. Its level is that of
+/// The bits of a channel, and the place of the largest `f32` that does not exceed it. Its level is that of
 /// the `f32` or the next.
 #[inline]
 const fn rounded_down(channel: f64) -> (u64, u32) {
     const BRIGHTEST: f64 = f64::from_bits(1.0_f64.to_bits() - 1);
+    const DARKEST: f64 = 1.0 / 8192.0;
     const EXPONENT: u64 = (1023 - 127) << 23;
-    let bits = clamped(channel, DARKEST as f64, BRIGHTEST);
-    (bits, ((bits >> 29) - EXPONENT) as u32)
+    let bits = clamped(channel, DARKEST, BRIGHTEST);
+    let below = f32::from_bits(((bits >> 29) - EXPONENT) as u32);
+    (bits, place(below))
 }
 
 #[inline]

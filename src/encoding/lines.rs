@@ -5,22 +5,59 @@
 
 use super::edges::{encoded, next_edges};
 
-/// Level 1 of 256 begins above 2⁻¹³.
-pub(crate) const DARKEST: f32 = 1.0 / 8192.0;
-pub(crate) const BRIGHTEST: f32 = f32::from_bits(1.0_f32.to_bits() - 1);
+/// The most by which the bits of a NaN exceed those of infinity.
+const NAN: u32 = 0x007F_FFFF;
 
-static EIGHT_BITS: [u32; 256] = next_edges();
-static SIX_BITS: [u32; 64] = next_edges();
-static FIVE_BITS: [u32; 32] = next_edges();
+/// The place of a number in the order of all numbers. As signed integers, the bits of positive floats are
+/// in order, and those of negative floats are below them. The sum wraps every NaN around to below all.
+const fn order(x: f32) -> i32 {
+    x.to_bits().wrapping_add(NAN) as i32
+}
+
+/// The first place is level 0, the last is the highest level; a mask finds the lines from one to the other.
+const FIRST: i32 = order(1.0 / 8192.0) + 1;
+const LAST: i32 = order(1.0) - 1;
+
+#[inline]
+const fn between(x: f32, first: i32, last: i32) -> i32 {
+    let place = order(x);
+    let place = if place < first { first } else { place };
+    if place > last { last } else { place }
+}
+
+/// The bits of a number, brought into a range; NaN counts as dark.
+#[inline]
+pub(crate) const fn clamped(x: f32, low: f32, high: f32) -> u32 {
+    between(x, order(low), order(high)) as u32 - NAN
+}
+
+/// Where a number stands among the edges of the levels.
+#[inline]
+pub(crate) const fn place(x: f32) -> u32 {
+    between(x, FIRST, LAST) as u32
+}
+
+static EIGHT_BITS: [u32; 256] = next_places();
+static SIX_BITS: [u32; 64] = next_places();
+static FIVE_BITS: [u32; 32] = next_places();
+
+/// The first place of the next level, and none above the highest.
+const fn next_places<const N: usize>() -> [u32; N] {
+    let (mut next, mut level) = (next_edges::<N>(), 0);
+    while level < N - 1 {
+        next[level] += NAN;
+        level += 1;
+    }
+    next
+}
 
 /// The number of low bits of a quarter of an octave.
 const QUARTER: u32 = 21;
 
-/// The lines, from 2⁻¹³ to 1, at an index that a mask gives. The slope is in the low byte; the rest is
-/// the level, in units of 2⁻²⁴, of the bits 0.
+/// The slope of each line is in the low byte; the rest is the level, in units of 2⁻²⁴, of the place 0.
 static LINES: [u32; 64] = {
-    let (mut lines, mut begin) = ([0; 64], DARKEST.to_bits());
-    while begin <= BRIGHTEST.to_bits() {
+    let (mut lines, mut begin) = ([0; 64], FIRST as u32);
+    while begin <= LAST as u32 {
         let end = begin + (1 << QUARTER);
         let (low, high) = (at(begin), at(end));
         let sag = at(begin + (1 << (QUARTER - 1))) - (low + high) / 2.0;
@@ -29,7 +66,7 @@ static LINES: [u32; 64] = {
         // the curve lies between the line and 1 above it: half of what is left goes to either side
         let missed = (high - low) - slope as f64 / 8.0;
         let level = low - (1.0 - sag) / 2.0 + missed / 2.0;
-        let level = (level * 16_777_216.0) as i64 as u32;
+        let level = (level * 16_777_216.0) as u32;
         let level = level.wrapping_sub(slope.wrapping_mul(begin));
         lines[(begin >> QUARTER) as usize % 64] = level & !0xFF | slope;
         begin = end;
@@ -37,49 +74,36 @@ static LINES: [u32; 64] = {
     lines
 };
 
-const fn at(bits: u32) -> f64 {
-    encoded(f32::from_bits(bits) as f64)
+const fn at(place: u32) -> f64 {
+    encoded(f32::from_bits(place - NAN) as f64)
 }
 
 /// 255 E + ½ in units of 2⁻²⁴, up to 1 too low.
 #[inline]
-const fn guess(bits: u32) -> u32 {
-    let line = LINES[(bits >> QUARTER) as usize % 64];
-    bits.wrapping_mul(line & 0xFF).wrapping_add(line)
+const fn guess(place: u32) -> u32 {
+    let line = LINES[(place >> QUARTER) as usize % 64];
+    place.wrapping_mul(line & 0xFF).wrapping_add(line)
 }
 
-/// The bits of a number, brought into a range; NaN counts as dark.
+/// The level at a place, of 256.
 #[inline]
-pub(crate) const fn clamped(x: f32, low: f32, high: f32) -> u32 {
-    // the most by which the bits of a NaN exceed those of infinity: the sum wraps every NaN around to
-    // below all numbers, and the others are ordered as their bits
-    const NAN: i32 = 0x007F_FFFF;
-    let (low, high) = (low.to_bits() as i32 + NAN, high.to_bits() as i32 + NAN);
-    let place = (x.to_bits() as i32).wrapping_add(NAN);
-    let place = if place < low { low } else { place };
-    let place = if place > high { high } else { place };
-    (place - NAN) as u32
-}
-
-/// The level of clamped bits, of 256.
-#[inline]
-pub(crate) const fn eight_bits(bits: u32) -> u32 {
-    let level = guess(bits) >> 24;
-    level + (bits >= EIGHT_BITS[level as usize % 256]) as u32
+pub(crate) const fn eight_bits(place: u32) -> u32 {
+    let level = guess(place) >> 24;
+    level + (place >= EIGHT_BITS[level as usize % 256]) as u32
 }
 
 /// Of 64.
 #[inline]
-pub(crate) const fn six_bits(bits: u32) -> u32 {
-    let level = ((guess(bits) >> 16) * 63 + 0x6000) >> 16;
-    level + (bits >= SIX_BITS[level as usize % 64]) as u32
+pub(crate) const fn six_bits(place: u32) -> u32 {
+    let level = ((guess(place) >> 16) * 63 + 0x6000) >> 16;
+    level + (place >= SIX_BITS[level as usize % 64]) as u32
 }
 
 /// Of 32.
 #[inline]
-pub(crate) const fn five_bits(bits: u32) -> u32 {
-    let level = ((guess(bits) >> 16) * 31 + 0x6000) >> 16;
-    level + (bits >= FIVE_BITS[level as usize % 32]) as u32
+pub(crate) const fn five_bits(place: u32) -> u32 {
+    let level = ((guess(place) >> 16) * 31 + 0x6000) >> 16;
+    level + (place >= FIVE_BITS[level as usize % 32]) as u32
 }
 
 // The levels are right: a guess rises within a line, so it suffices to try both ends of each stretch that
@@ -87,9 +111,9 @@ pub(crate) const fn five_bits(bits: u32) -> u32 {
 macro_rules! assert_right {
     ($level:ident: $n:literal) => {
         const _: () = {
-            const NEXT: [u32; $n] = next_edges();
-            let (mut begin, mut level) = (DARKEST.to_bits(), 0);
-            while begin <= BRIGHTEST.to_bits() {
+            const NEXT: [u32; $n] = next_places();
+            let (mut begin, mut level) = (FIRST as u32, 0);
+            while begin <= LAST as u32 {
                 while level < $n - 1 && NEXT[level] <= begin {
                     level += 1;
                 }

@@ -1,20 +1,20 @@
 //! The levels of a channel in single precision.
 
-use super::levels::{self, BRIGHTEST, DARKEST, clamped};
+use super::levels::{self, clamped, place};
 
 #[inline]
 pub(super) const fn eight_bits(channel: f32) -> u32 {
-    levels::eight_bits(clamped(channel, DARKEST, BRIGHTEST))
+    levels::eight_bits(place(channel))
 }
 
 #[inline]
 pub(super) const fn six_bits(channel: f32) -> u32 {
-    levels::six_bits(clamped(channel, DARKEST, BRIGHTEST))
+    levels::six_bits(place(channel))
 }
 
 #[inline]
 pub(super) const fn five_bits(channel: f32) -> u32 {
-    levels::five_bits(clamped(channel, DARKEST, BRIGHTEST))
+    levels::five_bits(place(channel))
 }
 
 /// round(highest · channel) for a highest level of at most 255, in whole numbers, which are exact.

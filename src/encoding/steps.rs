@@ -15,8 +15,8 @@ static SIX_BITS: Steps<512, 18> = Steps::of(next_edges::<64>());
 static FIVE_BITS: Steps<256, 19> = Steps::of(next_edges::<32>());
 
 /// Level 1 of 256 begins above 2⁻¹³.
-pub(crate) const DARKEST: f32 = 1.0 / 8192.0;
-pub(crate) const BRIGHTEST: f32 = f32::from_bits(1.0_f32.to_bits() - 1);
+const DARKEST: f32 = 1.0 / 8192.0;
+const BRIGHTEST: f32 = f32::from_bits(1.0_f32.to_bits() - 1);
 
 impl<const LENGTH: usize, const SHIFT: u32> Steps<LENGTH, SHIFT> {
     const fn of<const N: usize>(next_edges: [u32; N]) -> Self {
@@ -58,20 +58,26 @@ pub(crate) const fn clamped(x: f32, low: f32, high: f32) -> u32 {
     }
 }
 
-/// The level of clamped bits, of 256.
+/// Where a number stands among the edges of the levels: its bits.
 #[inline]
-pub(crate) const fn eight_bits(bits: u32) -> u32 {
-    EIGHT_BITS.level(bits)
+pub(crate) const fn place(x: f32) -> u32 {
+    clamped(x, DARKEST, BRIGHTEST)
+}
+
+/// The level at a place, of 256.
+#[inline]
+pub(crate) const fn eight_bits(place: u32) -> u32 {
+    EIGHT_BITS.level(place)
 }
 
 /// Of 64.
 #[inline]
-pub(crate) const fn six_bits(bits: u32) -> u32 {
-    SIX_BITS.level(bits)
+pub(crate) const fn six_bits(place: u32) -> u32 {
+    SIX_BITS.level(place)
 }
 
 /// Of 32.
 #[inline]
-pub(crate) const fn five_bits(bits: u32) -> u32 {
-    FIVE_BITS.level(bits)
+pub(crate) const fn five_bits(place: u32) -> u32 {
+    FIVE_BITS.level(place)
 }

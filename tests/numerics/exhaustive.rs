@@ -129,7 +129,7 @@ fn bytes(bytes: [u8; 3]) -> [u16; 3] {
 }
 
 fn on_line(x: f32, level: impl Fn(u32) -> u32) -> [u16; 3] {
-    let level = level(lines::clamped(x, lines::DARKEST, lines::BRIGHTEST));
+    let level = level(lines::place(x));
     [level.try_into().unwrap_or(u16::MAX); 3]
 }
 
