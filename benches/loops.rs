@@ -16,13 +16,15 @@ mod race;
 
 use std::process::ExitCode;
 
+/// Runs some races, and returns how many ratios exceed their limits.
+type Races = fn() -> usize;
+
 fn main() -> ExitCode {
     let chosen: Vec<String> = std::env::args()
         .skip(1)
         .filter(|a| a != "--bench")
         .collect();
-    let all: [(&str, fn() -> usize); 2] =
-        [("encodings", encodings::race), ("normals", normals::race)];
+    let all: [(&str, Races); 2] = [("encodings", encodings::race), ("normals", normals::race)];
     let chosen = |name: &str| chosen.is_empty() || chosen.iter().any(|c| c == name);
     let exceeded: usize = all
         .iter()

@@ -29,11 +29,13 @@ pub const fn limit(in_loop: f64, by_call: f64) -> Limit {
     Limit { in_loop, by_call }
 }
 
+type Work<'a, I> = dyn Fn(&[I]) + 'a;
+
 struct Contestant<'a, I> {
     name: &'static str,
     limit: Limit,
-    in_loop: Box<dyn Fn(&[I]) + 'a>,
-    by_call: Box<dyn Fn(&[I]) + 'a>,
+    in_loop: Box<Work<'a, I>>,
+    by_call: Box<Work<'a, I>>,
 }
 
 /// The contestants; the first is this crate's function.

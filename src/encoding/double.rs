@@ -56,5 +56,5 @@ pub(super) const fn linear(channel: f64, highest: u64) -> u32 {
     let bits = clamped(channel, 1.0 / 512.0, 1.0);
     let significand = bits & ((1 << 52) - 1) | 1 << 52;
     let shift = 1075 - (bits >> 52);
-    (((significand * highest >> (shift - 1)) + 1) >> 1) as u32
+    ((((significand * highest) >> (shift - 1)) + 1) >> 1) as u32
 }

@@ -60,7 +60,7 @@ static LINES: [u32; 64] = {
     while begin <= LAST as u32 {
         let end = begin + (1 << QUARTER);
         let (low, high) = (at(begin), at(end));
-        let sag = at(begin + (1 << (QUARTER - 1))) - (low + high) / 2.0;
+        let sag = at(begin + (1 << (QUARTER - 1))) - f64::midpoint(low, high);
         let slope = ((high - low) * 8.0 + 0.5) as u32; // 2²⁴/2²¹
         assert!(slope < 256);
         // the curve lies between the line and 1 above it: half of what is left goes to either side

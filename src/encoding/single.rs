@@ -24,5 +24,5 @@ pub(super) const fn linear(channel: f32, highest: u32) -> u32 {
     let bits = clamped(channel, 1.0 / 512.0, 1.0);
     let significand = bits & 0x007F_FFFF | 0x0080_0000;
     let shift = 150 - (bits >> 23); // 23 to 32
-    ((significand * highest >> (shift - 1)) + 1) >> 1
+    (((significand * highest) >> (shift - 1)) + 1) >> 1
 }

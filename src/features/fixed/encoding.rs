@@ -203,7 +203,7 @@ static LINES: [u32; 64] = {
         let (first, shift) = segments(begin);
         let length = 1 << shift;
         let (low, high) = (at(begin), at(begin + length));
-        let sag = at(begin + length / 2) - (low + high) / 2.0;
+        let sag = at(begin + length / 2) - f64::midpoint(low, high);
         let slope = ((high - low) * 32_768.0 / length as f64 + 0.5) as u32;
         assert!(slope < SLOPES);
         // the curve lies between the line and 1 above it: half of what is left goes to either side
