@@ -26,12 +26,14 @@ for_f32_and_f64!(
     normal_of_the_saddle,
     roof_of_a_house_half_as_wide,
     shares_of_half_an_equilateral_triangle,
+    tangent_of_a_slanted_map,
     sample_of_a_normal_map_on_a_slanted_surface,
     two_lights_with_lambert,
     two_lights_with_phong,
     two_lights_with_blinn,
     spot_inside_and_outside_30_degrees,
     soft_spot_between_its_edges,
+    faint_edge_of_a_soft_spot_keeps_its_digits,
     attenuation_halfway_to_its_range,
     a_scene_maps_to_another_number_type,
     dual_sum_product_and_quotient,
@@ -237,6 +239,20 @@ fn shares_of_half_an_equilateral_triangle<T: Float>() {
     }
 }
 
+fn tangent_of_a_slanted_map<T: Float>() {
+    // e₁ = (2, 0, 0), e₂ = (0, 4, 3), and the map's differences are (1, 1) and (−1, 1): d = 2 and
+    // T = (e₁ − e₂)/2 = (2, −4, −3)/2, of length √29/2
+    let vertices = [[1.0, 0.0, 0.0], [3.0, 0.0, 0.0], [1.0, 4.0, 3.0]].map(vector);
+    let map = [[2.0, 3.0], [3.0, 4.0], [1.0, 4.0]].map(|xy| xy.map(T::of));
+    let (t, h) = normal::tangent(vertices, map).expect("a tangent");
+    assert_near(*t, [2.0, -4.0, -3.0].map(|c| c / 29.0_f64.sqrt()), 8.0);
+    assert_eq!(h, T::ONE);
+    // the second and third texture coordinates change places: the differences of y stay (1, 1), and d = −2
+    let (t, h) = normal::tangent(vertices, [map[0], map[2], map[1]]).expect("a tangent");
+    assert_near(*t, [-2.0, 4.0, 3.0].map(|c| c / 29.0_f64.sqrt()), 8.0);
+    assert_eq!(h, -T::ONE);
+}
+
 fn sample_of_a_normal_map_on_a_slanted_surface<T: Float>() {
     // N = (3, 0, 4)/5 and T = (2, 0, 1), whose component along N is 2N: t = (4, 0, −3)/5, and N × t
     // = (0, 1, 0). The sample (1, 2, 2)/3 gives (t + 2(0, 1, 0) + 2N)/3 = (2, 2, 1)/3.
@@ -270,6 +286,24 @@ fn soft_spot_between_its_edges<T: Float>() {
     let cone = SoftCone::of_cosines(T::ONE, T::of(0.6)).expect("cosines");
     let factors = [cone, cone.smoothstep()].map(|cone| cone.factor(-UnitVec3::Z, slanted()));
     assert_near(factors, [0.25, 0.5], 40.0);
+}
+
+fn faint_edge_of_a_soft_spot_keeps_its_digits<T: Float>() {
+    // The cosine of L is c = ½ + kε, exactly, and both differences in t = (c − ½)/(inner − ½) are
+    // exact. The quotient is off by 1u of itself, its square by 3u; here and in f64.
+    let (outer, epsilon) = (0.5, 2.0 * T::U);
+    for inner in [0.7, 0.8, 0.9, 0.95] {
+        let cone = SoftCone::of_cosines(T::of(inner), T::of(outer)).expect("cosines");
+        let width = cone.cosines()[0].to_f64() - outer;
+        for k in (0..20).map(|i| f64::exp2(f64::from(i)) + 1.0) {
+            let cosine = outer + k * epsilon;
+            let l = UnitVec3::assume_unit(vector([(1.0 - cosine * cosine).sqrt(), 0.0, cosine]));
+            let t = k * epsilon / width;
+            let factor = cone.factor(-UnitVec3::Z, l).to_f64();
+            let error = (factor / (t * t) - 1.0).abs();
+            assert!(error <= 8.0 * T::U, "{inner}, {k}: {error:e}");
+        }
+    }
 }
 
 fn attenuation_halfway_to_its_range<T: Float>() {
