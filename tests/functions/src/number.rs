@@ -1,5 +1,7 @@
 //! The numbers that the functions are called with.
 
+use core::fmt::Debug;
+
 #[cfg(feature = "fixed")]
 use shading::fixed::Fixed;
 use shading::{
@@ -11,7 +13,7 @@ use crate::places::Numbers;
 use crate::value::Value;
 
 /// `f32`, `f64` or a fixed-point number, with the functions that exist separately for each.
-pub trait Number: Elementary + PartialOrd + Value + 'static {
+pub trait Number: Elementary + PartialOrd + Debug + Value + 'static {
     const EPSILON: Self;
     /// Sizes from zero to the largest number, with subnormal ones.
     const SIZES: [Self; 10];
