@@ -1,4 +1,4 @@
-//! The frame by the formula as the books write it, and models as users meet them.
+//! The frame agrees with the formula as the books write it, and bad models are harmless.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! The picture by the formula as the books write it, and triangles as users meet them.
+//! The picture agrees with the formula as the books write it, and bad triangles are harmless.
 
 use rasterizer::{BRASS, EYE, LAMPS, Vertex, draw, vertices};
 use vek::Vec3;

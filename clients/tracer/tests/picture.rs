@@ -1,4 +1,4 @@
-//! The picture by the formula as the books write it, in both precisions, and models as users meet them.
+//! The picture agrees with the formula as the books write it, in both precisions; and bad models are refused.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! Random inputs, with what is special among them on purpose.
+//! Random inputs, with special values among them.
 
 use fastrand::Rng;
 use kernel::functions::Input;

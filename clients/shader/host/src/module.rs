@@ -1,4 +1,4 @@
-//! A SPIR-V module to which the rules of IEEE 754 are added, as far as a device knows them.
+//! Adds to a SPIR-V module those rules of IEEE 754 that a device supports.
 
 /// What a device can be asked to keep in single precision.
 #[derive(Clone, Copy, Debug)]

@@ -1,4 +1,4 @@
-//! What the buffers hold, laid out as the library's page on buffers does.
+//! What the buffers hold, laid out as on the library's page on buffers.
 
 use bytemuck::{Pod, Zeroable};
 use shading::f32::{

@@ -1,4 +1,4 @@
-//! The entry point of CUDA: one thread a point.
+//! The entry point of CUDA: one thread per point.
 
 use core::arch::nvptx::{_block_dim_x, _block_idx_x, _thread_idx_x};
 use core::panic::PanicInfo;
