@@ -33,7 +33,6 @@ pub trait Number: Elementary + PartialOrd + Debug + Value + 'static {
     fn soft_cone_from_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
     fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
     fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>>;
-    fn ranged(attenuation: Attenuation<Self>) -> Ranged<Self>;
     fn unit_vector(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
     fn normalized(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
 
@@ -98,10 +97,6 @@ macro_rules! number {
 
             fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>> {
                 attenuation.within(range)
-            }
-
-            fn ranged(attenuation: Attenuation<Self>) -> Ranged<Self> {
-                attenuation.into()
             }
 
             fn unit_vector(v: Vec3<Self>) -> Option<UnitVec3<Self>> {
