@@ -7,7 +7,7 @@
 mod fixed;
 #[cfg(test)]
 mod items;
-mod names;
+pub mod names;
 mod traits;
 #[cfg(all(test, feature = "wide"))]
 mod wide;

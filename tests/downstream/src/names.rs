@@ -1,9 +1,9 @@
 //! The short names of types.
 
 /// Two names of one type.
-trait Same<T> {}
+pub trait Same<T> {}
 impl<T> Same<T> for T {}
-const fn same<A: Same<B>, B>() {}
+pub const fn same<A: Same<B>, B>() {}
 
 macro_rules! short_names {
     ($(#[$if:meta] $module:ident $number:ty;)*) => {$(

@@ -1,7 +1,6 @@
 //! The traits that types implement.
 
-use core::fmt::{Debug, Display};
-use core::hash::Hash;
+use core::fmt::Debug;
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Deref, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -87,7 +86,7 @@ implemented! {
         mint::Point3<f32>: From<Vec3>;
     }
     #[cfg(feature = "fixed")] {
-        Fixed: Copy, Clone, Debug, Display, Hash, PartialEq, Eq, PartialOrd, Ord, Default, From<i16>;
+        Fixed: Copy, Clone, Debug, core::fmt::Display, core::hash::Hash, PartialEq, Eq, PartialOrd, Ord, Default, From<i16>;
         Fixed: Real, Elementary, Add, Sub, Mul, Div, Neg, Mul<Vec3<Fixed>>, Mul<Rgb<Fixed>>;
         f64: From<Fixed>;
     }
