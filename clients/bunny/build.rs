@@ -65,7 +65,7 @@ fn main() {
             && b != c
             && c != a
         {
-            // the same triangle, whichever corner is the first
+            // as one triangle, whichever corner comes first
             faces.insert(
                 [[a, b, c], [b, c, a], [c, a, b]]
                     .into_iter()

@@ -10,6 +10,8 @@ fn conversions() {
     assert!(Fixed::new(0.5) < Fixed::MAX && Fixed::STEP > Fixed::new(0.0));
     assert_eq!(Rgb::<Fixed>::to_srgb8(Rgb::WHITE), [255; 3]);
     assert_eq!(Rgb::<Fixed>::to_rgb565(Rgb::WHITE), u16::MAX);
+    assert_eq!(Rgb::<Fixed>::to_linear8(Rgb::WHITE), [255; 3]);
+    assert_eq!(Rgb::<Fixed>::to_linear565(Rgb::WHITE), u16::MAX);
 }
 
 #[test]

@@ -140,8 +140,21 @@ fn axes() {
 fn encodings() {
     const SKY: Rgb = Rgb::<f32>::from_srgb8([0, 128, 255]);
     assert_eq!(Rgb::<f32>::to_srgb8(SKY), [0, 128, 255]);
-    assert_eq!(Rgb::<f32>::to_rgb565(Rgb::new(1.0, 0.0, 1.0)), 0xf81f);
+    assert_eq!(Rgb::<f32>::from_rgb565(0xf81f), Rgb::new(1.0, 0.0, 1.0));
 }
+
+macro_rules! encodings {
+    ($($number:ident)*) => {
+        #[test]
+        fn encodings_of_each_number() {$({
+            const PINK: Rgb<$number> = Rgb::new(1.0, 0.0, 1.0);
+            const BYTES: [[u8; 3]; 2] = [Rgb::<$number>::to_srgb8(PINK), Rgb::<$number>::to_linear8(PINK)];
+            const SHORT: [u16; 2] = [Rgb::<$number>::to_rgb565(PINK), Rgb::<$number>::to_linear565(PINK)];
+            assert_eq!((BYTES, SHORT), ([[255, 0, 255]; 2], [0xf81f; 2]));
+        })*}
+    };
+}
+encodings!(f32 f64);
 
 /// The checked constructors, in constants of each number.
 macro_rules! constructors {

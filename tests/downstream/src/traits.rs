@@ -42,11 +42,12 @@ implemented! {
         Ranged: Copy, Clone, Debug, PartialEq, Falloff<f32>, From<Attenuation>;
         Cone: Copy, Clone, Debug, PartialEq, Beam<f32>;
         SoftCone: Copy, Clone, Debug, PartialEq, Beam<f32>, From<Cone>;
-        IncidentLight: Copy, Clone, Debug, PartialEq;
+        IncidentLight: Copy, Clone, Debug, PartialEq, From<DirectionalLight>;
         DirectionalLight: Copy, Clone, Debug, PartialEq;
         PointLight: Copy, Clone, Debug, PartialEq;
         SpotLight: Copy, Clone, Debug, PartialEq;
         Light: Copy, Clone, Debug, PartialEq, From<DirectionalLight>, From<PointLight>, From<SpotLight>;
+        Light<f32, SoftCone, Ranged>: From<Light>;
         Material: Copy, Clone, Debug, PartialEq;
         Shaded: Copy, Clone, Debug, PartialEq, Default, Add, Mul<f32>, Sum;
     }

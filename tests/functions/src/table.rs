@@ -88,6 +88,9 @@ macro_rules! for_each_function {
             to_srgb8 "Rgb::to_srgb8" |g| g.rgb.map(T::single).to_srgb8() => nothing;
             from_srgb8 "Rgb::from_srgb8" |g| { let [r, g, b, _] = g.bits.to_le_bytes(); Rgb::from_srgb8([r, g, b]) } => share;
             to_rgb565 "Rgb::to_rgb565" |g| g.rgb.map(T::single).to_rgb565() => nothing;
+            from_rgb565 "Rgb::from_rgb565" |g| { let [low, high, ..] = g.bits.to_le_bytes(); Rgb::from_rgb565(u16::from_le_bytes([low, high])) } => share;
+            to_linear8 "Rgb::to_linear8" |g| g.rgb.map(T::single).to_linear8() => nothing;
+            to_linear565 "Rgb::to_linear565" |g| g.rgb.map(T::single).to_linear565() => nothing;
         }
         ANGLES: Number {
             sin "Elementary::sin" |g| g.x.sin() => nothing;
@@ -129,6 +132,7 @@ macro_rules! for_each_function {
             normal_facing "normal::facing" |g| normal::facing(g.n, g.v) => n_or_opposite;
             normal_transformed "normal::transformed" |g| normal::transformed(g.n, [g.p, g.a, g.b]) => unit;
             normal_corner "normal::corner" |g| normal::corner(g.p, g.a, g.b) => at_most_pi_long;
+            normal_tangent "normal::tangent" |g| normal::tangent([g.p, g.a, g.b], [[g.x, g.y], [g.cosine, g.x], [g.y, g.cosine]]).map(|(t, _)| t) => unit;
             normal_mapped "normal::mapped" |g| normal::mapped(g.n, g.a, g.cosine, g.b) => unit;
 
             reflection "reflection" |g| shading::reflection(g.n, g.l) => reflected;

@@ -59,7 +59,7 @@ pub struct GpuLight {
 }
 
 impl GpuLight {
-    /// What reaches the front of a surface at p.
+    /// The light that reaches the front of a surface at p.
     pub fn in_front(&self, p: Vec3, n: UnitVec3) -> Option<IncidentLight> {
         let Self {
             position,
