@@ -268,6 +268,11 @@ impl<T: Real> Real for Dual<T> {
     }
 
     #[inline]
+    fn epsilon() -> Self {
+        Self::constant(T::epsilon())
+    }
+
+    #[inline]
     fn if_positive(self, then: Self, otherwise: Self) -> Self {
         let select = |a, b| self.value.if_positive(a, b);
         Self {

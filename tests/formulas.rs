@@ -4,8 +4,9 @@
 use std::f64::consts::FRAC_1_PI;
 
 use shading::{
-    DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight, Real, Rgb, Shaded,
-    SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
+    Attenuation, DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight, Ranged,
+    Real, Rgb, Shaded, SoftCone, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal,
+    reflection, shade, term,
 };
 use support::number::{Float, direction, for_f32_and_f64, vector};
 
@@ -185,7 +186,7 @@ fn attenuation_is_a_third<T: Float>() {
     let [a, b, c, q] = [1.0, 0.5, 0.25, 2.0].map(T::of);
     assert_eq!(attenuation(a, b, c, q), T::of(1.0 / 3.0));
     assert_eq!(
-        T::new_attenuation(a, b, c).expect("coefficients").at(q),
+        Attenuation::of(a, b, c).expect("coefficients").at(q),
         T::of(1.0 / 3.0)
     );
 }
@@ -266,15 +267,15 @@ fn sample_of_a_normal_map_on_a_slanted_surface<T: Float>() {
 fn soft_spot_between_its_edges<T: Float>() {
     // the cosines go from 1 (less 4ε) down to 0.6, and L is at 0.8: t = ½, t² = ¼, t²(3 − 2t) = ½;
     // L is off by 3u, and t by 2.5 times as much, which counts up to 1.5 times
-    let cone = T::soft_cone_from_cosines(T::ONE, T::of(0.6)).expect("cosines");
+    let cone = SoftCone::of_cosines(T::ONE, T::of(0.6)).expect("cosines");
     let factors = [cone, cone.smoothstep()].map(|cone| cone.factor(-UnitVec3::Z, slanted()));
     assert_near(factors, [0.25, 0.5], 40.0);
 }
 
 fn attenuation_halfway_to_its_range<T: Float>() {
     // 1/(1 + 4/4) (1 − (2/4)⁴)² = ½ (15/16)², without any rounding
-    let free = T::new_attenuation(T::ONE, T::ZERO, T::of(0.25)).expect("coefficients");
-    let ranged = T::within(free, T::of(4.0)).expect("a range");
+    let free = Attenuation::of(T::ONE, T::ZERO, T::of(0.25)).expect("coefficients");
+    let ranged = Ranged::of(free, T::of(4.0)).expect("a range");
     assert_eq!(ranged.at(T::of(2.0)), T::of(225.0 / 512.0));
     // a light with this attenuation: its whole intensity is ½ (15/16)² of (1, ½, 0)
     let lamp = PointLight {

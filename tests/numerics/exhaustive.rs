@@ -1,7 +1,7 @@
 //! Checks every `f32` of a domain.
 //!
 //! Checking all of them takes minutes: `cargo test --release -p numerics -- --ignored`. A plain `cargo test`
-//! takes every 509th, or every n-th with `SHADING_STRIDE=n`. An odd stride reaches every pattern of
+//! takes every 2039th, or every n-th with `SHADING_STRIDE=n`. An odd stride reaches every pattern of
 //! low-order bits.
 
 use std::env;
@@ -315,7 +315,7 @@ const TINY: f64 = f32::from_bits(1) as f64;
 fn stride() -> u32 {
     match env::var("SHADING_STRIDE") {
         Ok(stride) => stride.parse().expect("SHADING_STRIDE is a whole number"),
-        Err(_) => 509,
+        Err(_) => 2039,
     }
 }
 

@@ -1,6 +1,7 @@
 //! Values computed by others (`tests/data/README.md`), one module per source.
 
 // shared by the comparisons
+mod json;
 mod running;
 mod scene;
 mod surfaces;

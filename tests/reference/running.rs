@@ -10,7 +10,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use shading::{Attenuation, Cone, Elementary, Exponent, Real, SoftCone};
+use shading::{Elementary, Exponent, Real, SoftCone};
 
 use support::number::{self, Number};
 
@@ -268,15 +268,6 @@ impl<const BITS: u32> Exponent<Self> for Running<BITS> {
 }
 
 impl<const BITS: u32> Number for Running<BITS> {
-    fn attenuation(coefficients: [f64; 3]) -> Option<Attenuation<Self>> {
-        let [a, b, c] = coefficients;
-        Attenuation::<f64>::new(a, b, c).map(|checked| checked.cast(Self::of))
-    }
-
-    fn cone(degrees: f64) -> Option<Cone<Self>> {
-        Cone::<f64>::from_half_angle(degrees.to_radians()).map(|cone| cone.cast(Self::of))
-    }
-
     /// The float rounds an angle of at most π by 1.6u, and its cosine is off by 3.4u.
     fn soft_cone(degrees: [f64; 2]) -> Option<SoftCone<Self>> {
         let [inner, outer] = degrees.map(f64::to_radians);

@@ -50,6 +50,8 @@ macro_rules! properties {
 }
 
 #[doc(hidden)]
+pub mod cast;
+#[doc(hidden)]
 pub mod check;
 #[doc(hidden)]
 pub mod derived;
@@ -109,6 +111,7 @@ macro_rules! number {
 macro_rules! tests_of_number {
     ($number:ty, $powers:ident) => {
         type NumberUnderTest = $number;
+        $crate::cast! { $powers }
         $crate::derived! { $powers }
         $crate::direction! { $powers }
         $crate::dual! { $powers }

@@ -1,6 +1,7 @@
 //! [`Real`] and [`Elementary`].
 
 use super::{Fixed, ONE, vector};
+use crate::cone::Cone;
 use crate::elementary::Elementary;
 use crate::real::Real;
 
@@ -25,6 +26,15 @@ impl Real for Fixed {
     #[inline]
     fn sqrt(self) -> Self {
         self.root()
+    }
+
+    #[inline]
+    fn epsilon() -> Self {
+        Self::STEP
+    }
+
+    fn cosine_of_half_angle(self) -> Option<Self> {
+        Cone::<Self>::from_half_angle(self).map(|cone| cone.cosine)
     }
 
     #[inline]

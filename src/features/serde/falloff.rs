@@ -17,11 +17,11 @@ use crate::{Attenuation, Ranged};
 const EXPECTED: &str = "a list of 3 numbers, or a map, for attenuation";
 
 fn attenuation<T: Number, E: Error>(
-    Coefficients(abc): Coefficients<T>,
+    Coefficients([a, b, c]): Coefficients<T>,
     clamped: bool,
 ) -> Result<Attenuation<T>, E> {
     // the coefficients were checked, so this cannot fail
-    let attenuation = required(T::attenuation(abc), "coefficients")?;
+    let attenuation = required(Attenuation::of(a, b, c), "coefficients")?;
     Ok(if clamped {
         attenuation.clamped()
     } else {
@@ -41,7 +41,7 @@ impl<T: Number> Range<T> {
     /// The attenuation that ends at this range.
     fn limit<E: Error>(self, attenuation: Attenuation<T>) -> Result<Ranged<T>, E> {
         // the range was checked, so this cannot fail
-        required(T::within(attenuation, self.0), "range")
+        required(Ranged::of(attenuation, self.0), "range")
     }
 }
 

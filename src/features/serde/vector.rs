@@ -10,7 +10,7 @@ use serde_core::{Deserialize, Deserializer, Serialize, Serializer};
 use super::Number;
 use super::complaint::{Complaint, Problem};
 use super::record::{Field, Named};
-use crate::{Rgb, UnitVec3, Vec3};
+use crate::{Attenuation, Rgb, UnitVec3, Vec3};
 
 const XYZ: [&str; 3] = ["x = ", "y = ", "z = "];
 const RGB: [&str; 3] = ["r = ", "g = ", "b = "];
@@ -69,7 +69,8 @@ fn not_unit<T: Number>(xyz: [T; 3]) -> Option<Problem<T>> {
 }
 
 fn not_coefficients<T: Number>(abc: [T; 3]) -> Option<Problem<T>> {
-    if T::attenuation(abc).is_some() {
+    let [a, b, c] = abc;
+    if Attenuation::of(a, b, c).is_some() {
         return None;
     }
     let mut letters = ABC.into_iter().zip(abc);

@@ -50,6 +50,7 @@ fn directions() {
     assert_eq!(UP, UnitVec3::Y);
     assert_eq!(UnitVec3::<f32>::new(1.0, 1.0, 1.0), None);
     assert_eq!(UnitVec3::<f64>::normalized(0.0, 0.0, 0.0), None);
+    assert_eq!(UnitVec3::of(0.0, 1.0, 0.0), Some(UP));
     assert_eq!(UnitVec3::cast(TILTED, |x| x as f32).y, 0.6);
     assert_eq!(UnitVec3::assume_unit(Vec3::new(0.0, 1.0, 0.0)), UP);
 

@@ -248,7 +248,7 @@ pub fn soft_cone<T: Float>(is_smooth: bool) -> impl Fn(&mut Numbers) -> f64 {
         let [axis, l] = [direction::<T>(numbers), direction(numbers)];
         let outer = numbers.within(-1.0, 0.9);
         let inner = outer + numbers.within(0.01, f64::min(1.0, 1.0 - outer));
-        let cone = T::soft_cone_from_cosines(T::of(inner), T::of(outer)).expect("cosines");
+        let cone = SoftCone::of_cosines(T::of(inner), T::of(outer)).expect("cosines");
         let cosine = -exact::dot(&vector(axis), &vector(l));
         let [inner, outer] = cone.cosines().map(|cosine| number(cosine.to_f64()));
         let width = inner - &outer;
@@ -265,14 +265,14 @@ pub fn soft_cone<T: Float>(is_smooth: bool) -> impl Fn(&mut Numbers) -> f64 {
 /// The attenuation up to the range, where the light ends.
 pub fn ranged<T: Float>(numbers: &mut Numbers) -> f64 {
     let [a, b, c] = coefficients::<T>(numbers);
-    let free = T::new_attenuation(a, b, c).expect("positive");
+    let free = Attenuation::of(a, b, c).expect("positive");
     let r = T::of(numbers.within(0.1, 100.0));
     let q = r * T::of(numbers.within(0.0, 1.0));
     let share = number(q.to_f64()) / number(r.to_f64());
     let window = exact::clamped(number(1.0) - share.powi(4.into()));
     let free_factor = exact::attenuation(&vector([a, b, c]), &number(q.to_f64()));
     let expected = &free_factor * &window * &window;
-    let ranged = T::within(free, r).expect("a range");
+    let ranged = Ranged::of(free, r).expect("a range");
     error(ranged.at(q), &expected, &free_factor)
 }
 
@@ -284,7 +284,7 @@ fn lamp<T: Float>(numbers: &mut Numbers) -> Option<([T; 3], Vector, IncidentLigh
     let lamp = PointLight {
         position,
         intensity: Rgb::WHITE,
-        attenuation: T::new_attenuation(a, b, c).expect("positive"),
+        attenuation: Attenuation::of(a, b, c).expect("positive"),
     };
     let way = exact::subtract(&vector(position), &vector(p));
     (position != p).then(|| ([a, b, c], way, lamp.at(p)))
