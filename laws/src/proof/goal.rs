@@ -33,6 +33,7 @@ impl Goal {
 
     /// Whether ranges prove it.
     #[doc(hidden)]
+    #[must_use]
     pub fn is_proved(&self, g: &Graph, known: &Known) -> bool {
         self.is_proved_within(g, known, SPLITS)
     }

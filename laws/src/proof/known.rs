@@ -159,7 +159,7 @@ impl Known {
             range = range.meet(shown);
         }
         if let Some(shown) = g.mirror(id).and_then(|mirror| get(&self.shown, mirror)) {
-            range = range.meet(shown.neg().with_zeros());
+            range = range.meet(shown.opposite().with_zeros());
         }
         set(&mut self.memo, id, range);
         range
@@ -172,7 +172,7 @@ impl Known {
             Node::Constant(bits) => constant(f64::from_bits(bits)),
             Node::Max => constant(f.max()),
             Node::Extreme => constant(f.extreme()),
-            Node::Neg(a) => self.range(g, a).neg(),
+            Node::Neg(a) => self.range(g, a).opposite(),
             Node::Abs(a) => self.range(g, a).abs(),
             Node::Sqrt(a) => self.range(g, a).sqrt(f),
             Node::Add(a, b) => {
@@ -475,7 +475,7 @@ impl Known {
         self.learn_parts(g, id, now);
         if let Some(mirror) = g.mirror(id) {
             if !matches!(g.nodes[id as usize], Node::Neg(_)) {
-                self.learn(g, mirror, now.neg().with_zeros());
+                self.learn(g, mirror, now.opposite().with_zeros());
             }
         }
     }
@@ -486,7 +486,7 @@ impl Known {
         let nonnegative = |known: &mut Self, id| known.range(g, id).low >= 0.0;
         let positive = at_least(f.tiny());
         match g.nodes[id as usize] {
-            Node::Neg(a) => self.learn(g, a, now.neg()),
+            Node::Neg(a) => self.learn(g, a, now.opposite()),
             Node::Abs(a) => {
                 let within = Range::within(-now.high, now.high);
                 self.learn(g, a, Range { nan, ..within });
@@ -525,19 +525,19 @@ impl Known {
                 self.learn(g, a, Range { nan, ..within });
             }
             // a product is positive only if both factors are, or neither
-            Node::Mul(a, b) if a != b && now.low > 0.0 && !nan => {
-                if nonnegative(self, a) || nonnegative(self, b) {
-                    self.learn(g, a, positive);
-                    self.learn(g, b, positive);
-                }
+            Node::Mul(a, b)
+                if now.low > 0.0 && !nan && (nonnegative(self, a) || nonnegative(self, b)) =>
+            {
+                self.learn(g, a, positive);
+                self.learn(g, b, positive);
             }
             // a quotient is positive only if neither is 0 and the divisor is not infinite
-            Node::Div(a, b) if now.low > 0.0 && !nan => {
-                if nonnegative(self, a) && nonnegative(self, b) {
-                    self.learn(g, a, positive);
-                    let low = if now.high < INF { f.tiny() } else { 0.0 };
-                    self.learn(g, b, Range::within(low, f.max()));
-                }
+            Node::Div(a, b)
+                if now.low > 0.0 && !nan && nonnegative(self, a) && nonnegative(self, b) =>
+            {
+                self.learn(g, a, positive);
+                let low = if now.high < INF { f.tiny() } else { 0.0 };
+                self.learn(g, b, Range::within(low, f.max()));
             }
             _ => {}
         }
@@ -553,9 +553,10 @@ impl Known {
                 continue;
             }
             match g.nodes[id as usize] {
-                Node::Select(test, then, otherwise) => match self.answer(g, test) {
-                    Some(answer) => stack.push(if answer { then } else { otherwise }),
-                    None => {
+                Node::Select(test, then, otherwise) => {
+                    if let Some(answer) = self.answer(g, test) {
+                        stack.push(if answer { then } else { otherwise });
+                    } else {
                         if first.is_none_or(|(earlier, _)| id < earlier) {
                             first = Some((id, test));
                         }
@@ -564,7 +565,7 @@ impl Known {
                             stack.extend([a, b]);
                         }
                     }
-                },
+                }
                 Node::Neg(a) | Node::Abs(a) | Node::Sqrt(a) => stack.push(a),
                 Node::Add(a, b)
                 | Node::Sub(a, b)

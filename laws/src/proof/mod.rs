@@ -226,12 +226,16 @@ pub fn check_ranges(
 /// black, so their product is NaN:
 ///
 /// ```should_panic
+/// use shading::Real;
 /// use shading_laws::proof::{Goal, Range};
 ///
+/// fn arriving<T: Real>(light: T, q: T) -> T {
+///     light * (T::ONE / (q * q))
+/// }
+///
 /// shading_laws::prove(|given| {
-///     let (q, light) = (given.not_negative("q"), given.not_negative("light"));
-///     let one = <_ as shading::Real>::ONE;
-///     vec![Goal::Within(light * (one / (q * q)), Range::within(0.0, f64::INFINITY))]
+///     let (light, q) = (given.not_negative("light"), given.not_negative("q"));
+///     vec![Goal::Within(arriving(light, q), Range::within(0.0, f64::INFINITY))]
 /// });
 /// ```
 ///

@@ -192,7 +192,9 @@ impl Range {
         .tidy()
     }
 
-    pub(super) fn neg(self) -> Self {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn opposite(self) -> Self {
         Self {
             low: -self.high,
             high: -self.low,
@@ -202,7 +204,9 @@ impl Range {
         .tidy()
     }
 
-    pub(super) fn abs(self) -> Self {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn abs(self) -> Self {
         let low = if self.low <= 0.0 && self.high >= 0.0 {
             0.0
         } else {
@@ -221,7 +225,9 @@ impl Range {
         .tidy()
     }
 
-    pub(super) fn add(self, b: Self, f: Format) -> Self {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn add(self, b: Self, f: Format) -> Self {
         if !self.has_numbers() || !b.has_numbers() {
             return Self::NAN;
         }
@@ -236,17 +242,21 @@ impl Range {
         .tidy()
     }
 
-    pub(super) fn sub(self, b: Self, f: Format) -> Self {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn sub(self, b: Self, f: Format) -> Self {
         // x − y = 0 has no sign, except −0 − 0
         let minus_zero = self.minus_zero && b.has(0.0);
         Self {
             minus_zero,
-            ..self.add(b.neg(), f)
+            ..self.add(b.opposite(), f)
         }
         .tidy()
     }
 
-    pub(super) fn mul(self, b: Self, f: Format) -> Self {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn mul(self, b: Self, f: Format) -> Self {
         if !self.has_numbers() || !b.has_numbers() {
             return Self::NAN;
         }
@@ -263,7 +273,9 @@ impl Range {
         Self::of(&candidates, nan, minus, self.finite && b.finite)
     }
 
-    pub(super) fn square(self, f: Format) -> Self {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn square(self, f: Format) -> Self {
         let size = self.abs();
         Self {
             nan: self.nan, // not 0 · ∞
@@ -272,7 +284,9 @@ impl Range {
         }
     }
 
-    pub(super) fn div(self, b: Self, f: Format) -> Self {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn div(self, b: Self, f: Format) -> Self {
         if !self.has_numbers() || !b.has_numbers() {
             return Self::NAN;
         }
@@ -307,7 +321,9 @@ impl Range {
         Self::of(&candidates, self.nan || b.nan || nan, minus, self.finite)
     }
 
-    pub(super) fn sqrt(self, f: Format) -> Self {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn sqrt(self, f: Format) -> Self {
         let nan = self.nan || self.low < 0.0;
         if !self.has_numbers() || self.high < 0.0 {
             return Self { nan, ..Self::NONE };

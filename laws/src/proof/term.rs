@@ -27,6 +27,7 @@ impl Format {
     /// The nearest number. For + − × ÷ √ of two `f32`, rounding the result of `f64` once more is
     /// correct, because 53 ≥ 2·24 + 2.
     #[allow(clippy::cast_possible_truncation)] // it is what rounds
+    #[must_use]
     pub fn round(self, x: f64) -> f64 {
         match self {
             Self::F32 => f64::from(x as f32),
@@ -35,6 +36,7 @@ impl Format {
     }
 
     /// The largest finite number.
+    #[must_use]
     pub fn max(self) -> f64 {
         match self {
             Self::F32 => f32::MAX.into(),
@@ -43,6 +45,7 @@ impl Format {
     }
 
     /// `Real::EXTREME`.
+    #[must_use]
     pub fn extreme(self) -> f64 {
         match self {
             Self::F32 => f32::EXTREME.into(),
@@ -51,6 +54,7 @@ impl Format {
     }
 
     /// The smallest number above 0.
+    #[must_use]
     pub fn tiny(self) -> f64 {
         match self {
             Self::F32 => f32::from_bits(1).into(),
@@ -59,6 +63,7 @@ impl Format {
     }
 
     /// The unit roundoff.
+    #[must_use]
     pub fn u(self) -> f64 {
         match self {
             Self::F32 => f64::from(f32::EPSILON) / 2.0,
@@ -68,6 +73,7 @@ impl Format {
 
     /// The next number.
     #[allow(clippy::cast_possible_truncation)] // it is one of these numbers
+    #[must_use]
     pub fn next_up(self, x: f64) -> f64 {
         if x.is_nan() || x == f64::INFINITY {
             return x;
@@ -88,6 +94,7 @@ impl Format {
     }
 
     /// The number before it.
+    #[must_use]
     pub fn next_down(self, x: f64) -> f64 {
         -self.next_up(-x)
     }
@@ -205,9 +212,12 @@ impl Graph {
             },
             Node::Mul(a, b) | Node::Div(a, b) => {
                 let is_mul = matches!(node, Node::Mul(..));
-                let make = |a: u32, b: u32| match is_mul {
-                    true => Node::Mul(a.min(b), a.max(b)),
-                    false => Node::Div(a, b),
+                let make = |a: u32, b: u32| {
+                    if is_mul {
+                        Node::Mul(a.min(b), a.max(b))
+                    } else {
+                        Node::Div(a, b)
+                    }
                 };
                 match (of(a), of(b)) {
                     (_, _) if b == ONE => Simple::Node(a),
@@ -285,6 +295,7 @@ impl Graph {
     }
 
     /// Whether a test holds, in a run with numbers.
+    #[must_use]
     pub fn holds(&self, test: Test) -> bool {
         let v = |id: u32| self.values[id as usize];
         match test {

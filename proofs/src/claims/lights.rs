@@ -19,6 +19,7 @@ fn ranged_lamp(given: Given) -> PointLight<Term, Ranged<Term>> {
     PointLight { position, intensity: given.rgb("I"), attenuation: any_ranged(given) }
 }
 type Spot = SpotLight<Term, SoftCone<Term>>;
+type Kind = Light<Term, SoftCone<Term>>;
 fn spot(given: Given, position: Vec3<Term>) -> Spot {
     let (point, axis) = (lamp(given, position), any_direction(given, "axis"));
     SpotLight { point, axis, cone: soft_cone(given).smoothstep() }
@@ -46,7 +47,7 @@ claims! {
     }
     light_is_its_kind: "`Light::at` is `at` of its kind, to the bit, positions of any bits" |given| {
         let (spot, p) = (spot(given, any_vector(given, "position")), any_vector(given, "p"));
-        let (point, spot) = ((Light::<_, SoftCone<_>>::from(spot.point).at(p), spot.point.at(p)), (Light::from(spot).at(p), spot.at(p)));
+        let (point, spot) = ((Kind::from(spot.point).at(p), spot.point.at(p)), (Kind::from(spot).at(p), spot.at(p)));
         [point, spot].iter().flat_map(|(a, b)| [same(*a.l, *b.l), same(a.intensity, b.intensity)].concat()).collect()
     }
     light_at_the_point: "`PointLight::at` and `SpotLight::at` where the light is: black, at the largest distance" |given| {
@@ -75,9 +76,8 @@ claims! {
         black(lamp.at(any_vector(given, "p")))
     }
     incident_of_nan: "`IncidentLight::in_front` is `None` if L is NaN" |given| {
-        let mut l = any_vector(given, "l");
-        l.x = given.number("nan", Range::NAN);
-        let light = IncidentLight { l: UnitVec3::assume_unit(l), ..incident(given, "light") };
+        let l = nan_direction(given, "l");
+        let light = IncidentLight { l, ..incident(given, "light") };
         none(light.in_front(any_direction(given, "n")))
     }
 }

@@ -1,5 +1,7 @@
 //! The promises of the documentation, for every input that they speak of.
 
+#![allow(clippy::wildcard_imports)] // each table of claims uses nearly all that is here
+
 mod lights;
 mod normals;
 mod sums;
@@ -50,11 +52,18 @@ fn any_vector(given: Given, name: &str) -> Vec3<Term> {
 fn any_direction(given: Given, name: &str) -> UnitVec3<Term> {
     UnitVec3::assume_unit(any_vector(given, name))
 }
-/// A vector whose first component is infinite or NaN, and the others anything.
+/// Any vector with one component of a kind, whichever it is.
+fn with_one(given: Given, name: &str, kind: Range) -> Vec3<Term> {
+    let (mut v, one) = (any_vector(given, name), given.number(&format!("{name}'"), kind));
+    *[&mut v.x, &mut v.y, &mut v.z][given.one_of(3) as usize] = one;
+    v
+}
+/// A component is infinite or NaN, and the others are anything.
 fn broken(given: Given, name: &str) -> Vec3<Term> {
-    let x = given.number(&format!("{name}.x"), Range::NOT_FINITE);
-    let [y, z] = ["y", "z"].map(|axis| given.any(&format!("{name}.{axis}")));
-    Vec3::new(x, y, z)
+    with_one(given, name, Range::NOT_FINITE)
+}
+fn nan_direction(given: Given, name: &str) -> UnitVec3<Term> {
+    UnitVec3::assume_unit(with_one(given, name, Range::NAN))
 }
 fn broken_direction(given: Given, name: &str) -> UnitVec3<Term> {
     UnitVec3::assume_unit(broken(given, name))

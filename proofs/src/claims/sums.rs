@@ -105,14 +105,12 @@ claims! {
         adds_nothing(&scene, light)
     }
     nan_direction: "a light whose L is NaN adds nothing, to the bit; the other directions of any bits" |given| {
-        let mut l = any_vector(given, "l");
-        l.x = given.number("nan", Range::NAN);
-        let light = IncidentLight { l: UnitVec3::assume_unit(l), ..incident(given, "light") };
+        let l = nan_direction(given, "l");
+        let light = IncidentLight { l, ..incident(given, "light") };
         adds_nothing(&of_any_directions(given, 32), light)
     }
     nan_lamp: "a lamp with a coordinate that is NaN adds nothing, to the bit; the other coordinates of any bits" |given| {
-        let mut position = any_vector(given, "position");
-        position.x = given.number("nan", Range::NAN);
+        let position = with_one(given, "position", Range::NAN);
         adds_nothing(&scene(given, 32), lamp(given, position).at(any_vector(given, "p")))
     }
     opposite: "`shade::blinn_phong` has no highlight for L = −V" |given| {

@@ -21,14 +21,13 @@ claims! {
         within([given.vector("v", Range::within(-INF, INF)).length()], light())
     }
     length_of_infinite: "`Vec3::length` is ∞ if a component is infinite and none is NaN" |given| {
-        let numbers = Range::within(-INF, INF);
-        let mut v = given.vector("v", numbers);
-        v.x = given.number("infinite", Range { nan: false, ..Range::NOT_FINITE });
+        let mut v = given.vector("v", Range::within(-INF, INF));
+        let infinite = given.number("infinite", Range { nan: false, ..Range::NOT_FINITE });
+        *[&mut v.x, &mut v.y, &mut v.z][given.one_of(3) as usize] = infinite;
         within([v.length()], Range::within(INF, INF))
     }
     length_of_nan: "`Vec3::length` is NaN if a component is" |given| {
-        let mut v = any_vector(given, "v");
-        v.x = given.number("nan", Range::NAN);
+        let v = with_one(given, "v", Range::NAN);
         within([v.length()], Range::NAN)
     }
     unit_of_any: "`Vec3::unit` of any bits is `None` or finite" |given| {
