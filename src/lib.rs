@@ -98,7 +98,7 @@
 //! | 4 scenes | `light`, `material` |
 //! | 3 formulas | `direction`, `term`, `normal`, `attenuation`, `range`, `cone`, `soft_cone` |
 //! | 2 differentiation | `dual` |
-//! | 1 vectors, colors | `componentwise`, `vector`, `rescale`, `unit`, `rgb`, `encoding` |
+//! | 1 vectors, colors | `componentwise`, `vector`, `unit`, `rgb`, `encoding` |
 //! | 0 numbers | `flag`, `real`, `elementary`, `exponent` |
 #![no_std]
 #![deny(unsafe_code)]
@@ -121,7 +121,6 @@ mod real;
 
 mod componentwise;
 mod encoding;
-mod rescale;
 mod rgb;
 mod unit;
 mod vector;

@@ -70,12 +70,10 @@ impl<T: Real> SoftCone<T> {
     #[inline]
     #[must_use]
     pub fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
-        // 0 on the inner edge and 1 on the outer one; if the edges coincide, ∞ outside and NaN on
-        // the edge
-        let outward = (self.inner - (-axis).dot(l)) / (self.inner - self.outer);
-        let t = outward
-            .if_positive(T::ONE - outward, T::ONE)
-            .at_least(T::ZERO);
+        // 1 on the inner edge; if the edges coincide, ±∞ beside them and NaN on them. Counted from the
+        // outer edge, a faint light keeps its digits.
+        let t = ((-axis).dot(l) - self.outer) / (self.inner - self.outer);
+        let t = (T::ONE - t).if_positive(t.at_least(T::ZERO), T::ONE);
         if self.smoothstep == YES {
             (t * t * (T::ONE + T::ONE + T::ONE - (t + t))).at_most(T::ONE)
         } else {

@@ -32,6 +32,7 @@ for_f32_and_f64!(
     two_lights_with_blinn,
     spot_inside_and_outside_30_degrees,
     soft_spot_between_its_edges,
+    faint_edge_of_a_soft_spot_keeps_its_digits,
     attenuation_halfway_to_its_range,
     a_scene_maps_to_another_number_type,
     dual_sum_product_and_quotient,
@@ -270,6 +271,24 @@ fn soft_spot_between_its_edges<T: Float>() {
     let cone = SoftCone::of_cosines(T::ONE, T::of(0.6)).expect("cosines");
     let factors = [cone, cone.smoothstep()].map(|cone| cone.factor(-UnitVec3::Z, slanted()));
     assert_near(factors, [0.25, 0.5], 40.0);
+}
+
+fn faint_edge_of_a_soft_spot_keeps_its_digits<T: Float>() {
+    // The cosine of L is c = ½ + kε, exactly, and both differences in t = (c − ½)/(inner − ½) are
+    // exact. The quotient is off by 1u of itself, its square by 3u; here and in f64.
+    let (outer, epsilon) = (0.5, 2.0 * T::U);
+    for inner in [0.7, 0.8, 0.9, 0.95] {
+        let cone = SoftCone::of_cosines(T::of(inner), T::of(outer)).expect("cosines");
+        let width = cone.cosines()[0].to_f64() - outer;
+        for k in (0..20).map(|i| f64::exp2(f64::from(i)) + 1.0) {
+            let cosine = outer + k * epsilon;
+            let l = UnitVec3::assume_unit(vector([(1.0 - cosine * cosine).sqrt(), 0.0, cosine]));
+            let t = k * epsilon / width;
+            let factor = cone.factor(-UnitVec3::Z, l).to_f64();
+            let error = (factor / (t * t) - 1.0).abs();
+            assert!(error <= 8.0 * T::U, "{inner}, {k}: {error:e}");
+        }
+    }
 }
 
 fn attenuation_halfway_to_its_range<T: Float>() {

@@ -1,7 +1,6 @@
 //! The normals of a mesh's vertices.
 
 use crate::real::{Real, constant, parts};
-use crate::rescale::rescaled_difference;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -62,7 +61,7 @@ use crate::vector::Vec3;
 #[must_use]
 pub fn corner<T: Real>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Vec3<T> {
     let none = UnitVec3::assume_unit(Vec3::ZERO);
-    let (e1, e2) = (rescaled_difference(v2, v1), rescaled_difference(v3, v1));
+    let (e1, e2) = (v2.rescaled_from(v1).0, v3.rescaled_from(v1).0);
     let product = e1.cross(e2);
     let n = product.unit_or(none);
     let lengths = e1.dot(e1).sqrt() * e2.dot(e2).sqrt();

@@ -223,19 +223,12 @@ pub trait Real:
         triple::unit(v)
     }
 
-    /// v times a power of two that keeps its products within range.
+    /// `to` − `from`, times a power of two that keeps its products within range, and that power, for
+    /// [`rescaled_by`](Real::rescaled_by).
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn rescaled(v: [Self; 3]) -> [Self; 3] {
-        triple::rescaled(v)
-    }
-
-    /// `to` − `from`, likewise.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn rescaled_difference(to: [Self; 3], from: [Self; 3]) -> [Self; 3] {
+    fn rescaled_difference(to: [Self; 3], from: [Self; 3]) -> ([Self; 3], Self) {
         triple::rescaled_difference(to, from)
     }
 
@@ -243,8 +236,16 @@ pub trait Real:
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn rescaled_together(vectors: [[Self; 3]; 3]) -> Option<[[Self; 3]; 3]> {
+    fn rescaled_together(vectors: [[Self; 3]; 3]) -> Option<([[Self; 3]; 3], Self)> {
         triple::rescaled_together(vectors)
+    }
+
+    /// v times a power that rescaled another vector.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn rescaled_by(v: [Self; 3], power: Self) -> [Self; 3] {
+        Self::scaled(v, power)
     }
 
     /// L, q and the distance of a light, given its position and the point, and the way to the light.

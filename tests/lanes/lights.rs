@@ -1,4 +1,4 @@
-//! Lights in lanes: who is where, and in which order the lanes add up.
+//! Lights in lanes: which light is in which lane, and in which order the lanes add up.
 
 use proptest::prelude::*;
 use shading::{

@@ -4,8 +4,8 @@
 use shading::{Attenuation, Ranged, UnitVec3, Vec3};
 use support::number::{Number, for_f32_and_f64};
 
-use crate::running::{Bounded, Float};
 use crate::table::Tally;
+use support::running::{Bounded, Float};
 
 for_f32_and_f64!(soft_cones, ranges);
 

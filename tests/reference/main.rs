@@ -2,7 +2,6 @@
 
 // shared by the comparisons
 mod json;
-mod running;
 mod scene;
 mod surfaces;
 mod table;

@@ -4,9 +4,9 @@ use serde_json::Value;
 use support::number::for_f32_and_f64;
 
 use crate::json::{cases, lamps, number, three};
-use crate::running::Float;
 use crate::scene::{Lamp, Scene, Source, Spot, minus};
 use crate::table::Tally;
+use support::running::Float;
 
 for_f32_and_f64!(povray);
 

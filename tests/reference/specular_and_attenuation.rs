@@ -6,8 +6,8 @@ use shading::{
 };
 use support::number::{Number, for_f32_and_f64, vector};
 
-use crate::running::{Bounded, Float};
 use crate::table::{Row, Tally, rows};
+use support::running::{Bounded, Float};
 
 for_f32_and_f64!(
     reflections,

@@ -62,7 +62,7 @@ pub unsafe fn output<'a, T>(
     Ok(unsafe { from_raw_parts_mut(data, count) })
 }
 
-/// Where a buffer lies.
+/// The addresses of a buffer.
 pub fn bytes<T>(buffer: &Range<*const T>) -> Range<usize> {
     buffer.start.addr()..buffer.end.addr()
 }

@@ -1,8 +1,8 @@
 //! The error of each function for an input made from some numbers.
 
 use shading::{
-    Elementary, Exponent, IncidentLight, Material, PointLight, Real, Rgb, Shaded, UnitVec3, Vec3,
-    attenuation, half_vector, normal, reflection, shade, term,
+    Attenuation, Elementary, Exponent, IncidentLight, Material, PointLight, Ranged, Real, Rgb,
+    Shaded, SoftCone, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 
 use crate::many_digits::{self as exact, Number, Vector, number, vector};

@@ -12,7 +12,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use shading::{Elementary, Exponent, Real, SoftCone};
 
-use support::number::{self, Number};
+use crate::number::{self, Number};
 
 /// `f32` or `f64`, together with a number type that bounds its error.
 pub trait Float: number::Float {
@@ -28,7 +28,8 @@ impl Float for f64 {
 }
 
 /// A number that bounds the error of the float in its place.
-pub trait Bounded {
+pub trait Bounded: Copy {
+    fn value(self) -> f64;
     fn error(self) -> f64;
 }
 
@@ -69,9 +70,11 @@ impl<const BITS: u32> Running<BITS> {
         } else {
             Self::U * value.abs() + Self::UNDERFLOW
         };
+        let error = error + rounding;
         Self {
             value,
-            error: error + rounding,
+            // ∞·0: nothing is known
+            error: if error.is_nan() { f64::INFINITY } else { error },
         }
     }
 
@@ -96,6 +99,10 @@ impl<const BITS: u32> Running<BITS> {
 }
 
 impl<const BITS: u32> Bounded for Running<BITS> {
+    fn value(self) -> f64 {
+        self.value
+    }
+
     fn error(self) -> f64 {
         self.error
     }
@@ -226,10 +233,12 @@ impl<const BITS: u32> Real for Running<BITS> {
         } else {
             0.0
         };
-        Self {
-            error: taken.error.max(gap),
-            ..taken
-        }
+        let error = if gap.is_nan() {
+            f64::INFINITY
+        } else {
+            taken.error.max(gap)
+        };
+        Self { error, ..taken }
     }
 
     fn any_positive(self) -> bool {
