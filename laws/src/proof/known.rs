@@ -158,8 +158,10 @@ impl Known {
         if let Some(shown) = get(&self.shown, id) {
             range = range.meet(shown);
         }
-        if let Some(shown) = g.mirror(id).and_then(|mirror| get(&self.shown, mirror)) {
-            range = range.meet(shown.opposite().with_zeros());
+        for mirror in g.mirrors(id) {
+            if let Some(shown) = get(&self.shown, mirror) {
+                range = range.meet(shown.opposite().with_zeros());
+            }
         }
         set(&mut self.memo, id, range);
         range
@@ -473,8 +475,8 @@ impl Known {
         set(&mut self.shown, id, now);
         self.memo.clear();
         self.learn_parts(g, id, now);
-        if let Some(mirror) = g.mirror(id) {
-            if !matches!(g.nodes[id as usize], Node::Neg(_)) {
+        if !matches!(g.nodes[id as usize], Node::Neg(_)) {
+            for mirror in g.mirrors(id) {
                 self.learn(g, mirror, now.opposite().with_zeros());
             }
         }

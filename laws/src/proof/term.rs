@@ -153,8 +153,8 @@ pub struct Graph {
     pub format: Format,
     pub nodes: Vec<Node>,
     index: HashMap<Node, u32>,
-    /// The node that has the opposite value, apart from the sign of a zero.
-    mirrors: HashMap<u32, u32>,
+    /// The nodes that have the opposite value, apart from the sign of a zero.
+    mirrors: HashMap<u32, Vec<u32>>,
     pub names: Vec<(String, Range)>,
     /// What is assumed and what was answered, in this run.
     pub path: Vec<(Test, bool)>,
@@ -241,22 +241,35 @@ impl Graph {
         self.nodes.push(node);
         let value = self.value(node);
         self.values.push(value);
-        // −p − q has the opposite value of p + q
         if let Node::Sub(a, b) = node {
-            if let Some(p) = self.mirror(a) {
+            // −p − q has the opposite value of p + q, and q − p that of p − q
+            let negated: Vec<u32> = self.mirrors(a).collect();
+            for p in negated {
                 let Term(mirror) = self.insert(Node::Add(p.min(b), p.max(b)));
-                self.mirrors.extend([(id, mirror), (mirror, id)]);
+                self.mirror(id, mirror);
+            }
+            if let Some(&mirror) = self.index.get(&Node::Sub(b, a)) {
+                self.mirror(id, mirror);
             }
         }
         Term(id)
     }
 
-    /// The node that has the opposite value, apart from the sign of a zero.
-    pub(super) fn mirror(&self, id: u32) -> Option<u32> {
-        match self.nodes[id as usize] {
+    fn mirror(&mut self, a: u32, b: u32) {
+        self.mirrors.entry(a).or_default().push(b);
+        self.mirrors.entry(b).or_default().push(a);
+    }
+
+    /// The nodes that have the opposite value, apart from the sign of a zero.
+    pub(super) fn mirrors(&self, id: u32) -> impl Iterator<Item = u32> {
+        let inner = match self.nodes[id as usize] {
             Node::Neg(x) => Some(x),
-            _ => self.mirrors.get(&id).copied(),
-        }
+            _ => None,
+        };
+        let recorded = self.mirrors.get(&id);
+        inner
+            .into_iter()
+            .chain(recorded.into_iter().flatten().copied())
     }
 
     /// The node, if it has been recorded.
