@@ -139,6 +139,17 @@ fn vectors<T: Float>(numbers: &mut Numbers<T>) {
     let bytes = single.to_srgb8();
     assert_eq!(Rgb::from_srgb8(bytes).to_srgb8(), bytes);
     assert_eq!(single.clamped().to_rgb565(), single.to_rgb565());
+    assert_eq!(
+        Rgb::from_rgb565(single.to_rgb565()).to_rgb565(),
+        single.to_rgb565()
+    );
+    assert_eq!(single.clamped().to_linear8(), single.to_linear8());
+    assert_eq!(single.clamped().to_linear565(), single.to_linear565());
+    let double = single.map(f64::from);
+    assert_eq!(
+        (double.to_srgb8(), double.to_rgb565()),
+        (bytes, single.to_rgb565())
+    );
     let _ = (s.sqrt(), s.abs(), s.sin(), s.cos(), s.exp(), s.ln());
     // a signaling NaN, which no operation returns, may be its own positive part
     assert!((s + T::ZERO).at_least(T::ZERO) >= T::ZERO);

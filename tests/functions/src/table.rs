@@ -88,6 +88,9 @@ macro_rules! for_each_function {
             to_srgb8 "Rgb::to_srgb8" |g| g.rgb.map(T::single).to_srgb8() => nothing;
             from_srgb8 "Rgb::from_srgb8" |g| { let [r, g, b, _] = g.bits.to_le_bytes(); Rgb::from_srgb8([r, g, b]) } => share;
             to_rgb565 "Rgb::to_rgb565" |g| g.rgb.map(T::single).to_rgb565() => nothing;
+            from_rgb565 "Rgb::from_rgb565" |g| { let [low, high, ..] = g.bits.to_le_bytes(); Rgb::from_rgb565(u16::from_le_bytes([low, high])) } => share;
+            to_linear8 "Rgb::to_linear8" |g| g.rgb.map(T::single).to_linear8() => nothing;
+            to_linear565 "Rgb::to_linear565" |g| g.rgb.map(T::single).to_linear565() => nothing;
         }
         ANGLES: Number {
             sin "Elementary::sin" |g| g.x.sin() => nothing;
