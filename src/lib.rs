@@ -179,8 +179,12 @@ pub mod guide {
     pub mod invariants {}
     #[doc = include_str!("../docs/performance.md")]
     pub mod performance {}
+    #[doc = include_str!("../docs/porting.md")]
+    pub mod porting {}
     #[doc = include_str!("../docs/precision.md")]
     pub mod precision {}
+    #[doc = include_str!("../docs/proofs.md")]
+    pub mod proofs {}
     #[doc = include_str!("../docs/recipes.md")]
     pub mod recipes {}
     #[cfg(not(doctest))] // its examples need other crates; `tests/features` runs them
