@@ -183,6 +183,8 @@ pub mod guide {
     pub mod porting {}
     #[doc = include_str!("../docs/precision.md")]
     pub mod precision {}
+    #[doc = include_str!("../docs/proofs.md")]
+    pub mod proofs {}
     #[doc = include_str!("../docs/recipes.md")]
     pub mod recipes {}
     #[cfg(not(doctest))] // its examples need other crates; `tests/features` runs them
