@@ -20,8 +20,8 @@ chips:
 
 # race against handwritten code, and count the instructions of every function
 bench:
-    cargo bench --bench versus
-    cargo bench --bench instructions -- --check
+    cargo bench -p shading-benches --bench versus
+    cargo bench -p shading-benches --bench instructions -- --check
 
 # draw the gallery into target/gallery, and redraw the READMEs' pictures
 pictures:

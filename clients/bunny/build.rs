@@ -1,5 +1,5 @@
-//! Thins the gallery's bunny out to some hundred triangles: vertices in one cell of a grid become one, their
-//! mean.
+//! Thins the gallery's bunny out to a few hundred triangles: the vertices in one cell of a grid are replaced by
+//! their mean.
 //!
 //! Source: Rossignac and Borrel, *Multi-resolution 3D approximations for rendering complex scenes*, 1993.
 
@@ -65,7 +65,7 @@ fn main() {
             && b != c
             && c != a
         {
-            // the same triangle, whichever corner is the first
+            // as one triangle, whichever corner comes first
             faces.insert(
                 [[a, b, c], [b, c, a], [c, a, b]]
                     .into_iter()

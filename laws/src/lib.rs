@@ -74,6 +74,9 @@
 // a number type
 pub mod number;
 
+// a formula
+pub mod proof;
+
 // a renderer: each paragraph uses the ones above it
 mod mistake;
 mod profile;
@@ -99,6 +102,7 @@ pub use mistake::Mistake;
 #[doc(inline)]
 pub use number::Number;
 pub use profile::Profile;
+pub use proof::prove;
 pub use renderer::{Renderer, from_fn};
 pub use report::{Counterexample, LawReport, Report, Verdict};
 pub use run::{Laws, Progress, check};

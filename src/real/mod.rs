@@ -1,5 +1,6 @@
 //! The number type that every formula is written over.
 
+mod angle;
 pub(crate) mod root;
 pub(crate) mod triple;
 pub(crate) mod whole_power;
@@ -8,9 +9,10 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A real number: `f32`, `f64`, a dual number, a set of SIMD lanes, or a type of your own.
 ///
-/// The trait has the operations that the formulas of this crate need, and no more. All of them
-/// round correctly, so a result has the same bits on every machine. There is no comparison:
-/// [`if_positive`](Real::if_positive) makes each decision, separately for each lane.
+/// The trait has the operations that the formulas of this crate need. `f32`, `f64` and the SIMD
+/// lanes round each of + − × ÷ √ correctly, so their results have the same bits on every machine.
+/// There is no comparison: [`if_positive`](Real::if_positive) makes each decision, separately for
+/// each lane.
 ///
 /// ```
 /// use shading::Real;
@@ -79,9 +81,8 @@ pub trait Real:
     #[must_use]
     fn sqrt(self) -> Self;
 
-    /// `then` where `self` > 0, and `otherwise` elsewhere, which includes 0, −0 and NaN. Lanes are
-    /// selected one by one. Maximum, clamp and every guard against a degenerate case are built from
-    /// this method.
+    /// Selects `then` where `self` > 0 and `otherwise` elsewhere, also for 0, −0 and NaN. In lanes,
+    /// each lane is selected on its own. Maximum, clamp and all guards are built from this method.
     ///
     /// ```
     /// use shading::Real;
@@ -172,8 +173,15 @@ pub trait Real:
         [x * factor, y * factor, z * factor]
     }
 
-    /// The share of a light that is left by its range r, which may be infinite; in a type without
-    /// infinities, `MAX` counts as infinite.
+    /// self/whole, where `whole` may be infinite; in a type without infinities, `MAX` counts as infinite.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn ratio(self, whole: Self) -> Self {
+        self / whole
+    }
+
+    /// The share of a light that its range r leaves, which may be infinite as for [`ratio`](Real::ratio).
     ///
     /// ```text
     /// max(0, 1 − (q/r)⁴)²
@@ -185,7 +193,25 @@ pub trait Real:
         triple::window(q, r)
     }
 
-    /// v/(a + bq + cq²), where 1/(a + bq + cq²) counts as `limit` at most. q may be the finer one of
+    /// The distance from 1 to the next number above.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn epsilon() -> Self {
+        epsilon()
+    }
+
+    /// The cosine of a half-angle in radians; `None` outside [0, π].
+    #[doc(hidden)]
+    #[must_use]
+    fn cosine_of_half_angle(self) -> Option<Self>
+    where
+        Self: PartialOrd,
+    {
+        angle::cosine_of_half_angle(self)
+    }
+
+    /// v/(a + bq + cq²), where 1/(a + bq + cq²) counts as `limit` at most, given the two q of
     /// [`direction_and_distance`](Real::direction_and_distance).
     #[doc(hidden)]
     #[inline(always)]
@@ -193,10 +219,10 @@ pub trait Real:
     fn attenuated(
         v: [Self; 3],
         coefficients: [Self; 3],
-        q: Self,
+        q: [Self; 2],
         limit: impl FnOnce() -> Self,
     ) -> [Self; 3] {
-        triple::attenuated(v, coefficients, q, limit)
+        triple::attenuated(v, coefficients, q[0], limit)
     }
 
     /// The same times the [`window`](Real::window) of a range r. q is the length of `to_light`.
@@ -207,11 +233,11 @@ pub trait Real:
         r: Self,
         v: [Self; 3],
         coefficients: [Self; 3],
-        q: Self,
+        q: [Self; 2],
         _to_light: impl FnOnce() -> [Self; 3],
         limit: impl FnOnce() -> Self,
     ) -> [Self; 3] {
-        let v = Self::scaled(v, Self::window(q, r));
+        let v = Self::scaled(v, Self::window(q[0], r));
         Self::attenuated(v, coefficients, q, limit)
     }
 
@@ -231,19 +257,12 @@ pub trait Real:
         triple::unit(v)
     }
 
-    /// v times a power of two that keeps its products within range.
+    /// `to` − `from`, times a power of two that keeps its products within range, and that power, for
+    /// [`rescaled_by`](Real::rescaled_by).
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn rescaled(v: [Self; 3]) -> [Self; 3] {
-        triple::rescaled(v)
-    }
-
-    /// `to` − `from`, likewise.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn rescaled_difference(to: [Self; 3], from: [Self; 3]) -> [Self; 3] {
+    fn rescaled_difference(to: [Self; 3], from: [Self; 3]) -> ([Self; 3], Self) {
         triple::rescaled_difference(to, from)
     }
 
@@ -251,8 +270,16 @@ pub trait Real:
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn rescaled_together(vectors: [[Self; 3]; 3]) -> Option<[[Self; 3]; 3]> {
+    fn rescaled_together(vectors: [[Self; 3]; 3]) -> Option<([[Self; 3]; 3], Self)> {
         triple::rescaled_together(vectors)
+    }
+
+    /// v times a power that rescaled another vector.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn rescaled_by(v: [Self; 3], power: Self) -> [Self; 3] {
+        Self::scaled(v, power)
     }
 
     /// L, q and the distance of a light, given its position and the point, and the way to the light. There
@@ -301,6 +328,21 @@ pub trait Real:
     }
 }
 
+/// The distance from 1 to the next number above, or 2⁻¹⁰⁰ if that is smaller: what is computed from
+/// a sum of two numbers, as some types are, errs by more than the next number above 1 tells.
+fn epsilon<T: Real>() -> T {
+    let half = T::ONE / (T::ONE + T::ONE);
+    let mut epsilon = T::ONE;
+    for _ in 0..100 {
+        let smaller = epsilon * half;
+        if !(T::ONE + smaller - T::ONE).any_positive() {
+            break;
+        }
+        epsilon = smaller;
+    }
+    epsilon
+}
+
 /// A constant as the sum of three numbers in single precision, split by the compiler.
 /// `constant(const { parts(PI) })` uses no `f64` on the path of `f32`.
 #[inline]
@@ -341,6 +383,11 @@ macro_rules! float {
             #[inline]
             fn sqrt(self) -> Self {
                 $sqrt(self)
+            }
+
+            #[inline]
+            fn epsilon() -> Self {
+                $float::EPSILON
             }
 
             #[inline]

@@ -25,7 +25,7 @@ pub use bunny::{FACES, VERTICES};
 pub const WIDTH: u32 = 160;
 pub const HEIGHT: u32 = 128;
 
-/// x to the right, y up, z to the eye, which is far away.
+/// x points to the right, y up, and z to the eye, which is far away.
 static LIGHTS: [Light; 2] = [
     Light::Directional(DirectionalLight {
         l: UnitVec3::new(0.48, 0.64, 0.6).unwrap(),
@@ -76,11 +76,11 @@ pub fn draw_bunny<D: DrawTarget<Color = Rgb565>>(
     draw(display, &turned, &FACES)
 }
 
-/// At most so many triangles of a model can be seen: more do not fit in the memory.
+/// The most triangles of a model that are drawn: more do not fit in the memory.
 pub const MOST: usize = 600;
 
-/// Any model. A triangle with a vertex that is not there, one without an area, and those beyond [`MOST`]
-/// are left out.
+/// Draws any model. It leaves out triangles with a missing vertex, those without an area, and those
+/// beyond [`MOST`].
 ///
 /// # Errors
 ///
@@ -91,7 +91,7 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
     faces: &[[u16; 3]],
 ) -> Result<(), D::Error> {
     display.clear(rgb565(Rgb::gray(0.01)))?;
-    // how far it is toward the eye, and which one
+    // its depth, which grows toward the eye, and its index
     let mut visible = [(0_i16, 0_u32); MOST];
     let mut count = 0;
     for (&face, i) in faces.iter().zip(0..) {
@@ -128,7 +128,7 @@ fn corners(vertices: &[Vec3], face: [u16; 3]) -> Option<[Vec3; 3]> {
     Some([a?, b?, c?])
 }
 
-/// A display that hands on each rectangle of one color, as drivers send it to the panel.
+/// A display that passes on each rectangle of one color, as drivers send it to the panel.
 pub struct Panel<F>(pub F);
 
 impl<F> OriginDimensions for Panel<F> {

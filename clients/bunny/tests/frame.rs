@@ -1,4 +1,4 @@
-//! The frame by the formula as the books write it, and models as users meet them.
+//! The frame agrees with the formula as the books write it, and bad models are harmless.
 
 use std::collections::BTreeSet;
 
@@ -77,7 +77,7 @@ fn by_hand(corners: [[f64; 3]; 3]) -> [f64; 3] {
     sum
 }
 
-/// Each color that is sent is a triangle's by hand, except for a unit of rounding in a channel.
+/// Each color that is sent is that of a triangle, computed by hand, to one level in each channel.
 #[test]
 fn each_triangle_has_the_formulas_color() {
     let (pixels, colors) = frame(|panel| {
@@ -119,7 +119,7 @@ fn one_triangle_is_where_it_should_be() {
     let pixels = model(&corners.map(Vec3::from), &[[0, 1, 2]]);
     let color = rgb565(by_hand(corners.map(|corner| corner.map(f64::from))));
     assert_eq!(pixels[(64 * WIDTH + 80) as usize], color);
-    // half of 61 × 61 pixels, and its boundary of some 200
+    // half of 61 × 61 pixels, give or take its boundary of about 200
     let seen = pixels.iter().filter(|&&pixel| pixel == color).count() as i32;
     assert!((seen - 61 * 61 / 2).abs() < 200, "{seen}");
 }
@@ -141,7 +141,7 @@ fn bad_models_are_harmless() {
     assert_eq!(model(&corners, &[[0, 2, 1]]), nothing, "turned away");
     let wild = [f32::NAN, f32::INFINITY, f32::MAX].map(|x| Vec3::new(x, -x, x));
     let _ = model(&wild, &[[0, 1, 2], [2, 1, 0]]);
-    // a million of them: those that fit in the memory are drawn
+    // of a million triangles, those that fit in the memory are drawn
     let million = vec![[0, 1, 2]; 1_000_000];
     assert_eq!(model(&corners, &million), model(&corners, &[[0, 1, 2]]));
 }

@@ -31,7 +31,7 @@ use piped::Piped;
 )]
 #[command(
     after_help = "The exit status is 0 if all laws hold, 1 if one is broken, and 2 if the renderer \
-    cannot be talked to."
+    does not answer or answers with nonsense."
 )]
 struct Arguments {
     /// The renderer: a program and its arguments

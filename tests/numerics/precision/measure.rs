@@ -1,8 +1,8 @@
 //! The error of each function for an input made from some numbers.
 
 use shading::{
-    Elementary, Exponent, IncidentLight, Material, PointLight, Real, Rgb, Shaded, UnitVec3, Vec3,
-    attenuation, half_vector, normal, reflection, shade, term,
+    Attenuation, Elementary, Exponent, IncidentLight, Material, PointLight, Ranged, Real, Rgb,
+    Shaded, SoftCone, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 
 use crate::many_digits::{self as exact, Number, Vector, number, vector};
@@ -248,7 +248,7 @@ pub fn soft_cone<T: Float>(is_smooth: bool) -> impl Fn(&mut Numbers) -> f64 {
         let [axis, l] = [direction::<T>(numbers), direction(numbers)];
         let outer = numbers.within(-1.0, 0.9);
         let inner = outer + numbers.within(0.01, f64::min(1.0, 1.0 - outer));
-        let cone = T::soft_cone_from_cosines(T::of(inner), T::of(outer)).expect("cosines");
+        let cone = SoftCone::of_cosines(T::of(inner), T::of(outer)).expect("cosines");
         let cosine = -exact::dot(&vector(axis), &vector(l));
         let [inner, outer] = cone.cosines().map(|cosine| number(cosine.to_f64()));
         let width = inner - &outer;
@@ -265,29 +265,29 @@ pub fn soft_cone<T: Float>(is_smooth: bool) -> impl Fn(&mut Numbers) -> f64 {
 /// The attenuation up to the range, where the light ends.
 pub fn ranged<T: Float>(numbers: &mut Numbers) -> f64 {
     let [a, b, c] = coefficients::<T>(numbers);
-    let free = T::new_attenuation(a, b, c).expect("positive");
+    let free = Attenuation::of(a, b, c).expect("positive");
     let r = T::of(numbers.within(0.1, 100.0));
     let q = r * T::of(numbers.within(0.0, 1.0));
     let share = number(q.to_f64()) / number(r.to_f64());
     let window = exact::clamped(number(1.0) - share.powi(4.into()));
     let free_factor = exact::attenuation(&vector([a, b, c]), &number(q.to_f64()));
     let expected = &free_factor * &window * &window;
-    let ranged = T::within(free, r).expect("a range");
+    let ranged = Ranged::of(free, r).expect("a range");
     error(ranged.at(q), &expected, &free_factor)
 }
 
-/// A lamp of white light: its coefficients, the vector to it, and the light that arrives; `None` at
-/// the lamp.
-fn lamp<T: Float>(numbers: &mut Numbers) -> Option<([T; 3], Vector, IncidentLight<T>)> {
-    let [a, b, c] = coefficients::<T>(numbers);
+/// A lamp, the vector to it, and the light that arrives; `None` at the lamp.
+fn lamp<T: Float>(numbers: &mut Numbers) -> Option<(PointLight<T>, Vector, IncidentLight<T>)> {
+    // often 0, as in an inverse square
+    let [a, b, c] = [(); 3].map(|()| T::of(2.0 * numbers.next().max(0.0)));
     let [position, p] = [point(numbers), point(numbers)];
     let lamp = PointLight {
         position,
-        intensity: Rgb::WHITE,
-        attenuation: T::new_attenuation(a, b, c).expect("positive"),
+        intensity: Rgb::from([(); 3].map(|()| T::of(numbers.within(0.01, 4.0)))),
+        attenuation: Attenuation::of(a, b, c)?,
     };
     let way = exact::subtract(&vector(position), &vector(p));
-    (position != p).then(|| ([a, b, c], way, lamp.at(p)))
+    (position != p).then(|| (lamp, way, lamp.at(p)))
 }
 
 pub fn lamp_direction<T: Float>(numbers: &mut Numbers) -> f64 {
@@ -297,9 +297,15 @@ pub fn lamp_direction<T: Float>(numbers: &mut Numbers) -> f64 {
 }
 
 pub fn lamp_intensity<T: Float>(numbers: &mut Numbers) -> f64 {
-    lamp::<T>(numbers).map_or(0.0, |(coefficients, way, incident)| {
-        let factor = exact::attenuation(&vector(coefficients), &exact::length(&way));
-        error(incident.intensity.r, &factor, &factor)
+    lamp::<T>(numbers).map_or(0.0, |(lamp, way, incident)| {
+        let coefficients = vector(lamp.attenuation.coefficients());
+        let factor = exact::attenuation(&coefficients, &exact::length(&way));
+        let channels = <[T; 3]>::from(incident.intensity).into_iter();
+        let errors = channels.zip(vector(lamp.intensity)).map(|(computed, i)| {
+            let expected = i * &factor;
+            error(computed, &expected, &expected)
+        });
+        errors.fold(0.0, f64::max)
     })
 }
 

@@ -7,7 +7,7 @@
 
 use bunny::{Panel, Turn, draw_bunny};
 
-/// By the angle of the triple 7, 24, 25.
+/// The angle of the Pythagorean triple 7, 24, 25.
 const TURN: Turn = Turn(0.96, 0.28);
 
 macro_rules! print_frame {

@@ -36,7 +36,7 @@ mod show {
         Some(pixels)
     }
 
-    /// Two by two pixels for one, in eight bits.
+    /// Each pixel as two by two, in eight bits per channel.
     fn enlarged(pixels: &[u16]) -> Vec<u8> {
         let (width, height) = (WIDTH as usize, HEIGHT as usize);
         let all = (0..2 * height)
