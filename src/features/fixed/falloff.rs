@@ -86,9 +86,9 @@ impl Factor {
             [high, middle, low]
         } else {
             [
-                high >> (32 - 2 * FINE),
-                high << (2 * FINE) | middle >> (32 - 2 * FINE),
-                middle << (2 * FINE),
+                high >> (2 * FINE),
+                high << (32 - 2 * FINE) | middle >> (2 * FINE),
+                middle << (32 - 2 * FINE),
             ]
         };
         let steps = steps.wrapping_add(below >> 31) as i32;

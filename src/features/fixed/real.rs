@@ -111,9 +111,6 @@ impl Real for Fixed {
         to_light: impl FnOnce() -> [Self; 3],
         limit: impl FnOnce() -> Self,
     ) -> [Self; 3] {
-        if falloff::in_steps(q) >= r {
-            return [Self(0); 3];
-        }
         let mut factor = Factor::of(a, b, c, q).clamped(limit() == Self(ONE));
         if r != Self::MAX {
             factor = factor.within(falloff::window(&to_light(), r));

@@ -147,7 +147,7 @@ const fn normalize(v: &mut [Fixed; 3]) -> Fixed {
     v[1] = share_of(v[1].0 << shift, reciprocal);
     v[2] = share_of(v[2].0 << shift, reciprocal);
     let is_short = length >> 11 >> shift == 0;
-    let shift = if is_short { shift - FINE } else { shift };
+    let shift = shift as i32 - if is_short { FINE as i32 } else { 0 };
     let length = if shift > 5 {
         ((length >> (shift - 6)) + 1) >> 1
     } else {
