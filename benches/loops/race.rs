@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 use std::hint::black_box;
+use std::mem::MaybeUninit;
 use std::time::Instant;
 
 const PASSES: usize = 200;
@@ -44,8 +45,19 @@ pub struct Race<'a, I> {
     contestants: Vec<Contestant<'a, I>>,
 }
 
+/// A closure twice: the compiler inlines what is called only once.
+macro_rules! twice {
+    ($function:expr) => {
+        ($function, $function)
+    };
+}
+pub(crate) use twice;
+
 impl<'a, I> Race<'a, I> {
-    pub fn of<O: Clone + 'a>(name: &'static str, ours: impl Fn(&I) -> O + 'a) -> Self {
+    pub fn of<O: 'a>(
+        name: &'static str,
+        ours: (impl Fn(&I) -> O + 'a, impl Fn(&I) -> O + 'a),
+    ) -> Self {
         let race = Self {
             name,
             contestants: Vec::new(),
@@ -54,20 +66,18 @@ impl<'a, I> Race<'a, I> {
     }
 
     #[must_use]
-    pub fn against<O: Clone + 'a>(
+    pub fn against<O: 'a>(
         mut self,
         name: &'static str,
         limit: Limit,
-        theirs: impl Fn(&I) -> O + 'a,
+        (inlined, called): (impl Fn(&I) -> O + 'a, impl Fn(&I) -> O + 'a),
     ) -> Self {
-        let theirs = std::rc::Rc::new(theirs);
-        let again = theirs.clone();
         let results = RefCell::new(Vec::new());
         self.contestants.push(Contestant {
             name,
             limit,
-            in_loop: Box::new(move |inputs| in_loop(&*theirs, inputs, &mut results.borrow_mut())),
-            by_call: Box::new(move |inputs| by_call(&*again, inputs)),
+            in_loop: Box::new(move |inputs| in_loop(&inlined, inputs, &mut results.borrow_mut())),
+            by_call: Box::new(move |inputs| by_call(&called, inputs)),
         });
         self
     }
@@ -138,22 +148,20 @@ impl<'a, I> Race<'a, I> {
 
 /// What users write: the function inlined into a loop over their array.
 #[inline(never)]
-fn in_loop<I, O: Clone>(function: impl Fn(&I) -> O, inputs: &[I], results: &mut Vec<O>) {
-    if let Some(first) = inputs.first() {
-        results.resize(inputs.len(), function(first));
-    }
+fn in_loop<I, O>(function: &impl Fn(&I) -> O, inputs: &[I], results: &mut Vec<MaybeUninit<O>>) {
+    results.resize_with(inputs.len(), MaybeUninit::uninit);
     for (result, input) in results.iter_mut().zip(inputs) {
-        *result = function(input);
+        result.write(function(input));
     }
     black_box(results);
 }
 
-fn by_call<I, O>(function: impl Fn(&I) -> O, inputs: &[I]) {
+fn by_call<I, O>(function: &impl Fn(&I) -> O, inputs: &[I]) {
     #[inline(never)]
-    fn call<I, O>(function: impl Fn(&I) -> O, input: &I) -> O {
+    fn call<I, O>(function: &impl Fn(&I) -> O, input: &I) -> O {
         function(input)
     }
     for input in inputs {
-        black_box(&call(&function, input)); // a copy could wait for the store
+        black_box(&call(function, input)); // a copy could wait for the store
     }
 }
