@@ -4,7 +4,7 @@ use glam::{Mat3, Vec3};
 use shading::{Dual, Real, UnitVec3, normal};
 
 use crate::data::{Vectors, directions, triangles};
-use crate::race::{Race, limit, twice};
+use crate::race::{Data, Limit, Race, limit, twice};
 
 fn torus<T: Real>(p: shading::Vec3<T>) -> T {
     let ring = (p.x * p.x + p.y * p.y).sqrt() - T::of(2.0);
@@ -56,25 +56,33 @@ fn mapped(
     (t * sample.x + b * sample.y + n * sample.z).try_normalize()
 }
 
+/// As fast as on `glam`; by a call, the wider result counts.
+const LIKE: Limit = limit(1.3, 1.4);
+/// The compiler vectorizes the rival.
+const VECTORIZED: Limit = limit(2.5, f64::INFINITY);
+
 pub fn race() -> usize {
     let (triangles, directions) = (triangles(), directions());
-    let like = limit(1.3, 1.3);
-    let vectorized = limit(2.5, f64::INFINITY);
+    of_points(&triangles) + of_functions(&triangles) + of_normals(&triangles, &directions)
+}
+
+/// Normals of points: of a vector, a triangle, its corner, a sphere.
+fn of_points(triangles: &[Data<Vectors>]) -> usize {
     Race::of(
         "Vec3::unit",
         twice!(|Vectors { ours: [a, ..], .. }: &Vectors| a.unit()),
     )
     .against(
         "glam",
-        like,
+        LIKE,
         twice!(|Vectors { glam: [a, ..], .. }| a.try_normalize()),
     )
     .against(
         "plain",
-        vectorized,
+        VECTORIZED,
         twice!(|Vectors { glam: [a, ..], .. }| plain(*a)),
     )
-    .run(&triangles)
+    .run(triangles)
         + Race::of(
             "normal::triangle",
             twice!(|Vectors {
@@ -83,19 +91,19 @@ pub fn race() -> usize {
         )
         .against(
             "glam",
-            like,
+            LIKE,
             twice!(|Vectors {
                         glam: [a, b, c], ..
                     }| { (b - a).cross(c - a).try_normalize() }),
         )
         .against(
             "plain",
-            vectorized,
+            VECTORIZED,
             twice!(|Vectors {
                         glam: [a, b, c], ..
                     }| plain((b - a).cross(c - a))),
         )
-        .run(&triangles)
+        .run(triangles)
         + Race::of(
             "normal::corner",
             twice!(|Vectors {
@@ -103,7 +111,7 @@ pub fn race() -> usize {
                     }: &Vectors| { normal::corner(*a, *b, *c) }),
         )
         .against("glam, acos", limit(1.2, 1.2), twice!(corner))
-        .run(&triangles)
+        .run(triangles)
         + Race::of(
             "normal::sphere",
             twice!(|Vectors {
@@ -112,36 +120,38 @@ pub fn race() -> usize {
         )
         .against(
             "glam",
-            like,
+            LIKE,
             twice!(|Vectors {
                         glam: [a, b, _], ..
                     }| (b - a).try_normalize()),
         )
         .against(
             "plain",
-            vectorized,
+            VECTORIZED,
             twice!(|Vectors {
                         glam: [a, b, _], ..
                     }| plain(b - a)),
         )
-        .run(&triangles)
-        + Race::of(
-            "normal::implicit",
-            twice!(|Vectors { ours: [a, ..], .. }: &Vectors| {
-                normal::implicit(torus::<Dual>, *a)
-            }),
-        )
-        .against(
-            "glam",
-            limit(1.5, 1.5),
-            twice!(|Vectors { glam: [a, ..], .. }| { torus_gradient(*a).try_normalize() }),
-        )
-        .against(
-            "plain",
-            vectorized,
-            twice!(|Vectors { glam: [a, ..], .. }| plain(torus_gradient(*a))),
-        )
-        .run(&triangles)
+        .run(triangles)
+}
+
+/// Normals of surfaces.
+fn of_functions(triangles: &[Data<Vectors>]) -> usize {
+    Race::of(
+        "normal::implicit",
+        twice!(|Vectors { ours: [a, ..], .. }: &Vectors| { normal::implicit(torus::<Dual>, *a) }),
+    )
+    .against(
+        "glam",
+        limit(1.5, 1.5),
+        twice!(|Vectors { glam: [a, ..], .. }| { torus_gradient(*a).try_normalize() }),
+    )
+    .against(
+        "plain",
+        VECTORIZED,
+        twice!(|Vectors { glam: [a, ..], .. }| plain(torus_gradient(*a))),
+    )
+    .run(triangles)
         + Race::of(
             "normal::parametric",
             twice!(|Vectors { ours: [a, ..], .. }: &Vectors| {
@@ -155,10 +165,10 @@ pub fn race() -> usize {
         )
         .against(
             "plain",
-            vectorized,
+            VECTORIZED,
             twice!(|Vectors { glam: [a, ..], .. }| plain(saddle_cross(a.x, a.y))),
         )
-        .run(&triangles)
+        .run(triangles)
         + Race::of(
             "normal::from_tangents",
             twice!(|Vectors {
@@ -167,31 +177,33 @@ pub fn race() -> usize {
         )
         .against(
             "glam",
-            like,
+            LIKE,
             twice!(|Vectors {
                         glam: [a, b, _], ..
                     }| a.cross(*b).try_normalize()),
         )
-        .run(&triangles)
-        + Race::of(
-            "normal::transformed",
-            twice!(|Vectors {
-                        ours: [a, b, c], ..
-                    }: &Vectors| {
-                normal::transformed(UnitVec3::Y, [*a, *b, *c])
-            }),
-        )
-        .against(
-            "glam",
-            like,
-            twice!(|Vectors {
-                        glam: [a, b, c], ..
-                    }| {
-                (Mat3::from_cols(*a, *b, *c).inverse().transpose() * std::hint::black_box(Vec3::Y))
-                    .try_normalize()
-            }),
-        )
-        .run(&triangles)
+        .run(triangles)
+}
+
+/// Normals made from normals.
+fn of_normals(triangles: &[Data<Vectors>], directions: &[Data<Vectors>]) -> usize {
+    Race::of(
+        "normal::transformed",
+        twice!(|Vectors {
+                    ours: [a, b, c], ..
+                }: &Vectors| { normal::transformed(UnitVec3::Y, [*a, *b, *c]) }),
+    )
+    .against(
+        "glam",
+        LIKE,
+        twice!(|Vectors {
+                    glam: [a, b, c], ..
+                }| {
+            (Mat3::from_cols(*a, *b, *c).inverse().transpose() * std::hint::black_box(Vec3::Y))
+                .try_normalize()
+        }),
+    )
+    .run(triangles)
         + Race::of(
             "normal::mapped",
             twice!(|Vectors {
@@ -200,8 +212,8 @@ pub fn race() -> usize {
                 normal::mapped(UnitVec3::assume_unit(*a), *b, 1.0, *c)
             }),
         )
-        .against("glam", like, twice!(mapped))
-        .run(&directions)
+        .against("glam", LIKE, twice!(mapped))
+        .run(directions)
         + Race::of(
             "normal::facing",
             twice!(|Vectors {
@@ -217,5 +229,5 @@ pub fn race() -> usize {
                         glam: [a, b, _], ..
                     }| { if a.dot(*b) < 0.0 { -a } else { *a } }),
         )
-        .run(&directions)
+        .run(directions)
 }

@@ -90,7 +90,9 @@ pub fn transformed<T: Real + PartialOrd>(
     if let Some(([a, b, c], _)) = T::rescaled_together([a.into(), b.into(), c.into()]) {
         cofactors(a.into(), b.into(), c.into())
     } else {
-        by_cofactors_of_any_size(n, columns)
+        // copies, so that those of the other branch need not lie in memory
+        let n = UnitVec3::assume_unit(Vec3::new(n.x, n.y, n.z));
+        by_cofactors_of_any_size(n, [a, b, c])
     }
     .unit()
 }
