@@ -20,10 +20,10 @@ chips:
 
 # race against handwritten code, and count the instructions of every function
 bench:
-    cargo bench --bench versus
-    cargo bench --bench instructions -- --check
+    cargo bench -p shading-benches --bench versus
+    cargo bench -p shading-benches --bench instructions -- --check
 
-# draw the gallery into target/gallery, and redraw the README's pictures
+# draw the gallery into target/gallery, and redraw the READMEs' pictures
 pictures:
     cargo run --release -p gallery
     cargo run --release -p gallery -- --readme
@@ -41,4 +41,4 @@ page:
 
 # test every f32 of a domain: takes minutes
 exhaustive:
-    cargo test --release -- --ignored
+    cargo test --release -p numerics -- --ignored

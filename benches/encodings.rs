@@ -1,7 +1,7 @@
 //! sRGB bytes from this crate, from `powf`, and from `palette`'s table: the time per color, and how
 //! many of all `f32` from 0 to 1 get a byte other than the nearest.
 //!
-//! `cargo bench --bench encodings`. This crate gives the nearest byte: `tests/exhaustive.rs` checks
+//! `cargo bench -p shading-benches --bench encodings`. This crate gives the nearest byte: `tests/numerics/exhaustive.rs` checks
 //! that against the standard's formula in 60 digits.
 
 use std::hint::black_box;

@@ -1,7 +1,7 @@
 //! Counts the instructions of each public function under valgrind, whose counts are exactly
 //! reproducible, and compares them with the table in `instructions.txt`.
 //!
-//! - `cargo bench --bench instructions` prints the table;
+//! - `cargo bench -p shading-benches --bench instructions` prints the table;
 //! - with `-- --check`, it fails if a count differs from the table by more than 3%;
 //! - with `-- --write`, it writes the table.
 //!
@@ -17,7 +17,6 @@ mod table;
 
 use std::process::{Command, ExitCode};
 
-use functions::FUNCTIONS;
 use table::Table;
 
 const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/instructions.txt");
@@ -43,7 +42,7 @@ fn main() -> ExitCode {
 }
 
 fn report(check: bool, write: bool) -> Result<(), String> {
-    let counts = FUNCTIONS.iter().map(|(name, _)| Ok((*name, count(name)?)));
+    let counts = functions::all().map(|(name, _)| Ok((*name, count(name)?)));
     let table = Table(counts.collect::<Result<_, String>>()?);
     print!("{table}");
     if write {
@@ -81,7 +80,7 @@ fn count(name: &str) -> Result<f64, String> {
 
 /// Calls a function at each of the random places.
 fn call(name: &str) {
-    let found = FUNCTIONS.iter().find(|(known, _)| *known == name);
+    let found = functions::all().find(|(known, _)| *known == name);
     let (_, function) = found.unwrap_or_else(|| panic!("no function {name}"));
     for place in &functions::places() {
         function(place);

@@ -1,9 +1,9 @@
 //! The time over points × lights, from one to a million, drawn into `target/scaling.svg` and
 //! `target/numbers.svg`: it grows linearly. Fails if anything is allocated.
 //!
-//! Then the three ways to shade with many lights: one by one, lights in lanes, points in lanes. They are
-//! drawn into `target/lights.svg` for a default build, and into `target/lights_native.svg` for the
-//! processor of this machine, which the other charts are for too.
+//! It then draws three ways to shade with many lights: one by one, lights in lanes, points in lanes.
+//! `target/lights.svg` is for a default build; `target/lights_native.svg` and the other charts are for
+//! the processor of this machine.
 
 #![allow(clippy::cast_precision_loss)] // a million is exact
 

@@ -3,7 +3,7 @@
 //! lanes. Prints nanoseconds, and the lines `ratio <case> <ours/theirs>` for the shortest times and
 //! `ratio-of-medians <case> <ours/theirs>`.
 //!
-//! `cargo bench --bench versus` runs the scalar parts in a default build. It then builds itself again with
+//! `cargo bench -p shading-benches --bench versus` runs the scalar parts in a default build. It then builds itself again with
 //! the feature `wide` and runs the lights in lanes, and once more for the processor of this machine and
 //! runs all parts with SIMD lanes.
 

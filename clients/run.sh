@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Checks the clients: their tests, each command of the README's section "Used with" and its picture, and the
-# page in a browser. Installs what is missing. With a folder, the page's screenshots go there.
+# Checks the clients: their tests, each command of README.md but the shader's and its picture, and the page in a
+# browser. Installs what is missing. With a folder, the page's screenshots go there.
 set -euo pipefail
 cd "$(dirname "$0")"
 out=$PWD/target/pictures
@@ -15,7 +15,7 @@ for vectors in glam nalgebra; do
     cargo run --quiet --release -p tracer -- $vectors "$out/tracer_$vectors.png"
 done
 cargo run --quiet --release -p tracer --example many_lamps # fails if lanes draw another picture
-display/frame.sh "$out/bunny.png"
+bunny/frame.sh "$out/bunny.png"
 web/test/run.sh "$@"
 
 # refused with one line, and without a picture

@@ -14,7 +14,7 @@ macro_rules! types {
         pub type DirectionalLight = crate::DirectionalLight<$number>;
         pub type PointLight<A = Attenuation> = crate::PointLight<$number, A>;
         pub type SpotLight<C = Cone, A = Attenuation> = crate::SpotLight<$number, C, A>;
-        pub type Light = crate::Light<$number>;
+        pub type Light<C = Cone, A = Attenuation> = crate::Light<$number, C, A>;
         pub type Material<M = u32> = crate::Material<$number, M>;
         pub type Shaded = crate::Shaded<$number>;
     };

@@ -32,13 +32,13 @@ pub trait Falloff<T>: Copy {
     /// The type of the same falloff in another number type.
     type In<U>;
 
-    /// The light that is left of this intensity at the distance q ≥ 0. If the intensity is finite,
-    /// the result must be finite and not NaN.
+    /// The intensity that remains at the distance q ≥ 0. If `intensity` is finite, the result must
+    /// be finite and not NaN.
     #[must_use]
     fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T>;
 
-    /// Whether any light may be left at a distance, given by its square; in lanes, in any of them.
-    /// The default is `true`.
+    /// Whether light may remain at the distance whose square is given, in at least one lane. The
+    /// default is `true`.
     #[inline]
     #[must_use]
     fn reaches(&self, square: T) -> bool {
@@ -48,7 +48,7 @@ pub trait Falloff<T>: Copy {
 
     /// The same falloff in another number type. `f` converts each number and may only round it.
     #[must_use]
-    fn cast<U>(self, f: impl FnMut(T) -> U) -> Self::In<U>;
+    fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> Self::In<U>;
 }
 
 /// The factor by which distance attenuates a light.
@@ -117,6 +117,34 @@ impl<T: Real> Attenuation<T> {
             c,
             clamped: NO,
         }
+    }
+
+    /// [`new`](Attenuation#method.new) for any number type, in generic code: an attenuation, or `None`
+    /// if a coefficient is negative or not finite, or if all are 0.
+    ///
+    /// ```
+    /// use shading::{Attenuation, Real};
+    ///
+    /// fn inverse_square<T: Real + PartialOrd>() -> Option<Attenuation<T>> {
+    ///     Attenuation::of(T::ZERO, T::ZERO, T::ONE)
+    /// }
+    /// assert_eq!(inverse_square(), Attenuation::<f32>::new(0.0, 0.0, 1.0));
+    /// assert_eq!(Attenuation::of(1.0_f64, -0.5, 0.0), None);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn of(a: T, b: T, c: T) -> Option<Self>
+    where
+        T: PartialOrd,
+    {
+        let is_finite = |x: T| x >= T::ZERO && x <= T::MAX;
+        let is_positive = a > T::ZERO || b > T::ZERO || c > T::ZERO;
+        (is_finite(a) && is_finite(b) && is_finite(c) && is_positive).then(|| Self {
+            a: a + T::ZERO, // the reciprocal of −0 would be −∞
+            b,
+            c,
+            clamped: NO,
+        })
     }
 
     /// No attenuation: the factor is exactly 1 at every finite distance.
@@ -254,7 +282,7 @@ impl<T: Real> Falloff<T> for Attenuation<T> {
     }
 
     #[inline]
-    fn cast<U>(self, f: impl FnMut(T) -> U) -> Attenuation<U> {
+    fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> Attenuation<U> {
         self.cast(f)
     }
 }

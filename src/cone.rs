@@ -36,11 +36,11 @@ pub trait Beam<T>: Copy {
 
     /// The same beam in another number type. `f` converts each number and may only round it.
     #[must_use]
-    fn cast<U>(self, f: impl FnMut(T) -> U) -> Self::In<U>;
+    fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> Self::In<U>;
 }
 
 /// The hard cone of a spot light, given by its **half**-angle: the angle between the axis and the
-/// edge. The opening angle that most programs use is twice as large.
+/// edge, as in OpenGL, glTF and three.js. Unity and Blender give twice that angle.
 ///
 /// ```
 /// use shading::f32::{Cone, UnitVec3};
@@ -108,18 +108,79 @@ impl<T: Real> Cone<T> {
         (self.cosine + T::ONE).if_positive(self.cosine, -T::ONE)
     }
 
-    /// The same cone in another number type. `f` converts the cosine and may only round it.
+    /// [`from_half_angle`](Cone#method.from_half_angle) for any number type, in generic code. It has
+    /// the same bits.
     ///
     /// ```
-    /// use shading::f32::Cone;
-    /// assert_eq!(Cone::from_cosine(0.5).unwrap().cast(f64::from).cosine(), 0.5_f64);
+    /// use shading::{Cone, Real};
+    ///
+    /// fn hemisphere<T: Real + PartialOrd>() -> Option<Cone<T>> {
+    ///     Cone::of_half_angle(T::of(core::f64::consts::FRAC_PI_2))
+    /// }
+    /// assert!(hemisphere::<f32>().unwrap().cosine().abs() < 1e-7);
+    /// assert_eq!(Cone::of_half_angle(60.0_f64), None); // degrees
+    /// ```
+    #[must_use]
+    pub fn of_half_angle(radians: T) -> Option<Self>
+    where
+        T: PartialOrd,
+    {
+        radians.cosine_of_half_angle().map(Self::with_slack)
+    }
+
+    /// [`from_cosine`](Cone#method.from_cosine) for any number type, in generic code. It has the same
+    /// bits.
+    ///
+    /// ```
+    /// use shading::{Cone, Real};
+    ///
+    /// fn cone<T: Real + PartialOrd>(cosine: T) -> Option<Cone<T>> {
+    ///     Cone::of_cosine(cosine)
+    /// }
+    /// assert_eq!(cone(0.5_f32), Cone::<f32>::from_cosine(0.5));
+    /// assert_eq!(cone(1.5_f64), None);
+    /// ```
+    #[must_use]
+    pub fn of_cosine(cosine: T) -> Option<Self>
+    where
+        T: PartialOrd,
+    {
+        (cosine >= T::NEG_ONE && cosine <= T::ONE).then(|| Self::with_slack(cosine))
+    }
+
+    /// The cone of a cosine within [−1, 1], or of another cone's: it contains its axis, and a cone of
+    /// half-angle π every direction. The slack of another number type stays where it is larger, because
+    /// directions bring the roundoff of that type along.
+    #[inline]
+    pub(crate) fn with_slack(cosine: T) -> Self {
+        let two = T::ONE + T::ONE;
+        let slack = two * two * T::epsilon();
+        let cosine = cosine.at_most(T::ONE - slack);
+        let everywhere = slack - T::ONE;
+        Self {
+            cosine: everywhere.if_above(cosine, cosine.at_most(T::NEG_ONE - slack), cosine),
+        }
+    }
+
+    /// The same cone in another number type. `f` converts the cosine and may only round it.
+    ///
+    /// The new cone, too, contains its axis, and every direction if its half-angle is π: a cosine
+    /// close to 1 or −1 is treated as in [`from_cosine`](Cone#method.from_cosine), with the larger ε of
+    /// the two types.
+    ///
+    /// ```
+    /// use shading::{Cone, UnitVec3};
+    ///
+    /// assert_eq!(Cone::<f32>::from_cosine(0.5).unwrap().cast(f64::from).cosine(), 0.5_f64);
+    ///
+    /// let narrow = Cone::<f64>::from_half_angle(0.0).unwrap().cast(|x| x as f32);
+    /// let axis = UnitVec3::<f64>::normalized(1.0, 2.0, 3.0).unwrap().cast(|x| x as f32);
+    /// assert_eq!(narrow.factor(axis, -axis), 1.0);
     /// ```
     #[inline]
     #[must_use]
-    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> Cone<U> {
-        Cone {
-            cosine: f(self.cosine),
-        }
+    pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> Cone<U> {
+        Cone::with_slack(f(self.cosine))
     }
 }
 
@@ -132,7 +193,7 @@ impl<T: Real> Beam<T> for Cone<T> {
     }
 
     #[inline]
-    fn cast<U>(self, f: impl FnMut(T) -> U) -> Cone<U> {
+    fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> Cone<U> {
         self.cast(f)
     }
 }

@@ -10,11 +10,9 @@
 #![cfg_attr(doc, doc = include_str!("teapot.html"))]
 //!
 //! ```
-//! use shading::f32::{Attenuation, DirectionalLight, Material};
-//! use shading::f32::{PointLight, Rgb, UnitVec3, Vec3};
-//! use shading::{normal, shade};
+//! use shading::f32::{Attenuation, Material, PointLight, Rgb, UnitVec3, Vec3};
+//! use shading::shade;
 //!
-//! static SUN: DirectionalLight = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
 //! static LAMP: PointLight = PointLight {
 //!     position: Vec3::new(2.0, 0.0, 2.0),
 //!     intensity: Rgb::new(1.0, 0.8, 0.6),
@@ -23,10 +21,9 @@
 //! let [k_a, k_d, k_s] = [0.1, 0.6, 0.3].map(Rgb::gray);
 //! let clay = Material { k_a, k_d, k_s, m: 32 };
 //!
-//! let p = Vec3::new(0.0, 0.0, 1.0);
-//! let n = normal::implicit(|p| p.dot(p) - 1.0, p).unwrap(); // the unit sphere
-//! let v = (Vec3::new(0.0, -4.0, 3.0) - p).unit().unwrap();
-//! let shaded = shade::blinn_phong(n, v, &clay, Rgb::gray(0.2), [SUN.at(p), LAMP.at(p)]);
+//! let (p, n) = (Vec3::new(0.0, 0.0, 1.0), UnitVec3::Z);
+//! let v = (Vec3::new(0.0, -4.0, 3.0) - p).unit().unwrap(); // to the eye
+//! let shaded = shade::blinn_phong(n, v, &clay, Rgb::gray(0.2), [LAMP.at(p)]);
 //! assert!(shaded.total().r > shaded.total().b);
 //! ```
 //!
@@ -41,47 +38,31 @@
 //! | N, L, R, V or H | one factor of the formula | [`mod@term`] |
 //! | a distance | the falloff of the light | [`attenuation()`], [`Attenuation`]; with a range, [`Ranged`] |
 //! | a spot's axis and L | the share of its light that arrives | [`Cone`]; with a soft edge, [`SoftCone`] |
-//! | linear light | the bytes of a picture or a display, and back | [`Rgb::to_srgb8`], [`Rgb::to_rgb565`], [`Rgb::from_srgb8`] |
+//! | linear light | the bytes of a picture or a display, and back | [`to_srgb8`](Rgb::<f32>::to_srgb8), [`to_rgb565`](Rgb::<f32>::to_rgb565), [`from_srgb8`](Rgb::from_srgb8), [`from_rgb565`](Rgb::from_rgb565) |
 //! | a scene in one number type | short type names | [`mod@f32`], [`mod@f64`] |
 //! | a number type of your own | everything above for that type | [`Real`] |
-//!
-//! # What it promises
-//!
-//! 1. **One formula, every number.** Each formula is written once, over [`Real`], for `f32`, `f64`,
-//!    the dual number [`Dual`], SIMD lanes (feature `wide`) and types of your own.
-//! 2. **Total.** Every function is defined for every input of its types and never panics, whatever
-//!    the bits. Given finite, valid input (directions of length 1, lights and materials that are
-//!    not negative), the illumination formulas return light that is never negative and never NaN. A
-//!    function that may have no answer returns an `Option`. As with plain floats, a dot or cross
-//!    product that overflows may be NaN; [`guide::totality`] lists every such case.
-//! 3. **The same bits everywhere.** Every result comes from + − × ÷ √ in a fixed order. An `f32`
-//!    result is therefore the same on every machine that rounds as IEEE 754 requires, and in every
-//!    SIMD lane. There are two exceptions: x86 without SSE2, and programs that flush subnormal
-//!    numbers to 0.
-//! 4. **Small and fast.** The only dependency is `libm`. The crate neither allocates nor uses
-//!    `std`. No `f32` path uses double precision, except `sin` and `cos` of [`Elementary`].
-//! 5. **Traceable.** The page of every formula gives the formula, its conventions, its degenerate
-//!    cases, its source and an example.
 //!
 //! # Conventions
 //!
 //! - **All directions point away from the surface** and are [`UnitVec3`]: the normal N, L to the
 //!   light, V to the eye, R and H. [`reflection`] takes L; GLSL's `reflect` takes −L.
-//! - **Colors are linear** and may exceed 1. Decode sRGB before shading with [`Rgb::from_srgb8`];
-//!   encode once, after the sum, with [`Rgb::to_srgb8`].
-//! - **q is the distance**, not its square, in [`attenuation()`]. Directional lights are not
-//!   attenuated.
+//! - **Colors are linear** and may exceed 1. Encode once, after the sum.
+//! - **q is the distance**, not its square. Directional lights are not attenuated.
 //! - **A shadow ray ends at the light**, at the distance that [`IncidentLight`] gives. A wall
 //!   behind a lamp casts no shadow.
-//! - **A spot's angle is the half-angle**, in radians. A point on the edge of the cone is lit.
-//! - **Lambert has no 1/π**, and the highlights are not normalized: the formulas are those of the
-//!   textbooks. If your renderer has a 1/π, multiply its highlights by
-//!   [`term::phong_normalization`] or [`term::blinn_normalization`].
+//! - **A spot's angle is measured from its axis**, in radians. A point on the edge is lit.
+//! - **Lambert has no 1/π**, and the highlights are not normalized. If your renderer has a 1/π,
+//!   [`term::phong_normalization`] and [`term::blinn_normalization`] give the factor.
 //! - **A face turned away from a light has no highlight.** The sums in [`mod@shade`] ensure this;
 //!   the factors in [`mod@term`] alone do not.
 //! - **A cosine of 0 or below gives no highlight**, whatever m is, even m = 0.
 //!
+//! [`guide::totality`] lists what each function gives where its formula has no answer, and says on
+//! which machines a result has the same bits. [`guide::precision`] bounds the errors.
+//!
 //! # Features
+//!
+//! No feature is on by default. Without features, `libm` is the only dependency.
 //!
 //! - `approx` implements `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`],
 //!   [`Rgb`], [`IncidentLight`] and [`Shaded`].
@@ -102,9 +83,9 @@
 //!   subnormal numbers. On x86 without SSE2 the feature does not build. `cast` converts a scene of
 //!   scalars into lanes, to shade several points at once: `light.cast(f32x8::splat)`. `packed` puts
 //!   several lights into lanes, to shade one point with all of them:
-//!   [`PointLight::packed`](PointLight#method.packed).
-//!
-//! No feature is enabled by default.
+//!   [`PointLight::packed`](PointLight#method.packed). Lanes cannot be compared as a whole, so
+//!   [`Vec3::unit`], [`half_vector`] and the functions in [`mod@normal`] that return an `Option` do
+//!   not take them; [`Vec3::unit_or`] does.
 //!
 //! # The floors
 //!
@@ -117,7 +98,7 @@
 //! | 4 scenes | `light`, `material` |
 //! | 3 formulas | `direction`, `term`, `normal`, `attenuation`, `range`, `cone`, `soft_cone` |
 //! | 2 differentiation | `dual` |
-//! | 1 vectors, colors | `componentwise`, `vector`, `rescale`, `unit`, `rgb`, `encoding` |
+//! | 1 vectors, colors | `componentwise`, `vector`, `unit`, `rgb`, `encoding` |
 //! | 0 numbers | `flag`, `real`, `elementary`, `exponent` |
 #![no_std]
 #![deny(unsafe_code)]
@@ -140,7 +121,6 @@ mod real;
 
 mod componentwise;
 mod encoding;
-mod rescale;
 mod rgb;
 mod unit;
 mod vector;
@@ -199,6 +179,8 @@ pub mod guide {
     pub mod invariants {}
     #[doc = include_str!("../docs/performance.md")]
     pub mod performance {}
+    #[doc = include_str!("../docs/porting.md")]
+    pub mod porting {}
     #[doc = include_str!("../docs/precision.md")]
     pub mod precision {}
     #[doc = include_str!("../docs/recipes.md")]

@@ -37,6 +37,30 @@ impl<T: Real> Ranged<T> {
         Self { attenuation, range }
     }
 
+    /// [`Attenuation::within`](Attenuation#method.within) for any number type, in generic code: the
+    /// attenuation, ended by a range r, or `None` if r is 0, negative or NaN.
+    ///
+    /// ```
+    /// use shading::{Attenuation, Ranged, Real};
+    ///
+    /// fn nearby<T: Real + PartialOrd>(r: T) -> Option<Ranged<T>> {
+    ///     Ranged::of(Attenuation::NONE, r)
+    /// }
+    /// assert_eq!(nearby(8.0_f32), Attenuation::<f32>::NONE.within(8.0));
+    /// assert_eq!(nearby(0.0_f64), None);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn of(attenuation: Attenuation<T>, r: T) -> Option<Self>
+    where
+        T: PartialOrd,
+    {
+        (r > T::ZERO).then_some(Self {
+            attenuation,
+            range: r,
+        })
+    }
+
     /// The factor at the distance q ≥ 0.
     ///
     /// ```text
@@ -93,7 +117,8 @@ impl<T: Real> Ranged<T> {
         self.attenuation
     }
 
-    /// The range r, which is ∞ for a light without a range.
+    /// The range r. For a light without a range it is ∞, or the largest number of a type without
+    /// infinities.
     ///
     /// ```
     /// use shading::f32::{Attenuation, Ranged};
@@ -111,7 +136,7 @@ impl<T: Real> Ranged<T> {
     }
 
     /// The same attenuation and range in another number type. `f` converts each number and may only
-    /// round it.
+    /// round it. A light without a range has none in the new type.
     ///
     /// ```
     /// use shading::f32::Attenuation;
@@ -121,11 +146,31 @@ impl<T: Real> Ranged<T> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> Ranged<U> {
+    pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> Ranged<U> {
+        let attenuation = self.attenuation.cast(&mut f);
+        let range = f(self.range);
+        // `f` keeps an infinity, but the largest number of a type without one is a number to it
+        let has_infinity = (endless::<T>() - T::MAX).any_positive();
+        let is_endless = !has_infinity && !(T::MAX - self.range).any_positive();
         Ranged {
-            attenuation: self.attenuation.cast(&mut f),
-            range: f(self.range),
+            attenuation,
+            range: if is_endless { endless() } else { range },
         }
+    }
+}
+
+/// The range that means no range: ∞, or the largest number of a type without infinities.
+#[inline]
+fn endless<T: Real>() -> T {
+    (T::MAX + T::MAX).at_least(T::MAX)
+}
+
+/// The attenuation without a range.
+impl<T: Real> From<Attenuation<T>> for Ranged<T> {
+    #[inline]
+    fn from(attenuation: Attenuation<T>) -> Self {
+        let range = endless();
+        Self { attenuation, range }
     }
 }
 
@@ -146,7 +191,7 @@ impl<T: Real> Falloff<T> for Ranged<T> {
     }
 
     #[inline]
-    fn cast<U>(self, f: impl FnMut(T) -> U) -> Ranged<U> {
+    fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> Ranged<U> {
         self.cast(f)
     }
 }
@@ -178,17 +223,6 @@ macro_rules! checked {
                     })
                 } else {
                     None
-                }
-            }
-        }
-
-        /// The attenuation with a range of ∞, which means no range.
-        impl From<Attenuation<$float>> for Ranged<$float> {
-            #[inline]
-            fn from(attenuation: Attenuation<$float>) -> Self {
-                Self {
-                    attenuation,
-                    range: $float::INFINITY,
                 }
             }
         }

@@ -56,23 +56,8 @@
 //! assert_eq!(shaded.diffuse, Rgb::WHITE); // from the lower lamp alone
 //! ```
 //!
-//! **Area lights.** Use many point lights, each with a share of the light:
-//!
-//! ```
-//! use shading::f32::{Attenuation, Material, PointLight, Rgb, UnitVec3, Vec3};
-//! use shading::shade;
-//!
-//! let lamp = |i| PointLight {
-//!     position: Vec3::new((i % 4) as f32 * 0.1, (i / 4) as f32 * 0.1, 2.0),
-//!     intensity: Rgb::gray(1.0 / 16.0),
-//!     attenuation: Attenuation::NONE,
-//! };
-//! let clay = Material { k_a: Rgb::WHITE, k_d: Rgb::WHITE, k_s: Rgb::BLACK, m: 1 };
-//!
-//! let square = (0..16).map(|i| lamp(i).at(Vec3::ZERO));
-//! let soft = shade::lambert(UnitVec3::Z, &clay, Rgb::BLACK, square);
-//! assert!(soft.diffuse.r > 0.98 && soft.diffuse.r < 1.0); // oblique rays bring a little less
-//! ```
+//! **Area lights.** Use many point lights, each with a share of the light, as in
+//! [`guide::recipes`](mod@crate::guide::recipes).
 //!
 //! **Overflow.** If the sum over the lights overflows, it counts as the largest finite number. The
 //! result can then be infinite only through a reflectance above 1 or in the total. It cannot be NaN

@@ -70,12 +70,10 @@ impl<T: Real> SoftCone<T> {
     #[inline]
     #[must_use]
     pub fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
-        // 0 on the inner edge and 1 on the outer one; if the edges coincide, ∞ outside and NaN on
-        // the edge
-        let outward = (self.inner - (-axis).dot(l)) / (self.inner - self.outer);
-        let t = outward
-            .if_positive(T::ONE - outward, T::ONE)
-            .at_least(T::ZERO);
+        // 1 on the inner edge; if the edges coincide, ±∞ beside them and NaN on them. Counted from the
+        // outer edge, a faint light keeps its digits.
+        let t = ((-axis).dot(l) - self.outer) / (self.inner - self.outer);
+        let t = (T::ONE - t).if_positive(t.at_least(T::ZERO), T::ONE);
         if self.smoothstep == YES {
             (t * t * (T::ONE + T::ONE + T::ONE - (t + t))).at_most(T::ONE)
         } else {
@@ -141,7 +139,60 @@ impl<T: Real> SoftCone<T> {
         self.smoothstep == YES
     }
 
+    /// [`from_half_angles`](SoftCone#method.from_half_angles) for any number type, in generic code. It
+    /// has the same bits.
+    ///
+    /// ```
+    /// use shading::{Real, SoftCone};
+    ///
+    /// fn torch<T: Real + PartialOrd>(half_angle: T) -> Option<SoftCone<T>> {
+    ///     SoftCone::of_half_angles(half_angle * T::of(0.5), half_angle)
+    /// }
+    /// assert_eq!(torch(0.6_f32), SoftCone::<f32>::from_half_angles(0.3, 0.6));
+    /// ```
+    #[must_use]
+    pub fn of_half_angles(inner: T, outer: T) -> Option<Self>
+    where
+        T: PartialOrd,
+    {
+        let inner_cone = Cone::of_half_angle(inner)?;
+        let outer_cone = Cone::of_half_angle(outer)?;
+        (inner <= outer).then(|| Self::in_order(inner_cone, outer_cone))
+    }
+
+    /// [`from_cosines`](SoftCone#method.from_cosines) for any number type, in generic code. It has the
+    /// same bits.
+    ///
+    /// ```
+    /// use shading::{Real, SoftCone};
+    ///
+    /// fn half_shadow<T: Real + PartialOrd>(cosine: T) -> Option<SoftCone<T>> {
+    ///     SoftCone::of_cosines(T::ONE, cosine)
+    /// }
+    /// assert_eq!(half_shadow(0.5_f64), SoftCone::<f64>::from_cosines(1.0, 0.5));
+    /// ```
+    #[must_use]
+    pub fn of_cosines(inner: T, outer: T) -> Option<Self>
+    where
+        T: PartialOrd,
+    {
+        let inner_cone = Cone::of_cosine(inner)?;
+        let outer_cone = Cone::of_cosine(outer)?;
+        (inner >= outer).then(|| Self::between(inner_cone, outer_cone))
+    }
+
+    /// A soft cone whose angles are in order. Rounding may have swapped the cosines of nearly equal
+    /// ones.
+    #[inline]
+    fn in_order(inner: Cone<T>, outer: Cone<T>) -> Self {
+        let cosine = inner.cosine.at_least(outer.cosine);
+        Self::between(Cone { cosine }, outer)
+    }
+
     /// The same cone in another number type. `f` converts each cosine and may only round it.
+    ///
+    /// The new cone, too, contains its axis, and every direction if its outer half-angle is π, as
+    /// with [`Cone::cast`].
     ///
     /// ```
     /// use shading::f32::SoftCone;
@@ -151,11 +202,11 @@ impl<T: Real> SoftCone<T> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> SoftCone<U> {
+    pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> SoftCone<U> {
+        let inner = Cone::with_slack(f(self.inner));
         SoftCone {
-            inner: f(self.inner),
-            outer: f(self.outer),
             smoothstep: self.smoothstep,
+            ..SoftCone::between(inner, Cone::with_slack(f(self.outer)))
         }
     }
 }
@@ -169,7 +220,7 @@ impl<T: Real> Beam<T> for SoftCone<T> {
     }
 
     #[inline]
-    fn cast<U>(self, f: impl FnMut(T) -> U) -> SoftCone<U> {
+    fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> SoftCone<U> {
         self.cast(f)
     }
 }

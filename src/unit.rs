@@ -138,6 +138,31 @@ impl<T> UnitVec3<T> {
 }
 
 impl<T: Real> UnitVec3<T> {
+    /// [`new`](UnitVec3#method.new) for any number type, in generic code: the direction (x, y, z) if
+    /// its length is 1 up to rounding, otherwise `None`. For vectors of any length, [`Vec3::unit`] is
+    /// generic.
+    ///
+    /// ```
+    /// use shading::{Real, UnitVec3};
+    ///
+    /// fn slope<T: Real + PartialOrd>() -> Option<UnitVec3<T>> {
+    ///     UnitVec3::of(T::of(0.6), T::ZERO, T::of(0.8))
+    /// }
+    /// assert_eq!(slope(), UnitVec3::<f32>::new(0.6, 0.0, 0.8));
+    /// assert_eq!(UnitVec3::of(1.0_f64, 0.0, 1.0), None);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn of(x: T, y: T, z: T) -> Option<Self>
+    where
+        T: PartialOrd,
+    {
+        let two = T::ONE + T::ONE;
+        let excess = T::dot([x, y, z], [x, y, z]) - T::ONE;
+        let is_unit = excess.abs() <= two * two * T::epsilon();
+        is_unit.then(|| Self(Vec3::new(x, y, z)))
+    }
+
     /// The direction of the x axis.
     pub const X: Self = Self(Vec3::new(T::ONE, T::ZERO, T::ZERO));
     /// The direction of the y axis.

@@ -84,4 +84,17 @@ impl<T: Real> Vec3<T> {
             self.x * other.y - self.y * other.x,
         )
     }
+
+    /// The vector times a power of two that keeps its products within range.
+    #[inline]
+    pub(crate) fn rescaled(self) -> Self {
+        self.rescaled_from(Self::ZERO).0
+    }
+
+    /// The vector from `origin` to this one, likewise, and the power.
+    #[inline]
+    pub(crate) fn rescaled_from(self, origin: Self) -> (Self, T) {
+        let (rescaled, power) = T::rescaled_difference(self.into(), origin.into());
+        (rescaled.into(), power)
+    }
 }

@@ -1,8 +1,8 @@
 //! The conventions that trip people up, each with the test that checks it.
 
 use shading::{
-    Attenuation, Dual, Exponent, IncidentLight, Light, Material, PointLight, Real, Rgb, SpotLight,
-    UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
+    Attenuation, Cone, Dual, Exponent, IncidentLight, Light, Material, PointLight, Real, Rgb,
+    SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 use support::number::{Float, direction, for_f32_and_f64, vector};
 
@@ -206,18 +206,18 @@ fn bad_coefficients_are_refused<T: Float>() {
     let [zero, one, huge] = [T::ZERO, T::ONE, T::MAX];
     for bad in [-one, -T::of(T::TINIEST), T::INFINITY, -T::INFINITY, T::NAN] {
         for [a, b, c] in [[bad, one, one], [one, bad, one], [one, one, bad]] {
-            assert_eq!(T::new_attenuation(a, b, c), None);
+            assert_eq!(Attenuation::of(a, b, c), None);
         }
     }
-    assert_eq!(T::new_attenuation(zero, zero, zero), None);
-    assert_eq!(T::new_attenuation(-zero, zero, zero), None);
+    assert_eq!(Attenuation::of(zero, zero, zero), None);
+    assert_eq!(Attenuation::of(-zero, zero, zero), None);
     for [a, b, c] in [
         [one, zero, zero],
         [zero, one, zero],
         [zero, zero, one],
         [huge; 3],
     ] {
-        assert!(T::new_attenuation(a, b, c).is_some());
+        assert!(Attenuation::of(a, b, c).is_some());
     }
 }
 
@@ -265,15 +265,15 @@ fn a_spot_is_given_by_its_half_angle_and_includes_its_edge<T: Float>() {
     assert_eq!(cone.factor(axis, off_axis(44.0)), T::ONE);
     assert_eq!(cone.factor(axis, off_axis(46.0)), T::ZERO);
     // the edge itself: a cosine of exactly ½, and one smaller by u
-    let cone = T::cone_from_cosine(T::of(0.5)).expect("a cosine");
+    let cone = Cone::of_cosine(T::of(0.5)).expect("a cosine");
     let at =
         |cosine: f64| UnitVec3::assume_unit(vector([(1.0 - cosine * cosine).sqrt(), 0.0, cosine]));
     assert_eq!(cone.cosine(), T::of(0.5));
     assert_eq!(cone.factor(axis, at(0.5)), T::ONE);
     assert_eq!(cone.factor(axis, at(0.5 - T::U)), T::ZERO);
-    assert_eq!(T::cone_from_half_angle(T::of(-0.1)), None);
-    assert_eq!(T::cone_from_half_angle(T::of(3.2)), None);
-    assert_eq!(T::cone_from_cosine(T::of(1.1)), None);
+    assert_eq!(Cone::of_half_angle(T::of(-0.1)), None);
+    assert_eq!(Cone::of_half_angle(T::of(3.2)), None);
+    assert_eq!(Cone::of_cosine(T::of(1.1)), None);
 }
 
 fn colors_are_not_clamped_before_the_end<T: Float>() {
@@ -416,7 +416,7 @@ fn unit_is_right_for_numbers_of_any_size<T: Float>() {
 fn new_takes_unit_vectors_only<T: Float>() {
     let checked = |v: [f64; 3]| {
         let [x, y, z] = v.map(T::of);
-        T::direction(x, y, z)
+        UnitVec3::of(x, y, z)
     };
     assert_eq!(checked([0.0, 0.0, 1.0]), Some(UnitVec3::Z));
     let third = 1.0 / 3.0;

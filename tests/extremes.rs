@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use shading::{Attenuation, PointLight, Rgb, UnitVec3, Vec3, normal};
+use shading::{Attenuation, Cone, PointLight, Rgb, UnitVec3, Vec3, normal};
 use support::number::{Float, for_f32_and_f64};
 
 for_f32_and_f64!(
@@ -53,14 +53,14 @@ fn a_light_at_an_overflowing_distance_shines<T: Float>() {
     let constant = light(Attenuation::NONE).at(west);
     assert_eq!((constant.l, constant.intensity), (UnitVec3::X, Rgb::WHITE));
     // the distance counts as the largest number: 1/q² is 0, and 1/(q/MAX) is 1
-    let inverse_square = T::new_attenuation(T::ZERO, T::ZERO, T::ONE).expect("coefficients");
+    let inverse_square = Attenuation::of(T::ZERO, T::ZERO, T::ONE).expect("coefficients");
     assert_eq!(light(inverse_square).at(west).intensity, Rgb::BLACK);
 }
 
 fn the_cone_of_pi_is_everything<T: Float>() {
     let whole = [
         T::cone(180.0).expect("π"),
-        T::cone_from_cosine(-T::ONE).expect("−1"),
+        Cone::of_cosine(-T::ONE).expect("−1"),
     ];
     for cone in whole {
         assert_eq!(cone.cosine(), -T::ONE);
@@ -85,7 +85,7 @@ fn the_cone_of_half_pi_ends_at_the_horizon<T: Float>() {
     };
     assert_eq!(cone.cosine(), T::of(expected));
     assert_eq!(
-        T::cone_from_cosine(T::ZERO)
+        Cone::of_cosine(T::ZERO)
             .expect("0")
             .factor(UnitVec3::X, UnitVec3::Y),
         T::ONE
@@ -103,7 +103,7 @@ fn angles<T: Float>() -> impl Iterator<Item = T> {
 
 fn every_half_angle_up_to_pi_is_a_cone<T: Float>() {
     for angle in angles::<T>() {
-        assert!(T::cone_from_half_angle(angle).is_some(), "{angle:e}");
+        assert!(Cone::of_half_angle(angle).is_some(), "{angle:e}");
     }
 }
 
@@ -117,7 +117,7 @@ fn every_half_angle_up_to_pi_is_a_cone<T: Float>() {
 /// rounds by ¼u and the difference by ½u: 2.4u. At the ends, the error may be 4ε = 8u.
 fn cosines_of_half_angles_are_right<T: Float>() {
     for angle in angles::<T>() {
-        let cosine = T::cone_from_half_angle(angle)
+        let cosine = Cone::of_half_angle(angle)
             .expect("a cone")
             .cosine()
             .to_f64();

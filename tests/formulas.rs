@@ -4,8 +4,9 @@
 use std::f64::consts::FRAC_1_PI;
 
 use shading::{
-    DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight, Real, Rgb, Shaded,
-    SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
+    Attenuation, DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight, Ranged,
+    Real, Rgb, Shaded, SoftCone, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal,
+    reflection, shade, term,
 };
 use support::number::{Float, direction, for_f32_and_f64, vector};
 
@@ -25,12 +26,14 @@ for_f32_and_f64!(
     normal_of_the_saddle,
     roof_of_a_house_half_as_wide,
     shares_of_half_an_equilateral_triangle,
+    tangent_of_a_slanted_map,
     sample_of_a_normal_map_on_a_slanted_surface,
     two_lights_with_lambert,
     two_lights_with_phong,
     two_lights_with_blinn,
     spot_inside_and_outside_30_degrees,
     soft_spot_between_its_edges,
+    faint_edge_of_a_soft_spot_keeps_its_digits,
     attenuation_halfway_to_its_range,
     a_scene_maps_to_another_number_type,
     dual_sum_product_and_quotient,
@@ -185,7 +188,7 @@ fn attenuation_is_a_third<T: Float>() {
     let [a, b, c, q] = [1.0, 0.5, 0.25, 2.0].map(T::of);
     assert_eq!(attenuation(a, b, c, q), T::of(1.0 / 3.0));
     assert_eq!(
-        T::new_attenuation(a, b, c).expect("coefficients").at(q),
+        Attenuation::of(a, b, c).expect("coefficients").at(q),
         T::of(1.0 / 3.0)
     );
 }
@@ -236,6 +239,20 @@ fn shares_of_half_an_equilateral_triangle<T: Float>() {
     }
 }
 
+fn tangent_of_a_slanted_map<T: Float>() {
+    // e₁ = (2, 0, 0), e₂ = (0, 4, 3), and the map's differences are (1, 1) and (−1, 1): d = 2 and
+    // T = (e₁ − e₂)/2 = (2, −4, −3)/2, of length √29/2
+    let vertices = [[1.0, 0.0, 0.0], [3.0, 0.0, 0.0], [1.0, 4.0, 3.0]].map(vector);
+    let map = [[2.0, 3.0], [3.0, 4.0], [1.0, 4.0]].map(|xy| xy.map(T::of));
+    let (t, h) = normal::tangent(vertices, map).expect("a tangent");
+    assert_near(*t, [2.0, -4.0, -3.0].map(|c| c / 29.0_f64.sqrt()), 8.0);
+    assert_eq!(h, T::ONE);
+    // the second and third texture coordinates change places: the differences of y stay (1, 1), and d = −2
+    let (t, h) = normal::tangent(vertices, [map[0], map[2], map[1]]).expect("a tangent");
+    assert_near(*t, [-2.0, 4.0, 3.0].map(|c| c / 29.0_f64.sqrt()), 8.0);
+    assert_eq!(h, -T::ONE);
+}
+
 fn sample_of_a_normal_map_on_a_slanted_surface<T: Float>() {
     // N = (3, 0, 4)/5 and T = (2, 0, 1), whose component along N is 2N: t = (4, 0, −3)/5, and N × t
     // = (0, 1, 0). The sample (1, 2, 2)/3 gives (t + 2(0, 1, 0) + 2N)/3 = (2, 2, 1)/3.
@@ -266,15 +283,33 @@ fn sample_of_a_normal_map_on_a_slanted_surface<T: Float>() {
 fn soft_spot_between_its_edges<T: Float>() {
     // the cosines go from 1 (less 4ε) down to 0.6, and L is at 0.8: t = ½, t² = ¼, t²(3 − 2t) = ½;
     // L is off by 3u, and t by 2.5 times as much, which counts up to 1.5 times
-    let cone = T::soft_cone_from_cosines(T::ONE, T::of(0.6)).expect("cosines");
+    let cone = SoftCone::of_cosines(T::ONE, T::of(0.6)).expect("cosines");
     let factors = [cone, cone.smoothstep()].map(|cone| cone.factor(-UnitVec3::Z, slanted()));
     assert_near(factors, [0.25, 0.5], 40.0);
 }
 
+fn faint_edge_of_a_soft_spot_keeps_its_digits<T: Float>() {
+    // The cosine of L is c = ½ + kε, exactly, and both differences in t = (c − ½)/(inner − ½) are
+    // exact. The quotient is off by 1u of itself, its square by 3u; here and in f64.
+    let (outer, epsilon) = (0.5, 2.0 * T::U);
+    for inner in [0.7, 0.8, 0.9, 0.95] {
+        let cone = SoftCone::of_cosines(T::of(inner), T::of(outer)).expect("cosines");
+        let width = cone.cosines()[0].to_f64() - outer;
+        for k in (0..20).map(|i| f64::exp2(f64::from(i)) + 1.0) {
+            let cosine = outer + k * epsilon;
+            let l = UnitVec3::assume_unit(vector([(1.0 - cosine * cosine).sqrt(), 0.0, cosine]));
+            let t = k * epsilon / width;
+            let factor = cone.factor(-UnitVec3::Z, l).to_f64();
+            let error = (factor / (t * t) - 1.0).abs();
+            assert!(error <= 8.0 * T::U, "{inner}, {k}: {error:e}");
+        }
+    }
+}
+
 fn attenuation_halfway_to_its_range<T: Float>() {
     // 1/(1 + 4/4) (1 − (2/4)⁴)² = ½ (15/16)², without any rounding
-    let free = T::new_attenuation(T::ONE, T::ZERO, T::of(0.25)).expect("coefficients");
-    let ranged = T::within(free, T::of(4.0)).expect("a range");
+    let free = Attenuation::of(T::ONE, T::ZERO, T::of(0.25)).expect("coefficients");
+    let ranged = Ranged::of(free, T::of(4.0)).expect("a range");
     assert_eq!(ranged.at(T::of(2.0)), T::of(225.0 / 512.0));
     // a light with this attenuation: its whole intensity is ½ (15/16)² of (1, ½, 0)
     let lamp = PointLight {

@@ -173,34 +173,6 @@ fn properties() -> BTreeSet<String> {
     properties
 }
 
-/// Each public function is called where the bits of the results are pinned.
-#[test]
-fn list_of_pinned_bits_is_complete() {
-    let lists = rust_files(&at_root("tests/bits/digest"))
-        .into_iter()
-        .map(read);
-    let lists: String = lists.collect();
-    let called: BTreeSet<_> = lists
-        .split(|c: char| !c.is_alphanumeric() && c != '_')
-        .collect();
-    let computes = |path: &PathBuf| !path.starts_with(at_root("src/features"));
-    for path in rust_files(&at_root("src")).into_iter().filter(computes) {
-        let source = read(&path);
-        for item in source.split("pub ").skip(1) {
-            let item = item.strip_prefix("const ").unwrap_or(item);
-            let Some(item) = item.strip_prefix("fn ") else {
-                continue;
-            };
-            let name = item.split(['(', '<']).next().unwrap_or_default();
-            assert!(
-                called.contains(name),
-                "{name} of {} is not pinned",
-                path.display()
-            );
-        }
-    }
-}
-
 /// Each test program is in the table, and the table has nothing else.
 #[test]
 fn table_of_tests_is_complete() {
@@ -214,7 +186,7 @@ fn table_of_tests_is_complete() {
     let entries = fs::read_dir(at_root("tests")).expect("a folder");
     let entries = entries.map(|entry| entry.expect("an entry").path());
     let is_test = |path: &PathBuf| {
-        let programs = ["main.rs", "run.sh"].map(|name| path.join(name));
+        let programs = ["main.rs", "Cargo.toml"].map(|name| path.join(name));
         path.extension().is_some_and(|e| e == "rs") || programs.iter().any(|path| path.exists())
     };
     let name = |path: PathBuf| {

@@ -2,6 +2,7 @@
 
 use std::any::TypeId;
 
+use shading::f32::{Cone, DirectionalLight, Light, PointLight, Ranged, SoftCone, SpotLight};
 use shading::{Attenuation, Real, Rgb, Shaded, UnitVec3, Vec3};
 use support::number::{Float, for_f32_and_f64, vector};
 
@@ -110,7 +111,7 @@ fn parts_of_a_result_add_up_and_scale<T: Float>() {
 
 fn attenuation_returns_its_coefficients<T: Float>() {
     let abc = [0.25, 0.0, 3.0].map(T::of);
-    let attenuation = T::new_attenuation(abc[0], abc[1], abc[2]).expect("coefficients");
+    let attenuation = Attenuation::of(abc[0], abc[1], abc[2]).expect("coefficients");
     assert_eq!(attenuation.coefficients(), abc);
     assert!(!attenuation.is_clamped());
     assert_eq!(attenuation.clamped().coefficients(), abc);
@@ -160,3 +161,55 @@ of_each_float!(
     f32: f32_times_a_vector, names_in_f32;
     f64: f64_times_a_vector, names_in_f64
 );
+
+/// In the type of soft lights with ranges, each light keeps what arrives, to the bit.
+#[test]
+fn every_light_fits_into_the_widest_type() {
+    type Widest = Light<SoftCone, Ranged>;
+    let sun = DirectionalLight {
+        l: UnitVec3::Z,
+        intensity: Rgb::WHITE,
+    };
+    let lamp = PointLight {
+        position: Vec3::new(0.5, -0.25, 2.0),
+        intensity: Rgb::new(1.0, 0.5, 0.25),
+        attenuation: Attenuation::<f32>::new(1.0, 0.5, 0.25).unwrap(),
+    };
+    let spot = SpotLight {
+        point: lamp,
+        axis: UnitVec3::NEG_Z,
+        cone: Cone::from_half_angle(0.5).unwrap(),
+    };
+    let soft_spot = SpotLight {
+        point: lamp,
+        axis: UnitVec3::NEG_Z,
+        cone: SoftCone::from_half_angles(0.25, 0.5).unwrap(),
+    };
+    let ranged = PointLight {
+        position: lamp.position,
+        intensity: lamp.intensity,
+        attenuation: lamp.attenuation.within(4.0).unwrap(),
+    };
+    let p = Vec3::new(0.125, 0.25, -0.5);
+    let fit = [
+        sun.into(),
+        lamp.into(),
+        spot.into(),
+        soft_spot.into(),
+        ranged.into(),
+    ];
+    let arriving = [
+        sun.at(p),
+        lamp.at(p),
+        spot.at(p),
+        soft_spot.at(p),
+        ranged.at(p),
+    ];
+    assert_eq!(fit.map(|light: Widest| light.at(p)), arriving);
+
+    let hard: [Light; 3] = [sun.into(), lamp.into(), spot.into()];
+    assert_eq!(
+        hard.map(|light| Widest::from(light).at(p)),
+        [arriving[0], arriving[1], arriving[2]]
+    );
+}

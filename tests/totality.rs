@@ -4,8 +4,9 @@
 use std::f64::consts::FRAC_1_PI;
 
 use shading::{
-    Attenuation, DirectionalLight, Dual, Elementary, IncidentLight, Material, PointLight, Real,
-    Rgb, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
+    Attenuation, Cone, DirectionalLight, Dual, Elementary, IncidentLight, Material, PointLight,
+    Ranged, Real, Rgb, SoftCone, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal,
+    reflection, shade, term,
 };
 use support::flushing::Flushing;
 use support::number::{Float, direction, for_f32_and_f64, vector};
@@ -32,6 +33,8 @@ for_f32_and_f64!(
     columns_of_any_size_transform_normals,
     a_degenerate_triangle_has_no_share,
     shares_of_tiny_and_huge_triangles_are_angles,
+    a_triangle_without_a_map_has_no_tangent,
+    tangents_of_triangles_and_maps_of_any_size,
     a_map_without_a_frame_or_a_sample_has_no_normal,
     lambert_of_nan_is_zero,
     highlight_of_a_nan_cosine_is_zero,
@@ -494,6 +497,57 @@ fn shares_of_tiny_and_huge_triangles_are_angles<T: Float>() {
     }
 }
 
+/// A right angle at the origin, whose map is the plane it lies in.
+fn mapped_corner<T: Float>(size: T, map: T) -> ([Vec3<T>; 3], [[T; 2]; 3]) {
+    let o = T::ZERO;
+    let vertices = [[o, o, o], [size, o, o], [o, size, o]].map(Vec3::from);
+    (vertices, [[o, o], [map, o], [o, map]])
+}
+
+fn a_triangle_without_a_map_has_no_tangent<T: Float>() {
+    let (vertices, map) = mapped_corner(T::ONE, T::ONE);
+    assert_eq!(normal::tangent(vertices, map), Some((UnitVec3::X, T::ONE)));
+    let [a, b, c] = map;
+    for on_a_line in [
+        [a, a, a],
+        [a, b, b],
+        [a, b, a],
+        [b, b, c],
+        [a, [T::of(2.0), T::ZERO], b],
+    ] {
+        assert_eq!(normal::tangent(vertices, on_a_line), None);
+    }
+    let [o, x, _] = vertices;
+    assert_eq!(normal::tangent([o, o, o], map), None);
+    assert_eq!(normal::tangent([o, o, x], map), None); // y grows along it, and x nowhere
+    for bad in not_finite::<T>() {
+        assert_eq!(normal::tangent([o, at_x(bad), at_x(T::ONE)], map), None);
+        assert_eq!(normal::tangent(vertices, [a, [bad, T::ZERO], c]), None);
+        assert_eq!(normal::tangent(vertices, [a, b, [T::ZERO, bad]]), None);
+    }
+}
+
+fn tangents_of_triangles_and_maps_of_any_size<T: Float>() {
+    // half of the smallest number is 0
+    let sizes = [T::of(T::TINIEST) * T::of(2.0), T::ONE, T::MAX];
+    for (size, map) in sizes
+        .into_iter()
+        .flat_map(|size| sizes.map(|map| (size, map)))
+    {
+        let (vertices, map) = mapped_corner(size, map);
+        assert_eq!(normal::tangent(vertices, map), Some((UnitVec3::X, T::ONE)));
+        let [a, b, c] = map;
+        let mirrored = normal::tangent(vertices, [a, c, b]); // x and y change places
+        assert_eq!(mirrored, Some((UnitVec3::Y, -T::ONE)));
+    }
+    // the differences overflow
+    let far = |x: T, y: T| Vec3::new(x, y, T::ZERO);
+    let max = T::MAX;
+    let vertices = [far(-max, -max), far(max, -max), far(-max, max)];
+    let map = [[-max, -max], [max, -max], [-max, max]];
+    assert_eq!(normal::tangent(vertices, map), Some((UnitVec3::X, T::ONE)));
+}
+
 fn a_map_without_a_frame_or_a_sample_has_no_normal<T: Float>() {
     let (n, tangent) = (UnitVec3::<T>::Z, *UnitVec3::X);
     let sample = vector([0.5, 0.0, 1.0]);
@@ -638,7 +692,7 @@ fn attenuation_over_negative_zero_is_negative<T: Float>() {
     // if a or q is +0, so is the denominator
     assert_eq!(attenuation(zero, zero, one, -zero), T::INFINITY);
     assert_eq!(attenuation(-zero, zero, one, zero), T::INFINITY);
-    let checked = T::new_attenuation(-zero, zero, one).expect("coefficients");
+    let checked = Attenuation::of(-zero, zero, one).expect("coefficients");
     assert_eq!(checked.at(-zero), T::MAX);
 }
 
@@ -657,7 +711,7 @@ fn checked_attenuation_is_never_infinite<T: Float>() {
     ];
     for coefficients in steep {
         let [a, b, c] = coefficients.map(T::of);
-        let checked = T::new_attenuation(a, b, c).expect("coefficients");
+        let checked = Attenuation::of(a, b, c).expect("coefficients");
         for zero in [T::ZERO, -T::ZERO] {
             assert_eq!(checked.at(zero), T::MAX);
             assert_eq!(checked.clamped().at(zero), T::ONE);
@@ -667,19 +721,16 @@ fn checked_attenuation_is_never_infinite<T: Float>() {
 
 fn cone_of_an_invalid_angle_is_none<T: Float>() {
     for angle in [-T::of(T::TINIEST), T::of(3.2), T::INFINITY, T::NAN] {
-        assert_eq!(T::cone_from_half_angle(angle), None, "{angle:e}");
+        assert_eq!(Cone::of_half_angle(angle), None, "{angle:e}");
     }
     let beyond = T::of(1.0 + 2.0 * T::U);
     for cosine in [beyond, -beyond, T::INFINITY, -T::INFINITY, T::NAN] {
-        assert_eq!(T::cone_from_cosine(cosine), None, "{cosine:e}");
+        assert_eq!(Cone::of_cosine(cosine), None, "{cosine:e}");
     }
 }
 
 fn cone_of_zero_lights_its_axis<T: Float>() {
-    for cone in [
-        T::cone_from_half_angle(T::ZERO),
-        T::cone_from_cosine(T::ONE),
-    ] {
+    for cone in [Cone::of_half_angle(T::ZERO), Cone::of_cosine(T::ONE)] {
         let cone = cone.expect("a cone");
         for (x, y) in (1..100).flat_map(|x| (1..100).map(move |y| (x, y))) {
             let axis = direction::<T>([f64::from(x), f64::from(y), 7.0]);
@@ -693,8 +744,8 @@ fn cone_of_zero_lights_its_axis<T: Float>() {
 }
 
 fn soft_cone_of_invalid_angles_is_none<T: Float>() {
-    let cone = |inner: f64, outer: f64| T::soft_cone_from_half_angles(T::of(inner), T::of(outer));
-    let of_cosines = |inner: f64, outer: f64| T::soft_cone_from_cosines(T::of(inner), T::of(outer));
+    let cone = |inner: f64, outer: f64| SoftCone::of_half_angles(T::of(inner), T::of(outer));
+    let of_cosines = |inner: f64, outer: f64| SoftCone::of_cosines(T::of(inner), T::of(outer));
     assert!(cone(0.0, 0.5).is_some() && of_cosines(1.0, 0.5).is_some());
     for [inner, outer] in [[0.5, 0.4], [-0.1, 0.5], [0.5, 3.2], [-0.1, 3.2]] {
         assert_eq!(cone(inner, outer), None);
@@ -704,18 +755,18 @@ fn soft_cone_of_invalid_angles_is_none<T: Float>() {
     }
     for bad in not_finite::<T>() {
         let good = T::of(0.5);
-        assert_eq!(T::soft_cone_from_half_angles(bad, good), None);
-        assert_eq!(T::soft_cone_from_half_angles(good, bad), None);
-        assert_eq!(T::soft_cone_from_cosines(bad, good), None);
-        assert_eq!(T::soft_cone_from_cosines(good, bad), None);
+        assert_eq!(SoftCone::of_half_angles(bad, good), None);
+        assert_eq!(SoftCone::of_half_angles(good, bad), None);
+        assert_eq!(SoftCone::of_cosines(bad, good), None);
+        assert_eq!(SoftCone::of_cosines(good, bad), None);
     }
 }
 
 fn soft_cone_of_one_angle_is_the_hard_cone<T: Float>() {
     // every 2⁻⁸ radians of the half-circle, on the edge and next to it
     for angle in (0..=804).map(|k| T::of(f64::from(k) / 256.0)) {
-        let hard = T::cone_from_half_angle(angle).expect("below π");
-        let soft = T::soft_cone_from_half_angles(angle, angle).expect("below π");
+        let hard = Cone::of_half_angle(angle).expect("below π");
+        let soft = SoftCone::of_half_angles(angle, angle).expect("below π");
         assert_eq!(soft.cosines(), [hard.cosine(); 2]);
         let beside = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|k| hard.cosine() + T::of(k * T::U));
         for cosine in beside.into_iter().chain([-T::ONE, T::ZERO, T::ONE, T::NAN]) {
@@ -736,7 +787,7 @@ fn soft_cone_of_nearly_equal_angles_is_hard<T: Float>() {
     };
     for k in 0..1 << 16 {
         let [inner, outer] = [k, k + 1].map(|k| T::of(start.to_f64() + f64::from(k) * T::U));
-        let cone = T::soft_cone_from_half_angles(inner, outer).expect("below π");
+        let cone = SoftCone::of_half_angles(inner, outer).expect("below π");
         let [inner, outer] = cone.cosines();
         assert!(inner >= outer);
         let factor = cone.factor(-UnitVec3::Z, UnitVec3::Z);
@@ -746,11 +797,11 @@ fn soft_cone_of_nearly_equal_angles_is_hard<T: Float>() {
 
 fn invalid_range_is_refused_infinity_is_none<T: Float>() {
     for bad in [T::ZERO, -T::ZERO, -T::ONE, -T::INFINITY, T::NAN] {
-        assert_eq!(T::within(Attenuation::NONE, bad), None);
+        assert_eq!(Ranged::of(Attenuation::NONE, bad), None);
     }
     // a range of ∞ is no range, not even at an infinite distance, where the attenuation is 0
-    let free = T::new_attenuation(T::ONE, T::ZERO, T::of(0.25)).expect("coefficients");
-    let ranged = T::within(free, T::INFINITY).expect("no range");
+    let free = Attenuation::of(T::ONE, T::ZERO, T::of(0.25)).expect("coefficients");
+    let ranged = Ranged::of(free, T::INFINITY).expect("no range");
     for q in [T::ZERO, T::of(T::TINIEST), T::of(2.0), T::MAX, T::INFINITY] {
         assert_eq!(ranged.at(q), free.at(q));
     }
@@ -758,9 +809,9 @@ fn invalid_range_is_refused_infinity_is_none<T: Float>() {
 
 fn ranged_attenuation_is_zero_out_of_its_range<T: Float>() {
     // also where the attenuation is infinite, at the smallest range, and for NaN
-    let inverse_square = T::new_attenuation(T::ZERO, T::ZERO, T::ONE).expect("coefficients");
+    let inverse_square = Attenuation::of(T::ZERO, T::ZERO, T::ONE).expect("coefficients");
     for r in [T::of(T::TINIEST), T::ONE, T::MAX] {
-        let ranged = T::within(inverse_square, r).expect("above 0");
+        let ranged = Ranged::of(inverse_square, r).expect("above 0");
         for q in [r, r + r, T::INFINITY, T::NAN] {
             assert_eq!(ranged.at(q), T::ZERO, "{q:e} of {r:e}");
         }
@@ -773,7 +824,7 @@ fn lights_out_of_range_are_left_out<T: Float>() {
     let lamp = |z: T, r: T| PointLight {
         position: Vec3::new(T::ZERO, T::ZERO, z),
         intensity: Rgb::gray(T::MAX),
-        attenuation: T::within(Attenuation::NONE, r).expect("above 0"),
+        attenuation: Ranged::of(Attenuation::NONE, r).expect("above 0"),
     };
     let in_front = |lamp: PointLight<T, shading::Ranged<T>>| lamp.in_front(Vec3::ZERO, UnitVec3::Z);
     let [small, large] = [T::MIN_POSITIVE.sqrt() / 16.0, T::MAX.to_f64().sqrt() * 16.0].map(T::of);
@@ -947,6 +998,8 @@ fn dark_and_invalid_channels_get_the_lowest_level() {
     ] {
         assert_eq!(Rgb::gray(dark).to_srgb8(), [0; 3], "{dark:e}");
         assert_eq!(Rgb::gray(dark).to_rgb565(), 0, "{dark:e}");
+        assert_eq!(Rgb::gray(dark).to_linear8(), [0; 3], "{dark:e}");
+        assert_eq!(Rgb::gray(dark).to_linear565(), 0, "{dark:e}");
     }
 }
 
@@ -955,6 +1008,8 @@ fn channels_above_one_get_the_highest_level() {
     for bright in [1.0 + f32::EPSILON, 1e30, f32::MAX, f32::INFINITY] {
         assert_eq!(Rgb::gray(bright).to_srgb8(), [255; 3], "{bright:e}");
         assert_eq!(Rgb::gray(bright).to_rgb565(), u16::MAX, "{bright:e}");
+        assert_eq!(Rgb::gray(bright).to_linear8(), [255; 3], "{bright:e}");
+        assert_eq!(Rgb::gray(bright).to_linear565(), u16::MAX, "{bright:e}");
     }
 }
 
@@ -1054,5 +1109,5 @@ fn every_row_of_the_table_names_a_test() {
         let is_there = tests.iter().any(defines);
         assert!(is_there, "no test {name}");
     }
-    assert_eq!(cited.len(), 123, "rows");
+    assert_eq!(cited.len(), 125, "rows");
 }

@@ -6,20 +6,20 @@ use std::sync::LazyLock;
 use shading::{Exponent, Lanes, Light, Material, PointLight, Rgb, Shaded, shade};
 use wide::{f32x4, f32x8};
 
-use super::{LIGHTS, POINT, Place, REAL, WHOLE};
+use super::{Place, input};
 
 /// A scene whose lights fill one pack.
-pub struct Scene<L> {
+struct Scene<L> {
     points: Vec<PointLight<L>>,
-    whole: Material<L, u32>,
+    integer: Material<L, u32>,
     real: Material<L, f32>,
 }
 
-pub static FOUR: LazyLock<Scene<f32x4>> = LazyLock::new(Scene::new);
-pub static EIGHT: LazyLock<Scene<f32x8>> = LazyLock::new(Scene::new);
+static FOUR: LazyLock<Scene<f32x4>> = LazyLock::new(Scene::new);
+static EIGHT: LazyLock<Scene<f32x8>> = LazyLock::new(Scene::new);
 
 /// What is summed up.
-pub static SHADED: Shaded<f32x8> = {
+static SHADED: Shaded<f32x8> = {
     let part = Rgb::gray(f32x8::new([0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2, 0.1]));
     Shaded {
         ambient: part,
@@ -37,19 +37,12 @@ where
     f32: Exponent<L>,
 {
     fn new() -> Self {
+        let place = Place::new(&input(&mut fastrand::Rng::with_seed(1977)));
         Self {
-            points: PointLight::packed(&vec![POINT; L::COUNT]).collect(),
-            whole: WHOLE.cast(splat),
-            real: REAL.cast(splat),
+            points: PointLight::packed(&vec![place.lamps[0]; L::COUNT]).collect(),
+            integer: place.integer.cast(splat),
+            real: place.real.cast(splat),
         }
-    }
-
-    pub fn sum_whole(&self, place: &Place) -> Shaded<f32> {
-        self.sum(place, &self.whole)
-    }
-
-    pub fn sum_real(&self, place: &Place) -> Shaded<f32> {
-        self.sum(place, &self.real)
     }
 
     #[inline]
@@ -61,14 +54,33 @@ where
     }
 }
 
+pub fn sum_4_integer(place: &Place) -> Shaded<f32> {
+    FOUR.sum(place, &FOUR.integer)
+}
+
+pub fn sum_4_real(place: &Place) -> Shaded<f32> {
+    FOUR.sum(place, &FOUR.real)
+}
+
+pub fn sum_8_integer(place: &Place) -> Shaded<f32> {
+    EIGHT.sum(place, &EIGHT.integer)
+}
+
+pub fn sum_8_real(place: &Place) -> Shaded<f32> {
+    EIGHT.sum(place, &EIGHT.real)
+}
+
+pub fn sum_of_lanes(_: &Place) -> Shaded<f32> {
+    black_box(&SHADED).sum_of_lanes()
+}
+
 /// Eight point lights into a pack.
 pub fn points(place: &Place) -> Option<PointLight<f32x8>> {
-    let position = place.p;
-    PointLight::packed(&[PointLight { position, ..POINT }; 8]).next()
+    PointLight::packed(&[place.lamps[0]; 8]).next()
 }
 
 /// A light of each kind into three packs.
-pub fn lights(_: &Place) -> [Option<Light<f32x8>>; 3] {
-    let mut packs = Light::packed(black_box(&LIGHTS));
+pub fn lights(place: &Place) -> [Option<Light<f32x8>>; 3] {
+    let mut packs = Light::packed(&place.lights[..3]);
     [(); 3].map(|()| packs.next())
 }

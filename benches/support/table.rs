@@ -16,7 +16,7 @@ impl fmt::Display for Table {
             compiler()
         )?;
         for (name, count) in &self.0 {
-            writeln!(f, "{name:24} {count:8.1}")?;
+            writeln!(f, "{name:48} {count:8.1}")?;
         }
         Ok(())
     }

@@ -21,7 +21,7 @@
 //! **The exponential is a quotient for speed.** It takes eight operations and a division. A
 //! polynomial of the same accuracy takes twelve operations, each of which waits for the one before.
 //!
-//! `benches/minimax.py` finds the coefficients; `tests/exhaustive.rs` tries every c.
+//! `benches/minimax.py` finds the coefficients; `tests/numerics/exhaustive.rs` tries every c.
 
 use crate::real::Real;
 

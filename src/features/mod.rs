@@ -1,5 +1,5 @@
 //! The optional features, which implement other crates' traits and conversions. Each has a file
-//! with its name.
+//! or a folder with its name.
 
 #[cfg(feature = "approx")]
 mod approx;

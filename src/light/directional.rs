@@ -88,3 +88,18 @@ impl<T: Real> DirectionalLight<T> {
         }
     }
 }
+
+/// The light that arrives at every point, so that a scene lit by the sun alone needs none.
+///
+/// ```
+/// use shading::f32::{DirectionalLight, IncidentLight, Rgb, UnitVec3, Vec3};
+///
+/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
+/// assert_eq!(IncidentLight::from(sun), sun.at(Vec3::ZERO));
+/// ```
+impl<T: Real> From<DirectionalLight<T>> for IncidentLight<T> {
+    #[inline]
+    fn from(light: DirectionalLight<T>) -> Self {
+        light.at(Vec3::ZERO)
+    }
+}

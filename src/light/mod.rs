@@ -13,6 +13,7 @@ mod in_front;
 mod incident;
 mod point;
 mod spot;
+mod wider;
 
 pub use directional::DirectionalLight;
 pub use incident::IncidentLight;
@@ -45,22 +46,24 @@ use crate::vector::Vec3;
 ///
 /// In a `static`, write the kind: `static LIGHTS: [Light; 1] = [Light::Directional(SUN)];`.
 ///
-/// A scene with soft edges and ranges declares them in the type of its lights. Hard cones and
-/// lights without a range fit into that type:
+/// A scene with soft edges and ranges declares them in the type of its lights. Every light fits into
+/// that type, also one with a hard cone or without a range:
 ///
 /// ```
-/// use shading::Light;
-/// use shading::f32::{Attenuation, Cone, PointLight, Ranged, Rgb};
+/// use shading::f32::{Attenuation, Cone, Light, PointLight, Ranged, Rgb};
 /// use shading::f32::{SoftCone, SpotLight, UnitVec3, Vec3};
 ///
 /// let point = PointLight {
 ///     position: Vec3::new(0.0, 0.0, 2.0),
 ///     intensity: Rgb::WHITE,
-///     attenuation: Attenuation::NONE.into(),
+///     attenuation: Attenuation::NONE,
 /// };
-/// let cone = Cone::from_half_angle(0.5).unwrap().into();
-/// let lights: [Light<f32, SoftCone, Ranged>; 2] =
-///     [point.into(), SpotLight { point, axis: UnitVec3::NEG_Z, cone }.into()];
+/// let cone = Cone::from_half_angle(0.5).unwrap();
+/// let spot = SpotLight { point, axis: UnitVec3::NEG_Z, cone };
+/// let soft = SoftCone::from_half_angles(0.25, 0.5).unwrap();
+/// let soft_spot = SpotLight { point, axis: UnitVec3::NEG_Z, cone: soft };
+///
+/// let lights: [Light<SoftCone, Ranged>; 3] = [point.into(), spot.into(), soft_spot.into()];
 /// assert_eq!(lights[1].at(Vec3::ZERO), lights[0].at(Vec3::ZERO));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,7 +85,8 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> Light<T, C, A> {
     ///
     /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
     /// let p = Vec3::new(5.0, 0.0, -2.0);
-    /// assert_eq!(Light::from(sun).at(p), sun.at(p));
+    /// let light: Light = sun.into();
+    /// assert_eq!(light.at(p), sun.at(p));
     /// ```
     #[inline(always)]
     #[must_use]
@@ -131,8 +135,8 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> Light<T, C, A> {
     /// ```
     /// use shading::f32::{DirectionalLight, Light, Rgb, UnitVec3, Vec3};
     ///
-    /// let from = |l| Light::from(DirectionalLight { l, intensity: Rgb::WHITE });
-    /// let lights = [from(UnitVec3::X), from(UnitVec3::NEG_Z), from(UnitVec3::Z)];
+    /// let from = |l| DirectionalLight { l, intensity: Rgb::WHITE }.into();
+    /// let lights: [Light; 3] = [UnitVec3::X, UnitVec3::NEG_Z, UnitVec3::Z].map(from);
     /// let lit = Light::all_in_front(&lights, Vec3::ZERO, UnitVec3::Z);
     /// assert!(lit.map(|light| light.l).eq([UnitVec3::Z]));
     /// ```
@@ -161,32 +165,11 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> Light<T, C, A> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn cast<U>(self, f: impl FnMut(T) -> U) -> Light<U, C::In<U>, A::In<U>> {
+    pub fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> Light<U, C::In<U>, A::In<U>> {
         match self {
             Self::Directional(light) => Light::Directional(light.cast(f)),
             Self::Point(light) => Light::Point(light.cast(f)),
             Self::Spot(light) => Light::Spot(light.cast(f)),
         }
-    }
-}
-
-impl<T, C, A> From<DirectionalLight<T>> for Light<T, C, A> {
-    #[inline]
-    fn from(light: DirectionalLight<T>) -> Self {
-        Self::Directional(light)
-    }
-}
-
-impl<T, C, A> From<PointLight<T, A>> for Light<T, C, A> {
-    #[inline]
-    fn from(light: PointLight<T, A>) -> Self {
-        Self::Point(light)
-    }
-}
-
-impl<T, C, A> From<SpotLight<T, C, A>> for Light<T, C, A> {
-    #[inline]
-    fn from(light: SpotLight<T, C, A>) -> Self {
-        Self::Spot(light)
     }
 }

@@ -180,7 +180,7 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> PointLight<U, A::In<U>> {
+    pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> PointLight<U, A::In<U>> {
         PointLight {
             position: self.position.map(&mut f),
             intensity: self.intensity.map(&mut f),

@@ -130,7 +130,7 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> SpotLight<T, C, A> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> SpotLight<U, C::In<U>, A::In<U>> {
+    pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> SpotLight<U, C::In<U>, A::In<U>> {
         SpotLight {
             point: self.point.cast(&mut f),
             axis: self.axis.cast(&mut f),

@@ -1,7 +1,6 @@
 //! The normals of a mesh's vertices.
 
 use crate::real::{Real, constant, parts};
-use crate::rescale::rescaled_difference;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -19,19 +18,19 @@ use crate::vector::Vec3;
 /// and 10²⁰ work as well as 1, even side by side.
 ///
 /// Weighting by the angle makes the result independent of how a flat face is split into triangles.
-/// This table gives the mean error of vertex normals against the exact normals of the surface that
-/// the mesh approximates, measured by `tests/weights.rs`:
+/// This is the mean error of vertex normals against the exact normals of the surface that the mesh
+/// approximates, measured once, on irregular meshes:
 ///
 /// | mesh | angle | Max | area |
 /// |---|---|---|---|
-/// | the teapot, all squares split alike | 0.38° | 0.67° | 0.26° |
-/// | the teapot, each square split at random | 0.39° | 0.71° | 0.76° |
-/// | the same, with its vertices moved at random | 0.84° | 1.09° | 1.41° |
-/// | the bunny | 2.25° | 2.72° | 2.02° |
-/// | a sphere, equally irregular | 1.05° | 0.00° | 2.78° |
+/// | the teapot, each square split at random | 0.4° | 0.7° | 0.8° |
+/// | the same, with its vertices moved at random | 0.8° | 1.1° | 1.4° |
+/// | the bunny | 2.3° | 2.7° | 2.0° |
+/// | a sphere, with its vertices moved at random | 1.1° | 0 | 2.8° |
 ///
 /// Max's weights, `e1.cross(e2)` divided by |e₁|²|e₂|², are exact on a sphere and need no angle.
-/// Area weights, `e1.cross(e2)`, are the shortest to write, and the best on a regular mesh.
+/// Area weights, `e1.cross(e2)`, are the shortest to write. On the teapot with all squares split
+/// alike, their error was 0.3°, and that of the angle 0.4°.
 ///
 /// Source: Grit Thürmer and Charles A. Wüthrich, *Computing Vertex Normals from Polygonal Facets*,
 /// 1998; Nelson Max, *Weights for Computing Vertex Normals from Facet Normals*, 1999.
@@ -62,7 +61,7 @@ use crate::vector::Vec3;
 #[must_use]
 pub fn corner<T: Real>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Vec3<T> {
     let none = UnitVec3::assume_unit(Vec3::ZERO);
-    let (e1, e2) = (rescaled_difference(v2, v1), rescaled_difference(v3, v1));
+    let (e1, e2) = (v2.rescaled_from(v1).0, v3.rescaled_from(v1).0);
     let product = e1.cross(e2);
     let n = product.unit_or(none);
     let lengths = e1.dot(e1).sqrt() * e2.dot(e2).sqrt();

@@ -2,7 +2,6 @@
 
 use super::surface::from_tangents;
 use crate::real::Real;
-use crate::rescale::{rescaled, rescaled_with_scale};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -56,7 +55,9 @@ pub fn facing<T: Real>(n: UnitVec3<T>, v: UnitVec3<T>) -> UnitVec3<T> {
 /// number is not finite. A singular M still gives a normal to every other surface, because M is not
 /// inverted. The error is a few u times the conditioning
 /// (|n_x||b||c| + |n_y||c||a| + |n_z||a||b|)/|cof(M) N|, whatever the length of each column, where
-/// u is the unit roundoff.
+/// u is the unit roundoff. It is an error of a vector of length 1: a component that M makes much
+/// smaller than the others has fewer correct digits, and below 2⁻⁷⁵ (`f32`) or 2⁻⁶⁶⁰ (`f64`) it may
+/// be 0.
 ///
 /// Source: Ken Turkowski, *Properties of Surface-Normal Transformations*, in *Graphics Gems*, 1990.
 ///
@@ -85,7 +86,7 @@ pub fn transformed<T: Real + PartialOrd>(
     let cofactors =
         |a: Vec3<T>, b: Vec3<T>, c: Vec3<T>| b.cross(c) * n.x + c.cross(a) * n.y + a.cross(b) * n.z;
     let [a, b, c] = columns;
-    if let Some([a, b, c]) = T::rescaled_together([a.into(), b.into(), c.into()]) {
+    if let Some(([a, b, c], _)) = T::rescaled_together([a.into(), b.into(), c.into()]) {
         cofactors(a.into(), b.into(), c.into())
     } else {
         by_cofactors_of_any_size(n, columns)
@@ -136,7 +137,7 @@ fn by_cofactors_of_any_size<T: Real + PartialOrd>(
 /// A vector times a `power` of [`EXTREME`](Real::EXTREME), returned as a rescaled vector and a power.
 #[inline(never)]
 fn tame_power<T: Real + PartialOrd>(v: Vec3<T>, power: i32) -> (Vec3<T>, i32) {
-    let (rescaled, scale) = rescaled_with_scale(v);
+    let (rescaled, scale) = v.rescaled_from(Vec3::ZERO);
     let grown = i32::from(scale > T::ONE) - i32::from(scale < T::ONE);
     (rescaled, power - grown)
 }
@@ -201,6 +202,6 @@ pub fn mapped<T: Real + PartialOrd>(
         side.cross(n),
         *side * handedness.if_positive(T::ONE, T::NEG_ONE),
     );
-    let sample = rescaled(sample);
+    let sample = sample.rescaled();
     (t * sample.x + b * sample.y + *n * sample.z).unit()
 }

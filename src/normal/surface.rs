@@ -2,7 +2,6 @@
 
 use crate::dual::Dual;
 use crate::real::Real;
-use crate::rescale::{rescaled, rescaled_difference};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -59,9 +58,7 @@ pub fn triangle<T: Real + PartialOrd>(
     v2: Vec3<T>,
     v3: Vec3<T>,
 ) -> Option<UnitVec3<T>> {
-    rescaled_difference(v2, v1)
-        .cross(rescaled_difference(v3, v1))
-        .unit()
+    v2.rescaled_from(v1).0.cross(v3.rescaled_from(v1).0).unit()
 }
 
 /// The outward normal of a sphere at a point p on it.
@@ -86,7 +83,7 @@ pub fn triangle<T: Real + PartialOrd>(
 #[inline]
 #[must_use]
 pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitVec3<T>> {
-    rescaled_difference(p, center).unit()
+    p.rescaled_from(center).0.unit()
 }
 
 /// The normal of the implicit surface f(x, y, z) = 0 at a point p on it, from f itself.
@@ -254,5 +251,5 @@ fn is_one_noise<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> bool {
 #[inline]
 #[must_use]
 pub fn from_tangents<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<UnitVec3<T>> {
-    rescaled(s_u).cross(rescaled(s_v)).unit()
+    s_u.rescaled().cross(s_v.rescaled()).unit()
 }

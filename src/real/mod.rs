@@ -1,5 +1,6 @@
 //! The number type that every formula is written over.
 
+mod angle;
 pub(crate) mod root;
 pub(crate) mod triple;
 pub(crate) mod whole_power;
@@ -8,9 +9,10 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A real number: `f32`, `f64`, a dual number, a set of SIMD lanes, or a type of your own.
 ///
-/// The trait has the operations that the formulas of this crate need, and no more. All of them
-/// round correctly, so a result has the same bits on every machine. There is no comparison:
-/// [`if_positive`](Real::if_positive) makes each decision, separately for each lane.
+/// The trait has the operations that the formulas of this crate need. `f32`, `f64` and the SIMD
+/// lanes round each of + − × ÷ √ correctly, so their results have the same bits on every machine.
+/// There is no comparison: [`if_positive`](Real::if_positive) makes each decision, separately for
+/// each lane.
 ///
 /// ```
 /// use shading::Real;
@@ -79,9 +81,8 @@ pub trait Real:
     #[must_use]
     fn sqrt(self) -> Self;
 
-    /// `then` where `self` > 0, and `otherwise` elsewhere, which includes 0, −0 and NaN. Lanes are
-    /// selected one by one. Maximum, clamp and every guard against a degenerate case are built from
-    /// this method.
+    /// Selects `then` where `self` > 0 and `otherwise` elsewhere, also for 0, −0 and NaN. In lanes,
+    /// each lane is selected on its own. Maximum, clamp and all guards are built from this method.
     ///
     /// ```
     /// use shading::Real;
@@ -180,6 +181,24 @@ pub trait Real:
         self / whole
     }
 
+    /// The distance from 1 to the next number above.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn epsilon() -> Self {
+        epsilon()
+    }
+
+    /// The cosine of a half-angle in radians; `None` outside [0, π].
+    #[doc(hidden)]
+    #[must_use]
+    fn cosine_of_half_angle(self) -> Option<Self>
+    where
+        Self: PartialOrd,
+    {
+        angle::cosine_of_half_angle(self)
+    }
+
     /// v divided by a denominator that is not negative; 1/denominator counts as `limit` at most.
     #[doc(hidden)]
     #[inline(always)]
@@ -204,19 +223,12 @@ pub trait Real:
         triple::unit(v)
     }
 
-    /// v times a power of two that keeps its products within range.
+    /// `to` − `from`, times a power of two that keeps its products within range, and that power, for
+    /// [`rescaled_by`](Real::rescaled_by).
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn rescaled(v: [Self; 3]) -> [Self; 3] {
-        triple::rescaled(v)
-    }
-
-    /// `to` − `from`, likewise.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn rescaled_difference(to: [Self; 3], from: [Self; 3]) -> [Self; 3] {
+    fn rescaled_difference(to: [Self; 3], from: [Self; 3]) -> ([Self; 3], Self) {
         triple::rescaled_difference(to, from)
     }
 
@@ -224,8 +236,16 @@ pub trait Real:
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn rescaled_together(vectors: [[Self; 3]; 3]) -> Option<[[Self; 3]; 3]> {
+    fn rescaled_together(vectors: [[Self; 3]; 3]) -> Option<([[Self; 3]; 3], Self)> {
         triple::rescaled_together(vectors)
+    }
+
+    /// v times a power that rescaled another vector.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn rescaled_by(v: [Self; 3], power: Self) -> [Self; 3] {
+        Self::scaled(v, power)
     }
 
     /// L, q and the distance of a light, given its position and the point, and the way to the light.
@@ -273,6 +293,21 @@ pub trait Real:
     }
 }
 
+/// The distance from 1 to the next number above, or 2⁻¹⁰⁰ if that is smaller: what is computed from
+/// a sum of two numbers, as some types are, errs by more than the next number above 1 tells.
+fn epsilon<T: Real>() -> T {
+    let half = T::ONE / (T::ONE + T::ONE);
+    let mut epsilon = T::ONE;
+    for _ in 0..100 {
+        let smaller = epsilon * half;
+        if !(T::ONE + smaller - T::ONE).any_positive() {
+            break;
+        }
+        epsilon = smaller;
+    }
+    epsilon
+}
+
 /// A constant as the sum of three numbers in single precision, split by the compiler.
 /// `constant(const { parts(PI) })` uses no `f64` on the path of `f32`.
 #[inline]
@@ -313,6 +348,11 @@ macro_rules! float {
             #[inline]
             fn sqrt(self) -> Self {
                 $sqrt(self)
+            }
+
+            #[inline]
+            fn epsilon() -> Self {
+                $float::EPSILON
             }
 
             #[inline]

@@ -30,18 +30,13 @@ fn scales<T: Real>(square: T) -> [T; 2] {
     ]
 }
 
-/// [`rescaled_difference`] for an extreme `square` = |to − from|², with the power of two that rescaled the
-/// difference.
+/// [`rescaled_difference`] for an extreme `square` = |to − from|².
 ///
 /// The points are scaled down before the subtraction, since their difference may overflow. The
 /// difference is scaled up after it, since the points may be far from the origin.
 #[cfg_attr(target_os = "none", inline(always))]
 #[cfg_attr(not(target_os = "none"), inline)]
-pub(crate) fn extreme_difference<T: Real>(
-    to: Triple<T>,
-    from: Triple<T>,
-    square: T,
-) -> (Triple<T>, T) {
+fn extreme_difference<T: Real>(to: Triple<T>, from: Triple<T>, square: T) -> (Triple<T>, T) {
     let [shrink, grow] = scales(square);
     let difference = minus(T::scaled(to, shrink), T::scaled(from, shrink));
     (T::scaled(difference, grow), shrink * grow)
@@ -59,48 +54,41 @@ pub(super) fn length<T: Real>(v: Triple<T>) -> T {
 }
 
 #[inline]
-pub(super) fn rescaled<T: Real>(v: Triple<T>) -> Triple<T> {
-    #[cold]
-    #[inline(never)]
-    fn scale<T: Real>(v: Triple<T>) -> T {
-        let [shrink, grow] = scales(T::dot(v, v));
-        shrink * grow
-    }
-    if is_extreme(T::dot(v, v)) {
-        T::scaled(v, scale(v))
-    } else {
-        v
-    }
-}
-
-#[inline]
 pub(super) fn unit<T: Real>(v: Triple<T>) -> (Triple<T>, T) {
-    let rescaled @ [x, y, z] = rescaled(v);
+    let (rescaled, _) = rescaled_difference(v, [T::ZERO; 3]);
+    let [x, y, z] = rescaled;
     let length = T::dot(rescaled, rescaled).sqrt();
     ([x / length, y / length, z / length], length)
 }
 
+/// The power that rescales a difference, from its square. A cold function takes and returns numbers: a vector
+/// would be written to memory even if the function is not called, and reading it back would wait for the store.
+#[cold]
+#[inline(never)]
+fn power<T: Real>(square: T) -> T {
+    let [shrink, grow] = scales(square);
+    shrink * grow
+}
+
 #[inline]
-pub(super) fn rescaled_difference<T: Real>(to: Triple<T>, from: Triple<T>) -> Triple<T> {
-    #[cold]
-    #[inline(never)]
-    fn cold<T: Real>(to: Triple<T>, from: Triple<T>) -> Triple<T> {
-        let difference = minus(to, from);
-        extreme_difference(to, from, T::dot(difference, difference)).0
-    }
+pub(super) fn rescaled_difference<T: Real>(to: Triple<T>, from: Triple<T>) -> (Triple<T>, T) {
     let difference = minus(to, from);
-    if is_extreme(T::dot(difference, difference)) {
-        cold(to, from)
+    let square = T::dot(difference, difference);
+    if is_extreme(square) {
+        let power = power(square);
+        let (shrink, grow) = (power.at_most(T::ONE), power.at_least(T::ONE));
+        let difference = minus(T::scaled(to, shrink), T::scaled(from, shrink));
+        (T::scaled(difference, grow), power)
     } else {
-        difference
+        (difference, T::ONE)
     }
 }
 
 #[inline]
-pub(super) fn rescaled_together<T: Real>([a, b, c]: [Triple<T>; 3]) -> Option<[Triple<T>; 3]> {
+pub(super) fn rescaled_together<T: Real>([a, b, c]: [Triple<T>; 3]) -> Option<([Triple<T>; 3], T)> {
     let is_extreme = |v| is_extreme(T::dot(v, v));
     let is_any_extreme = is_extreme(a) || is_extreme(b) || is_extreme(c);
-    (!is_any_extreme).then_some([a, b, c])
+    (!is_any_extreme).then_some(([a, b, c], T::ONE))
 }
 
 #[inline(always)]

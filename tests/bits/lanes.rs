@@ -1,11 +1,11 @@
 //! One point, its lights in lanes.
 
-use shading::{Exponent, Lanes, Light, PointLight, Rgb, Shaded, shade};
+use shading::{Exponent, Lanes, Light, Material, PointLight, Rgb, Shaded, shade};
 use wide::{f32x4, f32x8, f32x16, f64x4, f64x8};
 
-use crate::digest::fnv::Each;
-use crate::digest::given::{Given, places};
-use crate::digest::{Float, Fnv};
+use functions::digest::Fnv;
+use functions::places::places;
+use functions::{Each, Float, Given};
 
 const PINNED: &str = include_str!("lanes.txt");
 
@@ -34,9 +34,8 @@ where
 {
     let mut digest = Fnv::EMPTY;
     for given in places() {
-        let lights = given.lights();
         digest.absorb(Each(
-            Light::packed(&lights).map(|pack| shaded::<L>(&given, [pack])),
+            Light::packed(&given.lights).map(|pack| shaded::<L>(&given, [pack])),
         ));
         let lamps = lamps(&given);
         digest.absorb(shaded::<L>(
@@ -69,8 +68,11 @@ where
 {
     let splat = |x| L::from_fn(|_| x);
     let (p, n, v) = (given.p.map(splat), given.n.cast(splat), given.v.cast(splat));
-    let m = L::Lane::from(32.5);
-    let material = given.material(m).cast(splat);
+    let material = Material {
+        m: L::Lane::from(32.5),
+        ..given.real
+    }
+    .cast(splat);
     let lit = packs.into_iter().filter_map(|pack| pack.in_front(p, n));
     shade::blinn_phong(n, v, &material, given.rgb.map(splat), lit).sum_of_lanes()
 }

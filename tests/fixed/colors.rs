@@ -137,7 +137,7 @@ impl Random {
                     return None;
                 }
                 if kind == 3 {
-                    arriving(&Light::from(SpotLight { point, axis, cone }), p)
+                    arriving(&Light::Spot(SpotLight { point, axis, cone }), p)
                 } else {
                     let point = ranged;
                     arriving(&Light::Spot(SpotLight { point, axis, cone }), p)

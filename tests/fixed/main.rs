@@ -2,6 +2,7 @@
 //! bounds, and colors against the same formulas in `f64`.
 
 mod colors;
+mod derivatives;
 mod numbers;
 mod scene;
 mod totality;

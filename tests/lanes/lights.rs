@@ -1,9 +1,9 @@
-//! Lights in lanes: who is where, and in which order the lanes add up.
+//! Lights in lanes: which light is in which lane, and in which order the lanes add up.
 
 use proptest::prelude::*;
 use shading::{
-    DirectionalLight, Exponent, IncidentLight, Light, Material, PointLight, Ranged, Real, Rgb,
-    Shaded, SoftCone, SpotLight, UnitVec3, Vec3, shade,
+    Attenuation, DirectionalLight, Exponent, IncidentLight, Light, Material, PointLight, Ranged,
+    Real, Rgb, Shaded, SoftCone, SpotLight, UnitVec3, Vec3, shade,
 };
 
 use crate::{Lamp, Lanes, Scalar, Surface, any_lamp, lamp, number};
@@ -34,9 +34,9 @@ fn of_kind<S: Scalar>(lamp_: &Lamp, [kind, clamped, smoothstep]: [usize; 3]) -> 
     let point = PointLight {
         position: point.position,
         intensity: point.intensity,
-        attenuation: S::within(attenuation, S::of(8.0)).unwrap(),
+        attenuation: Ranged::of(attenuation, S::of(8.0)).unwrap(),
     };
-    let cone = S::soft_cone(S::ONE, spot.cone.cosine()).unwrap();
+    let cone = SoftCone::of_cosines(S::ONE, spot.cone.cosine()).unwrap();
     let spot = SpotLight {
         point,
         axis: spot.axis,
@@ -239,7 +239,7 @@ pub fn nowhere<L: Lanes>() {
     let at = |x| PointLight {
         position: Vec3::new(x, zero, zero),
         intensity: Rgb::gray(L::Scalar::ONE),
-        attenuation: L::Scalar::attenuation(zero, zero, L::Scalar::ONE).unwrap(),
+        attenuation: Attenuation::of(zero, zero, L::Scalar::ONE).unwrap(),
     };
     let [.., infinity, minus_infinity, nan] = L::Scalar::EDGES;
     let k = Rgb::gray(L::Scalar::ONE);

@@ -7,24 +7,20 @@ use std::fmt::Debug;
 
 use proptest::prelude::*;
 use shading::{
-    Attenuation, Cone, DirectionalLight, Exponent, Light, Material, PointLight, Ranged, Real, Rgb,
-    Shaded, SoftCone, SpotLight, UnitVec3, Vec3, normal, reflection, shade, term,
+    Attenuation, Cone, DirectionalLight, Exponent, Light, Material, PointLight, Real, Rgb, Shaded,
+    SpotLight, UnitVec3, Vec3, normal, reflection, shade, term,
 };
 
 /// The largest number of lanes of any type.
 const LANES: usize = 16;
 
 /// `f32` or `f64`, the type of one lane.
-trait Scalar: Real + Exponent<Self> + PartialEq + Debug {
+trait Scalar: Real + Exponent<Self> + PartialOrd + Debug {
     /// Zeros of both signs, subnormal and ordinary numbers, the ends of the range, infinities, and
     /// NaN.
     const EDGES: [Self; 18];
     const SIGNALING_NAN: Self;
     fn bits(self) -> u64;
-    fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>>;
-    fn cone(cosine: Self) -> Option<Cone<Self>>;
-    fn soft_cone(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
-    fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>>;
 }
 
 /// A SIMD type.
@@ -57,18 +53,6 @@ macro_rules! lanes {
             fn bits(self) -> u64 {
                 // all NaNs count as equal
                 if self.is_nan() { u64::MAX } else { self.to_bits().into() }
-            }
-            fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>> {
-                Attenuation::<$float>::new(a, b, c)
-            }
-            fn cone(cosine: Self) -> Option<Cone<Self>> {
-                Cone::<$float>::from_cosine(cosine)
-            }
-            fn soft_cone(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
-                SoftCone::<$float>::from_cosines(inner, outer)
-            }
-            fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>> {
-                attenuation.within(range)
             }
         }
         $(
@@ -215,7 +199,7 @@ fn lamp<S: Scalar>((position, intensity, [a, b, c], axis, cosine): &Lamp) -> [Li
     let point = PointLight {
         position: of(*position).into(),
         intensity: of(*intensity).into(),
-        attenuation: S::attenuation(S::of(*a), S::of(*b), S::of(*c)).unwrap_or(Attenuation::NONE),
+        attenuation: Attenuation::of(S::of(*a), S::of(*b), S::of(*c)).unwrap_or(Attenuation::NONE),
     };
     [
         Light::Point(point),
@@ -226,7 +210,7 @@ fn lamp<S: Scalar>((position, intensity, [a, b, c], axis, cosine): &Lamp) -> [Li
         Light::Spot(SpotLight {
             point,
             axis,
-            cone: S::cone(S::of(*cosine)).unwrap(),
+            cone: Cone::of_cosine(S::of(*cosine)).unwrap(),
         }),
     ]
 }

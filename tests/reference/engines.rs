@@ -1,11 +1,11 @@
 //! The edges of lights against three.js, Filament, and the glTF extension `KHR_lights_punctual`, by
 //! the formulas of their shaders.
 
-use shading::{Attenuation, UnitVec3, Vec3};
+use shading::{Attenuation, Ranged, UnitVec3, Vec3};
 use support::number::{Number, for_f32_and_f64};
 
-use crate::running::{Bounded, Float};
 use crate::table::Tally;
+use support::running::{Bounded, Float};
 
 for_f32_and_f64!(soft_cones, ranges);
 
@@ -85,7 +85,7 @@ fn ranges<T: Float>() {
     let mut tally = Tally::new::<T>("ranges");
     let free = T::attenuation([0.0, 0.0, 1.0]).expect("coefficients");
     for r in [0.5, 1.0, 3.0, 12.5] {
-        let ranged = T::within(free, T::of(r)).expect("a range");
+        let ranged = Ranged::of(free, T::of(r)).expect("a range");
         for k in 1..=60 {
             let q = T::of(r * f64::from(k) / 50.0);
             let actual = ranged.at(q).to_f64();
@@ -103,12 +103,12 @@ fn ranges<T: Float>() {
     tally.close(226, &[("three.js clamps", 14)]);
 
     // in three.js a `distance` of 0 means no range; here 0 is refused, and ∞ means no range
-    assert_eq!(T::within(free, T::ZERO), None);
+    assert_eq!(Ranged::of(free, T::ZERO), None);
     assert_eq!(
-        T::within(free, T::INFINITY)
+        Ranged::of(free, T::INFINITY)
             .expect("no range")
             .at(T::of(2.0)),
         T::of(0.25)
     );
-    assert_eq!(T::within(Attenuation::NONE, T::NAN), None);
+    assert_eq!(Ranged::of(Attenuation::NONE, T::NAN), None);
 }

@@ -4,9 +4,9 @@
 use shading::{UnitVec3, Vec3, normal};
 use support::number::{Number, for_f32_and_f64, vector};
 
-use crate::running::{Bounded, Float};
 use crate::surfaces;
 use crate::table::{Row, Tally, rows};
+use support::running::{Bounded, Float};
 
 for_f32_and_f64!(gradients_by_hand, tangents_by_hand);
 

@@ -1,7 +1,7 @@
 //! Values computed by others (`tests/data/README.md`), one module per source.
 
 // shared by the comparisons
-mod running;
+mod json;
 mod scene;
 mod surfaces;
 mod table;

@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 use shading::{UnitVec3, normal};
 use support::number::{Number, for_f32_and_f64, vector};
 
-use crate::running::{Bounded, Float};
 use crate::surfaces;
 use crate::table::{Row, Tally, rows};
+use support::running::{Bounded, Float};
 
 for_f32_and_f64!(planes, triangles, implicit_surfaces, parametric_surfaces);
 

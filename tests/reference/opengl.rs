@@ -3,9 +3,9 @@
 
 use support::number::for_f32_and_f64;
 
-use crate::running::Float;
 use crate::scene::{Lamp, Scene, Source, Spot};
 use crate::table::{Row, Tally, bits, rows};
+use support::running::Float;
 
 for_f32_and_f64!(single_light, multi_light);
 

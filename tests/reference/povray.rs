@@ -3,9 +3,10 @@
 use serde_json::Value;
 use support::number::for_f32_and_f64;
 
-use crate::running::Float;
+use crate::json::{cases, lamps, number, three};
 use crate::scene::{Lamp, Scene, Source, Spot, minus};
-use crate::table::{Tally, read};
+use crate::table::Tally;
+use support::running::Float;
 
 for_f32_and_f64!(povray);
 
@@ -14,8 +15,7 @@ for_f32_and_f64!(povray);
 fn povray<T: Float>() {
     const FILE: &str = "povray_cases.jsonl";
     let mut tally = Tally::new::<T>(FILE);
-    for line in read(FILE).lines() {
-        let case: Value = serde_json::from_str(line).expect("a JSON object");
+    for case in cases(FILE) {
         let scene = scene(&case);
         let color: [T; 3] = scene.shade::<T>().clamped().into();
         let expected = three(&case["pov_rgb16"]).map(|c| c / 65535.0);
@@ -25,16 +25,6 @@ fn povray<T: Float>() {
         tally.compare(&case["id"], color.map(T::to_f64), expected, tolerance);
     }
     tally.close(250, &[]);
-}
-
-fn number(value: &Value) -> f64 {
-    value
-        .as_f64()
-        .unwrap_or_else(|| panic!("{value} is not a number"))
-}
-
-fn three(value: &Value) -> [f64; 3] {
-    [0, 1, 2].map(|i| number(&value[i]))
 }
 
 fn scene(case: &Value) -> Scene {
@@ -54,12 +44,7 @@ fn scene(case: &Value) -> Scene {
         k_d: pigment.map(|c| c * factor("diffuse")),
         phong: ([factor("phong"); 3], factor("phong_size")),
         blinn: ([factor("specular"); 3], factor("specular_exponent")),
-        lamps: case["lights"]
-            .as_array()
-            .expect("lights")
-            .iter()
-            .map(lamp)
-            .collect(),
+        lamps: lamps(case, lamp),
     }
 }
 

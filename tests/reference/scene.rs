@@ -6,7 +6,7 @@ use shading::{
 };
 use support::number::{Number, direction, vector};
 
-use crate::running::Bounded;
+use support::running::Bounded;
 
 /// A reference case with the numbers of its file.
 pub struct Scene {

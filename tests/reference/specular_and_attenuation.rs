@@ -1,13 +1,13 @@
 //! R, H, both highlights, and the attenuation against 60-digit arithmetic (`tests/data/README.md`).
 
 use shading::{
-    DirectionalLight, Material, Real, Rgb, UnitVec3, Vec3, attenuation, half_vector, reflection,
-    shade, term,
+    Attenuation, DirectionalLight, Material, Real, Rgb, UnitVec3, Vec3, attenuation, half_vector,
+    reflection, shade, term,
 };
 use support::number::{Number, for_f32_and_f64, vector};
 
-use crate::running::{Bounded, Float};
 use crate::table::{Row, Tally, rows};
+use support::running::{Bounded, Float};
 
 for_f32_and_f64!(
     reflections,
@@ -202,7 +202,7 @@ fn checked_attenuations<T: Float>() {
     for row in rows(ATTENUATION) {
         let [a, b, c, q] = coefficients_and_distance(&row).map(T::of);
         let expected = row.number("attenuation");
-        let Some(attenuation) = T::new_attenuation(a, b, c) else {
+        let Some(attenuation) = Attenuation::of(a, b, c) else {
             assert_eq!(row.text("class"), "all_zero");
             tally.checked();
             continue;

@@ -3,9 +3,10 @@
 use serde_json::Value;
 use support::number::for_f32_and_f64;
 
-use crate::running::Float;
+use crate::json::{cases, lamps, number, three};
 use crate::scene::{Lamp, Scene, Source, Spot};
-use crate::table::{Tally, read};
+use crate::table::Tally;
+use support::running::Float;
 
 for_f32_and_f64!(tachyon);
 
@@ -14,8 +15,7 @@ for_f32_and_f64!(tachyon);
 fn tachyon<T: Float>() {
     const FILE: &str = "tachyon_cases.jsonl";
     let mut tally = Tally::new::<T>(FILE);
-    for line in read(FILE).lines() {
-        let case: Value = serde_json::from_str(line).expect("a JSON object");
+    for case in cases(FILE) {
         let scene = scene(&case);
         let color: [T; 3] = scene.shade::<T>().into();
         let expected = three(&case["tachyon_rgb"]);
@@ -35,16 +35,6 @@ const UNDERFLOW: f64 = f32::from_bits(1) as f64 / 2.0;
 /// intersection.
 fn relative_precision(id: &Value) -> f64 {
     if id == 607 { 5e-7 } else { 3e-7 }
-}
-
-fn number(value: &Value) -> f64 {
-    value
-        .as_f64()
-        .unwrap_or_else(|| panic!("{value} is not a number"))
-}
-
-fn three(value: &Value) -> [f64; 3] {
-    [0, 1, 2].map(|i| number(&value[i]))
 }
 
 fn scene(case: &Value) -> Scene {
@@ -67,12 +57,7 @@ fn scene(case: &Value) -> Scene {
         k_d: color.map(|c| c * number(&case["diffuse"])),
         phong,
         blinn,
-        lamps: case["lights"]
-            .as_array()
-            .expect("lights")
-            .iter()
-            .map(lamp)
-            .collect(),
+        lamps: lamps(case, lamp),
     }
 }
 

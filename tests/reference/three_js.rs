@@ -5,8 +5,8 @@ use core::f64::consts::FRAC_1_PI;
 use shading::{Attenuation, Material, PointLight, Ranged, Rgb, SpotLight, UnitVec3, shade};
 use support::number::{Number, direction, for_f32_and_f64, vector};
 
-use crate::running::{Bounded, Float, Running};
 use crate::table::{Row, Tally, rows};
+use support::running::{Bounded, Float, Running};
 
 for_f32_and_f64!(three_js);
 

@@ -3,9 +3,9 @@
 //! documentation promises for them holds. Finite valid input gives neither NaN nor negative light.
 
 use shading::{
-    Attenuation, DirectionalLight, Dual, Elementary, IncidentLight, Light, Material, PointLight,
-    Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection,
-    shade, term,
+    Attenuation, Cone, DirectionalLight, Dual, Elementary, IncidentLight, Light, Material,
+    PointLight, Ranged, Real, Rgb, Shaded, SoftCone, SpotLight, UnitVec3, Vec3, attenuation,
+    half_vector, normal, reflection, shade, term,
 };
 
 use super::number::Float;
@@ -49,7 +49,7 @@ impl<T: Float> Numbers<'_, T> {
     /// Checked coefficients, or none if these are invalid.
     fn attenuation(&mut self) -> Attenuation<T> {
         let [a, b, c] = [(); 3].map(|()| self.number());
-        T::new_attenuation(a, b, c).unwrap_or(Attenuation::NONE)
+        Attenuation::of(a, b, c).unwrap_or(Attenuation::NONE)
     }
 
     fn lights(&mut self, l: UnitVec3<T>, axis: UnitVec3<T>) -> [Light<T>; 3] {
@@ -62,9 +62,9 @@ impl<T: Float> Numbers<'_, T> {
             intensity: self.rgb(),
             attenuation: self.attenuation(),
         });
-        let cone = T::cone_from_cosine(self.number())
-            .or_else(|| T::cone_from_half_angle(self.number()))
-            .unwrap_or_else(|| T::cone_from_half_angle(T::ONE).expect("1 radian"));
+        let cone = Cone::of_cosine(self.number())
+            .or_else(|| Cone::of_half_angle(self.number()))
+            .unwrap_or_else(|| Cone::of_half_angle(T::ONE).expect("1 radian"));
         let spot = SpotLight {
             point: tip,
             axis,
@@ -120,7 +120,7 @@ fn vectors<T: Float>(numbers: &mut Numbers<T>) {
     let _ = (a + b, a - b, a * s, -a, a.dot(b), a.cross(b));
     assert_unit_if_any(a.unit());
     assert_unit(a.unit_or(UnitVec3::Z));
-    assert_unit_if_any(T::direction(a.x, a.y, a.z));
+    assert_unit_if_any(UnitVec3::of(a.x, a.y, a.z));
     let [u, v] = [a, b].map(UnitVec3::assume_unit);
     let _ = (-u, *reflection(u, v));
     assert_unit_if_any(half_vector(u, v));
@@ -139,6 +139,17 @@ fn vectors<T: Float>(numbers: &mut Numbers<T>) {
     let bytes = single.to_srgb8();
     assert_eq!(Rgb::from_srgb8(bytes).to_srgb8(), bytes);
     assert_eq!(single.clamped().to_rgb565(), single.to_rgb565());
+    assert_eq!(
+        Rgb::from_rgb565(single.to_rgb565()).to_rgb565(),
+        single.to_rgb565()
+    );
+    assert_eq!(single.clamped().to_linear8(), single.to_linear8());
+    assert_eq!(single.clamped().to_linear565(), single.to_linear565());
+    let double = single.map(f64::from);
+    assert_eq!(
+        (double.to_srgb8(), double.to_rgb565()),
+        (bytes, single.to_rgb565())
+    );
     let _ = (s.sqrt(), s.abs(), s.sin(), s.cos(), s.exp(), s.ln());
     // a signaling NaN, which no operation returns, may be its own positive part
     assert!((s + T::ZERO).at_least(T::ZERO) >= T::ZERO);
@@ -185,10 +196,10 @@ fn terms<T: Float>(numbers: &mut Numbers<T>) {
         attenuation(a, b, c, q),
         numbers.attenuation().clamped().at(q),
     );
-    let ranged = T::within(numbers.attenuation(), q);
+    let ranged = Ranged::of(numbers.attenuation(), q);
     let factor = ranged.map_or(T::ZERO, |ranged| ranged.at(numbers.number()));
     assert!(factor >= T::ZERO);
-    let soft = T::soft_cone_from_cosines(a, q).or_else(|| T::soft_cone_from_half_angles(a, q));
+    let soft = SoftCone::of_cosines(a, q).or_else(|| SoftCone::of_half_angles(a, q));
     if let Some(cone) = soft {
         let [inner, outer] = cone.cosines();
         assert!(inner >= outer && outer >= -T::ONE && inner <= T::ONE);
@@ -196,7 +207,7 @@ fn terms<T: Float>(numbers: &mut Numbers<T>) {
             assert!(within_0_and_1(cone.factor(r, v)));
         }
     }
-    let cone = T::cone_from_cosine(q).or_else(|| T::cone_from_half_angle(q));
+    let cone = Cone::of_cosine(q).or_else(|| Cone::of_half_angle(q));
     if let Some(cone) = cone {
         assert!(cone.cosine() >= -T::ONE && cone.cosine() <= T::ONE);
         assert!(within_0_and_1(cone.factor(r, v)));

@@ -6,3 +6,4 @@
 pub mod everything;
 pub mod flushing;
 pub mod number;
+pub mod running;

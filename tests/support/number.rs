@@ -1,17 +1,33 @@
 //! Tests are written once, as generic functions, and run for `f32` and `f64`.
 
+use std::f64::consts::PI;
 use std::fmt::{Debug, Display, LowerExp};
 
-use shading::{Attenuation, Cone, Elementary, Exponent, Ranged, SoftCone, UnitVec3, Vec3};
+use shading::{Attenuation, Cone, Elementary, Exponent, SoftCone, UnitVec3, Vec3};
 
 /// A number type that a test computes with: a float, or a number that carries its error bound.
 pub trait Number: Elementary + PartialOrd + Exponent<Self> + Debug {
     /// An attenuation with the coefficients a, b, c.
-    fn attenuation(coefficients: [f64; 3]) -> Option<Attenuation<Self>>;
+    fn attenuation(coefficients: [f64; 3]) -> Option<Attenuation<Self>> {
+        let [a, b, c] = coefficients.map(Self::of);
+        Attenuation::of(a, b, c)
+    }
+
     /// The cone with a half-angle in degrees.
-    fn cone(degrees: f64) -> Option<Cone<Self>>;
+    fn cone(degrees: f64) -> Option<Cone<Self>> {
+        Cone::of_half_angle(radians(degrees))
+    }
+
     /// The soft cone with an inner and an outer half-angle in degrees.
-    fn soft_cone(degrees: [f64; 2]) -> Option<SoftCone<Self>>;
+    fn soft_cone(degrees: [f64; 2]) -> Option<SoftCone<Self>> {
+        let [inner, outer] = degrees.map(radians);
+        SoftCone::of_half_angles(inner, outer)
+    }
+}
+
+/// The angle in radians, where π is in range although it may round up.
+fn radians<T: Number>(degrees: f64) -> T {
+    T::of(degrees.to_radians()).at_most(T::of(PI))
 }
 
 /// `f32` or `f64`.
@@ -27,13 +43,6 @@ pub trait Float: Number + Into<f64> + Display + LowerExp + Debug + Default + 'st
     const NAN: Self;
 
     fn to_f64(self) -> f64;
-    fn new_attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>>;
-    fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>>;
-    fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>>;
-    fn soft_cone_from_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
-    fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
-    fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>>;
-    fn direction(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>>;
     fn normalized(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>>;
 
     fn is_finite(self) -> bool {
@@ -51,26 +60,7 @@ pub trait Float: Number + Into<f64> + Display + LowerExp + Debug + Default + 'st
 
 macro_rules! float {
     ($float:ident) => {
-        impl Number for $float {
-            #[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
-            fn attenuation([a, b, c]: [f64; 3]) -> Option<Attenuation<Self>> {
-                Attenuation::<$float>::new(a as $float, b as $float, c as $float)
-            }
-
-            #[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
-            fn cone(degrees: f64) -> Option<Cone<Self>> {
-                // π rounds up in f32, and must stay in the valid range
-                let radians = (degrees.to_radians() as $float).min(core::$float::consts::PI);
-                Cone::<$float>::from_half_angle(radians)
-            }
-
-            #[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
-            fn soft_cone(degrees: [f64; 2]) -> Option<SoftCone<Self>> {
-                let [inner, outer] = degrees
-                    .map(|angle| (angle.to_radians() as $float).min(core::$float::consts::PI));
-                SoftCone::<$float>::from_half_angles(inner, outer)
-            }
-        }
+        impl Number for $float {}
 
         impl Float for $float {
             const NAME: &str = stringify!($float);
@@ -86,34 +76,6 @@ macro_rules! float {
             #[allow(clippy::cast_lossless)]
             fn to_f64(self) -> f64 {
                 self as f64
-            }
-
-            fn new_attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>> {
-                Attenuation::<$float>::new(a, b, c)
-            }
-
-            fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>> {
-                Cone::<$float>::from_half_angle(radians)
-            }
-
-            fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>> {
-                Cone::<$float>::from_cosine(cosine)
-            }
-
-            fn soft_cone_from_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
-                SoftCone::<$float>::from_half_angles(inner, outer)
-            }
-
-            fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
-                SoftCone::<$float>::from_cosines(inner, outer)
-            }
-
-            fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>> {
-                attenuation.within(range)
-            }
-
-            fn direction(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>> {
-                UnitVec3::<$float>::new(x, y, z)
             }
 
             fn normalized(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>> {

@@ -34,7 +34,7 @@ pub const EYE: [f32; 3] = [1.5, -8.0, 5.0];
 /// Opacity, red, green and blue.
 const BACKGROUND: u32 = 0xff20_2428;
 
-/// A corner of a triangle: its place, and the normal there.
+/// A corner of a triangle: its position and its normal.
 pub type Vertex = (Vec3<f32>, Vec3<f32>);
 
 struct Teapot {

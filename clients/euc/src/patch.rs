@@ -5,10 +5,10 @@ use shading::{Real, normal};
 
 const DATA: &str = include_str!("../../../examples/gallery/data/teapot.bezier");
 
-/// Each way, a patch is cut into so many squares of two triangles.
+/// The number of squares along each side of a patch; each square has two triangles.
 const FINENESS: usize = 16;
 
-/// The corners of all triangles, with the normals there.
+/// The corners of all triangles, with their normals.
 pub fn triangles() -> impl Iterator<Item = (Vec3, UnitVec3)> {
     patches().into_iter().flat_map(|patch| {
         (0..FINENESS * FINENESS).flat_map(move |k| {
@@ -32,8 +32,8 @@ impl Patch {
         })
     }
 
-    /// v before u: then it points outside. At a pole, where all v are one point, it is taken a little
-    /// inside.
+    /// The outward normal: v comes before u. At a pole, where all v are one point, it is taken slightly
+    /// inside the patch.
     fn normal(&self, u: f32, v: f32) -> UnitVec3 {
         let inside = |t: f32| t.clamp(1e-3, 1.0 - 1e-3);
         let normal = |u, v| normal::parametric(|v, u| self.at(u, v), v, u);

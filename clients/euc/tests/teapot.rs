@@ -1,4 +1,4 @@
-//! The picture by the formula as the books write it, and triangles as users meet them.
+//! The picture agrees with the formula as the books write it, and bad triangles are harmless.
 
 use rasterizer::{BRASS, EYE, LAMPS, Vertex, draw, vertices};
 use vek::Vec3;
@@ -67,7 +67,7 @@ fn a_fragment_has_the_formulas_color() {
     let pixels = draw(&both, 101, 101);
     let middle = 3 * (50 * 101 + 50);
     for (byte, light) in pixels[middle..middle + 3].iter().zip(by_hand(center, n)) {
-        // half a unit of rounding, and half a pixel of another place
+        // half a level of rounding, and half a pixel of offset
         assert!(
             (f64::from(*byte) - srgb(light)).abs() < 1.0,
             "{byte}, by hand {}",
@@ -86,7 +86,7 @@ fn the_picture_has_its_statistics() {
         .chunks(3)
         .filter(|pixel| *pixel != [0x20, 0x24, 0x28])
         .collect();
-    // by hand over the vertices that face the eye, each for the area that the eye sees of its triangles
+    // computed by hand at the vertices that face the eye, each weighted by the visible area of its triangles
     let (mut area, mut sum) = (0.0, [0.0; 3]);
     for corners in vertices().chunks(3) {
         let [a, b, c] = [0, 1, 2].map(|i| corners[i].0.map(f64::from));
@@ -96,7 +96,7 @@ fn the_picture_has_its_statistics() {
         let n = corners
             .iter()
             .fold(Vec3::zero(), |sum, corner| sum + corner.1.map(f64::from));
-        // in squares of the distance: as large as the eye sees it
+        // over the square of the distance: as large as the eye sees it
         let share = cross.dot(to_eye).abs() / to_eye.magnitude().powi(3);
         if n.dot(to_eye) > 0.0 && share > 0.0 {
             let light = by_hand(p.into_array(), unit(n.into_array()));
@@ -126,7 +126,7 @@ fn bad_triangles_and_windows_are_harmless() {
         background,
         "a triangle without an area"
     );
-    // no normals at all
+    // without normals
     let bare: Vec<Vertex> = vertices()
         .into_iter()
         .map(|(p, _)| (p, Vec3::zero()))

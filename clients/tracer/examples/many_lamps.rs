@@ -48,7 +48,7 @@ fn main() -> Result<(), String> {
     Ok(())
 }
 
-/// A lamp of a ring above the scene.
+/// A lamp in a ring above the scene.
 fn lamp(i: u8) -> Light {
     let (sine, cosine) = (std::f32::consts::TAU * f32::from(i) / f32::from(LAMPS)).sin_cos();
     let light = PointLight {

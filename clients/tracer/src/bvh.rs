@@ -18,11 +18,11 @@ struct Node<N> {
 
 pub struct Bvh<N> {
     nodes: Vec<Node<N>>,
-    /// The items, those of a leaf side by side.
+    /// The items; those of a leaf are adjacent.
     order: Vec<usize>,
 }
 
-/// Leaves hold at most so many items.
+/// The most items in a leaf.
 const LEAF: usize = 4;
 
 impl<N: Number> Bvh<N> {
@@ -38,7 +38,7 @@ impl<N: Number> Bvh<N> {
         bvh
     }
 
-    /// Appends the nodes of some items, halved along the longest side of their box.
+    /// Appends the nodes of these items, halved along the longest side of their box.
     fn build(&mut self, bounds: &[Bounds<N>], items: Range<usize>) {
         let here = &mut self.order[items.clone()];
         let around = here
@@ -66,8 +66,7 @@ impl<N: Number> Bvh<N> {
         }
     }
 
-    /// Shows `meet` the items whose boxes a ray enters before the limit. What it returns is the limit from
-    /// there on.
+    /// Calls `meet` for each item whose box a ray enters before the limit. `meet` returns the new limit.
     pub fn walk<V: Vector<Number = N>>(
         &self,
         from: V,

@@ -11,12 +11,12 @@ pub struct Mesh<V: Vector> {
     normals: Vec<Vec3<V::Number>>,
     triangles: Vec<[usize; 3]>,
     bvh: Bvh<V::Number>,
-    /// Triangles that are a line or a point, and are not seen.
+    /// Triangles that are a line or a point, and so are invisible.
     pub without_area: usize,
 }
 
 impl<V: Vector> Mesh<V> {
-    /// Stands on the floor at a place, as high as is said. What is wrong with the file is told with its line.
+    /// Reads a model and puts it on the floor at a place, scaled to a height. An error names the line of the file.
     pub fn read(obj: &str, height: f32, place: [f32; 3]) -> Result<Self, String> {
         let (points, faces) = parsed(obj)?;
         let area = |&[a, b, c]: &[usize; 3]| {
@@ -103,7 +103,7 @@ impl<V: Vector> Mesh<V> {
         (t > zero && shares.iter().all(|&share| share >= edge)).then_some((t, shares))
     }
 
-    /// Interpolated, on the side that the ray sees.
+    /// The interpolated normal, on the side that the ray sees.
     fn normal(&self, triangle: usize, shares: [V::Number; 3], along: V) -> V {
         let corners = self.triangles[triangle].map(|i| self.normals[i]);
         let sum = (0..3).fold(Vec3::ZERO, |sum, i| sum + corners[i] * shares[i]);
@@ -147,7 +147,7 @@ fn parsed(obj: &str) -> Result<Faces, String> {
     Ok((points, faces))
 }
 
-/// The vertex of `7/1/2`, counted from 1; from the end where it is negative.
+/// The vertex of `7/1/2`: counted from 1, or from the end if it is negative.
 fn index(word: &str, count: usize) -> Option<usize> {
     let number: isize = word.split('/').next()?.parse().ok()?;
     let index = if number < 0 {

@@ -20,7 +20,7 @@ pub fn draw<V: Vector>(
     draw_by(seen, width, height, progress)
 }
 
-/// The same by another function than [`Scene::seen`].
+/// The same, with another function in place of [`Scene::seen`].
 pub fn draw_by<V: Vector>(
     seen: impl Fn(V, V) -> Option<Shaded<V::Number>> + Sync,
     width: usize,

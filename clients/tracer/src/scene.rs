@@ -29,7 +29,7 @@ const LIGHTS: [Light; 3] = [
     }),
 ];
 
-/// Written in `f32`; `cast` takes lights and materials into the scene's number.
+/// The scene is written in `f32`; `cast` converts lights and materials to the number type.
 pub struct Scene<V: Vector> {
     pub spheres: Vec<(V, V::Number, Material<V::Number>)>,
     pub mesh: Option<(Mesh<V>, Material<V::Number>)>,
@@ -96,7 +96,7 @@ impl<V: Vector> Scene<V> {
         ))
     }
 
-    /// What a ray meets first, before the limit.
+    /// The first thing that a ray meets before the limit.
     pub fn nearest(&self, from: V, along: V, limit: V::Number) -> Option<Hit<'_, V>> {
         let mut found: Option<Hit<V>> = None;
         let mut take = |t, n, material| {

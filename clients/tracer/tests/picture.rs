@@ -1,4 +1,4 @@
-//! The picture by the formula as the books write it, in both precisions, and models as users meet them.
+//! The picture agrees with the formula as the books write it, in both precisions; and bad models are refused.
 
 use std::fmt::Write;
 
@@ -74,7 +74,7 @@ fn every_pixel_is_the_formulas() {
         };
         let expected = red_by_hand(&scene, Double::of_f32(EYE), along);
         let light = shaded.total().r;
-        // some hundred roundings, of which the power multiplies those of its cosine by up to 200
+        // about a hundred roundings, of which the power multiplies those of its cosine by up to 200
         assert!(
             (light - expected).abs() < 1e-12,
             "({x}, {y}): {light}, by hand {expected}"

@@ -48,7 +48,7 @@ impl Camera {
         (*self.forward + *self.right * right + *self.up * up).unit_or(self.forward)
     }
 
-    /// Where a point is seen; `None` behind the eye.
+    /// Where a point appears; `None` behind the eye.
     #[must_use]
     pub fn project(&self, p: Vec3) -> Option<Projected> {
         let from_eye = p - EYE;

@@ -44,7 +44,7 @@ impl Prepared {
 }
 
 impl Four {
-    /// From one to four points; the last fills the lanes that are left.
+    /// From one to four points; the last one fills the remaining lanes.
     fn new(points: &[Point]) -> Self {
         let four: [Point; 4] = std::array::from_fn(|i| points[i.min(points.len() - 1)]);
         let lanes = |vector: fn(&Point) -> Vec3<f32>| {

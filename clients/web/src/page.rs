@@ -16,7 +16,7 @@ pub const PROBE: usize = 41;
 
 pub struct Page {
     pub settings: [f32; SETTINGS],
-    /// What is seen, for the few sizes that the page draws.
+    /// The visible points, for the few sizes that the page draws.
     views: Vec<View>,
     pixels: Vec<u8>,
     probe: [f32; PROBE],
@@ -41,7 +41,7 @@ impl Page {
         message: "",
     };
 
-    /// Red, green, blue and opacity of each pixel, row by row; nothing where the size is refused.
+    /// Red, green, blue and opacity of each pixel, row by row; empty if the size is refused.
     pub fn draw(&mut self, part: Part, width: usize, height: usize) -> &[u8] {
         self.pixels.clear();
         let scene = Scene::new(&self.settings);
@@ -59,13 +59,13 @@ impl Page {
         &self.pixels
     }
 
-    /// What the user should know of the last picture; empty if nothing.
+    /// A message to the user about the last picture; empty if there is none.
     #[must_use]
     pub fn message(&self) -> &'static str {
         self.message
     }
 
-    /// The numbers behind a pixel. The first is 0 where nothing is seen there, and so are all others.
+    /// The numbers behind a pixel. All are 0 if nothing is visible there.
     pub fn probe(&mut self, width: usize, height: usize, x: usize, y: usize) -> &[f32; PROBE] {
         self.probe = [0.0; PROBE];
         let is_inside = x < width
@@ -86,7 +86,7 @@ impl Page {
         &self.probe
     }
 
-    /// Where in the picture the lamp is; outside of it where it is behind the eye.
+    /// Where in the picture the lamp is, or outside of the picture if it is behind the eye.
     #[must_use]
     pub fn lamp(&self, width: usize, height: usize) -> [f32; 2] {
         let lamp = Scene::new(&self.settings).lamp;
@@ -119,7 +119,7 @@ fn view(views: &mut Vec<View>, surface: Surface, size: [usize; 2]) -> &View {
     &views[index]
 }
 
-/// What is wrong with the lamp, if anything.
+/// The problem with the lamp, if there is one.
 fn trouble(scene: &Scene, points: &[Point]) -> &'static str {
     let Some(lamp) = scene.lamp else {
         return "1/(a + bq + cq²) has no value where a, b and c are 0. The lamp is off: raise one of them.";

@@ -26,7 +26,7 @@ pub enum Part {
 
 pub type Lamp<T = f32> = SpotLight<T, SoftCone<T>>;
 
-/// What is shaded, in scalars or in lanes.
+/// The scene, in scalars or in lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<T = f32> {
     pub model: Model,
@@ -36,7 +36,7 @@ pub struct Scene<T = f32> {
 }
 
 impl Scene {
-    /// Whatever the numbers are. One that is not finite counts as 0.
+    /// Accepts any numbers. One that is not finite counts as 0.
     #[must_use]
     pub fn new(settings: &[f32; SETTINGS]) -> Self {
         let finite = settings.map(|s| if s.is_finite() { s } else { 0.0 });
@@ -78,7 +78,7 @@ impl Scene {
     }
 
     #[must_use]
-    pub fn cast<U>(self, mut f: impl FnMut(f32) -> U) -> Scene<U> {
+    pub fn cast<U: Real>(self, mut f: impl FnMut(f32) -> U) -> Scene<U> {
         Scene {
             model: self.model,
             material: self.material.cast(&mut f),

@@ -51,7 +51,7 @@ fn sphere(camera: &Camera) -> Vec<Point> {
     (0..camera.width * camera.height).filter_map(seen).collect()
 }
 
-/// Each way, a patch is cut into so many squares of two triangles.
+/// The number of squares along each side of a patch; each square has two triangles.
 const FINENESS: usize = 16;
 
 /// The triangles only find the patch and its parameters; point and normal come from the patch itself.
@@ -104,8 +104,8 @@ impl Patch {
         p
     }
 
-    /// v before u: then it points outside. At a pole, where all v are one point, it is taken a little
-    /// inside.
+    /// The outward normal: v comes before u. At a pole, where all v are one point, it is taken slightly
+    /// inside the patch.
     fn normal(&self, u: f32, v: f32) -> Option<UnitVec3> {
         let inside = |t: f32| t.clamp(1e-3, 1.0 - 1e-3);
         let normal = |u, v| normal::parametric(|v, u| self.at(u, v), v, u);
@@ -128,7 +128,7 @@ fn patches() -> impl Iterator<Item = Patch> {
         .map(move |patch| Patch(patch.map(|i| point(POINTS[usize::from(i)]))))
 }
 
-/// What is nearest at a pixel.
+/// The nearest surface at a pixel.
 #[derive(Clone, Copy, Default)]
 struct Found {
     /// The reciprocal of the depth; 0 where nothing is.
@@ -153,7 +153,7 @@ impl Raster {
         }
     }
 
-    /// A triangle whose corners have parameters, where nothing nearer was found.
+    /// Draws a triangle whose corners have parameters, at the pixels where nothing nearer was found.
     fn fill(&mut self, patch: usize, corners: [(Projected, [f32; 2]); 3]) {
         let [a, b, c] = corners.map(|(at, _)| at);
         let area = |p: [f32; 2], q: Projected, r: Projected| {

@@ -1,6 +1,6 @@
 //! A turning ball under two lamps, drawn pixel by pixel in the order in which the display takes
-//! them: no frame buffer, no line buffer, no trigonometry. The module `number` beside this one says
-//! in which numbers.
+//! them: no frame buffer, no line buffer, no trigonometry. The module `number` beside this one
+//! chooses the number type.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::RawU16;

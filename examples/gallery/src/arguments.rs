@@ -16,7 +16,7 @@ Options:
   --only NAME          draw only the pictures whose names contain NAME
   --size WIDTHxHEIGHT  draw them at this size, in pixels [default: 800x600]
   --model FILE.obj     draw a model of your own instead, flat and smooth
-  --readme             draw the README's pictures instead [default FOLDER: docs/pictures]
+  --readme             draw the READMEs' pictures instead [default FOLDER: docs/pictures]
   -h, --help           show this
 ";
 
@@ -35,7 +35,7 @@ pub struct Request {
 
 pub enum Subject {
     Gallery,
-    /// The pictures of the gallery that the README shows.
+    /// The pictures of the gallery that the READMEs show.
     Readme,
     Model(PathBuf),
 }

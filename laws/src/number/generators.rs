@@ -453,15 +453,13 @@ pub fn coefficients<T: Number>() -> impl Strategy<Value = Attenuation<T>> {
 
 /// A valid attenuation with the coefficients nearest to these.
 pub fn coefficients_of<T: Number>(abc: [f64; 3]) -> Option<Attenuation<T>> {
-    let [a, b, c] = abc.map(|k| T::of(k).to_f64());
-    Some(Attenuation::<f64>::new(a, b, c)?.cast(T::of))
+    let [a, b, c] = abc.map(T::of);
+    Attenuation::of(a, b, c)
 }
 
-/// A cone from its cosine. The narrowest cone is limited so that it contains its axis in spite of
-/// rounding.
+/// A cone from its cosine.
 pub fn cone<T: Number>(cosine: f64) -> Cone<T> {
-    let cone = Cone::<f64>::from_cosine(cosine.min(1.0 - 8.0 * T::U));
-    cone.expect("a cosine").cast(T::of)
+    Cone::of_cosine(T::of(cosine)).expect("a cosine")
 }
 
 /// A light of any kind, at one of the given places.

@@ -50,6 +50,8 @@ macro_rules! properties {
 }
 
 #[doc(hidden)]
+pub mod cast;
+#[doc(hidden)]
 pub mod check;
 #[doc(hidden)]
 pub mod derived;
@@ -74,6 +76,8 @@ pub mod motion;
 pub mod shade;
 #[doc(hidden)]
 pub mod surface;
+#[doc(hidden)]
+pub mod tangent;
 #[doc(hidden)]
 pub mod triangle;
 #[doc(hidden)]
@@ -109,6 +113,7 @@ macro_rules! number {
 macro_rules! tests_of_number {
     ($number:ty, $powers:ident) => {
         type NumberUnderTest = $number;
+        $crate::cast! { $powers }
         $crate::derived! { $powers }
         $crate::direction! { $powers }
         $crate::dual! { $powers }
@@ -119,6 +124,7 @@ macro_rules! tests_of_number {
         $crate::motion! { $powers }
         $crate::shade! { $powers }
         $crate::surface! { $powers }
+        $crate::tangent! { $powers }
         $crate::triangle! { $powers }
         $crate::width! { $powers }
     };

@@ -1,6 +1,7 @@
 //! [`Real`] and [`Elementary`].
 
 use super::{Fixed, ONE, vector};
+use crate::cone::Cone;
 use crate::elementary::Elementary;
 use crate::real::Real;
 
@@ -25,6 +26,15 @@ impl Real for Fixed {
     #[inline]
     fn sqrt(self) -> Self {
         self.root()
+    }
+
+    #[inline]
+    fn epsilon() -> Self {
+        Self::STEP
+    }
+
+    fn cosine_of_half_angle(self) -> Option<Self> {
+        Cone::<Self>::from_half_angle(self).map(|cone| cone.cosine)
     }
 
     #[inline]
@@ -91,20 +101,22 @@ impl Real for Fixed {
         vector::unit_and_length(&v)
     }
 
+    // the power of two is given by its exponent, in steps, because it may be beyond the range
+
     #[inline]
-    fn rescaled(v: [Self; 3]) -> [Self; 3] {
-        let [rescaled] = vector::rescaled([v]);
-        rescaled
+    fn rescaled_difference([x, y, z]: [Self; 3], [a, b, c]: [Self; 3]) -> ([Self; 3], Self) {
+        let ([rescaled], power) = vector::rescaled([[x - a, y - b, z - c]]);
+        (rescaled, power)
     }
 
     #[inline]
-    fn rescaled_difference([x, y, z]: [Self; 3], [a, b, c]: [Self; 3]) -> [Self; 3] {
-        Self::rescaled([x - a, y - b, z - c])
-    }
-
-    #[inline]
-    fn rescaled_together(vectors: [[Self; 3]; 3]) -> Option<[[Self; 3]; 3]> {
+    fn rescaled_together(vectors: [[Self; 3]; 3]) -> Option<([[Self; 3]; 3], Self)> {
         Some(vector::rescaled(vectors))
+    }
+
+    #[inline]
+    fn rescaled_by(v: [Self; 3], power: Self) -> [Self; 3] {
+        vector::rescaled_by(v, power)
     }
 
     #[inline(always)]

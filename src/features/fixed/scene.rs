@@ -104,14 +104,6 @@ impl Attenuation<Fixed> {
     }
 }
 
-/// The attenuation with a range of [`Fixed::MAX`], which means no range.
-impl From<Attenuation<Fixed>> for Ranged<Fixed> {
-    #[inline]
-    fn from(attenuation: Attenuation<Fixed>) -> Self {
-        Self::unchecked(attenuation, Fixed::MAX)
-    }
-}
-
 impl Cone<Fixed> {
     /// The cone of a half-angle in radians, from 0 to π rounded up to a step. Returns `None` for other
     /// angles.

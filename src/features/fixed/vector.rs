@@ -182,12 +182,21 @@ const fn share_of(component: i32, reciprocal: i32) -> Fixed {
     Fixed((upper_of_part(component, reciprocal) + (1 << 10)) >> 11)
 }
 
-/// The vectors times one power of two, so that the largest component is from 16 to 64.
+/// The vectors times one power of two, so that the largest component is from 16 to 64, and its exponent plus
+/// 9, in steps.
 #[inline]
-pub(super) fn rescaled<const N: usize>(vectors: [[Fixed; 3]; N]) -> [[Fixed; 3]; N] {
+pub(super) fn rescaled<const N: usize>(vectors: [[Fixed; 3]; N]) -> ([[Fixed; 3]; N], Fixed) {
     let largest = vectors.iter().fold(0, |bits, v| bits | magnitude(v));
     let shift = headroom(largest);
-    vectors.map(|v| v.map(|c| Fixed(c.0 << shift >> 9)))
+    let vectors = vectors.map(|v| v.map(|c| Fixed(c.0 << shift >> 9)));
+    (vectors, Fixed(shift as i32))
+}
+
+/// A vector times the power of two that rescaled another.
+#[inline]
+pub(super) fn rescaled_by(v: [Fixed; 3], Fixed(shift): Fixed) -> [Fixed; 3] {
+    let most = i32::MAX as i64;
+    v.map(|c| Fixed(((c.0 as i64) << shift >> 9).clamp(-most, most) as i32))
 }
 
 /// The highest bits of a vector's components.

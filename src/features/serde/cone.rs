@@ -17,24 +17,24 @@ const BOTH: &str = "cone: half-angles and cosines cannot both be given";
 
 fn of_half_angle<T: Number, E: Error>(angle: T) -> Result<Cone<T>, E> {
     let complaint = || Complaint("half_angle", Problem::NotHalfAngle(angle));
-    T::of_half_angle(angle).ok_or_else(|| E::custom(complaint()))
+    Cone::of_half_angle(angle).ok_or_else(|| E::custom(complaint()))
 }
 
 fn of_cosine<T: Number, E: Error>(cosine: T) -> Result<Cone<T>, E> {
     let complaint = || Complaint("cosine", Problem::NotCosine(cosine));
-    T::of_cosine(cosine).ok_or_else(|| E::custom(complaint()))
+    Cone::of_cosine(cosine).ok_or_else(|| E::custom(complaint()))
 }
 
 fn of_half_angles<T: Number, E: Error>(outer: T, inner: T) -> Result<SoftCone<T>, E> {
     of_half_angle(outer)?;
     let complaint = || Complaint("inner_half_angle", Problem::NotInnerHalfAngle(inner, outer));
-    T::of_half_angles(inner, outer).ok_or_else(|| E::custom(complaint()))
+    SoftCone::of_half_angles(inner, outer).ok_or_else(|| E::custom(complaint()))
 }
 
 fn of_cosines<T: Number, E: Error>(outer: T, inner: T) -> Result<SoftCone<T>, E> {
     of_cosine(outer)?;
     let complaint = || Complaint("inner_cosine", Problem::NotInnerCosine(inner, outer));
-    T::of_cosines(inner, outer).ok_or_else(|| E::custom(complaint()))
+    SoftCone::of_cosines(inner, outer).ok_or_else(|| E::custom(complaint()))
 }
 
 fn smoothed<T: Number>(cone: SoftCone<T>, smoothstep: bool) -> SoftCone<T> {
@@ -49,7 +49,6 @@ impl<'de, T: Number> Visitor<'de> for Form<Cone<T>> {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
-        self.check_list()?;
         of_cosine(next(&mut list, "cosine")?)
     }
 
@@ -72,7 +71,6 @@ impl<'de, T: Number> Visitor<'de> for Form<SoftCone<T>> {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
-        self.check_list()?;
         let outer = next(&mut list, "cosine")?;
         let cone = of_cosines(outer, next(&mut list, "inner_cosine")?)?;
         Ok(smoothed(cone, next(&mut list, "smoothstep")?))

@@ -19,17 +19,10 @@ use serde_core::Serialize;
 
 use self::complaint::{Complaint, Problem};
 use self::record::Field;
-use crate::{Attenuation, Cone, Ranged, Real, SoftCone};
+use crate::Real;
 
 /// The number types that files can hold.
 trait Number: Real + PartialOrd + Debug + Serialize + Field {
-    fn attenuation(coefficients: [Self; 3]) -> Option<Attenuation<Self>>;
-    fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>>;
-    fn of_half_angle(radians: Self) -> Option<Cone<Self>>;
-    fn of_cosine(cosine: Self) -> Option<Cone<Self>>;
-    fn of_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
-    fn of_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
-
     fn is_finite(self) -> bool {
         self.abs() <= Self::MAX
     }
@@ -37,31 +30,7 @@ trait Number: Real + PartialOrd + Debug + Serialize + Field {
 
 macro_rules! number {
     ($float:ident) => {
-        impl Number for $float {
-            fn attenuation([a, b, c]: [Self; 3]) -> Option<Attenuation<Self>> {
-                Attenuation::<Self>::new(a, b, c)
-            }
-
-            fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>> {
-                attenuation.within(range)
-            }
-
-            fn of_half_angle(radians: Self) -> Option<Cone<Self>> {
-                Cone::<Self>::from_half_angle(radians)
-            }
-
-            fn of_cosine(cosine: Self) -> Option<Cone<Self>> {
-                Cone::<Self>::from_cosine(cosine)
-            }
-
-            fn of_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
-                SoftCone::<Self>::from_half_angles(inner, outer)
-            }
-
-            fn of_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
-                SoftCone::<Self>::from_cosines(inner, outer)
-            }
-        }
+        impl Number for $float {}
 
         impl Field for $float {
             fn check(&self, name: &'static str) -> Result<(), impl Display> {

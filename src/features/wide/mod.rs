@@ -127,6 +127,11 @@ macro_rules! real {
             }
 
             #[inline]
+            fn epsilon() -> Self {
+                Self::splat($float::EPSILON)
+            }
+
+            #[inline]
             fn if_positive(self, then: Self, otherwise: Self) -> Self {
                 self.if_above(Self::ZERO, then, otherwise)
             }

@@ -16,7 +16,7 @@ const MOST: usize = 16;
 trait Pack<T: Real>: Copy {
     type In<U>;
 
-    fn cast<U>(self, f: impl FnMut(T) -> U) -> Self::In<U>;
+    fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> Self::In<U>;
 
     /// The same light, black: it adds nothing to a sum.
     fn black(self) -> Self;
@@ -30,6 +30,7 @@ trait Pack<T: Real>: Copy {
                 number = x;
             }
             i += 1;
+            x
         });
         number
     }
@@ -39,9 +40,9 @@ trait Pack<T: Real>: Copy {
 #[inline]
 fn packs<T: Real, L: Lanes<Lane = T>, K: Pack<T>>(lights: &[K]) -> impl Iterator<Item = K::In<L>>
 where
-    K::In<()>: PartialEq,
+    K::In<T>: PartialEq,
 {
-    let alike = |a: &K, b: &K| a.cast(|_| ()) == b.cast(|_| ());
+    let alike = |a: &K, b: &K| a.cast(|_| T::ZERO) == b.cast(|_| T::ZERO);
     let kinds = lights.iter().enumerate().filter(move |(place, light)| {
         let mut before = lights.iter().take(*place);
         !before.any(|other| alike(other, light))
@@ -78,7 +79,7 @@ impl<T: Real> Pack<T> for DirectionalLight<T> {
     type In<U> = DirectionalLight<U>;
 
     #[inline]
-    fn cast<U>(self, f: impl FnMut(T) -> U) -> DirectionalLight<U> {
+    fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> DirectionalLight<U> {
         self.cast(f)
     }
 
@@ -93,7 +94,7 @@ impl<T: Real, A: Falloff<T>> Pack<T> for PointLight<T, A> {
     type In<U> = PointLight<U, A::In<U>>;
 
     #[inline]
-    fn cast<U>(self, f: impl FnMut(T) -> U) -> PointLight<U, A::In<U>> {
+    fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> PointLight<U, A::In<U>> {
         self.cast(f)
     }
 
@@ -108,7 +109,7 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> Pack<T> for SpotLight<T, C, A> {
     type In<U> = SpotLight<U, C::In<U>, A::In<U>>;
 
     #[inline]
-    fn cast<U>(self, f: impl FnMut(T) -> U) -> SpotLight<U, C::In<U>, A::In<U>> {
+    fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> SpotLight<U, C::In<U>, A::In<U>> {
         self.cast(f)
     }
 
@@ -123,7 +124,7 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> Pack<T> for Light<T, C, A> {
     type In<U> = Light<U, C::In<U>, A::In<U>>;
 
     #[inline]
-    fn cast<U>(self, f: impl FnMut(T) -> U) -> Light<U, C::In<U>, A::In<U>> {
+    fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> Light<U, C::In<U>, A::In<U>> {
         self.cast(f)
     }
 
@@ -137,7 +138,7 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> Pack<T> for Light<T, C, A> {
     }
 }
 
-impl<T: Real> DirectionalLight<T> {
+impl<T: Real + PartialEq> DirectionalLight<T> {
     /// These lights in lanes, to shade one point with several at once. See [`PointLight::packed`].
     ///
     /// ```
@@ -156,7 +157,7 @@ impl<T: Real> DirectionalLight<T> {
     }
 }
 
-impl<T: Real, A: Falloff<T, In<()>: PartialEq>> PointLight<T, A> {
+impl<T: Real + PartialEq, A: Falloff<T, In<T>: PartialEq>> PointLight<T, A> {
     /// These lights in lanes, to shade one point with several lights at once. Pack them once, then shade
     /// every point with the packs.
     ///
@@ -218,7 +219,9 @@ impl<T: Real, A: Falloff<T, In<()>: PartialEq>> PointLight<T, A> {
     }
 }
 
-impl<T: Real, C: Beam<T, In<()>: PartialEq>, A: Falloff<T, In<()>: PartialEq>> SpotLight<T, C, A> {
+impl<T: Real + PartialEq, C: Beam<T, In<T>: PartialEq>, A: Falloff<T, In<T>: PartialEq>>
+    SpotLight<T, C, A>
+{
     /// These lights in lanes, to shade one point with several at once. See [`PointLight::packed`].
     ///
     /// ```
@@ -241,7 +244,9 @@ impl<T: Real, C: Beam<T, In<()>: PartialEq>, A: Falloff<T, In<()>: PartialEq>> S
     }
 }
 
-impl<T: Real, C: Beam<T, In<()>: PartialEq>, A: Falloff<T, In<()>: PartialEq>> Light<T, C, A> {
+impl<T: Real + PartialEq, C: Beam<T, In<T>: PartialEq>, A: Falloff<T, In<T>: PartialEq>>
+    Light<T, C, A>
+{
     /// These lights in lanes, to shade one point with several at once. See [`PointLight::packed`].
     ///
     /// A pack holds lights of one kind, so each kind may have a pack that is not full:

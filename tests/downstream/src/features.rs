@@ -119,6 +119,8 @@ pub mod fixed {
     fn encodings() {
         assert_eq!(Rgb::<Fixed>::to_srgb8(Rgb::gray(X(1.0))), [255; 3]);
         assert_eq!(Rgb::<Fixed>::to_rgb565(Rgb::gray(X(1.0))), u16::MAX);
+        assert_eq!(Rgb::<Fixed>::to_linear8(Rgb::gray(X(1.0))), [255; 3]);
+        assert_eq!(Rgb::<Fixed>::to_linear565(Rgb::gray(X(1.0))), u16::MAX);
     }
 
     fn number<N: Display + Eq + Hash>(number: N) {

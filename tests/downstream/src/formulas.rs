@@ -41,6 +41,8 @@ fn derived_normals() {
         Some(UnitVec3::Z)
     );
     assert_eq!(normal::mapped(UnitVec3::Z, x, 1.0, z), Some(UnitVec3::Z));
+    let tangent = normal::tangent([ORIGIN, x, y], [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    assert_eq!(tangent, Some((UnitVec3::X, 1.0)));
     let share = normal::corner(ORIGIN, x, y); // π/2 along z
     assert!(share.z > 1.57 && share.z < 1.58);
 }
@@ -78,6 +80,7 @@ fn attenuations() {
     let clamped = Attenuation::clamped(bright);
     assert!(Attenuation::is_clamped(clamped) && Attenuation::at(clamped, 0.5) == 1.0);
     assert_eq!(Attenuation::cast(HALF, f64::from).at(2.0), 0.5);
+    assert_eq!(Attenuation::of(1.0, 0.0, 0.25), Some(HALF));
     assert_eq!(<Attenuation as Default>::default(), Attenuation::NONE);
     falloff(HALF);
     assert_eq!(
@@ -94,6 +97,7 @@ fn ranges() {
         (4.0, one)
     );
     assert_eq!(Ranged::at(short, 4.0), 0.0);
+    assert_eq!(Ranged::of(one, 4.0), Some(short));
     assert_eq!(Ranged::cast(short, f64::from).range(), 4.0);
     assert_eq!(<Ranged as From<Attenuation>>::from(one).at(9.0), 1.0);
     assert!(Attenuation::<f64>::within(Attenuation::NONE, 0.0).is_none());
@@ -118,6 +122,8 @@ fn cones() {
     const WIDE: Cone<f64> = Cone::<f64>::from_half_angle(1.0).unwrap();
     assert!(Cone::<f32>::from_half_angle(1.0).is_some() && Cone::<f64>::from_cosine(2.0).is_none());
     assert_eq!(Cone::cosine(HALF_SPACE), 0.0);
+    assert_eq!(Cone::of_cosine(0.0), Some(HALF_SPACE));
+    assert_eq!(Cone::of_half_angle(1.0), Some(WIDE));
     assert_eq!(Cone::factor(WIDE, UnitVec3::Z, UnitVec3::NEG_Z), 1.0);
     assert_eq!(Cone::cast(HALF_SPACE, f64::from).cosine(), 0.0);
     beam(HALF_SPACE);
@@ -133,6 +139,8 @@ fn soft_cones() {
     assert_eq!(SoftCone::<f32>::from_half_angles(0.2, 0.1), None);
     assert_eq!(SoftCone::<f64>::from_cosines(0.0, 1.0), None);
     assert_eq!(SoftCone::cosines(SOFT), [0.75, 0.0]);
+    assert_eq!(SoftCone::of_cosines(0.75, 0.0), Some(SOFT));
+    assert_eq!(SoftCone::of_half_angles(0.1, 0.2), Some(NARROW));
     let smooth = SoftCone::smoothstep(SOFT);
     assert!(SoftCone::is_smoothstep(smooth) && !SoftCone::is_smoothstep(SOFT));
     assert_eq!(SoftCone::factor(NARROW, UnitVec3::Z, UnitVec3::NEG_Z), 1.0);

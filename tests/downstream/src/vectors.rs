@@ -50,6 +50,7 @@ fn directions() {
     assert_eq!(UP, UnitVec3::Y);
     assert_eq!(UnitVec3::<f32>::new(1.0, 1.0, 1.0), None);
     assert_eq!(UnitVec3::<f64>::normalized(0.0, 0.0, 0.0), None);
+    assert_eq!(UnitVec3::of(0.0, 1.0, 0.0), Some(UP));
     assert_eq!(UnitVec3::cast(TILTED, |x| x as f32).y, 0.6);
     assert_eq!(UnitVec3::assume_unit(Vec3::new(0.0, 1.0, 0.0)), UP);
 
@@ -96,4 +97,12 @@ fn encodings() {
     const SKY: Rgb = Rgb::<f32>::from_srgb8([0, 128, 255]);
     assert_eq!(Rgb::<f32>::to_srgb8(SKY), [0, 128, 255]);
     assert_eq!(Rgb::<f32>::to_rgb565(Rgb::new(1.0, 0.0, 1.0)), 0xf81f);
+    assert_eq!(Rgb::<f32>::from_rgb565(0xf81f), Rgb::new(1.0, 0.0, 1.0));
+    assert_eq!(Rgb::<f32>::to_linear8(Rgb::new(1.0, 0.0, 0.5)), [255, 0, 128]);
+    assert_eq!(Rgb::<f32>::to_linear565(Rgb::new(1.0, 0.0, 1.0)), 0xf81f);
+    let color = Rgb::<f64>::new(1.0, 0.0, 1.0);
+    assert_eq!(Rgb::<f64>::to_srgb8(color), [255, 0, 255]);
+    assert_eq!(Rgb::<f64>::to_rgb565(color), 0xf81f);
+    assert_eq!(Rgb::<f64>::to_linear8(color), [255, 0, 255]);
+    assert_eq!(Rgb::<f64>::to_linear565(color), 0xf81f);
 }

@@ -1,4 +1,4 @@
-//! The source names every item of the public interface. Whoever adds an item adds a call of it.
+//! The source names every item of the public interface. To add an item, add a call of it.
 
 const INTERFACE: &str = include_str!("../../public-api/interface.txt");
 

@@ -1,4 +1,4 @@
-//! Loads a scene, shades a point by it, and fills a uniform buffer. Comments enclose the glue: what converts the library's
+//! Loads a scene, shades a point in it, and fills a uniform buffer. Comments enclose the glue, which converts the library's
 //! types into the rows of the buffer.
 //!
 //!     cargo run -p features --example scene_file tests/features/scenes/lamps.json

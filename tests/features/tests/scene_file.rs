@@ -1,4 +1,4 @@
-//! The client that loads a scene, shades by it and fills a uniform buffer.
+//! The example that loads a scene, shades a point in it and fills a uniform buffer.
 
 #[allow(dead_code)] // its `main`
 #[path = "../examples/scene_file.rs"]

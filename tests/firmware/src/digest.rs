@@ -1,11 +1,9 @@
 //! Digests that change with any bit of any result that the crate computes: the functions and inputs
 //! of `tests/bits`, on every machine.
 
-#[path = "../../bits/digest/mod.rs"]
-mod functions;
-
-pub use functions::Fnv;
-use functions::{Of, absorb, any_bits};
+pub use functions::digest::Fnv;
+use functions::digest::{Function, Of, absorb};
+use functions::{Number, any_bits};
 use shading::fixed::Fixed;
 
 use crate::{broken, picture};
@@ -24,9 +22,9 @@ pub fn single() -> u64 {
 #[must_use]
 pub fn without_doubles() -> u64 {
     let mut digest = Fnv::EMPTY;
-    absorb(Of::<f32>::FUNCTIONS, &mut digest);
+    absorb_all(Of::<f32>::WITHOUT_DOUBLES, &mut digest);
+    absorb_all(Of::<f32>::OF_FLOATS, &mut digest);
     absorb(Of::<f32>::HALF_ANGLES, &mut digest);
-    absorb(Of::<f32>::OF_FLOATS, &mut digest);
     digest.absorb(broken::promise(0.0));
     digest.0
 }
@@ -35,10 +33,8 @@ pub fn without_doubles() -> u64 {
 #[must_use]
 pub fn double() -> u64 {
     let mut digest = Fnv::EMPTY;
-    absorb(Of::<f64>::FUNCTIONS, &mut digest);
-    absorb(Of::<f64>::HALF_ANGLES, &mut digest);
-    absorb(Of::<f64>::OF_FLOATS, &mut digest);
-    absorb(Of::<f64>::ANGLES, &mut digest);
+    absorb_all(Of::<f64>::OF_NUMBERS, &mut digest);
+    absorb_all(Of::<f64>::OF_FLOATS, &mut digest);
     digest.0
 }
 
@@ -56,8 +52,14 @@ pub fn fixed() -> u64 {
 #[must_use]
 pub fn fixed_without_doubles() -> u64 {
     let mut digest = Fnv::EMPTY;
-    absorb(Of::<Fixed>::FUNCTIONS, &mut digest);
+    absorb_all(Of::<Fixed>::WITHOUT_DOUBLES, &mut digest);
     any_bits::absorb(&mut digest);
     digest.absorb(broken::promise(0.0));
     digest.0
+}
+
+fn absorb_all<T: Number, const N: usize>(sections: [&[Function<T>]; N], digest: &mut Fnv) {
+    for section in sections {
+        absorb(section, digest);
+    }
 }

@@ -23,16 +23,16 @@ use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Size};
 
 use crate::digest::Fnv;
 
-/// A display that keeps only a digest of the pixels that it should show.
-struct Display<'a>(&'a mut Fnv);
+/// A display that hands on each pixel.
+pub struct Display<F>(pub F);
 
-impl OriginDimensions for Display<'_> {
+impl<F> OriginDimensions for Display<F> {
     fn size(&self) -> Size {
         Size::new(160, 128)
     }
 }
 
-impl DrawTarget for Display<'_> {
+impl<F: FnMut(u16)> DrawTarget for Display<F> {
     type Color = Rgb565;
     type Error = Infallible;
 
@@ -41,7 +41,7 @@ impl DrawTarget for Display<'_> {
         pixels: I,
     ) -> Result<(), Infallible> {
         for Pixel(_, color) in pixels {
-            self.0.bytes(RawU16::from(color).into_inner().to_le_bytes());
+            (self.0)(RawU16::from(color).into_inner());
         }
         Ok(())
     }
@@ -49,5 +49,6 @@ impl DrawTarget for Display<'_> {
 
 /// Absorbs a frame of the picture.
 pub fn absorb(digest: &mut Fnv) {
-    let Ok(()) = float::ball::draw(&mut Display(digest), float::ball::Turn::NONE.next());
+    let pixel = |bits: u16| digest.bytes(bits.to_le_bytes());
+    let Ok(()) = float::ball::draw(&mut Display(pixel), float::ball::Turn::NONE.next());
 }

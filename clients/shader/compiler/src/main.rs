@@ -8,7 +8,7 @@ use spirv_builder::SpirvBuilder;
 fn main() -> Result<(), Box<dyn Error>> {
     let to = env::args().nth(1).ok_or("usage: compiler MODULE")?;
     let kernel = concat!(env!("CARGO_MANIFEST_DIR"), "/../kernel");
-    // spirv-opt fuses products with sums, and takes constants out of brackets
+    // spirv-opt fuses products with sums, and factors constants out of sums
     let mut builder =
         SpirvBuilder::new(kernel, "spirv-unknown-vulkan1.2").extra_arg("--no-spirv-opt");
     builder.toolchain_overwrite = env::var("RUSTUP_TOOLCHAIN").ok(); // the one that runs this

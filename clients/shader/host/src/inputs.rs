@@ -1,4 +1,4 @@
-//! Random inputs, with what is special among them on purpose.
+//! Random inputs, with special values among them.
 
 use fastrand::Rng;
 use kernel::functions::Input;
@@ -13,12 +13,12 @@ pub fn random(seed: u64, count: usize) -> Vec<Input> {
 struct Random(Rng);
 
 impl Random {
-    /// True once in so many times.
+    /// True once in this many times, on average.
     fn once_in(&mut self, n: u32) -> bool {
         self.0.u32(..n) == 0
     }
 
-    /// Within ±1, sometimes 0 or a whole number.
+    /// Within ±1, sometimes 0 or an integer.
     fn signed(&mut self) -> f32 {
         match self.0.u32(..16) {
             0 => 0.0,

@@ -61,7 +61,7 @@ fn main() -> Result<()> {
     still_life(&gpu, is_exact, Path::new(folder))
 }
 
-/// Every function on random inputs. Whether the driver rounds ÷ and √ correctly.
+/// Compares every function on random inputs. Returns whether the driver rounds ÷ and √ correctly.
 fn functions(gpu: &Gpu) -> Result<bool> {
     const BATCH: usize = 1 << 16;
     const BATCHES: usize = 16;
@@ -110,7 +110,7 @@ fn functions(gpu: &Gpu) -> Result<bool> {
     Ok(is_exact)
 }
 
-/// The gallery's scene, by every model, with an m that is an integer and one that is real.
+/// Compares the gallery's scene, with every model, an integer m and a real m.
 fn still_life(gpu: &Gpu, is_exact: bool, folder: &Path) -> Result<()> {
     let (pixels, points) = seen();
     println!("\nthe scene of four pictures, {} points:", points.len());
@@ -153,7 +153,7 @@ fn still_life(gpu: &Gpu, is_exact: bool, folder: &Path) -> Result<()> {
     }
     println!("in all: {all}");
 
-    // what was drawn last
+    // the last picture drawn
     let mut picture = Picture::new(SIZE);
     for ((pixel, point), (gpu, cpu)) in pixels
         .iter()
@@ -171,7 +171,7 @@ fn still_life(gpu: &Gpu, is_exact: bool, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// The points that are seen, with their pixels.
+/// The visible points, with their pixels.
 fn seen() -> (Vec<usize>, Vec<Point>) {
     let [width, height] = SIZE.map(|side| side * SAMPLES);
     let places: Vec<usize> = (0..width * height).collect();

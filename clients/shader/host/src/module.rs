@@ -1,6 +1,6 @@
-//! A SPIR-V module to which the rules of IEEE 754 are added, as far as a device knows them.
+//! Adds to a SPIR-V module those rules of IEEE 754 that a device supports.
 
-/// What a device can be asked to keep in single precision.
+/// The rules that a device can be asked to keep in single precision.
 #[derive(Clone, Copy, Debug)]
 pub struct FloatControls {
     pub subnormals: bool,
@@ -17,8 +17,8 @@ const NO_CONTRACTION: u32 = 42;
 /// Negation, sum, difference, product, quotient.
 const ARITHMETIC: [u32; 5] = [127, 129, 131, 133, 136];
 
-/// The module with each sum, difference, product and quotient as it stands. Otherwise a driver may fuse a product
-/// with a sum, or take (x + c) − c for x.
+/// The module with each sum, difference, product and quotient kept as written. Otherwise a driver may fuse a
+/// product with a sum, or simplify (x + c) − c to x.
 pub fn exact(module: &[u32], controls: FloatControls) -> Vec<u32> {
     // the capability and the execution mode of each
     let modes = [

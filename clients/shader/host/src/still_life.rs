@@ -16,7 +16,7 @@ const LIFT: f32 = 1e-3;
 
 const EYE: Vec3 = Vec3::new(0.0, 2.7, 7.2);
 const TARGET: Vec3 = Vec3::new(0.16, 0.7, 0.0);
-/// Of half of 41°.
+/// The tangent of half of 41°.
 const TANGENT: f32 = 0.373_884_7;
 
 pub fn lights() -> [GpuLight; 1] {
@@ -46,7 +46,7 @@ pub fn materials() -> [GpuMaterial; 4] {
     ]
 }
 
-/// What is seen at a place of the picture, x to the right and y upward from −1 to 1.
+/// What is visible at a place of the picture: x and y go from −1 to 1, to the right and up.
 pub fn seen(x: f32, y: f32) -> Option<Point> {
     let forward = (TARGET - EYE).unit()?;
     let right = forward.cross(*UnitVec3::Y).unit()?;
@@ -90,7 +90,7 @@ fn march(from: Vec3, ray: UnitVec3, limit: f32) -> Option<(Vec3, u32)> {
     None
 }
 
-/// Whether the sign of N·L may be another on a device that rounds otherwise: there a highlight may end.
+/// Whether the sign of N·L may differ on a device that rounds differently: a highlight may end there.
 pub fn is_on_horizon(point: &Point) -> bool {
     let n = normal::implicit(|p| surface(point.object, p), point.p);
     lights().iter().any(|light| {

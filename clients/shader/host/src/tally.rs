@@ -4,7 +4,7 @@
 pub struct Tally {
     pub numbers: u64,
     pub same_bits: u64,
-    /// Zeros of the other sign.
+    /// How many zeros have the other sign.
     pub zeros: u64,
     /// The largest difference in units in the last place, and as a number.
     pub units: u64,
@@ -20,7 +20,7 @@ impl Tally {
                 continue;
             }
             self.numbers += 1;
-            // the bits of a NaN are nobody's promise
+            // nobody promises the bits of a NaN
             if gpu.to_bits() == cpu.to_bits() || gpu.is_nan() && cpu.is_nan() {
                 self.same_bits += 1;
             } else if gpu == cpu {
@@ -40,7 +40,7 @@ impl Tally {
         self.difference = self.difference.max(other.difference);
     }
 
-    /// Whether all bits are the same, but for the sign of zeros: drivers take 0 − x for −x and x·0 for 0.
+    /// Whether all bits are the same except the sign of zeros: drivers simplify 0 − x to −x and x·0 to 0.
     pub fn is_exact(&self) -> bool {
         self.same_bits + self.zeros == self.numbers
     }
@@ -69,7 +69,7 @@ impl std::fmt::Display for Tally {
     }
 }
 
-/// The place of a number among all of them: from one to the next it is a unit in the last place.
+/// The index of a number among all numbers, so that a difference counts units in the last place.
 fn rank(x: f32) -> i64 {
     let bits = i64::from(x.to_bits() as i32);
     if bits < 0 {

@@ -61,7 +61,7 @@ pub struct Kernel {
 // SAFETY of all of this file: each structure is filled as the Vulkan specification says, names objects of the one
 // device, and outlives the call. The validation layers find nothing.
 impl Gpu {
-    /// The device of a number, in the order in which the drivers list them.
+    /// The device with this index, in the order in which the drivers list them.
     pub fn new(number: usize, module: &[u32]) -> Result<Self> {
         unsafe {
             let entry = Entry::load()?;
@@ -223,7 +223,7 @@ impl Gpu {
         }
     }
 
-    /// Runs a kernel for so many items, and takes the time until the last is done.
+    /// Runs a kernel for this many items, and measures the time until the last is done.
     pub fn run(&self, kernel: &Kernel, items: usize) -> Result<Duration> {
         let compute = vk::PipelineBindPoint::COMPUTE;
         let commands = [self.commands];

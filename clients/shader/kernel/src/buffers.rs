@@ -1,4 +1,4 @@
-//! What the buffers hold, laid out as the library's page on buffers does.
+//! What the buffers hold, laid out as on the library's page on buffers.
 
 use bytemuck::{Pod, Zeroable};
 use shading::f32::{
@@ -59,7 +59,7 @@ pub struct GpuLight {
 }
 
 impl GpuLight {
-    /// What reaches the front of a surface at p.
+    /// The light that reaches the front of a surface at p.
     pub fn in_front(&self, p: Vec3, n: UnitVec3) -> Option<IncidentLight> {
         let Self {
             position,

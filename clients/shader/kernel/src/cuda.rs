@@ -1,4 +1,4 @@
-//! The entry point of CUDA: one thread a point.
+//! The entry point of CUDA: one thread per point.
 
 use core::arch::nvptx::{_block_dim_x, _block_idx_x, _thread_idx_x};
 use core::panic::PanicInfo;
@@ -9,7 +9,8 @@ use crate::shaded;
 
 /// # Safety
 ///
-/// Each pointer is to as many items as the number behind it says; `reflected` is to as many as there are points.
+/// Each pointer must point to as many items as the number after it says, and `reflected` to as many as there are
+/// points.
 #[unsafe(no_mangle)]
 pub unsafe extern "ptx-kernel" fn draw(
     how: u32,
@@ -21,7 +22,7 @@ pub unsafe extern "ptx-kernel" fn draw(
     lights: *const GpuLight,
     light_count: usize,
 ) {
-    // SAFETY: the caller's; each thread writes one item of its own.
+    // SAFETY: as the caller promises; each thread writes one item of its own.
     unsafe {
         let i = (_block_idx_x() * _block_dim_x() + _thread_idx_x()) as usize;
         if i < point_count {

@@ -1,4 +1,4 @@
-//! The entry points of the Vulkan shader: one thread an item.
+//! The entry points of the Vulkan shader: one thread per item.
 
 use spirv_std::glam::UVec3;
 use spirv_std::spirv;

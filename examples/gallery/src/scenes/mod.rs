@@ -43,7 +43,7 @@ impl Picture {
         }
     }
 
-    /// Marks a picture that the README shows.
+    /// Marks a picture that a README shows.
     fn for_readme(self) -> Self {
         Self {
             in_readme: true,
@@ -84,7 +84,7 @@ pub fn all() -> Vec<Picture> {
     pictures
 }
 
-/// The pictures that the README shows.
+/// The pictures that the READMEs show.
 pub fn of_readme() -> Vec<Picture> {
     let mut pictures = all();
     pictures.retain(|picture| picture.in_readme);

@@ -59,9 +59,7 @@ fn downlight(position: Vec3<f32>, cone: SoftCone<f32>) -> SoftLight {
     let point = PointLight {
         position,
         intensity: Rgb::new(4.4, 3.9, 3.1),
-        attenuation: Attenuation::<f32>::new(1.0, 0.0, 0.4)
-            .expect("coefficients")
-            .into(),
+        attenuation: Attenuation::<f32>::new(1.0, 0.0, 0.4).expect("coefficients"),
     };
     let axis = UnitVec3::<f32>::normalized(0.0, -1.0, -0.1).expect("a direction");
     SpotLight { point, axis, cone }.into()

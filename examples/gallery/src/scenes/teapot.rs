@@ -1,5 +1,5 @@
 //! The Utah teapot, directly from its 32 Bézier patches: the normals come from the function that
-//! maps (u, v) to a point, and nobody has derived its derivatives.
+//! maps (u, v) to a point, and no derivative is written by hand.
 
 use std::sync::Arc;
 

@@ -40,17 +40,3 @@ fn usual_mistakes_are_found_and_named() {
         assert_eq!(named, Some(vec![mistake]), "{wrong}: {report}");
     }
 }
-
-#[test]
-fn the_page_shows_the_host() {
-    let (_, host) = include_str!("../README.md")
-        .split_once("```rust\n")
-        .expect("Rust");
-    let (host, _) = host.split_once("```").expect("its end");
-    assert!(include_str!("../src/lib.rs").contains(host));
-}
-
-#[test]
-fn the_guide_shows_the_shader() {
-    assert!(include_str!("../../../../docs/renderers.md").contains(PHONG));
-}

@@ -74,11 +74,11 @@ fn each_type_has_a_line() {
     };
     let sun_line = "DirectionalLight(l: UnitVec3(0.0, 0.0, 1.0), intensity: Rgb(2.0, 2.0, 2.0))";
     assert_eq!(log(sun), sun_line);
-    assert_eq!(log(Light::Directional(sun)), sun_line);
+    assert_eq!(log(<Light>::from(sun)), sun_line);
     let lamp_line = "PointLight(position: Vec3(0.0, 1.5, -2.0), intensity: Rgb(1.0, 0.5, 0.25), \
                      attenuation: Attenuation([1.0, 0.0, 0.25], clamped: false))";
     assert_eq!(log(LAMP), lamp_line);
-    assert_eq!(log(Light::Point(LAMP)), lamp_line);
+    assert_eq!(log(<Light>::from(LAMP)), lamp_line);
     let spot = SpotLight {
         point: LAMP,
         axis: UnitVec3::NEG_Y,

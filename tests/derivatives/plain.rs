@@ -1,0 +1,79 @@
+//! A number of a user's own: the nine items that [`Real`] requires, by way of another number.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use shading::Real;
+
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+pub struct Plain<T>(pub T);
+
+impl From<Plain<f32>> for f64 {
+    fn from(Plain(number): Plain<f32>) -> f64 {
+        number.into()
+    }
+}
+
+impl From<Plain<f64>> for f64 {
+    fn from(Plain(number): Plain<f64>) -> f64 {
+        number
+    }
+}
+
+impl<T: Real> Add for Plain<T> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+}
+
+impl<T: Real> Sub for Plain<T> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self(self.0 - other.0)
+    }
+}
+
+impl<T: Real> Mul for Plain<T> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self(self.0 * other.0)
+    }
+}
+
+impl<T: Real> Div for Plain<T> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        Self(self.0 / other.0)
+    }
+}
+
+impl<T: Real> Neg for Plain<T> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl<T: Real> Real for Plain<T> {
+    const ZERO: Self = Self(T::ZERO);
+    const ONE: Self = Self(T::ONE);
+    const NEG_ONE: Self = Self(T::NEG_ONE);
+    const MAX: Self = Self(T::MAX);
+    const EXTREME: Self = Self(T::EXTREME);
+
+    fn of(literal: f64) -> Self {
+        Self(T::of(literal))
+    }
+
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    fn if_positive(self, then: Self, otherwise: Self) -> Self {
+        Self(self.0.if_positive(then.0, otherwise.0))
+    }
+
+    fn any_positive(self) -> bool {
+        self.0.any_positive()
+    }
+}

@@ -1,0 +1,196 @@
+//! The numbers that the functions are called with.
+
+#[cfg(feature = "fixed")]
+use shading::fixed::Fixed;
+use shading::{
+    Attenuation, Cone, Dual, Elementary, Exponent, Ranged, Rgb, SoftCone, UnitVec3, Vec3,
+};
+
+use crate::digest::Fnv;
+use crate::places::Numbers;
+use crate::value::Value;
+
+/// `f32`, `f64` or a fixed-point number, with the functions that exist separately for each.
+pub trait Number: Elementary + PartialOrd + Value + 'static {
+    const EPSILON: Self;
+    /// Sizes from zero to the largest number, with subnormal ones.
+    const SIZES: [Self; 10];
+    const CONE: Cone<Self>;
+
+    /// A number in [−1, 1), with all the digits that the type holds.
+    fn draw(numbers: &mut Numbers) -> Self;
+    /// A finite number of any size.
+    fn draw_any(numbers: &mut Numbers) -> Self;
+
+    fn absorb_into(self, digest: &mut Fnv);
+    fn single(self) -> f32;
+    fn double(self) -> f64;
+    fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>>;
+    fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>>;
+    fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>>;
+    fn soft_cone_from_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
+    fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
+    fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>>;
+    fn ranged(attenuation: Attenuation<Self>) -> Ranged<Self>;
+    fn unit_vector(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
+    fn normalized(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
+
+    fn times_vector(self, v: Vec3<Self>) -> Vec3<Self>;
+    fn times_rgb(self, rgb: Rgb<Self>) -> Rgb<Self>;
+}
+
+/// `f32` or `f64`.
+pub trait Float: Number + Exponent<Self> + From<f32> {
+    /// self + dual, self − dual, self · dual and self / dual.
+    fn before(self, dual: Dual<Self>) -> [Dual<Self>; 4];
+}
+
+macro_rules! number {
+    ($number:ident, $epsilon:expr, $sizes:expr, $cone:expr, $draw:expr, $draw_any:expr, $single:expr, $absorb:expr) => {
+        impl Number for $number {
+            const EPSILON: Self = $epsilon;
+            const SIZES: [Self; 10] = $sizes;
+            const CONE: Cone<Self> = Cone::<$number>::from_half_angle($cone).unwrap();
+
+            #[allow(clippy::cast_precision_loss)] // nothing is lost: as many bits are drawn as fit
+            fn draw(numbers: &mut Numbers) -> Self {
+                $draw(numbers)
+            }
+
+            fn draw_any(numbers: &mut Numbers) -> Self {
+                $draw_any(numbers)
+            }
+
+            fn absorb_into(self, digest: &mut Fnv) {
+                $absorb(self, digest);
+            }
+
+            #[allow(clippy::cast_possible_truncation)] // of a double, on purpose: only `f32` is encoded
+            fn single(self) -> f32 {
+                $single(self)
+            }
+
+            fn double(self) -> f64 {
+                self.into()
+            }
+
+            fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>> {
+                Attenuation::<$number>::new(a, b, c)
+            }
+
+            fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>> {
+                Cone::<$number>::from_half_angle(radians)
+            }
+
+            fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>> {
+                Cone::<$number>::from_cosine(cosine)
+            }
+
+            fn soft_cone_from_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
+                SoftCone::<$number>::from_half_angles(inner, outer)
+            }
+
+            fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
+                SoftCone::<$number>::from_cosines(inner, outer)
+            }
+
+            fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>> {
+                attenuation.within(range)
+            }
+
+            fn ranged(attenuation: Attenuation<Self>) -> Ranged<Self> {
+                attenuation.into()
+            }
+
+            fn unit_vector(v: Vec3<Self>) -> Option<UnitVec3<Self>> {
+                UnitVec3::<$number>::new(v.x, v.y, v.z)
+            }
+
+            fn normalized(v: Vec3<Self>) -> Option<UnitVec3<Self>> {
+                UnitVec3::<$number>::normalized(v.x, v.y, v.z)
+            }
+
+            fn times_vector(self, v: Vec3<Self>) -> Vec3<Self> {
+                self * v
+            }
+
+            fn times_rgb(self, rgb: Rgb<Self>) -> Rgb<Self> {
+                self * rgb
+            }
+        }
+    };
+}
+
+macro_rules! float {
+    ($float:ident, $sizes:expr, $draw:expr, $any_bits:expr, $nan:literal) => {
+        number!(
+            $float,
+            $float::EPSILON,
+            $sizes,
+            0.9,
+            $draw,
+            |numbers: &mut Numbers| {
+                let any = $float::from_bits($any_bits(numbers));
+                if any.is_finite() { any } else { $float::MAX }
+            },
+            |number: $float| number as f32,
+            |number: $float, digest: &mut Fnv| {
+                // the bits of NaN differ between processors
+                let bits = if number.is_nan() {
+                    $nan
+                } else {
+                    number.to_bits()
+                };
+                digest.bytes(bits.to_le_bytes());
+            }
+        );
+
+        impl Float for $float {
+            fn before(self, dual: Dual<Self>) -> [Dual<Self>; 4] {
+                [self + dual, self - dual, self * dual, self / dual]
+            }
+        }
+    };
+}
+
+float!(
+    f32,
+    [
+        0.0, 1e-45, 1e-38, 1e-20, 1e-8, 1.0, 4096.0, 1e15, 1e20, 3e38
+    ],
+    |numbers: &mut Numbers| (numbers.next() >> 8) as f32 / 8_388_608.0 - 1.0,
+    |numbers: &mut Numbers| numbers.next(),
+    0x7fc0_0000
+);
+float!(
+    f64,
+    [
+        0.0, 5e-324, 1e-308, 1e-160, 1e-16, 1.0, 4096.0, 1e120, 1e160, 1.7e308
+    ],
+    |numbers: &mut Numbers| (numbers.next_u64() >> 11) as f64 / 4_503_599_627_370_496.0 - 1.0,
+    |numbers: &mut Numbers| numbers.next_u64(),
+    0x7ff8_0000_0000_0000
+);
+
+#[cfg(feature = "fixed")]
+number!(
+    Fixed,
+    Fixed::STEP,
+    [
+        Fixed::new(0.0),
+        Fixed::STEP,
+        Fixed::new(0.001),
+        Fixed::new(0.1),
+        Fixed::new(0.5),
+        Fixed::new(1.0),
+        Fixed::new(181.0), // its square is within the range
+        Fixed::new(182.0), // and that of this number is not
+        Fixed::new(16384.0),
+        Fixed::MAX
+    ],
+    Fixed::new(0.9),
+    |numbers: &mut Numbers| Fixed::from_bits(numbers.next_i32() >> 15),
+    Numbers::next_fixed,
+    Fixed::to_f32,
+    |number: Fixed, digest: &mut Fnv| digest.bytes(number.to_bits().to_le_bytes())
+);

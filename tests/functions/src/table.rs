@@ -1,0 +1,253 @@
+//! The table. A row is: identifier, name, call, and the [promise](crate::promise) that holds of
+//! the numbers of the result whatever the bits of the arguments. The name is the public name of
+//! the function, before any comma; `tests/bits/coverage.rs` names each public function without a row.
+
+/// Calls `$callback!` with all rows. The sections differ in who calls the functions:
+///
+/// - `ARITHMETIC`, `SWEEPS`, `SERIES`: the digests and the checks with any bits alone. The first
+///   compile to a few instructions; the other two call a function several times in a row;
+/// - `BYTES`, `ANGLES`: the counts of instructions and of flash, too;
+/// - `FUNCTIONS`, `REAL_M`, `HALF_ANGLES`: the shader, too, which has neither bytes nor doubles.
+///
+/// `HALF_ANGLES` compute in doubles in fixed point, and `ANGLES` in `f32` too. `REAL_M` and
+/// `SERIES` are for floats.
+#[macro_export]
+macro_rules! for_each_function {
+    ($callback:ident) => { $callback! {
+        ARITHMETIC: Number {
+            abs "Real::abs" |g| g.x.abs() => nothing;
+            if_positive "Real::if_positive" |g| g.x.if_positive(g.y, g.cosine) => nothing;
+            if_above "Real::if_above" |g| g.x.if_above(g.y, g.cosine, g.x) => nothing;
+            at_least "Real::at_least" |g| g.x.at_least(g.y) => nothing;
+            at_most "Real::at_most" |g| g.x.at_most(g.y) => nothing;
+            // a signaling NaN, which no operation returns, may be its own positive part
+            positive_part "Real::at_least, zero" |g| (g.x + T::ZERO).at_least(T::ZERO) => not_negative;
+            any_positive "Real::any_positive" |g| g.x.any_positive() => nothing;
+            vec3_operators "Vec3, operators" |g| [g.a + g.b, g.a - g.b, g.a * g.x, g.x.times_vector(g.a), g.a / g.x, -g.a] => nothing;
+            vec3_assigned "Vec3, assigned" |g| { let mut v = g.a; v += g.b; v *= g.x; v -= g.p; v } => nothing;
+            vec3_sum "Vec3::sum" |g| [[g.p, g.a, g.b].iter().sum::<Vec3<T>>(), [g.b, g.a, g.p].into_iter().sum()] => nothing;
+            vec3_dot_directions "Vec3::dot, with directions" |g| [g.a.dot(g.b), g.a.dot(g.n)] => nothing;
+            vec3_cross_directions "Vec3::cross, with directions" |g| [g.a.cross(g.b), g.a.cross(g.n)] => nothing;
+            assume_unit "UnitVec3::assume_unit" |g| -UnitVec3::assume_unit(g.a) => nothing;
+            rgb_operators "Rgb, operators" |g| [g.rgb + g.integer.k_a, g.rgb - g.integer.k_a, g.rgb * g.integer.k_a, g.rgb * g.x, g.x.times_rgb(g.rgb), g.rgb / g.x] => nothing;
+            rgb_assigned "Rgb, assigned" |g| { let mut c = g.rgb; c += g.integer.k_a; c *= g.x; c -= g.integer.k_d; c } => nothing;
+            rgb_sum "Rgb::sum" |g| [[g.rgb, g.integer.k_a, g.integer.k_d].iter().sum::<Rgb<T>>(), [g.integer.k_d, g.rgb, g.integer.k_a].into_iter().sum()] => nothing;
+            gray "Rgb::gray" |g| Rgb::gray(g.x) => nothing;
+            dual_operators "Dual, operators" |g| [g.f + g.h, g.f - g.h, g.f * g.h, g.f / g.h, -g.f] => nothing;
+            dual_with_number "Dual, with a number" |g| [g.f + g.y, g.f - g.y, g.f * g.y, g.f / g.y] => nothing;
+            dual_compared "Dual, compared" |g| [g.f.at_least(Dual::ZERO), g.f.at_most(g.h), g.f.abs(), g.f.if_above(g.h, g.h, g.f)] => nothing;
+            dual_chain "Dual::chain" |g| g.f.chain(g.y, g.x) => nothing;
+            shaded_operators "Shaded, operators" |g| [g.shaded + g.shaded * g.x, [g.shaded, g.shaded].into_iter().sum()] => nothing;
+            coefficients "Attenuation::coefficients" |g| g.attenuation.coefficients() => not_negative;
+            is_clamped "Attenuation::is_clamped" |g| g.lamps.map(|lamp| lamp.attenuation.is_clamped()) => nothing;
+            clamped_attenuation "Attenuation::clamped" |g| g.attenuation.clamped().at(g.x.abs()) => nothing;
+            range "Ranged::range" |g| g.soft_spot.point.attenuation.range() => not_negative;
+            ranged_attenuation "Ranged::attenuation" |g| g.soft_spot.point.attenuation.attenuation().at(g.x.abs()) => nothing;
+            reaches "Falloff::reaches" |g| g.soft_spot.point.attenuation.reaches(g.x) => nothing;
+            dim "Falloff::dim" |g| g.soft_spot.point.attenuation.dim(&g.rgb, g.x) => nothing;
+            cone_cosine "Cone::cosine" |g| g.spot.cone.cosine() => cosines;
+            soft_cone_cosines "SoftCone::cosines" |g| g.soft_spot.cone.cosines() => cosines;
+            is_smoothstep "SoftCone::is_smoothstep" |g| [g.soft_spot.cone, g.soft_spot.cone.smoothstep()].map(SoftCone::is_smoothstep) => nothing;
+        }
+        SWEEPS: Number {
+            powi_sweep "Elementary::powi, several" |g| [-3, -1, 0, 1, 2, 7, 100, i32::MIN, i32::MAX].map(|i| g.x.powi(i)) => nothing;
+            dual_powi_sweep "Dual::powi, several" |g| [-3, -1, 0, 1, 2, 7, i32::MIN, i32::MAX].map(|i| g.f.powi(i)) => nothing;
+            raise_sweep "Exponent::raise, every integer m" |g| INTEGER.map(|m| m.raise(g.cosine)) => nothing;
+            phong_sweep "term::phong, every integer m" |g| INTEGER.map(|m| term::phong(g.l, g.v, m)) => share;
+            blinn_sweep "term::blinn, every integer m" |g| INTEGER.map(|m| term::blinn(g.n, g.v, m)) => share;
+            slivers "normal::triangle, slivers" |g| normal::triangle(g.p, g.p + g.a, g.p + g.a * g.cosine) => unit;
+            blob_normals "normal::implicit, blobs" |g| normal::implicit(blobs, g.p) => unit;
+            wild_normals "normal::implicit, of any value" |g| normal::implicit(|p| (p.x / p.y).sqrt() + p.z.ln(), g.a) => unit;
+            wild_tangents "normal::parametric, of any value" |g| normal::parametric(|u, v| Vec3::new(u * v, u.exp() / v, (u - v).abs()), g.x, g.y) => unit;
+            encoded "Rgb, encoded and decoded" |g| { let rgb = g.rgb.map(T::single); [Rgb::from_srgb8(rgb.to_srgb8()), Rgb::gray(rgb.to_rgb565().into())] } => not_negative;
+            cast "PointLight::cast" |g| g.lamps[0].cast(Dual::constant).at(Dual::point(g.p)) => nothing;
+            dual_directions "Vec3::unit_or, of dual numbers" |g| { let v = Vec3::new(g.f, g.h, Dual::constant(g.x)); [*v.unit_or(UnitVec3::X), v.cross(v)] } => nothing;
+            dual_factors "term::blinn, of dual numbers" |g| { let [n, h] = [g.n, g.l].map(|u| u.cast(Dual::constant)); [term::lambert(n, h), term::phong(n, h, g.integer.m), term::blinn(n, h, g.integer.m)] } => nothing;
+            beam_factor "Beam::factor" |g| Beam::factor(g.soft_spot.cone, g.n, g.l) => share;
+            smooth_factor "SoftCone::smoothstep" |g| g.soft_spot.cone.smoothstep().factor(g.n, g.l) => share;
+            every_lamp "PointLight::at, every lamp" |g| g.lamps.map(|lamp| lamp.at(g.p)) => nothing;
+            every_light "Light::at, every light" |g| g.lights.map(|light| light.at(g.p)) => nothing;
+            every_light_in_front "Light::in_front, every light" |g| g.lights.map(|light| light.in_front(g.p, g.n)) => nothing;
+            every_lambert "shade::lambert, every light" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lights()) => light;
+            every_phong "shade::phong, every light" |g| shade::phong(g.n, g.v, &g.integer, g.rgb, g.from_lights().filter_map(|light| light.in_front(g.n))) => light;
+            every_blinn_phong "shade::blinn_phong, every light" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.from_lights()) => light;
+            every_blinn_phong_in_front "shade::blinn_phong, every light in front" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, Light::all_in_front(&g.lights, g.p, g.n)) => light;
+        }
+        SERIES: Float {
+            raise_real_sweep "Exponent::raise, every real m" |g| REAL.map(|m| T::from(m).raise(g.cosine)) => nothing;
+            raise_invalid "Exponent::raise, invalid m" |g| [f32::INFINITY, -1.0, f32::NAN].map(|m| T::from(m).raise(g.cosine)) => nothing;
+            raise_vanishing "Exponent::raise, where the power vanishes" |g| [2_u16, 5, 33, 1000, 10_000].map(|m| u32::from(m).raise(vanishing(m, g.cosine))) => nothing;
+            raise_difficult "Exponent::raise, where all coefficients count" |g| Each((0_u8..32).map(|i| { let (m, cosine) = difficult(i, g.cosine); m.raise(cosine) })) => nothing;
+            phong_real_sweep "term::phong, every real m" |g| REAL.map(|m| term::phong(g.l, g.v, T::from(m))) => share;
+            blinn_real_sweep "term::blinn, every real m" |g| REAL.map(|m| term::blinn(g.n, g.v, T::from(m))) => share;
+            number_before_dual "Dual, after a number" |g| g.y.before(g.f) => nothing;
+            every_phong_real "shade::phong, real m, every light" |g| shade::phong(g.n, g.v, &g.real, g.rgb, g.from_lights()) => light;
+            every_blinn_phong_real "shade::blinn_phong, real m, every light" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.from_lights()) => light;
+        }
+        BYTES: Number {
+            to_srgb8 "Rgb::to_srgb8" |g| g.rgb.map(T::single).to_srgb8() => nothing;
+            from_srgb8 "Rgb::from_srgb8" |g| { let [r, g, b, _] = g.bits.to_le_bytes(); Rgb::from_srgb8([r, g, b]) } => share;
+            to_rgb565 "Rgb::to_rgb565" |g| g.rgb.map(T::single).to_rgb565() => nothing;
+            from_rgb565 "Rgb::from_rgb565" |g| { let [low, high, ..] = g.bits.to_le_bytes(); Rgb::from_rgb565(u16::from_le_bytes([low, high])) } => share;
+            to_linear8 "Rgb::to_linear8" |g| g.rgb.map(T::single).to_linear8() => nothing;
+            to_linear565 "Rgb::to_linear565" |g| g.rgb.map(T::single).to_linear565() => nothing;
+        }
+        ANGLES: Number {
+            sin "Elementary::sin" |g| g.x.sin() => nothing;
+            cos "Elementary::cos" |g| g.x.cos() => nothing;
+            dual_sin "Dual::sin" |g| g.f.sin() => nothing;
+            dual_cos "Dual::cos" |g| g.f.cos() => nothing;
+            angular_implicit "normal::implicit, with angles" |g| normal::implicit(gyroid, g.p) => unit;
+            angular_parametric "normal::parametric, with angles" |g| normal::parametric(globe, g.x, g.y) => unit;
+        }
+        FUNCTIONS: Number {
+            sqrt "Real::sqrt" |g| g.x.abs().sqrt() => nothing;
+            powi "Elementary::powi" |g| g.x.powi(7) => nothing;
+            exp "Elementary::exp" |g| g.x.exp() => nothing;
+            ln "Elementary::ln" |g| g.x.abs().ln() => nothing;
+            raise_integer "Exponent::raise, integer m" |g| g.integer.m.raise(g.cosine) => nothing;
+
+            dot "Vec3::dot" |g| g.a.dot(g.b) => nothing;
+            cross "Vec3::cross" |g| g.a.cross(g.b) => nothing;
+            length "Vec3::length" |g| g.a.length() => nothing;
+            unit "Vec3::unit" |g| g.a.unit() => unit;
+            unit_or "Vec3::unit_or" |g| g.a.unit_or(g.n) => unit_or_n;
+            unit_vec3_new "UnitVec3::new" |g| T::unit_vector(*g.n) => unit;
+            normalized "UnitVec3::normalized" |g| T::normalized(g.a) => unit;
+            clamped "Rgb::clamped" |g| (g.rgb - g.integer.k_a).clamped() => share;
+
+            dual_sqrt "Dual::sqrt" |g| g.f.abs().sqrt() => nothing;
+            dual_powi "Dual::powi" |g| g.f.powi(7) => nothing;
+            dual_exp "Dual::exp" |g| g.f.exp() => nothing;
+            dual_ln "Dual::ln" |g| g.f.abs().ln() => nothing;
+
+            normal_plane "normal::plane" |g| normal::plane(g.a.x, g.a.y, g.a.z) => unit;
+            normal_triangle "normal::triangle" |g| normal::triangle(g.p, g.a, g.b) => unit;
+            normal_sphere "normal::sphere" |g| normal::sphere(g.a, g.p) => unit;
+            normal_implicit "normal::implicit, of a torus" |g| normal::implicit(torus, g.p) => unit;
+            normal_from_gradient "normal::from_gradient" |g| normal::from_gradient(g.a) => unit;
+            normal_parametric "normal::parametric, of a saddle" |g| normal::parametric(saddle, g.x, g.y) => unit;
+            normal_from_tangents "normal::from_tangents" |g| normal::from_tangents(g.a, g.b) => unit;
+            normal_facing "normal::facing" |g| normal::facing(g.n, g.v) => n_or_opposite;
+            normal_transformed "normal::transformed" |g| normal::transformed(g.n, [g.p, g.a, g.b]) => unit;
+            normal_corner "normal::corner" |g| normal::corner(g.p, g.a, g.b) => at_most_pi_long;
+            normal_tangent "normal::tangent" |g| normal::tangent([g.p, g.a, g.b], [[g.x, g.y], [g.cosine, g.x], [g.y, g.cosine]]).map(|(t, _)| t) => unit;
+            normal_mapped "normal::mapped" |g| normal::mapped(g.n, g.a, g.cosine, g.b) => unit;
+
+            reflection "reflection" |g| shading::reflection(g.n, g.l) => reflected;
+            half_vector "half_vector" |g| shading::half_vector(g.l, g.v) => unit;
+            term_ambient "term::ambient" |g| term::ambient(g.integer.k_a, g.rgb) => light;
+            term_lambert "term::lambert" |g| term::lambert(g.n, g.l) => not_negative;
+            term_phong "term::phong, integer m" |g| term::phong(g.l, g.v, g.integer.m) => share;
+            term_blinn "term::blinn, integer m" |g| term::blinn(g.n, g.v, g.integer.m) => share;
+            phong_normalization "term::phong_normalization" |g| term::phong_normalization(g.real.m) => positive;
+
+            attenuation "attenuation" |g| shading::attenuation(g.a.x, g.a.y, g.a.z, g.x) => nothing;
+            attenuation_new "Attenuation::new" |g| T::attenuation(g.x, g.y, g.cosine).map(Attenuation::coefficients) => not_negative;
+            attenuation_at "Attenuation::at" |g| g.attenuation.at(g.x.abs()) => nothing;
+            within "Attenuation::within" |g| T::within(g.attenuation, g.y.abs()).map(Ranged::range) => positive_or_infinite;
+            ranged_at "Ranged::at" |g| g.soft_spot.point.attenuation.at(g.x.abs()) => not_negative;
+            cone_from_cosine "Cone::from_cosine" |g| T::cone_from_cosine(g.cosine + g.cosine - T::ONE).map(Cone::cosine) => cosines;
+            cone_factor "Cone::factor" |g| g.spot.cone.factor(g.n, g.l) => share;
+            soft_cone_from_cosines "SoftCone::from_cosines" |g| T::soft_cone_from_cosines(g.cosine, -g.cosine).map(SoftCone::cosines) => cosines;
+            soft_cone_factor "SoftCone::factor" |g| g.soft_spot.cone.factor(g.n, g.l) => share;
+
+            directional_light "DirectionalLight::at" |g| g.sun.at(g.p) => arriving;
+            directional_light_in_front "DirectionalLight::in_front" |g| g.sun.in_front(g.p, g.n) => arriving;
+            point_light "PointLight::at" |g| g.lamps[0].at(g.p) => arriving;
+            point_light_in_front "PointLight::in_front" |g| g.lamps[0].in_front(g.p, g.n) => arriving;
+            point_lights_in_front "PointLight::all_in_front" |g| { let mut lit = PointLight::all_in_front(&g.lamps, g.p, g.n); [(); 4].map(|()| lit.next()) } => nothing;
+            spot_light "SpotLight::at" |g| g.spot.at(g.p) => arriving;
+            spot_light_in_front "SpotLight::in_front" |g| g.spot.in_front(g.p, g.n) => arriving;
+            soft_spot_light "SpotLight::at, soft and ranged" |g| g.soft_spot.at(g.p) => arriving;
+            soft_spot_light_in_front "SpotLight::in_front, soft and ranged" |g| g.soft_spot.in_front(g.p, g.n) => arriving;
+            any_light "Light::at" |g| g.lights[2].at(g.p) => arriving;
+            any_light_in_front "Light::in_front" |g| g.lights[2].in_front(g.p, g.n) => arriving;
+            any_lights_in_front "Light::all_in_front" |g| { let mut lit = Light::all_in_front(&g.lights, g.p, g.n); [(); 4].map(|()| lit.next()) } => nothing;
+            incident_light_in_front "IncidentLight::in_front" |g| g.incident.in_front(g.n) => nothing;
+
+            shade_lambert "shade::lambert" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lamps()) => light;
+            shade_phong "shade::phong, integer m" |g| shade::phong(g.n, g.v, &g.integer, g.rgb, g.from_lamps()) => light;
+            shade_blinn_phong "shade::blinn_phong, integer m" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.from_lamps()) => light;
+            shade_in_front "shade::blinn_phong, integer m, lights in front" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.lamps.iter().filter_map(|lamp| lamp.in_front(g.p, g.n))) => light;
+            shade_all_in_front "shade::blinn_phong, integer m, all in front" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, PointLight::all_in_front(&g.lamps, g.p, g.n)) => light;
+            shaded_total "Shaded::total" |g| g.shaded.total() => light;
+        }
+        REAL_M: Float {
+            raise_real "Exponent::raise, real m" |g| g.real.m.raise(g.cosine) => nothing;
+            term_phong_real "term::phong, real m" |g| term::phong(g.l, g.v, g.real.m) => share;
+            term_blinn_real "term::blinn, real m" |g| term::blinn(g.n, g.v, g.real.m) => share;
+            blinn_normalization "term::blinn_normalization" |g| term::blinn_normalization(g.real.m) => positive;
+            shade_phong_real "shade::phong, real m" |g| shade::phong(g.n, g.v, &g.real, g.rgb, g.from_lamps()) => light;
+            shade_blinn_phong_real "shade::blinn_phong, real m" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.from_lamps()) => light;
+            shade_in_front_real "shade::blinn_phong, real m, lights in front" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.lamps.iter().filter_map(|lamp| lamp.in_front(g.p, g.n))) => light;
+            shade_all_in_front_real "shade::blinn_phong, real m, all in front" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, PointLight::all_in_front(&g.lamps, g.p, g.n)) => light;
+        }
+        HALF_ANGLES: Number {
+            cone_from_half_angle "Cone::from_half_angle" |g| T::cone_from_half_angle(g.cosine * T::of_f32(3.25)).map(Cone::cosine) => cosines;
+            soft_cone_from_half_angles "SoftCone::from_half_angles" |g| T::soft_cone_from_half_angles(g.cosine, g.cosine * T::of_f32(3.0)).map(SoftCone::cosines) => cosines;
+        }
+    } };
+}
+
+/// Each row as a function.
+pub mod row {
+    use shading::{
+        Attenuation, Beam, Cone, Dual, Elementary, Exponent, Falloff, Light, PointLight, Ranged,
+        Real, Rgb, SoftCone, UnitVec3, Vec3, normal, shade, term,
+    };
+
+    use crate::given::Given;
+    use crate::number::{Float, Number};
+    use crate::places::{INTEGER, REAL};
+    use crate::value::{Each, Value};
+
+    macro_rules! functions {
+        ($($section:ident: $bound:ident {
+            $($row:ident $name:literal |$given:ident| $call:expr => $promise:ident;)*
+        })*) => {$($(
+            #[doc = $name]
+            #[inline(always)]
+            pub fn $row<T: $bound>($given: &Given<T>) -> impl Value { $call }
+        )*)*};
+    }
+    for_each_function!(functions);
+
+    /// The cosine whose power is close to the smallest normal number, below which it becomes 0.
+    fn vanishing<T: Float>(m: u16, share: T) -> T {
+        let power = T::from(126.0) + share * T::from(4.0);
+        (power / T::from(m.into())).raise(T::from(0.5))
+    }
+
+    /// An odd m, and a cosine next to √½: there the series of the logarithm and of the exponential
+    /// have their largest arguments.
+    fn difficult<T: Float>(i: u8, share: T) -> (T, T) {
+        let i = T::from(i.into());
+        (i + i + T::ONE, T::from(0.707) + (i + share) * T::from(1e-5))
+    }
+
+    fn torus<T: Real>(p: Vec3<T>) -> T {
+        let ring = (p.x * p.x + p.y * p.y).sqrt() - T::of_f32(2.0);
+        ring * ring + p.z * p.z - T::of_f32(0.25)
+    }
+
+    fn blobs<T: Elementary>(p: Vec3<T>) -> T {
+        let blob = |x: T| {
+            let offset = p - Vec3::new(x, T::ZERO, T::ONE);
+            (-offset.dot(offset)).exp()
+        };
+        blob(-T::ONE) + blob(T::ONE) + (p.z.abs() + T::ONE).ln() - p.x.powi(3)
+    }
+
+    fn saddle<T: Real>(u: T, v: T) -> Vec3<T> {
+        Vec3::new(u, v, u * u - v * v)
+    }
+
+    fn gyroid<T: Elementary>(p: Vec3<T>) -> T {
+        p.x.sin() * p.y.cos() + p.y.sin() * p.z.cos() + p.z.sin() * p.x.cos()
+    }
+
+    fn globe<T: Elementary>(u: T, v: T) -> Vec3<T> {
+        Vec3::new(u.cos() * v.cos(), u.sin() * v.cos(), v.sin())
+    }
+}
