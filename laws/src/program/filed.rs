@@ -39,7 +39,7 @@ impl Renderer for Scenes {
 /// Answers with the colors of a file, in their order.
 pub struct Colors {
     profile: Profile,
-    colors: Vec<Triple>,
+    all: Vec<Triple>,
     given: usize,
 }
 
@@ -49,17 +49,17 @@ impl Colors {
         let read = |(i, line)| format::color(line).map_err(|why| format!("line {}: {why}", i + 1));
         Ok(Self {
             profile,
-            colors: lines.map(read).collect::<Result<_, _>>()?,
+            all: lines.map(read).collect::<Result<_, _>>()?,
             given: 0,
         })
     }
 
     /// Sees to it that there are no colors left.
     pub fn finish(&self) -> Result<(), String> {
-        if self.given == self.colors.len() {
+        if self.given == self.all.len() {
             return Ok(());
         }
-        let (colors, scenes) = (self.colors.len(), self.given);
+        let (colors, scenes) = (self.all.len(), self.given);
         Err(format!("{colors} colors for {scenes} scenes; {SAME}"))
     }
 }
@@ -73,8 +73,8 @@ impl Renderer for Colors {
 
     fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
         let end = self.given + scenes.len();
-        let colors = self.colors.get(self.given..end);
-        let count = self.colors.len();
+        let colors = self.all.get(self.given..end);
+        let count = self.all.len();
         let colors = colors.ok_or_else(|| format!("only {count} colors; {SAME}"))?;
         let colors = colors.to_vec();
         self.given = end;
