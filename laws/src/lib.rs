@@ -75,6 +75,9 @@
 // a number type
 pub mod number;
 
+// a formula
+pub mod proof;
+
 // a renderer: each paragraph uses the ones above it
 mod mistake;
 mod profile;
@@ -109,6 +112,7 @@ pub use mistake::{Fault, Mistake};
 #[doc(inline)]
 pub use number::Number;
 pub use profile::Profile;
+pub use proof::prove;
 pub use renderer::{Renderer, from_fn};
 pub use report::{Counterexample, Finding, LawReport, Report, Verdict};
 pub use run::{Laws, Progress, check};
