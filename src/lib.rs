@@ -58,7 +58,8 @@
 //! - **A cosine of 0 or below gives no highlight**, whatever m is, even m = 0.
 //!
 //! [`guide::totality`] lists what each function gives where its formula has no answer, and says on
-//! which machines a result has the same bits. [`guide::precision`] bounds the errors.
+//! which machines a result has the same bits. [`guide::proofs`] says what of it is proved, and
+//! [`guide::precision`] bounds the errors.
 //!
 //! # Features
 //!
@@ -179,8 +180,12 @@ pub mod guide {
     pub mod invariants {}
     #[doc = include_str!("../docs/performance.md")]
     pub mod performance {}
+    #[doc = include_str!("../docs/porting.md")]
+    pub mod porting {}
     #[doc = include_str!("../docs/precision.md")]
     pub mod precision {}
+    #[doc = include_str!("../docs/proofs.md")]
+    pub mod proofs {}
     #[doc = include_str!("../docs/recipes.md")]
     pub mod recipes {}
     #[cfg(not(doctest))] // its examples need other crates; `tests/features` runs them
