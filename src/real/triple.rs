@@ -53,7 +53,8 @@ pub(super) fn length<T: Real>(v: Triple<T>) -> T {
     }
 }
 
-#[inline]
+#[cfg_attr(target_os = "none", inline)]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 pub(super) fn unit<T: Real>(v: Triple<T>) -> (Triple<T>, T) {
     let (rescaled, _) = rescaled_difference(v, [T::ZERO; 3]);
     let [x, y, z] = rescaled;
@@ -70,7 +71,8 @@ fn power<T: Real>(square: T) -> T {
     shrink * grow
 }
 
-#[inline]
+#[cfg_attr(target_os = "none", inline)]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 pub(super) fn rescaled_difference<T: Real>(to: Triple<T>, from: Triple<T>) -> (Triple<T>, T) {
     let difference = minus(to, from);
     let square = T::dot(difference, difference);
@@ -84,7 +86,8 @@ pub(super) fn rescaled_difference<T: Real>(to: Triple<T>, from: Triple<T>) -> (T
     }
 }
 
-#[inline]
+#[cfg_attr(target_os = "none", inline)]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 pub(super) fn rescaled_together<T: Real>([a, b, c]: [Triple<T>; 3]) -> Option<([Triple<T>; 3], T)> {
     let is_extreme = |v| is_extreme(T::dot(v, v));
     let is_any_extreme = is_extreme(a) || is_extreme(b) || is_extreme(c);
