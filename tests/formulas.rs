@@ -26,6 +26,7 @@ for_f32_and_f64!(
     normal_of_the_saddle,
     roof_of_a_house_half_as_wide,
     shares_of_half_an_equilateral_triangle,
+    tangent_of_a_slanted_map,
     sample_of_a_normal_map_on_a_slanted_surface,
     two_lights_with_lambert,
     two_lights_with_phong,
@@ -236,6 +237,20 @@ fn shares_of_half_an_equilateral_triangle<T: Float>() {
         let share = normal::corner(v1, v2, v3);
         assert_near(share, [0.0, 0.0, std::f64::consts::PI / parts], 16.0);
     }
+}
+
+fn tangent_of_a_slanted_map<T: Float>() {
+    // e₁ = (2, 0, 0), e₂ = (0, 4, 3), and the map's differences are (1, 1) and (−1, 1): d = 2 and
+    // T = (e₁ − e₂)/2 = (2, −4, −3)/2, of length √29/2
+    let vertices = [[1.0, 0.0, 0.0], [3.0, 0.0, 0.0], [1.0, 4.0, 3.0]].map(vector);
+    let map = [[2.0, 3.0], [3.0, 4.0], [1.0, 4.0]].map(|xy| xy.map(T::of));
+    let (t, h) = normal::tangent(vertices, map).expect("a tangent");
+    assert_near(*t, [2.0, -4.0, -3.0].map(|c| c / 29.0_f64.sqrt()), 8.0);
+    assert_eq!(h, T::ONE);
+    // the second and third texture coordinates change places: the differences of y stay (1, 1), and d = −2
+    let (t, h) = normal::tangent(vertices, [map[0], map[2], map[1]]).expect("a tangent");
+    assert_near(*t, [-2.0, 4.0, 3.0].map(|c| c / 29.0_f64.sqrt()), 8.0);
+    assert_eq!(h, -T::ONE);
 }
 
 fn sample_of_a_normal_map_on_a_slanted_surface<T: Float>() {

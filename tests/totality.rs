@@ -33,6 +33,8 @@ for_f32_and_f64!(
     columns_of_any_size_transform_normals,
     a_degenerate_triangle_has_no_share,
     shares_of_tiny_and_huge_triangles_are_angles,
+    a_triangle_without_a_map_has_no_tangent,
+    tangents_of_triangles_and_maps_of_any_size,
     a_map_without_a_frame_or_a_sample_has_no_normal,
     lambert_of_nan_is_zero,
     highlight_of_a_nan_cosine_is_zero,
@@ -493,6 +495,57 @@ fn shares_of_tiny_and_huge_triangles_are_angles<T: Float>() {
             assert_eq!(normal::corner(v1, v3, v2), -share);
         }
     }
+}
+
+/// A right angle at the origin, whose map is the plane it lies in.
+fn mapped_corner<T: Float>(size: T, map: T) -> ([Vec3<T>; 3], [[T; 2]; 3]) {
+    let o = T::ZERO;
+    let vertices = [[o, o, o], [size, o, o], [o, size, o]].map(Vec3::from);
+    (vertices, [[o, o], [map, o], [o, map]])
+}
+
+fn a_triangle_without_a_map_has_no_tangent<T: Float>() {
+    let (vertices, map) = mapped_corner(T::ONE, T::ONE);
+    assert_eq!(normal::tangent(vertices, map), Some((UnitVec3::X, T::ONE)));
+    let [a, b, c] = map;
+    for on_a_line in [
+        [a, a, a],
+        [a, b, b],
+        [a, b, a],
+        [b, b, c],
+        [a, [T::of(2.0), T::ZERO], b],
+    ] {
+        assert_eq!(normal::tangent(vertices, on_a_line), None);
+    }
+    let [o, x, _] = vertices;
+    assert_eq!(normal::tangent([o, o, o], map), None);
+    assert_eq!(normal::tangent([o, o, x], map), None); // y grows along it, and x nowhere
+    for bad in not_finite::<T>() {
+        assert_eq!(normal::tangent([o, at_x(bad), at_x(T::ONE)], map), None);
+        assert_eq!(normal::tangent(vertices, [a, [bad, T::ZERO], c]), None);
+        assert_eq!(normal::tangent(vertices, [a, b, [T::ZERO, bad]]), None);
+    }
+}
+
+fn tangents_of_triangles_and_maps_of_any_size<T: Float>() {
+    // half of the smallest number is 0
+    let sizes = [T::of(T::TINIEST) * T::of(2.0), T::ONE, T::MAX];
+    for (size, map) in sizes
+        .into_iter()
+        .flat_map(|size| sizes.map(|map| (size, map)))
+    {
+        let (vertices, map) = mapped_corner(size, map);
+        assert_eq!(normal::tangent(vertices, map), Some((UnitVec3::X, T::ONE)));
+        let [a, b, c] = map;
+        let mirrored = normal::tangent(vertices, [a, c, b]); // x and y change places
+        assert_eq!(mirrored, Some((UnitVec3::Y, -T::ONE)));
+    }
+    // the differences overflow
+    let far = |x: T, y: T| Vec3::new(x, y, T::ZERO);
+    let max = T::MAX;
+    let vertices = [far(-max, -max), far(max, -max), far(-max, max)];
+    let map = [[-max, -max], [max, -max], [-max, max]];
+    assert_eq!(normal::tangent(vertices, map), Some((UnitVec3::X, T::ONE)));
 }
 
 fn a_map_without_a_frame_or_a_sample_has_no_normal<T: Float>() {
@@ -1052,5 +1105,5 @@ fn every_row_of_the_table_names_a_test() {
         let is_there = tests.iter().any(defines);
         assert!(is_there, "no test {name}");
     }
-    assert_eq!(cited.len(), 123, "rows");
+    assert_eq!(cited.len(), 125, "rows");
 }

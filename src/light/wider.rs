@@ -4,6 +4,7 @@ use super::{DirectionalLight, Light, PointLight, SpotLight};
 use crate::attenuation::Attenuation;
 use crate::cone::Cone;
 use crate::range::Ranged;
+use crate::real::Real;
 use crate::soft_cone::SoftCone;
 
 /// A cone or a falloff that fits into a light with another one: a hard cone where soft ones are
@@ -32,10 +33,7 @@ impl<T: Copy> Fits<SoftCone<T>> for Cone<T> {
     }
 }
 
-impl<T> Fits<Ranged<T>> for Attenuation<T>
-where
-    Ranged<T>: From<Self>,
-{
+impl<T: Real> Fits<Ranged<T>> for Attenuation<T> {
     #[inline]
     fn widened(self) -> Ranged<T> {
         self.into()
@@ -77,10 +75,7 @@ impl<T, C, A, D: Fits<C>, B: Fits<A>> From<SpotLight<T, D, B>> for Light<T, C, A
 }
 
 /// A list of hard lights without ranges becomes one of lights of every kind.
-impl<T: Copy> From<Light<T>> for Light<T, SoftCone<T>, Ranged<T>>
-where
-    Ranged<T>: From<Attenuation<T>>,
-{
+impl<T: Real> From<Light<T>> for Light<T, SoftCone<T>, Ranged<T>> {
     #[inline]
     fn from(light: Light<T>) -> Self {
         match light {

@@ -11,6 +11,7 @@
 //! | a normal, and a surface seen from both sides | [`facing`] |
 //! | a normal and a matrix | [`transformed`] |
 //! | a normal and a normal map | [`mapped`] |
+//! | texture coordinates, and no tangents for the map | [`tangent`] |
 //!
 //! A normal is a [`UnitVec3`](crate::UnitVec3), and the functions return `None` if there is no
 //! normal. Your arguments decide which side of the surface is outside. Turn a normal around with
@@ -19,7 +20,9 @@
 mod corner;
 mod derived;
 mod surface;
+mod tangent;
 
 pub use corner::corner;
 pub use derived::{facing, mapped, transformed};
 pub use surface::{from_gradient, from_tangents, implicit, parametric, plane, sphere, triangle};
+pub use tangent::tangent;

@@ -77,6 +77,8 @@ pub mod shade;
 #[doc(hidden)]
 pub mod surface;
 #[doc(hidden)]
+pub mod tangent;
+#[doc(hidden)]
 pub mod triangle;
 #[doc(hidden)]
 pub mod width;
@@ -122,6 +124,7 @@ macro_rules! tests_of_number {
         $crate::motion! { $powers }
         $crate::shade! { $powers }
         $crate::surface! { $powers }
+        $crate::tangent! { $powers }
         $crate::triangle! { $powers }
         $crate::width! { $powers }
     };

@@ -49,7 +49,6 @@ impl<'de, T: Number> Visitor<'de> for Form<Cone<T>> {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
-        self.check_list()?;
         of_cosine(next(&mut list, "cosine")?)
     }
 
@@ -72,7 +71,6 @@ impl<'de, T: Number> Visitor<'de> for Form<SoftCone<T>> {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
-        self.check_list()?;
         let outer = next(&mut list, "cosine")?;
         let cone = of_cosines(outer, next(&mut list, "inner_cosine")?)?;
         Ok(smoothed(cone, next(&mut list, "smoothstep")?))

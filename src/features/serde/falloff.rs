@@ -3,7 +3,6 @@
 use core::fmt::{self, Display, Formatter};
 use core::marker::PhantomData;
 
-use serde_core::de::value::SeqAccessDeserializer;
 use serde_core::de::{Error, MapAccess, SeqAccess, Visitor};
 use serde_core::ser::{Error as _, SerializeStruct};
 use serde_core::{Deserialize, Deserializer, Serialize, Serializer};
@@ -11,7 +10,7 @@ use serde_core::{Deserialize, Deserializer, Serialize, Serializer};
 use super::Number;
 use super::complaint::{Complaint, Problem};
 use super::record::{Field, Form, Key, Named, entries, next, required};
-use super::vector::Coefficients;
+use super::vector::{Coefficients, First};
 use crate::{Attenuation, Ranged};
 
 const EXPECTED: &str = "a list of 3 numbers, or a map, for attenuation";
@@ -56,12 +55,10 @@ where
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
-        if self.has_names {
-            let list = SeqAccessDeserializer::new(list);
-            return attenuation(Coefficients::read("attenuation", list)?, false);
+        match First::of(&mut list, self.has_names)? {
+            First::Number(a) => attenuation(a.and(list)?, false),
+            First::Coefficients(abc) => attenuation(abc, next(&mut list, "clamped")?),
         }
-        let coefficients = next(&mut list, "coefficients")?;
-        attenuation(coefficients, next(&mut list, "clamped")?)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
@@ -83,14 +80,13 @@ where
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
-        if self.has_names {
-            let list = SeqAccessDeserializer::new(list);
-            let coefficients = Coefficients::read("attenuation", list)?;
-            return Range::none().limit(attenuation(coefficients, false)?);
+        match First::of(&mut list, self.has_names)? {
+            First::Number(a) => Range::none().limit(attenuation(a.and(list)?, false)?),
+            First::Coefficients(abc) => {
+                let attenuation = attenuation(abc, next(&mut list, "clamped")?)?;
+                next::<Range<T>, _>(&mut list, "range")?.limit(attenuation)
+            }
         }
-        let coefficients = next(&mut list, "coefficients")?;
-        let attenuation = attenuation(coefficients, next(&mut list, "clamped")?)?;
-        next::<Range<T>, _>(&mut list, "range")?.limit(attenuation)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {

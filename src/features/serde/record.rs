@@ -5,9 +5,7 @@ use core::fmt::{self, Display, Formatter};
 use core::marker::PhantomData;
 
 use serde_core::Deserializer;
-use serde_core::de::{
-    DeserializeOwned, DeserializeSeed, Error, Expected, SeqAccess, Unexpected, Visitor,
-};
+use serde_core::de::{DeserializeOwned, DeserializeSeed, Error, SeqAccess, Unexpected, Visitor};
 
 /// A type that a field of a record may have.
 pub trait Field: DeserializeOwned {
@@ -37,7 +35,7 @@ impl<'de, F: Field> DeserializeSeed<'de> for Named<F> {
     }
 }
 
-/// Reads the next field of a record in a format without names.
+/// Reads the next field of a record without names.
 pub fn next<'de, F: Field, A: SeqAccess<'de>>(
     list: &mut A,
     name: &'static str,
@@ -49,9 +47,11 @@ pub fn required<F, E: Error>(field: Option<F>, name: &'static str) -> Result<F, 
     field.ok_or_else(|| E::missing_field(name))
 }
 
-/// Reads a value that has several parts.
+/// Reads a value that has several parts, which have names or an order. Either is read, whatever the
+/// format says of itself: what serde buffers for an untagged enum or a flattened field says that it is
+/// human-readable, also if a binary format wrote it without names.
 pub struct Form<V> {
-    /// Whether the parts have names. Otherwise they have an order.
+    /// Whether the format says that it is human-readable, and so can say what comes next.
     pub has_names: bool,
     value: PhantomData<V>,
 }
@@ -60,17 +60,6 @@ impl<V> Form<V> {
     pub fn of<'de, D: Deserializer<'de>>(from: &D) -> Self {
         let (has_names, value) = (from.is_human_readable(), PhantomData);
         Self { has_names, value }
-    }
-
-    /// Refuses a list of parts in place of a map.
-    pub fn check_list<E: Error>(&self) -> Result<(), E>
-    where
-        Self: Expected,
-    {
-        if self.has_names {
-            return Err(E::invalid_type(Unexpected::Seq, self));
-        }
-        Ok(())
     }
 }
 
@@ -173,7 +162,6 @@ macro_rules! record {
             }
 
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
-                self.check_list()?;
                 Ok($type {
                     $($field: next(&mut list, stringify!($field))?),+
                 })

@@ -3,7 +3,7 @@
 use core::fmt::{self, Display, Formatter};
 use core::marker::PhantomData;
 
-use serde_core::de::{Error as _, SeqAccess, Visitor};
+use serde_core::de::{DeserializeSeed, Error, IntoDeserializer, SeqAccess, Visitor};
 use serde_core::ser::Error as _;
 use serde_core::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -12,6 +12,7 @@ use super::complaint::{Complaint, Problem};
 use super::record::{Field, Named};
 use crate::{Attenuation, Rgb, UnitVec3, Vec3};
 
+const ATTENUATION: &str = "attenuation";
 const XYZ: [&str; 3] = ["x = ", "y = ", "z = "];
 const RGB: [&str; 3] = ["r = ", "g = ", "b = "];
 const ABC: [&str; 3] = ["a = ", "b = ", "c = "];
@@ -33,10 +34,24 @@ impl<'de, T: Number> Visitor<'de> for Named<[T; 3]> {
         write!(f, "a list of 3 numbers for {}", self.0)
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<[T; 3], A::Error> {
+    fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<[T; 3], A::Error> {
+        self.visit_rest(None, list)
+    }
+}
+
+impl<T: Number> Named<[T; 3]> {
+    /// Reads the numbers of which the first may have been read.
+    fn visit_rest<'de, A: SeqAccess<'de>>(
+        self,
+        mut first: Option<T>,
+        mut list: A,
+    ) -> Result<[T; 3], A::Error> {
         let mut numbers = [T::ZERO; 3];
         for (i, number) in numbers.iter_mut().enumerate() {
-            let next = list.next_element()?;
+            let next = match first.take() {
+                None => list.next_element()?,
+                first => first,
+            };
             *number = next.ok_or_else(|| A::Error::invalid_length(i, &self))?;
         }
         match list.next_element::<T>()? {
@@ -44,6 +59,98 @@ impl<'de, T: Number> Visitor<'de> for Named<[T; 3]> {
             None => Ok(numbers),
         }
     }
+}
+
+/// What a list for an attenuation begins with: the first of its coefficients, or all of them.
+pub enum First<T> {
+    Number(FirstNumber<T>),
+    Coefficients(Coefficients<T>),
+}
+
+/// The first of three numbers.
+pub struct FirstNumber<T>(T);
+
+/// Reads it. A format that cannot say what comes next has the list of all coefficients.
+struct ReadFirst<T> {
+    can_ask: bool,
+    number: PhantomData<T>,
+}
+
+impl<T: Number> First<T>
+where
+    Coefficients<T>: Field,
+{
+    pub fn of<'de, A: SeqAccess<'de>>(list: &mut A, can_ask: bool) -> Result<Self, A::Error> {
+        let number = PhantomData;
+        let first = list.next_element_seed(ReadFirst { can_ask, number })?;
+        first.ok_or_else(|| A::Error::invalid_length(0, &Named::<[T; 3]>(ATTENUATION, PhantomData)))
+    }
+}
+
+impl<T: Number> FirstNumber<T>
+where
+    Coefficients<T>: Field,
+{
+    /// The coefficients of which this is the first.
+    pub fn and<'de, A: SeqAccess<'de>>(self, list: A) -> Result<Coefficients<T>, A::Error> {
+        let numbers = Named::<[T; 3]>(ATTENUATION, PhantomData).visit_rest(Some(self.0), list)?;
+        checked(Coefficients(numbers), ATTENUATION)
+    }
+}
+
+impl<'de, T: Number> DeserializeSeed<'de> for ReadFirst<T>
+where
+    Coefficients<T>: Field,
+{
+    type Value = First<T>;
+
+    fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<First<T>, D::Error> {
+        if self.can_ask {
+            from.deserialize_any(self)
+        } else {
+            from.deserialize_tuple(3, self)
+        }
+    }
+}
+
+impl<'de, T: Number> Visitor<'de> for ReadFirst<T>
+where
+    Coefficients<T>: Field,
+{
+    type Value = First<T>;
+
+    fn expecting(&self, f: &mut Formatter) -> fmt::Result {
+        f.write_str("a number or a list of 3 numbers")
+    }
+
+    fn visit_f64<E: Error>(self, a: f64) -> Result<First<T>, E> {
+        Ok(First::Number(FirstNumber(T::deserialize(
+            a.into_deserializer(),
+        )?)))
+    }
+
+    fn visit_u64<E: Error>(self, a: u64) -> Result<First<T>, E> {
+        Ok(First::Number(FirstNumber(T::deserialize(
+            a.into_deserializer(),
+        )?)))
+    }
+
+    fn visit_i64<E: Error>(self, a: i64) -> Result<First<T>, E> {
+        Ok(First::Number(FirstNumber(T::deserialize(
+            a.into_deserializer(),
+        )?)))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<First<T>, A::Error> {
+        let numbers = Named::<[T; 3]>("coefficients", PhantomData).visit_seq(list)?;
+        checked(Coefficients(numbers), "coefficients").map(First::Coefficients)
+    }
+}
+
+/// A value that a file may contain.
+fn checked<F: Field, E: Error>(value: F, name: &'static str) -> Result<F, E> {
+    value.check(name).map_err(E::custom)?;
+    Ok(value)
 }
 
 /// The problem with three numbers: one of them is not finite, or `other` finds another problem.
@@ -79,7 +186,7 @@ fn not_coefficients<T: Number>(abc: [T; 3]) -> Option<Problem<T>> {
 }
 
 macro_rules! triple {
-    ($type:ident<$float:ident>: $name:literal, $letters:ident, $of:expr, $other:expr) => {
+    ($type:ident<$float:ident>: $name:expr, $letters:ident, $of:expr, $other:expr) => {
         impl Field for $type<$float> {
             fn check(&self, name: &'static str) -> Result<(), impl Display> {
                 match problem((*self).into(), $letters, $other) {
@@ -93,9 +200,7 @@ macro_rules! triple {
                 from: D,
             ) -> Result<Self, D::Error> {
                 let numbers = from.deserialize_tuple(3, Named::<[$float; 3]>(name, PhantomData))?;
-                let value = $of(numbers);
-                value.check(name).map_err(D::Error::custom)?;
-                Ok(value)
+                checked($of(numbers), name)
             }
         }
 
@@ -116,7 +221,7 @@ macro_rules! triple {
         triple!(Vec3<$float>: "vector", XYZ, Vec3::from, |_| None);
         triple!(Rgb<$float>: "color", RGB, Rgb::from, |_| None);
         triple!(UnitVec3<$float>: "direction", XYZ, |v| Self::assume_unit(Vec3::from(v)), not_unit);
-        triple!(Coefficients<$float>: "attenuation", ABC, Coefficients, not_coefficients);
+        triple!(Coefficients<$float>: ATTENUATION, ABC, Coefficients, not_coefficients);
     };
 }
 

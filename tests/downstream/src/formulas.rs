@@ -41,6 +41,8 @@ fn derived_normals() {
         Some(UnitVec3::Z)
     );
     assert_eq!(normal::mapped(UnitVec3::Z, x, 1.0, z), Some(UnitVec3::Z));
+    let tangent = normal::tangent([ORIGIN, x, y], [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    assert_eq!(tangent, Some((UnitVec3::X, 1.0)));
     let share = normal::corner(ORIGIN, x, y); // π/2 along z
     assert!(share.z > 1.57 && share.z < 1.58);
 }

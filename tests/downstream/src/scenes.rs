@@ -5,8 +5,8 @@ use core::ops::{Add, Mul};
 
 use shading::shade::{self, Shaded};
 use shading::{
-    Attenuation, Cone, DirectionalLight, IncidentLight, Light, Material, PointLight, Rgb,
-    SpotLight, UnitVec3, Vec3,
+    Attenuation, Cone, DirectionalLight, IncidentLight, Light, Material, PointLight, Ranged, Rgb,
+    SoftCone, SpotLight, UnitVec3, Vec3,
 };
 
 pub(crate) const SUN: DirectionalLight = DirectionalLight {
@@ -93,6 +93,13 @@ fn any_light() {
         assert_eq!(Light::cast(light, f64::from).at(Vec3::ZERO).l, UnitVec3::Z);
     }
     assert_eq!(Light::all_in_front(&lights, p, n).count(), 3);
+    let wide = lights.map(<Light<f32, SoftCone, Ranged> as From<Light>>::from);
+    assert_eq!(
+        wide.map(|light| light.at(p)),
+        lights.map(|light| light.at(p))
+    );
+    let sun = <IncidentLight as From<DirectionalLight>>::from(SUN);
+    assert_eq!(sun, SUN.at(p));
 }
 
 fn materials() {

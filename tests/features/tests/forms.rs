@@ -165,7 +165,7 @@ fn lights_are_maps_of_their_fields() {
 #[test]
 fn any_light_is_named_by_its_kind() {
     is(
-        &Light::Directional(DirectionalLight {
+        &Light::<Cone>::Directional(DirectionalLight {
             l: UnitVec3::X,
             intensity: Rgb::gray(0.5),
         }),
@@ -173,7 +173,7 @@ fn any_light_is_named_by_its_kind() {
         "directional((l:(1.0,0.0,0.0),intensity:(0.5,0.5,0.5)))",
     );
     is(
-        &Light::Point(LAMP),
+        &Light::<Cone>::Point(LAMP),
         r#"{"point":{"position":[2.0,-1.5,0.5],"intensity":[1.0,0.8,0.6],"attenuation":[1.0,0.0,0.25]}}"#,
         "point((position:(2.0,-1.5,0.5),intensity:(1.0,0.8,0.6),attenuation:(1.0,0.0,0.25)))",
     );

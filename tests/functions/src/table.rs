@@ -128,6 +128,7 @@ macro_rules! for_each_function {
             normal_facing "normal::facing" |g| normal::facing(g.n, g.v) => n_or_opposite;
             normal_transformed "normal::transformed" |g| normal::transformed(g.n, [g.p, g.a, g.b]) => unit;
             normal_corner "normal::corner" |g| normal::corner(g.p, g.a, g.b) => at_most_pi_long;
+            normal_tangent "normal::tangent" |g| normal::tangent([g.p, g.a, g.b], [[g.x, g.y], [g.cosine, g.x], [g.y, g.cosine]]).map(|(t, _)| t) => unit;
             normal_mapped "normal::mapped" |g| normal::mapped(g.n, g.a, g.cosine, g.b) => unit;
 
             reflection "reflection" |g| shading::reflection(g.n, g.l) => reflected;

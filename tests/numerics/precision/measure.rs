@@ -276,18 +276,18 @@ pub fn ranged<T: Float>(numbers: &mut Numbers) -> f64 {
     error(ranged.at(q), &expected, &free_factor)
 }
 
-/// A lamp of white light: its coefficients, the vector to it, and the light that arrives; `None` at
-/// the lamp.
-fn lamp<T: Float>(numbers: &mut Numbers) -> Option<([T; 3], Vector, IncidentLight<T>)> {
-    let [a, b, c] = coefficients::<T>(numbers);
+/// A lamp, the vector to it, and the light that arrives; `None` at the lamp.
+fn lamp<T: Float>(numbers: &mut Numbers) -> Option<(PointLight<T>, Vector, IncidentLight<T>)> {
+    // often 0, as in an inverse square
+    let [a, b, c] = [(); 3].map(|()| T::of(2.0 * numbers.next().max(0.0)));
     let [position, p] = [point(numbers), point(numbers)];
     let lamp = PointLight {
         position,
-        intensity: Rgb::WHITE,
-        attenuation: Attenuation::of(a, b, c).expect("positive"),
+        intensity: Rgb::from([(); 3].map(|()| T::of(numbers.within(0.01, 4.0)))),
+        attenuation: Attenuation::of(a, b, c)?,
     };
     let way = exact::subtract(&vector(position), &vector(p));
-    (position != p).then(|| ([a, b, c], way, lamp.at(p)))
+    (position != p).then(|| (lamp, way, lamp.at(p)))
 }
 
 pub fn lamp_direction<T: Float>(numbers: &mut Numbers) -> f64 {
@@ -297,9 +297,15 @@ pub fn lamp_direction<T: Float>(numbers: &mut Numbers) -> f64 {
 }
 
 pub fn lamp_intensity<T: Float>(numbers: &mut Numbers) -> f64 {
-    lamp::<T>(numbers).map_or(0.0, |(coefficients, way, incident)| {
-        let factor = exact::attenuation(&vector(coefficients), &exact::length(&way));
-        error(incident.intensity.r, &factor, &factor)
+    lamp::<T>(numbers).map_or(0.0, |(lamp, way, incident)| {
+        let coefficients = vector(lamp.attenuation.coefficients());
+        let factor = exact::attenuation(&coefficients, &exact::length(&way));
+        let channels = <[T; 3]>::from(incident.intensity).into_iter();
+        let errors = channels.zip(vector(lamp.intensity)).map(|(computed, i)| {
+            let expected = i * &factor;
+            error(computed, &expected, &expected)
+        });
+        errors.fold(0.0, f64::max)
     })
 }
 

@@ -1,8 +1,14 @@
 //! Searches for the largest error by climbing hills from random places.
 
-/// The number of random places tried before a climb, and the number of steps tried during it.
+/// The number of random places tried before a climb.
 const LOOKS: u32 = 100;
-const STEPS: u32 = 2000;
+/// The number of steps that lead nowhere before it starts again.
+const PATIENCE: u32 = match option_env!("PAT") {
+    Some(p) => p.as_bytes()[0] as u32 * 100 - 4800,
+    None => 1500,
+};
+/// The number of places tried on one hill, over all climbs.
+const STEPS: u32 = 20_000;
 
 /// The largest number of numbers that an input is made from.
 const MOST: usize = 32;
@@ -34,18 +40,20 @@ pub fn largest(error: &dyn Fn(&mut Numbers) -> f64, digits: usize, hills: u64) -
 }
 
 /// Starts at the highest of some random places, and takes every step that does not lead down. A
-/// step changes one or two of the numbers, by anything from 2 down to their last digit.
+/// step changes one or two of the numbers, by anything from 2 down to their last digit. Where no
+/// step has led up for long, it starts again elsewhere.
 #[allow(clippy::cast_precision_loss)] // powers of two
 fn climb(error: &dyn Fn(&mut Numbers) -> f64, digits: usize, mut random: Random) -> f64 {
-    let (mut top, mut height, mut used) = ([0.0; MOST], 0.0, 0);
-    for step in 0..LOOKS + STEPS {
+    let (mut highest, mut top, mut height, mut used) = (0.0_f64, [0.0; MOST], 0.0, 0);
+    let mut step = 0; // since the start, or since the last one up
+    for _ in 0..STEPS {
         let mut place = top;
         if step < LOOKS {
             place = std::array::from_fn(|_| random.signed());
         } else {
             for _ in 0..=random.below(2) {
                 let number = &mut place[random.below(used)];
-                let size = 2.0 / (1_u64 << random.below(digits + 2)) as f64;
+                let size = 2.0 / (1_u64 << random.below(digits + 8)) as f64;
                 *number = (*number + size * random.signed()).clamp(-1.0, 1.0);
             }
         }
@@ -54,12 +62,20 @@ fn climb(error: &dyn Fn(&mut Numbers) -> f64, digits: usize, mut random: Random)
             used: 0,
         };
         let found = error(&mut numbers);
+        used = used.max(numbers.used);
+        if found > height {
+            step = step.min(LOOKS);
+        }
         if found >= height {
             (top, height) = (place, found);
+            highest = highest.max(found);
         }
-        used = numbers.used;
+        step += 1;
+        if step > LOOKS + PATIENCE {
+            (step, height) = (0, 0.0);
+        }
     }
-    height
+    highest
 }
 
 /// SplitMix64 (Steele, Lea, and Flood 2014): the same numbers in each run, on every machine.

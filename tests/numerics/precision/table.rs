@@ -128,7 +128,7 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
         ),
         of_result(
             "`blinn_normalization`",
-            11.0,
+            11.75,
             &normalization(term::blinn_normalization::<T>, blinn_normalization),
         ),
         of_result("`attenuation`", 5.0, &attenuated::<T>),
@@ -141,17 +141,17 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
         row(
             "`SoftCone::factor`",
             "of 1, over the width of the edge",
-            7.5,
+            6.5,
             &soft_cone::<T>(false),
         ),
         row(
             "`SoftCone::factor`, a smoothstep",
             "of 1, over the width of the edge",
-            6.75,
+            6.0,
             &soft_cone::<T>(true),
         ),
         of_result("`PointLight::at`, direction", 6.5, &lamp_direction::<T>),
-        of_result("`PointLight::at`, intensity", 12.0, &lamp_intensity::<T>),
+        of_result("`PointLight::at`, intensity", 13.0, &lamp_intensity::<T>),
         of_light(
             "`shade::lambert`, four lights",
             9.0,

@@ -78,7 +78,7 @@ fn each_type_has_a_line() {
     let lamp_line = "PointLight(position: Vec3(0.0, 1.5, -2.0), intensity: Rgb(1.0, 0.5, 0.25), \
                      attenuation: Attenuation([1.0, 0.0, 0.25], clamped: false))";
     assert_eq!(log(LAMP), lamp_line);
-    assert_eq!(log(Light::Point(LAMP)), lamp_line);
+    assert_eq!(log(<Light>::from(LAMP)), lamp_line);
     let spot = SpotLight {
         point: LAMP,
         axis: UnitVec3::NEG_Y,

@@ -1,0 +1,74 @@
+//! The tangent that a normal map needs.
+
+use crate::real::Real;
+use crate::unit::UnitVec3;
+use crate::vector::Vec3;
+
+/// The tangent of a triangle with texture coordinates, and its handedness: what
+/// [`mapped`](crate::normal::mapped) takes, if the mesh file has no tangents.
+///
+/// ```text
+/// p = p₁ + (x − x₁) T + (y − y₁) B on the triangle:
+/// T = ((y₃ − y₁)(p₂ − p₁) − (y₂ − y₁)(p₃ − p₁))/d,  d = (x₂ − x₁)(y₃ − y₁) − (x₃ − x₁)(y₂ − y₁)
+/// t = T/|T|,  h = the sign of d
+/// ```
+///
+/// t is the direction in which the map's x grows, h is 1 or −1. With N the normal of the
+/// counter-clockwise triangle, the map's y grows to the side of h (N × t). It is −1 where the map is
+/// mirrored, as on one half of a face that uses the same texels for both.
+///
+/// The result is `None` if the three texture coordinates lie on a line, if T is zero, or if a number
+/// is not finite.
+///
+/// At a vertex of a smooth mesh, add up t of the triangles around it with the same h, each times its
+/// angle there, which is the length of its [`corner`](crate::normal::corner). `mapped` makes the sum
+/// perpendicular to N. This is how MikkTSpace weighs, except that it projects each t onto the plane
+/// of N first.
+///
+/// The error is a few units of roundoff times the conditioning |p₂ − p₁||y₃ − y₁| + |p₃ − p₁||y₂ − y₁|
+/// over |d T|. As in [`triangle`](crate::normal::triangle), the size of the triangle does not matter,
+/// nor that of the map.
+///
+/// Source: Eric Lengyel, *Computing Tangent Space Basis Vectors for an Arbitrary Mesh*, 2001; Morten
+/// S. Mikkelsen, *Simulation of Wrinkled Surfaces Revisited*, 2008.
+///
+/// ```
+/// use shading::{UnitVec3, Vec3, normal};
+///
+/// // a square that lies on the floor; the map's y grows downward, as in an image file
+/// let [a, b, c] = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0]].map(Vec3::<f32>::from);
+/// let (t, h) = normal::tangent([a, b, c], [[0.0, 1.0], [1.0, 1.0], [1.0, 0.0]]).unwrap();
+/// assert_eq!((t, h), (UnitVec3::X, -1.0));
+///
+/// let bump = normal::mapped(UnitVec3::Z, *t, h, Vec3::new(0.0, 0.6, 0.8)).unwrap();
+/// assert_eq!(bump.y, -0.6); // the map's y points to the viewer
+/// ```
+#[doc(alias = "MikkTSpace")]
+#[doc(alias = "tangent space")]
+#[inline]
+#[must_use]
+pub fn tangent<T: Real + PartialOrd>(
+    vertices: [Vec3<T>; 3],
+    coordinates: [[T; 2]; 3],
+) -> Option<(UnitVec3<T>, T)> {
+    // halves, because a difference may overflow; shares of the largest, because a product may
+    let half = T::of_f32(0.5);
+    let [a, b, c] = vertices.map(|p| p * half);
+    let (e1, e2) = (b - a, c - a);
+    let edge = e1.length().at_least(e2.length());
+    let [x1, x2] = shares(coordinates.map(|[x, _]| x * half));
+    let [y1, y2] = shares(coordinates.map(|[_, y]| y * half));
+    let d = x1 * y2 - x2 * y1;
+    let h = d.if_positive(T::ONE, T::NEG_ONE);
+    let t = (e1 / edge * y2 - e2 / edge * y1) * h;
+    t.unit().filter(|_| d.abs() > T::ZERO).map(|t| (t, h))
+}
+
+/// The differences from the first number, in shares of the larger one. If both are 0, they are NaN.
+#[inline]
+fn shares<T: Real>([first, second, third]: [T; 3]) -> [T; 2] {
+    let differences = [second - first, third - first];
+    let [a, b] = differences.map(T::abs);
+    let larger = a.at_least(b);
+    differences.map(|difference| difference / larger)
+}
