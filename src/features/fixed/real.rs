@@ -133,8 +133,8 @@ impl Real for Fixed {
     }
 
     #[inline(always)]
-    fn black_unless_lit<C>(q: Self, light: C, black: C) -> C {
-        if q.0 > 0 { light } else { black }
+    fn is_lit(q: Self) -> bool {
+        q.0 > 0
     }
 
     #[inline]
