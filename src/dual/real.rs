@@ -236,6 +236,11 @@ impl<T: Real> Real for Dual<T> {
         Self { value, gradient }
     }
 
+    #[inline]
+    fn half_of(m: u32) -> Option<u32> {
+        T::half_of(m)
+    }
+
     /// (R·V)′ from R·V = 2(N·L)(N·V) − L·V.
     #[inline]
     fn reflected_cosine(n: [Self; 3], l: [Self; 3], v: [Self; 3]) -> Self {

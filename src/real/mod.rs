@@ -276,6 +276,14 @@ pub trait Real:
         triple::half_cosine(n, l, v, squared)
     }
 
+    /// m/2, if the square of N·H costs less than N·H itself and is raised instead.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn half_of(m: u32) -> Option<u32> {
+        (m % 2 == 0).then_some(m / 2)
+    }
+
     /// R·V, where R is the reflection of L.
     #[doc(hidden)]
     #[inline]

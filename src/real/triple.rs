@@ -63,7 +63,8 @@ fn power<T: Real>(x: T, y: T, z: T) -> T {
     shrink * grow
 }
 
-#[inline]
+#[cfg_attr(target_os = "none", inline)]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 pub(super) fn unit<T: Real>(v @ [x, y, z]: Triple<T>) -> (Triple<T>, T) {
     let v = if is_extreme(T::dot(v, v)) {
         T::scaled(v, power(x, y, z))
@@ -74,7 +75,8 @@ pub(super) fn unit<T: Real>(v @ [x, y, z]: Triple<T>) -> (Triple<T>, T) {
     ([x / length, y / length, z / length], length)
 }
 
-#[inline]
+#[cfg_attr(target_os = "none", inline)]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 pub(super) fn rescaled_difference<T: Real>(to: Triple<T>, from: Triple<T>) -> (Triple<T>, T) {
     let difference = minus(to, from);
     if is_extreme(T::dot(difference, difference)) {
@@ -88,7 +90,8 @@ pub(super) fn rescaled_difference<T: Real>(to: Triple<T>, from: Triple<T>) -> (T
     }
 }
 
-#[inline]
+#[cfg_attr(target_os = "none", inline)]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 pub(super) fn rescaled_together<T: Real>([a, b, c]: [Triple<T>; 3]) -> Option<([Triple<T>; 3], T)> {
     let is_extreme = |v| is_extreme(T::dot(v, v));
     let is_any_extreme = is_extreme(a) || is_extreme(b) || is_extreme(c);

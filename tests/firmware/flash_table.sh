@@ -9,7 +9,6 @@ install_packages binutils-arm-none-eabi
 prepare_cross
 echo "| function | Cortex-M4F | Cortex-M0 |"
 echo "|---|---:|---:|"
-sed -nE 's/^ +"(.+)" => keep\(.*/\1/p; s/^ +"(.+)" => \{$/\1/p' src/bin/flash.rs | grep -v '^nothing$' |
-    while read -r function; do
-        echo "| $function | $(flash thumbv7em-none-eabihf "$function") | $(flash thumbv6m-none-eabi "$function") |"
-    done
+cargo run --quiet --bin rows | while read -r function; do
+    echo "| $function | $(flash thumbv7em-none-eabihf "$function") | $(flash thumbv6m-none-eabi "$function") |"
+done
