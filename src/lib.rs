@@ -38,7 +38,7 @@
 //! | N, L, R, V or H | one factor of the formula | [`mod@term`] |
 //! | a distance | the falloff of the light | [`attenuation()`], [`Attenuation`]; with a range, [`Ranged`] |
 //! | a spot's axis and L | the share of its light that arrives | [`Cone`]; with a soft edge, [`SoftCone`] |
-//! | linear light | the bytes of a picture or a display, and back | [`Rgb::to_srgb8`], [`Rgb::to_rgb565`], [`Rgb::from_srgb8`] |
+//! | linear light | the bytes of a picture or a display, and back | [`to_srgb8`](Rgb::<f32>::to_srgb8), [`to_rgb565`](Rgb::<f32>::to_rgb565), [`from_srgb8`](Rgb::from_srgb8), [`from_rgb565`](Rgb::from_rgb565) |
 //! | a scene in one number type | short type names | [`mod@f32`], [`mod@f64`] |
 //! | a number type of your own | everything above for that type | [`Real`] |
 //!
@@ -58,7 +58,8 @@
 //! - **A cosine of 0 or below gives no highlight**, whatever m is, even m = 0.
 //!
 //! [`guide::totality`] lists what each function gives where its formula has no answer, and says on
-//! which machines a result has the same bits. [`guide::precision`] bounds the errors.
+//! which machines a result has the same bits. [`guide::proofs`] says what of it is proved, and
+//! [`guide::precision`] bounds the errors.
 //!
 //! # Features
 //!
@@ -179,8 +180,12 @@ pub mod guide {
     pub mod invariants {}
     #[doc = include_str!("../docs/performance.md")]
     pub mod performance {}
+    #[doc = include_str!("../docs/porting.md")]
+    pub mod porting {}
     #[doc = include_str!("../docs/precision.md")]
     pub mod precision {}
+    #[doc = include_str!("../docs/proofs.md")]
+    pub mod proofs {}
     #[doc = include_str!("../docs/recipes.md")]
     pub mod recipes {}
     #[cfg(not(doctest))] // its examples need other crates; `tests/features` runs them

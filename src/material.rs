@@ -4,7 +4,8 @@ use crate::rgb::Rgb;
 
 /// The material of a surface: three reflectances, each with three channels, and the shininess.
 ///
-/// A reflectance is 0 or more; at 1, the surface reflects all the light. `M` is the type of the
+/// A reflectance is 0 or more; at 1, the surface reflects all the light. It is the share that the
+/// surface reflects, not a color of light: the light's color is in the light. `M` is the type of the
 /// shininess, an [`Exponent`](crate::Exponent); a `u32` is faster than a float.
 ///
 /// ```

@@ -1,9 +1,10 @@
 //! No function panics for any bit pattern, and none returns NaN or negative light for finite valid
 //! input. `fuzz/` runs the same checks for as long as you like.
 
+use functions::Float;
 use proptest::prelude::*;
 use support::everything::{Numbers, any_bits, finite_and_valid};
-use support::number::{Float, for_f32_and_f64};
+use support::number::for_f32_and_f64;
 
 for_f32_and_f64!(any_bits_never_panic, finite_valid_input_gives_light);
 

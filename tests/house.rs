@@ -173,6 +173,29 @@ fn properties() -> BTreeSet<String> {
     properties
 }
 
+/// The list of the public interface, by which the tests find a function without a row or a call,
+/// has every function of the source.
+#[test]
+fn public_interface_is_listed() {
+    let interface = read(at_root("tests/public-api/interface.txt"));
+    let listed: BTreeSet<_> = interface
+        .split(|c: char| !c.is_alphanumeric() && c != '_')
+        .collect();
+    let is_core = |path: &PathBuf| !path.starts_with(at_root("src/features"));
+    for path in rust_files(&at_root("src")).into_iter().filter(is_core) {
+        let source = read(&path);
+        let functions = ["pub fn ", "pub const fn "].map(|start| source.split(start).skip(1));
+        for item in functions.into_iter().flatten() {
+            let name = item.split(['(', '<']).next().unwrap_or_default();
+            let path = path.display();
+            assert!(
+                listed.contains(name),
+                "{name} of {path} is not in interface.txt"
+            );
+        }
+    }
+}
+
 /// Each test program is in the table, and the table has nothing else.
 #[test]
 fn table_of_tests_is_complete() {

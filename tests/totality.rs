@@ -998,6 +998,8 @@ fn dark_and_invalid_channels_get_the_lowest_level() {
     ] {
         assert_eq!(Rgb::gray(dark).to_srgb8(), [0; 3], "{dark:e}");
         assert_eq!(Rgb::gray(dark).to_rgb565(), 0, "{dark:e}");
+        assert_eq!(Rgb::gray(dark).to_linear8(), [0; 3], "{dark:e}");
+        assert_eq!(Rgb::gray(dark).to_linear565(), 0, "{dark:e}");
     }
 }
 
@@ -1006,6 +1008,8 @@ fn channels_above_one_get_the_highest_level() {
     for bright in [1.0 + f32::EPSILON, 1e30, f32::MAX, f32::INFINITY] {
         assert_eq!(Rgb::gray(bright).to_srgb8(), [255; 3], "{bright:e}");
         assert_eq!(Rgb::gray(bright).to_rgb565(), u16::MAX, "{bright:e}");
+        assert_eq!(Rgb::gray(bright).to_linear8(), [255; 3], "{bright:e}");
+        assert_eq!(Rgb::gray(bright).to_linear565(), u16::MAX, "{bright:e}");
     }
 }
 

@@ -2,9 +2,9 @@
 //! nothing panics, and finite valid input gives neither NaN nor negative light.
 #![no_main]
 
+use functions::Float;
 use libfuzzer_sys::fuzz_target;
 use support::everything::{Numbers, any_bits, finite_and_valid};
-use support::number::Float;
 
 fuzz_target!(|data: &[u8]| {
     let Some((m, bytes)) = data.split_first_chunk() else {

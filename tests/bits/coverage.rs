@@ -63,7 +63,8 @@ fn public_functions() -> BTreeSet<String> {
     let mut implementor = None; // of a trait
     for line in INTERFACE.lines() {
         if line.starts_with("impl") {
-            implementor = line.split_once(" for ").map(|(_, path)| plain(path));
+            let header = line.split(" where ").next().unwrap_or_default();
+            implementor = header.split_once(" for ").map(|(_, path)| plain(path));
         } else if let Some(function) = line.split_once("fn ").map(|(_, path)| plain(path)) {
             let of_a_trait = |owner: &String| function.starts_with(owner.as_str());
             if !implementor.as_ref().is_some_and(of_a_trait) {

@@ -19,33 +19,18 @@ impl From<Plain<f64>> for f64 {
     }
 }
 
-impl<T: Real> Add for Plain<T> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self(self.0 + other.0)
-    }
+macro_rules! operators {
+    ($($trait:ident $method:ident),+) => {
+        $(impl<T: Real> $trait for Plain<T> {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                Self(self.0.$method(other.0))
+            }
+        })+
+    };
 }
 
-impl<T: Real> Sub for Plain<T> {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        Self(self.0 - other.0)
-    }
-}
-
-impl<T: Real> Mul for Plain<T> {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        Self(self.0 * other.0)
-    }
-}
-
-impl<T: Real> Div for Plain<T> {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        Self(self.0 / other.0)
-    }
-}
+operators!(Add add, Sub sub, Mul mul, Div div);
 
 impl<T: Real> Neg for Plain<T> {
     type Output = Self;

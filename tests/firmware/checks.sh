@@ -105,7 +105,7 @@ srgb_table() {
     }'
 }
 
-# Prints the bytes that a public function, named as in src/bin/flash.rs, adds to flash at opt-level s.
+# Prints the bytes that a public function, named as in the table of functions, adds to flash at opt-level s.
 flash() { echo $(($(program_size "$1" "$2") - $(program_size "$1" nothing))); }
 
 # Prints the size of .text and .rodata of the program that calls one function.

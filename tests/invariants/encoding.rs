@@ -1,7 +1,7 @@
-//! sRGB and RGB565. The encodings exist for `f32` only.
+//! sRGB and RGB565. `tests/encoding.rs` checks where each level begins, for every number type.
 
 use proptest::prelude::*;
-use shading::Rgb;
+use shading::f32::Rgb;
 use shading_laws::number::check::{check, within};
 
 /// A number of arbitrary bits, or one that a display can show.
@@ -50,6 +50,28 @@ fn ends_are_exact() {
         assert_eq!(Rgb::gray(light).to_rgb565(), bits);
         assert_eq!(Rgb::from_srgb8([byte; 3]), Rgb::gray(light));
     }
+}
+
+/// (60) All bits survive the round trip.
+#[test]
+fn all_of_rgb565_survives_the_round_trip() {
+    for bits in 0..=u16::MAX {
+        assert_eq!(Rgb::from_rgb565(bits).to_rgb565(), bits);
+    }
+}
+
+/// (64) A row of pixels encodes to the bytes of its pixels one by one, so the compiler may vectorize it.
+#[test]
+fn a_row_encodes_as_its_pixels_do() {
+    check(proptest::collection::vec(displayed(), 0..40), |row| {
+        let bytes: Vec<_> = row.iter().map(|color| color.to_srgb8()).collect();
+        let bits: Vec<_> = row.iter().map(|color| color.to_rgb565()).collect();
+        for (i, color) in row.into_iter().enumerate() {
+            prop_assert_eq!(bytes[i], std::hint::black_box(color).to_srgb8());
+            prop_assert_eq!(bits[i], std::hint::black_box(color).to_rgb565());
+        }
+        Ok(())
+    });
 }
 
 /// (60) The levels of RGB565 agree with the bytes to half a level of each, so no rounding is added

@@ -14,7 +14,13 @@ use shading::{Attenuation, Exponent, Real, Rgb, Vec3, attenuation};
 #[path = "../support/srgb.rs"]
 mod srgb;
 
-// the roots are not public
+// the roots are not public, nor are the tables of the encodings for chips
+#[path = "../../src/encoding/edges.rs"]
+#[allow(clippy::pedantic, dead_code)]
+mod edges;
+#[path = "../../src/encoding/lines.rs"]
+#[allow(clippy::pedantic, dead_code)]
+mod lines;
 #[path = "../../src/real/root.rs"]
 mod root;
 
@@ -101,9 +107,9 @@ struct Run {
 
 /// The numbers from one edge up to the next have the level that begins at the first of the two.
 /// Negative numbers and NaN have level 0, and infinity has the highest.
-fn runs(highest: u16) -> Vec<Run> {
+fn runs(edges: Vec<f32>) -> Vec<Run> {
     let mut ends = vec![0];
-    ends.extend(srgb::edges(highest).into_iter().map(f32::to_bits));
+    ends.extend(edges.into_iter().map(f32::to_bits));
     ends.push(f32::INFINITY.to_bits() + 1);
     let positive = (0..).zip(ends.windows(2)).map(|(level, ends)| Run {
         bits: ends[0]..=ends[1] - 1,
@@ -115,25 +121,48 @@ fn runs(highest: u16) -> Vec<Run> {
     positive.chain(none).collect()
 }
 
-/// A number is encoded as the level nearest to its exact encoding.
+/// The levels of a color whose channels are the same number.
+type Levels = fn(f32) -> [u16; 3];
+
+fn bytes(bytes: [u8; 3]) -> [u16; 3] {
+    bytes.map(u16::from)
+}
+
+fn on_line(x: f32, level: impl Fn(u32) -> u32) -> [u16; 3] {
+    let level = level(lines::place(x));
+    [level.try_into().unwrap_or(u16::MAX); 3]
+}
+
+/// A number gets the level nearest to its exact encoding, or to itself.
 fn levels_are_rounded_correctly(stride: u32) {
-    for (highest, levels) in [
-        (
-            255,
-            (|x| x.to_srgb8().map(u16::from)) as fn(Rgb) -> [u16; 3],
-        ),
-        (63, |x| [x.to_rgb565() >> 5 & 63; 3]),
-        (31, |x| {
-            [x.to_rgb565() >> 11, x.to_rgb565() & 31, x.to_rgb565() & 31]
-        }),
-    ] {
-        in_parallel(&runs(highest), |Run { bits, level }| {
+    let encoded: [(u16, Levels); 6] = [
+        (255, |x| bytes(Rgb::gray(x).to_srgb8())),
+        (63, |x| [Rgb::gray(x).to_rgb565() >> 5 & 63; 3]),
+        (31, |x| fives(Rgb::gray(x).to_rgb565())),
+        (255, |x| on_line(x, lines::eight_bits)),
+        (63, |x| on_line(x, lines::six_bits)),
+        (31, |x| on_line(x, lines::five_bits)),
+    ];
+    let linear: [(u16, Levels); 3] = [
+        (255, |x| bytes(Rgb::gray(x).to_linear8())),
+        (63, |x| [Rgb::gray(x).to_linear565() >> 5 & 63; 3]),
+        (31, |x| fives(Rgb::gray(x).to_linear565())),
+    ];
+    let encoded = encoded.map(|(highest, levels)| (srgb::edges(highest), levels));
+    let linear = linear.map(|(highest, levels)| (srgb::linear_edges(highest), levels));
+    for (edges, levels) in encoded.into_iter().chain(linear) {
+        in_parallel(&runs(edges), |Run { bits, level }| {
             let some = bits.clone().step_by(stride as usize).chain([*bits.end()]);
             for x in some.map(f32::from_bits) {
-                assert!(levels(Rgb::gray(x)) == [*level; 3], "{x:e} is not {level}");
+                assert!(levels(x) == [*level; 3], "{x:e} is not {level}");
             }
         });
     }
+}
+
+/// Red, and blue twice.
+fn fives(bits: u16) -> [u16; 3] {
+    [bits >> 11, bits & 31, bits & 31]
 }
 
 /// √x is the nearest `f32`: the root in double precision has more than twice as many digits, so

@@ -35,6 +35,43 @@ pub fn decoded(encoded: &Number) -> Number {
     ((encoded + ratio(55.0, 1e3)) / ratio(1055.0, 1e3)).powf(&ratio(24.0, 10.0))
 }
 
+/// The smallest `f32` of each level from 1 up without encoding: x ≥ (l − ½)/n, where the product 2n·x is
+/// exact in double precision.
+#[allow(clippy::incompatible_msrv)] // tests run on the newest Rust
+pub fn linear_edges(highest: u16) -> Vec<f32> {
+    let edge = |level: u16| {
+        let reaches = |x: f32| f64::from(2 * highest) * f64::from(x) >= f64::from(2 * level - 1);
+        #[allow(clippy::cast_possible_truncation)]
+        let mut least = ((f64::from(level) - 0.5) / f64::from(highest)) as f32;
+        while reaches(least.next_down()) {
+            least = least.next_down();
+        }
+        while !reaches(least) {
+            least = least.next_up();
+        }
+        least
+    };
+    (1..=highest).map(edge).collect()
+}
+
+/// The smallest `f64` of each level from 1 up, as [`edges`].
+#[allow(clippy::incompatible_msrv)]
+pub fn edges_f64(highest: u16) -> Vec<f64> {
+    let edge = |level: u16| {
+        let edge = number(f64::from(level) - 0.5) / number(highest.into());
+        let reaches = |x: f64| encoded(&number(x)) >= edge;
+        let mut least = decoded(&edge).to_f64().value();
+        while reaches(least.next_down()) {
+            least = least.next_down();
+        }
+        while !reaches(least) {
+            least = least.next_up();
+        }
+        least
+    };
+    (1..=highest).map(edge).collect()
+}
+
 /// The smallest `f32` of each level from 1 up: the first whose encoding reaches the level minus a
 /// half. The search starts at the decoded value.
 pub fn edges(highest: u16) -> Vec<f32> {

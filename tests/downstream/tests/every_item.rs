@@ -1,32 +1,17 @@
-//! The source names every item of the public interface. To add an item, add a call of it.
+//! The source names every item of the public interface, or a row of the table of functions does.
 
 const INTERFACE: &str = include_str!("../../public-api/interface.txt");
 
 const SOURCE: &str = concat!(
-    include_str!("../src/features.rs"),
-    include_str!("../src/formulas.rs"),
-    include_str!("../src/numbers.rs"),
-    include_str!("../src/scenes.rs"),
-    include_str!("../src/types.rs"),
-    include_str!("../src/vectors.rs"),
+    include_str!("../../functions/src/table.rs"),
+    include_str!("../src/fixed.rs"),
+    include_str!("../src/items.rs"),
+    include_str!("../src/names.rs"),
+    include_str!("../src/traits.rs"),
+    include_str!("../src/wide.rs"),
 );
 
-/// Traits that many types implement, each with the generic function that calls it, as in `value::<Vec3>`. All other traits
-/// are called by name, as in `<Vec3 as Neg>`.
-const CALLED_BY: [(&str, &[&str]); 9] = [
-    (
-        "value",
-        &["Clone", "Copy", "Debug", "PartialEq", "StructuralPartialEq"],
-    ),
-    ("number", &["Display", "Eq", "Hash"]),
-    ("real", &["Real"]),
-    ("elementary", &["Elementary"]),
-    ("near", &["AbsDiffEq", "RelativeEq", "UlpsEq"]),
-    ("both_ways", &["Pod"]),
-    ("one_way", &["NoUninit"]),
-    ("log", &["Format"]),
-    ("survives", &["Serialize", "Deserialize"]),
-];
+const TRAITS: &str = include_str!("../src/traits.rs");
 
 /// The words before the path of an item.
 const KINDS: [&str; 7] = ["const", "fn", "type", "struct", "enum", "trait", "mod"];
@@ -99,14 +84,35 @@ fn has(source: &[&str], wanted: &[&str]) -> bool {
     source.windows(wanted.len()).any(|window| window == wanted)
 }
 
-/// Whether the source calls this trait of this type.
-fn calls(source: &[&str], implemented: &[&str], of: &[&str]) -> bool {
-    let by = |(_, traits): &&(_, &[&str])| traits.contains(&implemented[0]);
-    let call = match CALLED_BY.iter().find(by) {
-        Some((function, _)) => [&[function, "::", "<"], of].concat(),
-        None => [of, &["as"], implemented].concat(),
+/// Whether `traits.rs` has a row in which this type implements this trait.
+fn implements(rows: &[&str], of: &[&str], implemented: &[&str]) -> bool {
+    if ["Serialize", "Deserialize"].contains(&implemented[0]) {
+        return has(
+            &tokens(TRAITS),
+            &[&["survives", "::", "<"], of, &["<"]].concat(),
+        );
+    }
+    let implemented = match implemented {
+        ["StructuralPartialEq"] => &["PartialEq"],
+        _ => implemented,
     };
-    has(source, &call)
+    let row = [of, &[":"]].concat();
+    let starts = rows.windows(row.len()).enumerate();
+    let mut traits = starts.filter(|(_, window)| *window == row).map(|(i, _)| {
+        let mut depth = 0; // of brackets: an array has a semicolon, too
+        let is_end = |token: &&str| {
+            depth += i32::from(*token == "[") - i32::from(*token == "]");
+            *token == ";" && depth == 0
+        };
+        let traits = &rows[i + row.len()..];
+        let end = traits.iter().position(is_end).unwrap_or(traits.len());
+        &traits[..end]
+    });
+    traits.any(|traits| {
+        traits
+            .split(|token| *token == ",")
+            .any(|one| one == implemented)
+    })
 }
 
 /// Whether the source has a pattern or a value of this struct that names the field.
@@ -142,7 +148,17 @@ fn names(source: &[&str], kind: Option<&str>, item: &[&str], types: &[&str]) -> 
     match (kind, number) {
         (Some("struct" | "enum" | "trait" | "mod"), _) => has(source, &[name]),
         (None, _) if item.get(path.len()) == Some(&":") => has_field(source, owner, name),
-        (_, Some(number)) => has(source, &[owner, "::", "<", number[1], ">", "::", name]),
+        (Some("type"), _) if ["f32", "f64", "fixed"].contains(&owner) => {
+            has(source, &["module", "::", name])
+        }
+        (_, Some(number)) => [&[number[1]][..], &["$", "number"]].iter().any(|number| {
+            let is_fixed = item.contains(&"Fixed") && number[0] == "$";
+            !is_fixed
+                && has(
+                    source,
+                    &[&[owner, "::", "<"], *number, &[">", "::", name]].concat(),
+                )
+        }),
         _ => {
             has(source, &[owner, "::", name])
                 || has(source, &[owner, ">", "::", name])
@@ -167,18 +183,24 @@ fn every_public_item_is_called() {
     let lines: Vec<Tokens> = INTERFACE.lines().map(tokens).collect();
     let types: Tokens = lines.iter().filter_map(type_name).collect();
     let source = plain(&tokens(SOURCE), &types);
+    let rows = short(&tokens(TRAITS));
+    let rows = [plain(&rows, &types), rows].concat();
 
     let mut implementor: &[&str] = &[]; // of the trait whose items follow
     let mut missing = Vec::new();
     for (line, text) in lines.iter().zip(INTERFACE.lines()) {
         let is_called = if line[0] == "impl" {
+            let line = line
+                .split(|token| *token == "where")
+                .next()
+                .expect("a header");
             let header = &line[if line[1] == "<" { closing(line) + 1 } else { 1 }..];
             let mut parts = header.split(|token| *token == "for");
             let implemented = parts.next().expect("a trait or a type");
             implementor = parts.next().unwrap_or_default();
             let [implemented, of] =
                 [implemented, implementor].map(|path| short(&plain(path, &types)));
-            of.is_empty() || calls(&source, &implemented, &of)
+            of.is_empty() || implements(&rows, &of, &implemented)
         } else {
             let item = line.split(|token| *token == "pub").nth(1).expect("an item");
             let is_kind = |token: &&&str| KINDS.contains(token);

@@ -1,8 +1,8 @@
 //! What the functions are called with.
 
 use shading::{
-    Attenuation, DirectionalLight, Dual, IncidentLight, Light, Material, PointLight, Ranged, Rgb,
-    Shaded, SoftCone, SpotLight, UnitVec3, Vec3,
+    Attenuation, Cone, DirectionalLight, Dual, IncidentLight, Light, Material, PointLight, Ranged,
+    Rgb, Shaded, SoftCone, SpotLight, UnitVec3, Vec3,
 };
 
 use crate::number::Number;
@@ -89,7 +89,7 @@ impl<T: Number> Given<T> {
         } = input;
         let [n, l, v, axis] = [input.n, input.l, input.v, input.axis].map(UnitVec3::assume_unit);
         let coefficients = input.coefficients;
-        let attenuation = T::attenuation(coefficients.x, coefficients.y, coefficients.z)
+        let attenuation = Attenuation::of(coefficients.x, coefficients.y, coefficients.z)
             .unwrap_or(Attenuation::NONE);
         let lamp = |position, attenuation| PointLight {
             position,
@@ -97,7 +97,7 @@ impl<T: Number> Given<T> {
             attenuation,
         };
         let sun = DirectionalLight { l, intensity };
-        let cone = T::cone_from_cosine(edge).unwrap_or(T::CONE);
+        let cone = Cone::of_cosine(edge).unwrap_or(T::CONE);
         let spot = SpotLight {
             point: lamp(c, attenuation),
             axis,
@@ -149,11 +149,11 @@ impl<T: Number> Given<T> {
                 point: PointLight {
                     position: c,
                     intensity,
-                    attenuation: T::within(attenuation, input.range)
-                        .unwrap_or(T::ranged(attenuation)),
+                    attenuation: Ranged::of(attenuation, input.range)
+                        .unwrap_or(Ranged::from(attenuation)),
                 },
                 axis,
-                cone: T::soft_cone_from_cosines(inner, outer).unwrap_or(SoftCone::from(cone)),
+                cone: SoftCone::of_cosines(inner, outer).unwrap_or(SoftCone::from(cone)),
             },
             lights: [
                 Light::Directional(sun),

@@ -1,5 +1,7 @@
 //! The numbers that the functions are called with.
 
+use core::fmt::Debug;
+
 #[cfg(feature = "fixed")]
 use shading::fixed::Fixed;
 use shading::{
@@ -11,7 +13,7 @@ use crate::places::Numbers;
 use crate::value::Value;
 
 /// `f32`, `f64` or a fixed-point number, with the functions that exist separately for each.
-pub trait Number: Elementary + PartialOrd + Value + 'static {
+pub trait Number: Elementary + PartialOrd + Debug + Value + 'static {
     const EPSILON: Self;
     /// Sizes from zero to the largest number, with subnormal ones.
     const SIZES: [Self; 10];
@@ -31,7 +33,6 @@ pub trait Number: Elementary + PartialOrd + Value + 'static {
     fn soft_cone_from_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
     fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
     fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>>;
-    fn ranged(attenuation: Attenuation<Self>) -> Ranged<Self>;
     fn unit_vector(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
     fn normalized(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
 
@@ -96,10 +97,6 @@ macro_rules! number {
 
             fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>> {
                 attenuation.within(range)
-            }
-
-            fn ranged(attenuation: Attenuation<Self>) -> Ranged<Self> {
-                attenuation.into()
             }
 
             fn unit_vector(v: Vec3<Self>) -> Option<UnitVec3<Self>> {

@@ -88,6 +88,9 @@ macro_rules! for_each_function {
             to_srgb8 "Rgb::to_srgb8" |g| g.rgb.map(T::single).to_srgb8() => nothing;
             from_srgb8 "Rgb::from_srgb8" |g| { let [r, g, b, _] = g.bits.to_le_bytes(); Rgb::from_srgb8([r, g, b]) } => share;
             to_rgb565 "Rgb::to_rgb565" |g| g.rgb.map(T::single).to_rgb565() => nothing;
+            from_rgb565 "Rgb::from_rgb565" |g| { let [low, high, ..] = g.bits.to_le_bytes(); Rgb::from_rgb565(u16::from_le_bytes([low, high])) } => share;
+            to_linear8 "Rgb::to_linear8" |g| g.rgb.map(T::single).to_linear8() => nothing;
+            to_linear565 "Rgb::to_linear565" |g| g.rgb.map(T::single).to_linear565() => nothing;
         }
         ANGLES: Number {
             sin "Elementary::sin" |g| g.x.sin() => nothing;
@@ -110,6 +113,7 @@ macro_rules! for_each_function {
             unit "Vec3::unit" |g| g.a.unit() => unit;
             unit_or "Vec3::unit_or" |g| g.a.unit_or(g.n) => unit_or_n;
             unit_vec3_new "UnitVec3::new" |g| T::unit_vector(*g.n) => unit;
+            unit_vec3_of "UnitVec3::of" |g| UnitVec3::of(g.n.x, g.n.y, g.n.z) => unit;
             normalized "UnitVec3::normalized" |g| T::normalized(g.a) => unit;
             clamped "Rgb::clamped" |g| (g.rgb - g.integer.k_a).clamped() => share;
 
@@ -141,12 +145,16 @@ macro_rules! for_each_function {
 
             attenuation "attenuation" |g| shading::attenuation(g.a.x, g.a.y, g.a.z, g.x) => nothing;
             attenuation_new "Attenuation::new" |g| T::attenuation(g.x, g.y, g.cosine).map(Attenuation::coefficients) => not_negative;
+            attenuation_of "Attenuation::of" |g| Attenuation::of(g.x, g.y, g.cosine).map(Attenuation::coefficients) => not_negative;
             attenuation_at "Attenuation::at" |g| g.attenuation.at(g.x.abs()) => nothing;
             within "Attenuation::within" |g| T::within(g.attenuation, g.y.abs()).map(Ranged::range) => positive_or_infinite;
+            ranged_of "Ranged::of" |g| Ranged::of(g.attenuation, g.y.abs()).map(Ranged::range) => positive_or_infinite;
             ranged_at "Ranged::at" |g| g.soft_spot.point.attenuation.at(g.x.abs()) => not_negative;
             cone_from_cosine "Cone::from_cosine" |g| T::cone_from_cosine(g.cosine + g.cosine - T::ONE).map(Cone::cosine) => cosines;
+            cone_of_cosine "Cone::of_cosine" |g| Cone::of_cosine(g.cosine + g.cosine - T::ONE).map(Cone::cosine) => cosines;
             cone_factor "Cone::factor" |g| g.spot.cone.factor(g.n, g.l) => share;
             soft_cone_from_cosines "SoftCone::from_cosines" |g| T::soft_cone_from_cosines(g.cosine, -g.cosine).map(SoftCone::cosines) => cosines;
+            soft_cone_of_cosines "SoftCone::of_cosines" |g| SoftCone::of_cosines(g.cosine, -g.cosine).map(SoftCone::cosines) => cosines;
             soft_cone_factor "SoftCone::factor" |g| g.soft_spot.cone.factor(g.n, g.l) => share;
 
             directional_light "DirectionalLight::at" |g| g.sun.at(g.p) => arriving;
@@ -182,7 +190,9 @@ macro_rules! for_each_function {
         }
         HALF_ANGLES: Number {
             cone_from_half_angle "Cone::from_half_angle" |g| T::cone_from_half_angle(g.cosine * T::of_f32(3.25)).map(Cone::cosine) => cosines;
+            cone_of_half_angle "Cone::of_half_angle" |g| Cone::of_half_angle(g.cosine * T::of_f32(3.25)).map(Cone::cosine) => cosines;
             soft_cone_from_half_angles "SoftCone::from_half_angles" |g| T::soft_cone_from_half_angles(g.cosine, g.cosine * T::of_f32(3.0)).map(SoftCone::cosines) => cosines;
+            soft_cone_of_half_angles "SoftCone::of_half_angles" |g| SoftCone::of_half_angles(g.cosine, g.cosine * T::of_f32(3.0)).map(SoftCone::cosines) => cosines;
         }
     } };
 }

@@ -1,0 +1,615 @@
+//! What a path has shown about the nodes of a graph.
+
+use std::collections::HashMap;
+
+use super::range::Range;
+use super::term::{Format, Graph, Node, Test};
+
+const INF: f64 = f64::INFINITY;
+
+/// How many selections inside one another are tried both ways with all that follows.
+const DEPTH: u32 = 3;
+
+#[doc(hidden)]
+#[derive(Clone, Default)]
+pub struct Known {
+    shown: Vec<Option<Range>>,
+    facts: Vec<(Test, bool)>,
+    memo: Vec<Option<Range>>,
+    depth: u32,
+    pub impossible: bool,
+}
+
+fn constant(x: f64) -> Range {
+    Range {
+        low: x,
+        high: x,
+        nan: x.is_nan(),
+        minus_zero: x == 0.0 && x.is_sign_negative(),
+        finite: x.is_finite(),
+    }
+}
+
+fn above(x: f64, f: Format) -> Range {
+    Range::within(f.next_up(x), INF)
+}
+
+fn below(x: f64, f: Format) -> Range {
+    Range::within(-INF, f.next_down(x))
+}
+
+fn at_most(x: f64) -> Range {
+    Range::within(-INF, x)
+}
+
+fn at_least(x: f64) -> Range {
+    Range::within(x, INF)
+}
+
+fn get(list: &[Option<Range>], id: u32) -> Option<Range> {
+    list.get(id as usize).copied().flatten()
+}
+
+fn set(list: &mut Vec<Option<Range>>, id: u32, range: Range) {
+    let id = id as usize;
+    if list.len() <= id {
+        list.resize(id + 1, None);
+    }
+    list[id] = Some(range);
+}
+
+impl Known {
+    /// The node itself, or what a decided selection selects.
+    pub fn resolved(&mut self, g: &Graph, id: u32) -> u32 {
+        let Node::Select(test, then, otherwise) = g.nodes[id as usize] else {
+            return id;
+        };
+        if let Some(answer) = self.answer(g, test) {
+            return self.resolved(g, if answer { then } else { otherwise });
+        }
+        // max(x, 0) is x, if x is neither negative nor −0 nor NaN
+        let x = self.range(g, then);
+        let is_maximum = test == Test::Above(then, 0) && otherwise == 0;
+        if is_maximum && x.low >= 0.0 && !x.minus_zero && !x.nan {
+            self.resolved(g, then)
+        } else {
+            id
+        }
+    }
+
+    /// The node that has the same bits once the decided selections are made, if it has been recorded.
+    pub(super) fn twin(&mut self, g: &Graph, id: u32) -> u32 {
+        self.twin_but(g, id, &mut HashMap::new())
+    }
+
+    fn twin_but(&mut self, g: &Graph, id: u32, found: &mut HashMap<u32, u32>) -> u32 {
+        if let Some(&twin) = found.get(&id) {
+            return twin;
+        }
+        let resolved = self.resolved(g, id);
+        let mut of = |id| self.twin_but(g, id, found);
+        let node = match g.nodes[resolved as usize] {
+            Node::Neg(a) => Node::Neg(of(a)),
+            Node::Abs(a) => Node::Abs(of(a)),
+            Node::Sqrt(a) => Node::Sqrt(of(a)),
+            Node::Add(a, b) => Node::Add(of(a), of(b)),
+            Node::Sub(a, b) => Node::Sub(of(a), of(b)),
+            Node::Mul(a, b) => Node::Mul(of(a), of(b)),
+            Node::Div(a, b) => Node::Div(of(a), of(b)),
+            node => node,
+        };
+        let twin = g.find(node).unwrap_or(resolved);
+        found.insert(id, twin);
+        twin
+    }
+
+    /// Whether two nodes have the same bits on this path; any NaN is as good as another.
+    pub fn same(&mut self, g: &Graph, a: u32, b: u32) -> bool {
+        let (a, b) = (self.resolved(g, a), self.resolved(g, b));
+        let (x, y) = (self.range(g, a), self.range(g, b));
+        if a == b || x == y && (x.only().is_some() || x == Range::NAN) {
+            return true;
+        }
+        let is_zero = |x: Range| x.only() == Some(0.0) && !x.minus_zero;
+        match (g.nodes[a as usize], g.nodes[b as usize]) {
+            // x + 0 = x, unless x is −0
+            (Node::Add(c, d), _) if is_zero(self.range(g, d)) && !self.range(g, c).minus_zero => {
+                self.same(g, c, b)
+            }
+            (Node::Add(c, d), _) if is_zero(self.range(g, c)) && !self.range(g, d).minus_zero => {
+                self.same(g, d, b)
+            }
+            (_, Node::Add(..)) if !matches!(g.nodes[a as usize], Node::Add(..)) => {
+                self.same_sum(g, b, a)
+            }
+            (Node::Mul(c, d), _) if self.range(g, d).only() == Some(1.0) => self.same(g, c, b),
+            (Node::Mul(c, d), _) if self.range(g, c).only() == Some(1.0) => self.same(g, d, b),
+            (Node::Mul(c, d), Node::Mul(e, f)) | (Node::Add(c, d), Node::Add(e, f)) => {
+                self.same(g, c, e) && self.same(g, d, f) || self.same(g, c, f) && self.same(g, d, e)
+            }
+            (Node::Div(c, d), Node::Div(e, f)) | (Node::Sub(c, d), Node::Sub(e, f)) => {
+                self.same(g, c, e) && self.same(g, d, f)
+            }
+            (Node::Sqrt(c), Node::Sqrt(d)) | (Node::Neg(c), Node::Neg(d)) => self.same(g, c, d),
+            (Node::Power(c, m), Node::Power(d, n)) => self.same(g, c, d) && self.same(g, m, n),
+            _ => false,
+        }
+    }
+
+    fn same_sum(&mut self, g: &Graph, sum: u32, other: u32) -> bool {
+        let Node::Add(c, d) = g.nodes[sum as usize] else {
+            return false;
+        };
+        [(c, d), (d, c)].into_iter().any(|(x, zero)| {
+            let zero = self.range(g, zero);
+            zero.only() == Some(0.0)
+                && !zero.minus_zero
+                && !self.range(g, x).minus_zero
+                && self.same(g, x, other)
+        })
+    }
+
+    /// The values that a node can have on this path.
+    pub fn range(&mut self, g: &Graph, id: u32) -> Range {
+        if let Some(range) = get(&self.memo, id) {
+            return range;
+        }
+        let mut range = self.derived(g, id);
+        if let Some(shown) = get(&self.shown, id) {
+            range = range.meet(shown);
+        }
+        for mirror in g.mirrors(id) {
+            if let Some(shown) = get(&self.shown, mirror) {
+                range = range.meet(shown.opposite().with_zeros());
+            }
+        }
+        set(&mut self.memo, id, range);
+        range
+    }
+
+    fn derived(&mut self, g: &Graph, id: u32) -> Range {
+        let f = g.format;
+        match g.nodes[id as usize] {
+            Node::Var(index) => g.names[index as usize].1,
+            Node::Constant(bits) => constant(f64::from_bits(bits)),
+            Node::Max => constant(f.max()),
+            Node::Extreme => constant(f.extreme()),
+            Node::Neg(a) => self.range(g, a).opposite(),
+            Node::Abs(a) => self.range(g, a).abs(),
+            Node::Sqrt(a) => self.range(g, a).sqrt(f),
+            Node::Add(a, b) => {
+                let sum = self.range(g, a).add(self.range(g, b), f);
+                self.no_longer_than_its_vectors(g, id, sum)
+            }
+            Node::Sub(a, b) if a == b => {
+                let a = self.range(g, a);
+                let is_lost = a.nan || a.low == -INF || a.high == INF;
+                let zero = if a.finite { constant(0.0) } else { Range::NONE };
+                Range {
+                    nan: is_lost,
+                    ..zero
+                }
+            }
+            Node::Sub(a, b) => {
+                let difference = self.range(g, a).sub(self.range(g, b), f);
+                self.no_longer_than_its_vectors(g, id, difference)
+            }
+            Node::Mul(a, b) if a == b => self.range(g, a).square(f),
+            Node::Mul(a, b) => {
+                let product = self.range(g, a).mul(self.range(g, b), f);
+                let is_component = |known: &mut Self, a, b| {
+                    let b = known.resolved(g, b);
+                    matches!(g.nodes[b as usize], Node::Div(1, root) if known.is_part_of_root(g, a, root))
+                };
+                if is_component(self, a, b) || is_component(self, b, a) {
+                    product.meet(Range::within(-1.25, 1.25).or_nan())
+                } else {
+                    product
+                }
+            }
+            Node::Div(a, b) => self.quotient(g, a, b),
+            Node::Select(test, then, otherwise) => self.selected(g, test, then, otherwise),
+            Node::Power(cosine, m) => {
+                let (cosine, m) = (self.range(g, cosine), self.range(g, m));
+                let is_lit = cosine.low > 0.0 && !cosine.nan;
+                let is_dark = cosine.high <= 0.0 || !cosine.has_numbers();
+                let is_flat = m.high <= 0.0 || !m.has_numbers();
+                match (is_dark, is_lit && is_flat) {
+                    (true, _) => constant(0.0),
+                    (_, true) => constant(1.0),
+                    // cᵐ ≥ c
+                    _ if is_lit && m.high <= 1.0 => {
+                        Range::unsigned(cosine.low.min(1.0) - 2.0_f64.powi(-20), 1.0)
+                    }
+                    _ => Range::unsigned(0.0, 1.0),
+                }
+            }
+        }
+    }
+
+    fn quotient(&mut self, g: &Graph, a: u32, b: u32) -> Range {
+        let (x, y) = (self.range(g, a), self.range(g, b));
+        let mut quotient = x.div(y, g.format);
+        if self.is_part_of_root(g, a, b) {
+            quotient = quotient.meet(Range::within(-1.25, 1.25).or_nan());
+        }
+        // a ≥ b > 0 makes a/b ≥ 1
+        if y.low > 0.0 && self.answer(g, Test::AtMost(b, a)) == Some(true) {
+            quotient = quotient.meet(at_least(1.0).or_nan());
+        }
+        quotient
+    }
+
+    /// Whether the divisor is the root, above 0, of a sum of a² and of numbers that are not negative.
+    /// Then |a/root| ≤ √(3/2) (1 + u)²: a² may be rounded down from almost 3/2 of the smallest number.
+    fn is_part_of_root(&mut self, g: &Graph, a: u32, root: u32) -> bool {
+        let root = self.resolved(g, root);
+        let Node::Sqrt(sum) = g.nodes[root as usize] else {
+            return false;
+        };
+        let (mut found, mut terms) = (false, vec![sum]);
+        while let Some(term) = terms.pop() {
+            match g.nodes[term as usize] {
+                Node::Mul(x, y) if x == a && y == a => found = true,
+                Node::Add(x, y) => terms.extend([x, y]),
+                _ if self.range(g, term).low >= 0.0 => {}
+                _ => return false,
+            }
+        }
+        found && self.range(g, root).low > 0.0
+    }
+
+    /// |Σ aᵢbᵢ| ≤ |a||b|, where the squares of a and b were computed and found to be small.
+    ///
+    /// With η for the smallest number, a computed square S is at least |a|²(1 − u)³ − 3η, and the
+    /// computed sum is at most |a||b|(1 + u)³ + 3η. The factor below stands for both.
+    fn no_longer_than_its_vectors(&mut self, g: &Graph, id: u32, range: Range) -> Range {
+        let Some(products) = products(g, id) else {
+            return range;
+        };
+        let f = g.format;
+        let mut squares = [1.0, 1.0];
+        for (i, square) in squares.iter_mut().enumerate() {
+            let [x, y, z] = products.map(|factors| g.find(Node::Mul(factors[i], factors[i])));
+            let (Some(x), Some(y), Some(z)) = (x, y, z) else {
+                return range;
+            };
+            let sum = |a: u32, b: u32| g.find(Node::Add(a, b));
+            let whole = |a, b, c| sum(a, b).and_then(|ab| sum(ab, c));
+            let node = whole(x, y, z).or_else(|| whole(z, y, x));
+            let Some(shown) = node.and_then(|node| get(&self.shown, node)) else {
+                return range;
+            };
+            if shown.nan {
+                return range;
+            }
+            *square = shown.high + 3.0 * f.tiny();
+        }
+        let limit = (squares[0].sqrt() * squares[1].sqrt()) * (1.0 + 16.0 * f.u()) + 3.0 * f.tiny();
+        let limit = f.next_up(f.round(limit));
+        if limit >= f.max() {
+            return range;
+        }
+        range.meet(Range::within(-limit, limit))
+    }
+
+    fn selected(&mut self, g: &Graph, test: Test, then: u32, otherwise: u32) -> Range {
+        if let Some(answer) = self.answer(g, test) {
+            return self.range(g, if answer { then } else { otherwise });
+        }
+        if self.depth < DEPTH {
+            let branch = |answer, result| {
+                let mut known = self.clone();
+                known.depth += 1;
+                known.refine(g, test, answer);
+                if known.impossible {
+                    Range::NONE
+                } else {
+                    known.range(g, result)
+                }
+            };
+            return branch(true, then).join(branch(false, otherwise));
+        }
+        let (mut x, mut y) = (self.range(g, then), self.range(g, otherwise));
+        if let Test::Above(a, b) = test {
+            let (of_a, of_b) = (self.range(g, a), self.range(g, b));
+            let meet = |node, is_above: bool, range: Range| match (node == a, node == b) {
+                (true, _) if is_above => range.meet(above(of_b.low, g.format)),
+                (_, true) if is_above => range.meet(below(of_a.high, g.format)),
+                (true, _) if !of_b.nan => range.meet(at_most(of_b.high).or_nan()),
+                (_, true) if !of_a.nan => range.meet(at_least(of_a.low).or_nan()),
+                _ => range,
+            };
+            (x, y) = (meet(then, true, x), meet(otherwise, false, y));
+        }
+        x.join(y)
+    }
+
+    /// What a path says about a test.
+    pub fn answer(&mut self, g: &Graph, test: Test) -> Option<bool> {
+        if let Some((_, answer)) = self.facts.iter().find(|(known, _)| *known == test) {
+            return Some(*answer);
+        }
+        match test {
+            Test::Above(a, b) => {
+                let (x, y) = (self.range(g, a), self.range(g, b));
+                if x.low > y.high && !x.nan && !y.nan && x.has_numbers() && y.has_numbers() {
+                    return Some(true);
+                }
+                let is_never = x.high <= y.low || !x.has_numbers() || !y.has_numbers() || a == b;
+                is_never.then_some(false)
+            }
+            Test::AtMost(a, b) => {
+                let (x, y) = (self.range(g, a), self.range(g, b));
+                let is_always = x.high <= y.low
+                    || a == b
+                    || self.is_below_root(g, a, b)
+                    || self.is_less_of_the_same(g, a, b);
+                if is_always && !x.nan && !y.nan {
+                    return Some(true);
+                }
+                let is_never = x.low > y.high || !x.has_numbers() || !y.has_numbers();
+                is_never.then_some(false)
+            }
+            Test::Equal(a, b) => {
+                let (x, y) = (self.range(g, a), self.range(g, b));
+                let is_one = x.low == x.high && y.low == y.high && x.low == y.low;
+                if (is_one || a == b) && !x.nan && !y.nan {
+                    return Some(true);
+                }
+                let is_never = x.low > y.high || x.high < y.low;
+                is_never.then_some(false)
+            }
+            Test::Outside(x, low, high) => {
+                let [x, low, high] = [x, low, high].map(|id| self.range(g, id));
+                if x.low > low.high && x.high < high.low && !x.nan {
+                    return Some(false);
+                }
+                let is_always = x.high < low.low || x.low > high.high || !x.has_numbers();
+                is_always.then_some(true)
+            }
+            Test::Case(_) => None,
+        }
+    }
+
+    /// Whether x·k ≤ y·k, because x ≤ y and k is not negative.
+    fn is_less_of_the_same(&mut self, g: &Graph, a: u32, b: u32) -> bool {
+        let (Node::Mul(a, c), Node::Mul(b, d)) = (g.nodes[a as usize], g.nodes[b as usize]) else {
+            return false;
+        };
+        [(a, c, b, d), (c, a, b, d), (a, c, d, b), (c, a, d, b)]
+            .into_iter()
+            .any(|(x, k, y, l)| {
+                k == l
+                    && self.range(g, k).low >= 0.0
+                    && self.answer(g, Test::AtMost(x, y)) == Some(true)
+            })
+    }
+
+    /// Whether r ≤ √s, because s is known to exceed the rounded r².
+    ///
+    /// If s > fl(r²), then s > r²: otherwise the float s ≤ r² would be at most fl(r²). So √s > r, and
+    /// the rounded root of s is at least r.
+    fn is_below_root(&mut self, g: &Graph, r: u32, root: u32) -> bool {
+        let Node::Sqrt(s) = g.nodes[root as usize] else {
+            return false;
+        };
+        let Some(square) = g.find(Node::Mul(r, r)) else {
+            return false;
+        };
+        let facts = self.facts.clone();
+        facts.into_iter().any(|fact| match fact {
+            (Test::Above(a, b), true) if a == s => match g.nodes[b as usize] {
+                _ if b == square => true,
+                Node::Add(x, y) => {
+                    x == square && self.range(g, y).low >= 0.0
+                        || y == square && self.range(g, x).low >= 0.0
+                }
+                _ => false,
+            },
+            _ => false,
+        })
+    }
+
+    /// Learns the answer to a test.
+    pub fn refine(&mut self, g: &Graph, test: Test, answer: bool) {
+        self.memo.clear();
+        if self.answer(g, test) == Some(!answer) {
+            self.impossible = true;
+            return;
+        }
+        self.facts.push((test, answer));
+        let f = g.format;
+        match (test, answer) {
+            (Test::Above(a, b), true) => {
+                let (of_a, of_b) = (self.range(g, a), self.range(g, b));
+                self.learn(g, a, above(of_b.low, f));
+                self.learn(g, b, below(of_a.high, f));
+            }
+            (Test::AtMost(a, b), true) => {
+                let (of_a, of_b) = (self.range(g, a), self.range(g, b));
+                self.learn(g, a, at_most(of_b.high));
+                self.learn(g, b, at_least(of_a.low));
+            }
+            (Test::Equal(a, b), true) => {
+                let (of_a, of_b) = (self.range(g, a), self.range(g, b));
+                let both = Range::within(of_a.low.max(of_b.low), of_a.high.min(of_b.high));
+                self.learn(g, a, both);
+                self.learn(g, b, both);
+            }
+            (Test::Above(a, b), false) => {
+                let (of_a, of_b) = (self.range(g, a), self.range(g, b));
+                if !of_b.nan {
+                    self.learn(g, a, at_most(of_b.high).or_nan());
+                }
+                if !of_a.nan {
+                    self.learn(g, b, at_least(of_a.low).or_nan());
+                }
+            }
+            (Test::AtMost(a, b), false) => {
+                let (of_a, of_b) = (self.range(g, a), self.range(g, b));
+                if !of_b.nan {
+                    self.learn(g, a, above(of_b.low, f).or_nan());
+                }
+                if !of_a.nan {
+                    self.learn(g, b, below(of_a.high, f).or_nan());
+                }
+            }
+            (Test::Outside(x, low, high), false) => {
+                let (low, high) = (self.range(g, low), self.range(g, high));
+                self.learn(g, x, Range::within(low.low, high.high));
+            }
+            _ => {}
+        }
+        self.memo.clear();
+    }
+
+    /// Learns that a node lies in a range, and what follows for the nodes that it is made of.
+    fn learn(&mut self, g: &Graph, id: u32, range: Range) {
+        let before = self.range(g, id);
+        let now = before.meet(range);
+        self.impossible |= now.is_empty();
+        if now == before && get(&self.shown, id).is_some() || self.impossible {
+            return;
+        }
+        set(&mut self.shown, id, now);
+        self.memo.clear();
+        self.learn_parts(g, id, now);
+        if !matches!(g.nodes[id as usize], Node::Neg(_)) {
+            for mirror in g.mirrors(id) {
+                self.learn(g, mirror, now.opposite().with_zeros());
+            }
+        }
+    }
+
+    fn learn_parts(&mut self, g: &Graph, id: u32, now: Range) {
+        let f = g.format;
+        let nan = now.nan;
+        let nonnegative = |known: &mut Self, id| known.range(g, id).low >= 0.0;
+        let positive = at_least(f.tiny());
+        match g.nodes[id as usize] {
+            Node::Neg(a) => self.learn(g, a, now.opposite()),
+            Node::Abs(a) => {
+                let within = Range::within(-now.high, now.high);
+                self.learn(g, a, Range { nan, ..within });
+            }
+            Node::Sqrt(a) => {
+                let low = if now.low > 0.0 { f.tiny() } else { -INF };
+                let high = if now.high < INF { f.max() } else { INF };
+                let within = Range::within(low, high);
+                self.learn(g, a, Range { nan, ..within });
+            }
+            Node::Select(test, then, otherwise) => {
+                let [a, b] = [then, otherwise].map(|id| self.range(g, id).meet(now).is_empty());
+                if a != b {
+                    self.refine(g, test, b);
+                    self.learn(g, if b { then } else { otherwise }, now);
+                }
+            }
+            // a rounded sum is at least each of its terms, if they are not negative
+            Node::Add(a, b) if !nan => {
+                let both = nonnegative(self, a) && nonnegative(self, b);
+                let high = if both { now.high } else { INF };
+                for id in [a, b] {
+                    self.learn(g, id, at_most(high));
+                }
+            }
+            // x − y is positive only if x > y
+            Node::Sub(a, b) if now.low > 0.0 && !nan => {
+                let (of_a, of_b) = (self.range(g, a), self.range(g, b));
+                self.learn(g, a, above(of_b.low, f));
+                self.learn(g, b, below(of_a.high, f));
+            }
+            Node::Mul(a, b) if a == b && now.high < INF => {
+                // the next number also covers half of the smallest one, which rounding may take away
+                let root = f.next_up(f.round(f.next_up(now.high).sqrt()));
+                let within = Range::within(-root, root);
+                self.learn(g, a, Range { nan, ..within });
+            }
+            // a product is positive only if both factors are, or neither
+            Node::Mul(a, b)
+                if now.low > 0.0 && !nan && (nonnegative(self, a) || nonnegative(self, b)) =>
+            {
+                self.learn(g, a, positive);
+                self.learn(g, b, positive);
+            }
+            // a quotient is positive only if neither is 0 and the divisor is not infinite
+            Node::Div(a, b)
+                if now.low > 0.0 && !nan && nonnegative(self, a) && nonnegative(self, b) =>
+            {
+                self.learn(g, a, positive);
+                let low = if now.high < INF { f.tiny() } else { 0.0 };
+                self.learn(g, b, Range::within(low, f.max()));
+            }
+            _ => {}
+        }
+    }
+
+    /// The first selection below these nodes that is still open.
+    pub(super) fn open_test(&mut self, g: &Graph, roots: &[u32]) -> Option<Test> {
+        let mut seen = vec![false; g.nodes.len()];
+        let mut stack = roots.to_vec();
+        let mut first = None;
+        while let Some(id) = stack.pop() {
+            if std::mem::replace(&mut seen[id as usize], true) {
+                continue;
+            }
+            match g.nodes[id as usize] {
+                Node::Select(test, then, otherwise) => {
+                    if let Some(answer) = self.answer(g, test) {
+                        stack.push(if answer { then } else { otherwise });
+                    } else {
+                        if first.is_none_or(|(earlier, _)| id < earlier) {
+                            first = Some((id, test));
+                        }
+                        stack.extend([then, otherwise]);
+                        if let Test::Above(a, b) = test {
+                            stack.extend([a, b]);
+                        }
+                    }
+                }
+                Node::Neg(a) | Node::Abs(a) | Node::Sqrt(a) => stack.push(a),
+                Node::Add(a, b)
+                | Node::Sub(a, b)
+                | Node::Mul(a, b)
+                | Node::Div(a, b)
+                | Node::Power(a, b) => stack.extend([a, b]),
+                Node::Var(_) | Node::Constant(_) | Node::Max | Node::Extreme => {}
+            }
+        }
+        first.map(|(_, test)| test)
+    }
+}
+
+/// The factors of a sum of three products, or of their opposites.
+fn products(g: &Graph, id: u32) -> Option<[[u32; 2]; 3]> {
+    let of = |id: u32| match g.nodes[id as usize] {
+        Node::Neg(a) => g.nodes[a as usize],
+        node => node,
+    };
+    let factors = |id: u32| match of(id) {
+        Node::Mul(a, b) => Some([a, b]),
+        _ => None,
+    };
+    let terms = |node: Node| match node {
+        Node::Add(a, b) | Node::Sub(a, b) => Some([a, b]),
+        _ => None,
+    };
+    let [a, b] = terms(of(id))?;
+    let (pair, third) = match (terms(of(a)), terms(of(b))) {
+        (Some(pair), None) => (pair, b),
+        (None, Some(pair)) => (pair, a),
+        _ => return None,
+    };
+    let [x, y, z] = [factors(pair[0])?, factors(pair[1])?, factors(third)?];
+    // which factor belongs to which vector: the nodes of one vector are recorded together
+    let nearer = |p: [u32; 2], q: [u32; 2]| {
+        let apart = |a: u32, b: u32| a.abs_diff(b);
+        let (straight, crossed) = (
+            apart(p[0], q[0]) + apart(p[1], q[1]),
+            apart(p[0], q[1]) + apart(p[1], q[0]),
+        );
+        if straight <= crossed { q } else { [q[1], q[0]] }
+    };
+    Some([x, nearer(x, y), nearer(x, z)])
+}

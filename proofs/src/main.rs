@@ -1,0 +1,74 @@
+//! The promises of `shading`, proved from its own source. See README.md.
+
+mod claims;
+mod table;
+
+use std::process::ExitCode;
+use std::time::Instant;
+
+use shading_laws::proof::{Format, Verdict, check_ranges, judge};
+
+const USAGE: &str = "prove [CLAIM]… | check RUNS | rows";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let is_right = match arguments[..] {
+        ["prove", ref names @ ..] => prove(names),
+        ["check", runs] => runs.parse().is_ok_and(check),
+        ["rows"] => {
+            print!("{}", table::rows());
+            true
+        }
+        _ => {
+            eprintln!("{USAGE}");
+            false
+        }
+    };
+    if is_right { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// Proves the claims with these names, or all of them.
+fn prove(names: &[&str]) -> bool {
+    let (mut proved, mut open) = (0, 0);
+    for claim in claims::all().filter(|claim| names.is_empty() || names.contains(&claim.name)) {
+        for format in [Format::F32, Format::F64] {
+            let start = Instant::now();
+            let verdict = judge(format, claim.formula, 20_000);
+            if verdict == Verdict::Proved {
+                proved += 1;
+            } else {
+                open += 1;
+                println!("{format:?} {} {}: {verdict}", claim.name, claim.promise);
+            }
+            let seconds = start.elapsed().as_secs_f64();
+            if seconds > 5.0 {
+                println!("{format:?} {} took {seconds:.0} s", claim.name);
+            }
+        }
+    }
+    let complaints = table::complaints();
+    for complaint in &complaints {
+        println!("{complaint}");
+    }
+    println!("claims: {proved} proved by ranges, {open} open");
+    open == 0 && complaints.is_empty()
+}
+
+/// Tests the prover: with numbers, each value must lie in the range that it derived.
+fn check(runs: u64) -> bool {
+    let (mut compared, mut is_sound) = (0, true);
+    for claim in claims::all() {
+        for format in [Format::F32, Format::F64] {
+            match check_ranges(format, claim.formula, runs) {
+                Ok(number) => compared += number,
+                Err(wrong) => {
+                    is_sound = false;
+                    println!("{format:?} {}: {wrong}", claim.name);
+                }
+            }
+        }
+    }
+    println!("prover: {compared} values compared with their ranges");
+    is_sound
+}
