@@ -242,7 +242,7 @@ fn shaded(model: Model, random: &mut Tape) -> (Shaded, shading::f64::Shaded, f64
         _ => (*reflection(n, first) + random.vector(aside)).unit_or(n),
     };
     let [k_a, k_d, k_s, i_a] = [(); 4].map(|()| random.color());
-    let m = u32::try_from(random.below(129)).expect("small");
+    let m = u32::try_from(1 + random.below(128)).expect("small");
     let material = Material { k_a, k_d, k_s, m };
 
     let [n64, v64] = [n, v].map(|direction| direction.cast(exact));
