@@ -58,7 +58,8 @@
 //! - **A cosine of 0 or below gives no highlight**, whatever m is, even m = 0.
 //!
 //! [`guide::totality`] lists what each function gives where its formula has no answer, and says on
-//! which machines a result has the same bits. [`guide::precision`] bounds the errors.
+//! which machines a result has the same bits. [`guide::proofs`] says what of it is proved, and
+//! [`guide::precision`] bounds the errors.
 //!
 //! # Features
 //!

@@ -173,7 +173,10 @@ fn every_rgb565_decodes_to_the_nearest_number() {
         );
     }
     for level in 0..64 {
-        assert_eq!(Rgb::from_rgb565(level << 5).g, light(level, 63.0));
+        assert_eq!(
+            Rgb::from_rgb565(level << 5),
+            Rgb::new(0.0, light(level, 63.0), 0.0)
+        );
     }
 }
 

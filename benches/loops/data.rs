@@ -8,8 +8,18 @@ use crate::race::Data;
 /// Fits into the caches, and is too long for a processor to memorize its branches.
 const COUNT: u16 = 4096;
 
-/// Three vectors, of which a function takes as many as it needs.
-pub type Vectors = [Vec3; 3];
+/// Three vectors, of which a function takes as many as it needs, for this crate and for `glam`.
+pub struct Vectors {
+    pub ours: [shading::Vec3<f32>; 3],
+    pub glam: [Vec3; 3],
+}
+
+impl From<[Vec3; 3]> for Vectors {
+    fn from(glam: [Vec3; 3]) -> Self {
+        let ours = glam.map(|v| shading::Vec3::from(v.to_array()));
+        Self { ours, glam }
+    }
+}
 
 struct Random(fastrand::Rng);
 
@@ -26,7 +36,7 @@ impl Random {
         Vec3::from([(); 3].map(|()| 4.0 * self.channel() - 2.0))
     }
 
-    fn vectors(&mut self) -> Vectors {
+    fn vectors(&mut self) -> [Vec3; 3] {
         [(); 3].map(|()| self.vector())
     }
 
@@ -35,8 +45,8 @@ impl Random {
     }
 }
 
-fn each<I>(kind: &'static str, of: impl FnMut(u16) -> I) -> Data<I> {
-    (kind, (0..COUNT).map(of).collect())
+fn each<I, J: Into<I>>(kind: &'static str, of: impl FnMut(u16) -> J) -> Data<I> {
+    (kind, (0..COUNT).map(of).map(Into::into).collect())
 }
 
 /// Linear colors.

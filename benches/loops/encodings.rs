@@ -5,7 +5,7 @@ use palette::{LinSrgb, Srgb};
 use shading::f32::Rgb;
 
 use crate::data::colors;
-use crate::race::{Race, limit};
+use crate::race::{Race, limit, twice};
 
 fn encoded(linear: f32) -> f32 {
     let linear = linear.clamp(0.0, 1.0);
@@ -33,30 +33,42 @@ pub fn race() -> usize {
             )
         })
         .collect();
-    Race::of("to_srgb8", |&c| Rgb::from(c).to_srgb8())
-        .against("fast-srgb8", limit(1.2, 1.2), |c: &[f32; 3]| {
-            c.map(fast_srgb8::f32_to_srgb8)
-        })
-        .against("palette", limit(1.0, 1.0), |&c| -> [u8; 3] {
-            Srgb::<u8>::from_linear(LinSrgb::from(c)).into()
-        })
-        .against("powf", limit(0.4, 0.4), |c| {
-            c.map(|c| (255.0 * encoded(c) + 0.5) as u8)
-        })
+    Race::of("to_srgb8", twice!(|&c| Rgb::from(c).to_srgb8()))
+        .against(
+            "fast-srgb8",
+            limit(1.2, 1.2),
+            twice!(|c: &[f32; 3]| { c.map(fast_srgb8::f32_to_srgb8) }),
+        )
+        .against(
+            "palette",
+            limit(1.0, 1.0),
+            twice!(|&c| -> [u8; 3] { Srgb::<u8>::from_linear(LinSrgb::from(c)).into() }),
+        )
+        .against(
+            "powf",
+            limit(0.4, 0.4),
+            twice!(|c| { c.map(|c| (255.0 * encoded(c) + 0.5) as u8) }),
+        )
         .run(&colors)
-        + Race::of("from_srgb8", |&b| Rgb::from_srgb8(b))
-            .against("fast-srgb8", limit(1.2, 1.2), |b: &[u8; 3]| {
-                b.map(fast_srgb8::srgb8_to_f32)
-            })
+        + Race::of("from_srgb8", twice!(|&b| Rgb::from_srgb8(b)))
+            .against(
+                "fast-srgb8",
+                limit(1.2, 1.2),
+                twice!(|b: &[u8; 3]| { b.map(fast_srgb8::srgb8_to_f32) }),
+            )
             .run(&bytes)
-        + Race::of("to_rgb565", |&c| Rgb::from(c).to_rgb565())
-            .against("powf", limit(0.4, 0.4), |c: &[f32; 3]| {
-                packed(c.map(encoded))
-            })
+        + Race::of("to_rgb565", twice!(|&c| Rgb::from(c).to_rgb565()))
+            .against(
+                "powf",
+                limit(0.4, 0.4),
+                twice!(|c: &[f32; 3]| { packed(c.map(encoded)) }),
+            )
             .run(&colors)
-        + Race::of("clamped", |&c| Rgb::from(c).clamped())
-            .against("by hand", limit(1.2, 1.2), |c: &[f32; 3]| {
-                c.map(|c| c.clamp(0.0, 1.0))
-            })
+        + Race::of("clamped", twice!(|&c| Rgb::from(c).clamped()))
+            .against(
+                "by hand",
+                limit(1.2, 1.2),
+                twice!(|c: &[f32; 3]| { c.map(|c| c.clamp(0.0, 1.0)) }),
+            )
             .run(&colors)
 }

@@ -4,17 +4,7 @@ use glam::{Mat3, Vec3};
 use shading::{Dual, Real, UnitVec3, normal};
 
 use crate::data::{Vectors, directions, triangles};
-use crate::race::{Race, limit};
-
-type V = shading::Vec3<f32>;
-
-fn ours(v: Vec3) -> V {
-    V::from(v.to_array())
-}
-
-fn unit(v: Vec3) -> UnitVec3<f32> {
-    UnitVec3::assume_unit(ours(v))
-}
+use crate::race::{Data, Limit, Race, limit, twice};
 
 fn torus<T: Real>(p: shading::Vec3<T>) -> T {
     let ring = (p.x * p.x + p.y * p.y).sqrt() - T::of(2.0);
@@ -36,7 +26,11 @@ fn saddle_cross(u: f32, v: f32) -> Vec3 {
     Vec3::new(1.0, 0.0, 2.0 * u).cross(Vec3::new(0.0, 1.0, -2.0 * v))
 }
 
-fn corner([a, b, c]: &Vectors) -> Vec3 {
+fn corner(
+    Vectors {
+        glam: [a, b, c], ..
+    }: &Vectors,
+) -> Vec3 {
     let (e1, e2) = (b - a, c - a);
     let angle = (e1.dot(e2) / (e1.length() * e2.length())).acos();
     e1.cross(e2)
@@ -51,78 +45,189 @@ fn plain(v: Vec3) -> [f32; 3] {
     [x / length, y / length, z / length]
 }
 
-fn mapped([n, tangent, sample]: &Vectors) -> Option<Vec3> {
+fn mapped(
+    Vectors {
+        glam: [n, tangent, sample],
+        ..
+    }: &Vectors,
+) -> Option<Vec3> {
     let b = n.cross(*tangent).try_normalize()?;
     let t = b.cross(*n);
     (t * sample.x + b * sample.y + n * sample.z).try_normalize()
 }
 
+/// As fast as on `glam`; by a call, the wider result counts.
+const LIKE: Limit = limit(1.3, 1.4);
+/// The compiler vectorizes the rival.
+const VECTORIZED: Limit = limit(2.5, f64::INFINITY);
+
 pub fn race() -> usize {
     let (triangles, directions) = (triangles(), directions());
-    let like = limit(1.3, 1.3);
-    let vectorized = limit(2.5, f64::INFINITY);
-    Race::of("Vec3::unit", |[a, ..]: &Vectors| ours(*a).unit())
-        .against("glam", like, |[a, ..]| a.try_normalize())
-        .against("plain", vectorized, |[a, ..]| plain(*a))
-        .run(&triangles)
-        + Race::of("normal::triangle", |[a, b, c]: &Vectors| {
-            normal::triangle(ours(*a), ours(*b), ours(*c))
-        })
-        .against("glam", like, |[a, b, c]| {
-            (b - a).cross(c - a).try_normalize()
-        })
-        .against("plain", vectorized, |[a, b, c]| plain((b - a).cross(c - a)))
-        .run(&triangles)
-        + Race::of("normal::corner", |[a, b, c]: &Vectors| {
-            normal::corner(ours(*a), ours(*b), ours(*c))
-        })
-        .against("glam, acos", limit(1.2, 1.2), corner)
-        .run(&triangles)
-        + Race::of("normal::sphere", |[a, b, _]: &Vectors| {
-            normal::sphere(ours(*a), ours(*b))
-        })
-        .against("glam", like, |[a, b, _]| (b - a).try_normalize())
-        .against("plain", vectorized, |[a, b, _]| plain(b - a))
-        .run(&triangles)
-        + Race::of("normal::implicit", |[a, ..]: &Vectors| {
-            normal::implicit(torus::<Dual>, ours(*a))
-        })
-        .against("glam", limit(1.5, 1.5), |[a, ..]| {
-            torus_gradient(*a).try_normalize()
-        })
-        .against("plain", vectorized, |[a, ..]| plain(torus_gradient(*a)))
-        .run(&triangles)
-        + Race::of("normal::parametric", |[a, ..]: &Vectors| {
-            normal::parametric(saddle::<Dual>, a.x, a.y)
-        })
-        .against("glam", limit(1.5, 1.5), |[a, ..]| {
-            saddle_cross(a.x, a.y).try_normalize()
-        })
-        .against("plain", vectorized, |[a, ..]| plain(saddle_cross(a.x, a.y)))
-        .run(&triangles)
-        + Race::of("normal::from_tangents", |[a, b, _]: &Vectors| {
-            normal::from_tangents(ours(*a), ours(*b))
-        })
-        .against("glam", like, |[a, b, _]| a.cross(*b).try_normalize())
-        .run(&triangles)
-        + Race::of("normal::transformed", |[a, b, c]: &Vectors| {
-            normal::transformed(UnitVec3::Y, [ours(*a), ours(*b), ours(*c)])
-        })
-        .against("glam", like, |[a, b, c]| {
+    of_points(&triangles) + of_functions(&triangles) + of_normals(&triangles, &directions)
+}
+
+/// Normals of points: of a vector, a triangle, its corner, a sphere.
+fn of_points(triangles: &[Data<Vectors>]) -> usize {
+    Race::of(
+        "Vec3::unit",
+        twice!(|Vectors { ours: [a, ..], .. }: &Vectors| a.unit()),
+    )
+    .against(
+        "glam",
+        LIKE,
+        twice!(|Vectors { glam: [a, ..], .. }| a.try_normalize()),
+    )
+    .against(
+        "plain",
+        VECTORIZED,
+        twice!(|Vectors { glam: [a, ..], .. }| plain(*a)),
+    )
+    .run(triangles)
+        + Race::of(
+            "normal::triangle",
+            twice!(|Vectors {
+                        ours: [a, b, c], ..
+                    }: &Vectors| { normal::triangle(*a, *b, *c) }),
+        )
+        .against(
+            "glam",
+            LIKE,
+            twice!(|Vectors {
+                        glam: [a, b, c], ..
+                    }| { (b - a).cross(c - a).try_normalize() }),
+        )
+        .against(
+            "plain",
+            VECTORIZED,
+            twice!(|Vectors {
+                        glam: [a, b, c], ..
+                    }| plain((b - a).cross(c - a))),
+        )
+        .run(triangles)
+        + Race::of(
+            "normal::corner",
+            twice!(|Vectors {
+                        ours: [a, b, c], ..
+                    }: &Vectors| { normal::corner(*a, *b, *c) }),
+        )
+        .against("glam, acos", limit(1.2, 1.2), twice!(corner))
+        .run(triangles)
+        + Race::of(
+            "normal::sphere",
+            twice!(|Vectors {
+                        ours: [a, b, _], ..
+                    }: &Vectors| { normal::sphere(*a, *b) }),
+        )
+        .against(
+            "glam",
+            LIKE,
+            twice!(|Vectors {
+                        glam: [a, b, _], ..
+                    }| (b - a).try_normalize()),
+        )
+        .against(
+            "plain",
+            VECTORIZED,
+            twice!(|Vectors {
+                        glam: [a, b, _], ..
+                    }| plain(b - a)),
+        )
+        .run(triangles)
+}
+
+/// Normals of surfaces.
+fn of_functions(triangles: &[Data<Vectors>]) -> usize {
+    Race::of(
+        "normal::implicit",
+        twice!(|Vectors { ours: [a, ..], .. }: &Vectors| { normal::implicit(torus::<Dual>, *a) }),
+    )
+    .against(
+        "glam",
+        limit(1.5, 1.5),
+        twice!(|Vectors { glam: [a, ..], .. }| { torus_gradient(*a).try_normalize() }),
+    )
+    .against(
+        "plain",
+        VECTORIZED,
+        twice!(|Vectors { glam: [a, ..], .. }| plain(torus_gradient(*a))),
+    )
+    .run(triangles)
+        + Race::of(
+            "normal::parametric",
+            twice!(|Vectors { ours: [a, ..], .. }: &Vectors| {
+                normal::parametric(saddle::<Dual>, a.x, a.y)
+            }),
+        )
+        .against(
+            "glam",
+            limit(1.5, 1.5),
+            twice!(|Vectors { glam: [a, ..], .. }| { saddle_cross(a.x, a.y).try_normalize() }),
+        )
+        .against(
+            "plain",
+            VECTORIZED,
+            twice!(|Vectors { glam: [a, ..], .. }| plain(saddle_cross(a.x, a.y))),
+        )
+        .run(triangles)
+        + Race::of(
+            "normal::from_tangents",
+            twice!(|Vectors {
+                        ours: [a, b, _], ..
+                    }: &Vectors| { normal::from_tangents(*a, *b) }),
+        )
+        .against(
+            "glam",
+            LIKE,
+            twice!(|Vectors {
+                        glam: [a, b, _], ..
+                    }| a.cross(*b).try_normalize()),
+        )
+        .run(triangles)
+}
+
+/// Normals made from normals.
+fn of_normals(triangles: &[Data<Vectors>], directions: &[Data<Vectors>]) -> usize {
+    Race::of(
+        "normal::transformed",
+        twice!(|Vectors {
+                    ours: [a, b, c], ..
+                }: &Vectors| { normal::transformed(UnitVec3::Y, [*a, *b, *c]) }),
+    )
+    .against(
+        "glam",
+        LIKE,
+        twice!(|Vectors {
+                    glam: [a, b, c], ..
+                }| {
             (Mat3::from_cols(*a, *b, *c).inverse().transpose() * std::hint::black_box(Vec3::Y))
                 .try_normalize()
-        })
-        .run(&triangles)
-        + Race::of("normal::mapped", |[a, b, c]: &Vectors| {
-            normal::mapped(unit(*a), ours(*b), 1.0, ours(*c))
-        })
-        .against("glam", like, mapped)
-        .run(&directions)
-        + Race::of("normal::facing", |[a, b, _]: &Vectors| {
-            normal::facing(unit(*a), unit(*b))
-        })
-        .against("by hand", limit(1.3, 1.3), |[a, b, _]| {
-            if a.dot(*b) < 0.0 { -a } else { *a }
-        })
-        .run(&directions)
+        }),
+    )
+    .run(triangles)
+        + Race::of(
+            "normal::mapped",
+            twice!(|Vectors {
+                        ours: [a, b, c], ..
+                    }: &Vectors| {
+                normal::mapped(UnitVec3::assume_unit(*a), *b, 1.0, *c)
+            }),
+        )
+        .against("glam", LIKE, twice!(mapped))
+        .run(directions)
+        + Race::of(
+            "normal::facing",
+            twice!(|Vectors {
+                        ours: [a, b, _], ..
+                    }: &Vectors| {
+                normal::facing(UnitVec3::assume_unit(*a), UnitVec3::assume_unit(*b))
+            }),
+        )
+        .against(
+            "by hand",
+            limit(1.3, 1.3),
+            twice!(|Vectors {
+                        glam: [a, b, _], ..
+                    }| { if a.dot(*b) < 0.0 { -a } else { *a } }),
+        )
+        .run(directions)
 }

@@ -110,6 +110,46 @@ impl Bounded {
         self.if_positive(self, Self::ZERO)
     }
 
+    /// A number that a renderer may compute with an error of some units of u.
+    pub fn computed(value: f64, units: f64, u: f64) -> Self {
+        Self::rounded(value, 0.0, units, u)
+    }
+
+    /// A number between two.
+    pub fn between(low: f64, high: f64, u: f64) -> Self {
+        Self {
+            value: f64::midpoint(low, high),
+            error: (high - low) / 2.0,
+            u,
+        }
+    }
+
+    /// This with an error larger by `more`.
+    pub fn looser(self, more: f64) -> Self {
+        Self {
+            error: self.error + more,
+            ..self
+        }
+    }
+
+    pub fn at_least(self, limit: f64) -> Self {
+        Self {
+            value: self.value.max(limit),
+            ..self
+        }
+    }
+
+    /// A monotone function of it.
+    pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        let [low, value, high] = [-self.error, 0.0, self.error].map(|off| f(self.value + off));
+        let error = (high - value).abs().max((value - low).abs());
+        Self::rounded(value, error, 16.0, self.u)
+    }
+
+    pub fn max(self, other: Self) -> Self {
+        (self - other).if_positive(self, other)
+    }
+
     pub fn at_most(self, limit: f64) -> Self {
         Self {
             value: self.value.min(limit),

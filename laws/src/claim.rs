@@ -1,5 +1,7 @@
 //! What a law says about the colors of a few scenes.
 
+use std::array::from_fn;
+
 use crate::bounded::Bounded3;
 use crate::profile::Profile;
 use crate::scene::{Scene, Triple};
@@ -89,15 +91,24 @@ pub struct Seen {
     pub reply: Triple,
     /// The least and the largest linear light that it may mean.
     pub meant: [[f64; 2]; 3],
-    /// How far rounding may have moved the linear light.
+    /// The linear light of the formulas.
+    pub right: Triple,
+    /// How far rounding may have moved the linear light from the right one.
     pub error: Triple,
+    /// How far rounding may have moved it from that of any formula, right or wrong.
+    pub spread: Triple,
 }
 
 impl Seen {
-    pub fn new(profile: &Profile, reply: Triple, textbook: Bounded3) -> Self {
+    pub fn new(
+        profile: &Profile,
+        reply: Triple,
+        linear: Bounded3,
+        conditioning: (f64, Triple),
+    ) -> Self {
         let error = |i: usize| {
             // the error of a renderer that is brighter than the textbook grows with its light
-            let c = textbook[i];
+            let c = linear[i];
             let times = reply[i].abs() / c.value.abs();
             if times > 1.0 && times.is_finite() && !profile.srgb {
                 c.error * times
@@ -105,10 +116,19 @@ impl Seen {
                 c.error
             }
         };
+        let error = [error(0), error(1), error(2)];
+        let meant = reply.map(|c| profile.meant(c));
+        let (share, most) = conditioning;
+        let spread = from_fn(|i| {
+            let size = most[i].max(meant[i][0].abs());
+            (share * size).max(2.0 * error[i])
+        });
         Self {
             reply,
-            meant: reply.map(|c| profile.meant(c)),
-            error: [error(0), error(1), error(2)],
+            meant,
+            right: linear.map(|c| c.value),
+            error,
+            spread,
         }
     }
 }
@@ -176,7 +196,13 @@ impl Claim {
             let [least, most] = color.meant[channel].map(|end| term.weight * end);
             low += least.min(most);
             high += least.max(most);
-            allowed += term.weight.abs() * color.error[channel];
+            // what a law says of several colors must hold of a wrong formula, too
+            let error = if self.terms.len() > 1 {
+                color.spread
+            } else {
+                color.error
+            };
+            allowed += term.weight.abs() * error[channel];
             let [least, most] = color.meant[channel];
             let middle = if most.is_finite() {
                 f64::midpoint(least, most)
@@ -184,6 +210,12 @@ impl Claim {
                 least
             };
             sum += term.weight * middle;
+        }
+        if let (Relation::Zero, [term]) = (self.relation, &self.terms[..]) {
+            // where the formulas leave it open, such as the highlight where L = -V, the right color is one of many
+            let right = seen[term.scene].right[channel];
+            let open = (term.weight * right + self.constant[channel]).abs();
+            allowed += if open.is_finite() { open } else { 0.0 };
         }
         let is_broken = match self.relation {
             Relation::Zero => low > allowed || high < -allowed,

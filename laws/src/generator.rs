@@ -1,23 +1,20 @@
-//! Random scenes of short numbers.
+//! Random scenes: of short numbers, and of long ones beside them.
 //!
-//! Everything is made of small integers, so a scene is exact in `f32`, special positions
-//! (perpendicular, opposite, mirrored) are hit exactly and often, and a failing scene shrinks to
-//! zeros and ones.
+//! Short numbers are made of small integers, so a scene is exact in `f32`, and special positions
+//! (perpendicular, opposite, mirrored) are hit exactly and often. Long numbers have all the bits of the renderer's type, and
+//! lamps of long scenes stand as near as 2⁻¹⁰ and as far as 2¹⁴.
 
 use std::array::from_fn;
 
-use proptest::collection::vec;
-use proptest::prelude::*;
-use proptest::sample::select;
-
 use crate::bounded;
 use crate::profile::Profile;
+use crate::random::Random;
 use crate::scene::{Light, Material, Scene, Triple};
 
 type Integers = [i32; 3];
 
 /// A scene, and what the laws vary it by.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Base {
     pub scene: Scene,
     /// Three vectors like those to the lights, each short enough to be added to another.
@@ -30,33 +27,11 @@ pub struct Base {
 #[derive(Clone, Copy, Debug)]
 enum Way {
     /// Within 90° of the normal.
-    InFront(Integers),
-    Anywhere(Integers),
-    Perpendicular(Integers),
+    InFront,
+    Anywhere,
+    Perpendicular,
     Along,
     Against,
-    /// Where the first light is mirrored. It is for the eye.
-    Mirrored,
-}
-
-impl Way {
-    fn of(self, n: Integers, first: Integers) -> Integers {
-        let way = match self {
-            Self::InFront(way) if dot(way, n) < 0 => way.map(|c| -c),
-            Self::InFront(way) | Self::Anywhere(way) => way,
-            Self::Perpendicular(way) => from_fn(|i| {
-                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                way[j] * n[k] - way[k] * n[j]
-            }),
-            Self::Along => n,
-            Self::Against => n.map(|c| -c),
-            Self::Mirrored => {
-                let (twice, square) = (2 * dot(n, first), dot(n, n));
-                from_fn(|i| twice * n[i] - square * first[i])
-            }
-        };
-        if way == [0; 3] { n } else { way }
-    }
 }
 
 fn dot(a: Integers, b: Integers) -> i32 {
@@ -71,8 +46,12 @@ fn vector(integers: Integers) -> Triple {
 }
 
 pub fn unit(v: Triple) -> Triple {
-    let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
+    let length = length(v);
     v.map(|c| c / length)
+}
+
+fn length(v: Triple) -> f64 {
+    v.iter().map(|c| c * c).sum::<f64>().sqrt()
 }
 
 impl Profile {
@@ -83,90 +62,217 @@ impl Profile {
 
     /// A direction of length 1, in the numbers of the renderer.
     pub(crate) fn unit(&self, v: Triple) -> Triple {
-        unit(v).map(|c| self.rounded(c))
+        unit(v).map(|c| self.rounded(c) + 0.0) // no -0
     }
 
     /// N or V: of any length, or of length 1 if the renderer needs that.
     pub(crate) fn direction(&self, v: Triple) -> Triple {
-        if self.unit_vectors { self.unit(v) } else { v }
+        if self.unit_vectors {
+            self.unit(v)
+        } else {
+            v.map(|c| c + 0.0) // no -0
+        }
+    }
+
+    /// The most that a light shines: a clamped color mostly has room for it.
+    pub(crate) fn brightest(&self) -> f64 {
+        if self.range().is_some() { 1.0 } else { 2.0 }
     }
 }
 
-/// An integer vector that is not 0.
-fn integers() -> BoxedStrategy<Integers> {
-    let component = || prop_oneof![3 => -4..=4, 1 => -60..=60];
-    let integers = [component(), component(), component()];
-    let integers = integers.prop_map(|v| if v == [0; 3] { [0, 0, 1] } else { v });
-    integers.boxed() // otherwise all of a scene's alternatives overflow the stack of a test
+/// A random scene.
+pub fn base(profile: &Profile, random: &mut Random) -> Base {
+    Generator { profile, random }.base()
 }
 
-fn way() -> BoxedStrategy<Way> {
-    prop_oneof![
-        10 => integers().prop_map(Way::InFront),
-        4 => integers().prop_map(Way::Anywhere),
-        1 => integers().prop_map(Way::Perpendicular),
-        1 => Just(Way::Along),
-        1 => Just(Way::Against),
-    ]
-    .boxed()
+struct Generator<'a> {
+    profile: &'a Profile,
+    random: &'a mut Random,
 }
 
-/// A multiple of 1/8 from 0 to `most`.
-fn eighths(most: i32) -> impl Strategy<Value = f64> {
-    (0..=8 * most).prop_map(|i| f64::from(i) / 8.0)
-}
+impl Generator<'_> {
+    fn base(&mut self) -> Base {
+        // which numbers of the scene are long
+        let is_long = self.random.once_in(2);
+        let (profile, n) = (self.profile, self.integers());
+        let p = [(); 3].map(|()| f64::from(self.random.integer(-8, 8)) / 4.0);
+        let p = if is_long { self.long_point(p) } else { p };
+        let material = self.material(is_long);
+        let i_a = self.color(profile.brightest(), is_long);
+        let i_a = if profile.ambient { i_a } else { [0.0; 3] };
+        let mut first = n;
+        let count = self.random.below(profile.most_lights.min(4) + 1);
+        let mut lights = Vec::new();
+        for i in 0..count {
+            let way = self.way(n);
+            if i == 0 {
+                first = way;
+            }
+            lights.push(self.light(p, vector(way), is_long));
+        }
+        let far = self.random.one_of(&[1.0, 2.0, 0.25, 8.0]);
+        let v = if self.random.once_in(5) {
+            self.mirrored(n, first, material.m, is_long)
+        } else {
+            vector(self.way(n))
+        };
+        let mut n_of_scene = vector(n).map(|c| c / 2.0);
+        let mut v = v.map(|c| c * far);
+        if is_long {
+            let [by_n, by_v] = [(); 2].map(|()| self.random.scale(0.125, 8.0));
+            n_of_scene = self.tilted(n_of_scene).map(|c| profile.rounded(c * by_n));
+            v = v.map(|c| profile.rounded(c * by_v));
+        }
+        let scene = Scene {
+            model: self.random.one_of(&profile.models),
+            p,
+            n: profile.direction(n_of_scene),
+            v: profile.direction(v),
+            material,
+            i_a,
+            lights,
+        };
+        Base {
+            scene,
+            ways: [(); 3].map(|()| vector(self.way(n))),
+            factors: [(); 3].map(|()| f64::from(self.random.integer(1, 8))),
+        }
+    }
 
-fn color(most: i32) -> impl Strategy<Value = Triple> {
-    [eighths(most), eighths(most), eighths(most)]
-}
+    /// An integer vector that is not 0.
+    fn integers(&mut self) -> Integers {
+        let v = [(); 3].map(|()| {
+            let most = if self.random.once_in(4) { 60 } else { 4 };
+            self.random.integer(-most, most)
+        });
+        if v == [0; 3] { [0, 0, 1] } else { v }
+    }
 
-#[derive(Clone, Debug)]
-struct Lamp {
-    kind: usize,
-    way: Way,
-    distance: f64,
-    intensity: Triple,
-    attenuation: Triple,
-    aim: Integers,
-    degrees: i32,
-}
+    fn way(&mut self, n: Integers) -> Integers {
+        let kinds = [
+            (10, Way::InFront),
+            (4, Way::Anywhere),
+            (1, Way::Perpendicular),
+            (1, Way::Along),
+            (1, Way::Against),
+        ];
+        let mut choice = self.random.below(17);
+        let kind = kinds.into_iter().find(|(weight, _)| {
+            let is_chosen = choice < *weight;
+            choice = choice.wrapping_sub(*weight);
+            is_chosen
+        });
+        let any = self.integers();
+        let way = match kind.map_or(Way::Anywhere, |(_, kind)| kind) {
+            Way::InFront if dot(any, n) < 0 => any.map(|c| -c),
+            Way::InFront | Way::Anywhere => any,
+            Way::Perpendicular => from_fn(|i| {
+                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                any[j] * n[k] - any[k] * n[j]
+            }),
+            Way::Along => n,
+            Way::Against => n.map(|c| -c),
+        };
+        if way == [0; 3] { n } else { way }
+    }
 
-fn lamp(most_bright: i32) -> impl Strategy<Value = Lamp> {
-    let attenuation = (select(vec![1.0, 0.5, 2.0]), eighths(1), eighths(1));
-    (
-        0..3_usize,
-        way(),
-        select(vec![1.0, 2.0, 0.5, 4.0]),
-        color(most_bright),
-        attenuation,
-        [-2..=2, -2..=2, -2..=2],
-        5..=90,
-    )
-        .prop_map(
-            |(kind, way, distance, intensity, (a, b, c), aim, degrees)| Lamp {
-                kind,
-                way,
-                distance,
-                intensity,
-                attenuation: [a, b, c],
-                aim,
-                degrees,
-            },
-        )
-}
+    /// Where the first light is mirrored, or near there, so that the highlight is bright.
+    fn mirrored(&mut self, n: Integers, first: Integers, m: f64, is_long: bool) -> Triple {
+        let (twice, square) = (2 * dot(n, first), dot(n, n));
+        let exact = vector(from_fn(|i| twice * n[i] - square * first[i]));
+        if !is_long {
+            return exact;
+        }
+        let off = 2.0 / m.sqrt();
+        exact.map(|c| c + off * self.random.real(-1.0, 1.0))
+    }
 
-impl Lamp {
-    fn at(&self, profile: &Profile, p: Triple, n: Integers) -> Light {
-        let way = vector(self.way.of(n, n));
-        let intensity = self.intensity;
-        let attenuation = self.attenuation;
-        let position = from_fn(|i| p[i] + self.distance * way[i]);
+    fn tilted(&mut self, v: Triple) -> Triple {
+        let tilted = v.map(|c| c + self.random.real(-0.1, 0.1));
+        if self.random.once_in(2) { tilted } else { v }
+    }
+
+    fn long_point(&mut self, short: Triple) -> Triple {
+        let most = self.random.one_of(&[2.0, 2.0, 2.0, 30.0]);
+        let long = [(); 3].map(|()| self.profile.rounded(self.random.real(-most, most)));
+        if self.random.once_in(2) { long } else { short }
+    }
+
+    /// From 0 to `most`: a multiple of 1/8, or any number.
+    fn amount(&mut self, most: f64, is_long: bool) -> f64 {
+        if is_long && self.random.once_in(2) {
+            self.profile.rounded(self.random.real(0.0, most))
+        } else {
+            f64::from(self.random.integer(0, 8)) * most / 8.0
+        }
+    }
+
+    fn color(&mut self, most: f64, is_long: bool) -> Triple {
+        // dark colors have other digits of sRGB
+        let most = if is_long && self.random.once_in(8) {
+            most / 64.0
+        } else {
+            most
+        };
+        [(); 3].map(|()| self.amount(most, is_long))
+    }
+
+    fn material(&mut self, is_long: bool) -> Material {
+        let [k_a, k_d, mut k_s] = [(); 3].map(|()| self.color(1.0, is_long));
+        if self.profile.gray_highlight {
+            k_s = [k_s[0]; 3];
+        }
+        let most = self.profile.most_shiny.min(MOST_SHINY);
+        let m = match self.random.below(4) {
+            0 | 1 => f64::from(self.random.integer(4, 40)) / 4.0,
+            2 => (4.0 * self.random.real(1.0, most)).floor() / 4.0,
+            _ if is_long => self.random.scale(1.0, most),
+            _ => self.random.scale(1.0, most).round(),
+        };
+        let m = if self.profile.integer_shininess {
+            m.floor()
+        } else {
+            self.profile.rounded(m)
+        };
+        let m = m.min(most).max(1.0);
+        Material { k_a, k_d, k_s, m }
+    }
+
+    fn light(&mut self, p: Triple, way: Triple, is_long: bool) -> Light {
+        let profile = self.profile;
         let kinds = [
             profile.directional_lights,
             profile.point_lights,
             profile.spot_lights,
         ];
-        let kind = (self.kind..self.kind + 3).find(|kind| kinds[kind % 3]);
+        let start = self.random.below(3);
+        let kind = (start..start + 3).find(|kind| kinds[kind % 3]);
+        let intensity = self.color(profile.brightest(), is_long);
+        let short = self.random.one_of(&[1.0, 2.0, 0.5, 4.0]);
+        let distance = match self.random.below(4) {
+            0 if is_long => self.random.scale(1.0 / 1024.0, 16384.0),
+            1 if is_long => self.random.scale(0.25, 8.0),
+            _ => short,
+        };
+        let position: Triple = from_fn(|i| {
+            let c = p[i] + distance * way[i];
+            if is_long { profile.rounded(c) } else { c }
+        });
+        let (position, distance) = if position == p {
+            (from_fn(|i| p[i] + short * way[i]), short)
+        } else {
+            (position, distance)
+        };
+        let attenuation = self.attenuation(distance * length(way), is_long);
+        // a lamp that the attenuation brightens is dim
+        let q = distance * length(way);
+        let left = 1.0 / (attenuation[0] + attenuation[1] * q + attenuation[2] * q * q);
+        let is_lamp = kind.unwrap_or(0) % 3 > 0;
+        let intensity = if is_lamp && is_long && left > 1.0 {
+            intensity.map(|c| profile.rounded(c / left))
+        } else {
+            intensity
+        };
         match kind.unwrap_or(0) % 3 {
             0 => Light::Directional {
                 l: profile.unit(way),
@@ -178,69 +284,71 @@ impl Lamp {
                 attenuation,
             },
             _ => {
-                // aimed at about the point, so that its cone decides often
-                let aim: Triple = from_fn(|i| f64::from(self.aim[i]) / 4.0 - way[i]);
-                let aim = if aim == [0.0; 3] { way } else { aim };
+                let (axis, half_angle) = self.spot(way, is_long);
                 Light::Spot {
                     position,
                     intensity,
                     attenuation,
-                    axis: profile.unit(aim),
-                    half_angle: profile.rounded(f64::from(self.degrees).to_radians()),
+                    axis,
+                    half_angle,
                 }
             }
         }
     }
-}
 
-fn material(profile: &Profile) -> impl Strategy<Value = Material> + use<> {
-    let (most, is_integer) = (profile.most_shiny, profile.integer_shininess);
-    #[allow(clippy::cast_possible_truncation)] // the limit is small
-    let quarters = (4.0 * most.min(1000.0)) as i32;
-    let m = prop_oneof![1 => 4..=4 * 10, 1 => 4..=quarters.max(4)].prop_map(move |quarters| {
-        let m = f64::from(quarters) / 4.0;
-        let m = if is_integer { m.floor() } else { m };
-        m.min(most).max(1.0)
-    });
-    (color(1), color(1), color(1), m).prop_map(|(k_a, k_d, k_s, m)| Material { k_a, k_d, k_s, m })
-}
+    /// a, b and c: short ones, or such that the light is neither gone nor endless at the distance.
+    fn attenuation(&mut self, q: f64, is_long: bool) -> Triple {
+        let eighth = |random: &mut Random| f64::from(random.integer(0, 8)) / 8.0;
+        if self.profile.unattenuated {
+            return [1.0, 0.0, 0.0];
+        }
+        if !is_long || self.random.once_in(4) {
+            let a = self.random.one_of(&[1.0, 0.5, 2.0, 0.0]);
+            let (b, c) = (eighth(self.random), eighth(self.random));
+            let is_dim = b * q + c * q * q >= 0.125;
+            return [if a == 0.0 && !is_dim { 1.0 } else { a }, b, c];
+        }
+        let left = self.random.scale(0.01, 100.0);
+        let mut shares = [(); 3].map(|()| eighth(self.random));
+        if shares == [0.0; 3] {
+            shares[2] = 1.0;
+        }
+        let sum: f64 = shares.iter().sum();
+        let [a, b, c] = shares.map(|share| share / (sum * left));
+        [a, b / q, c / (q * q)].map(|x| self.profile.rounded(x))
+    }
 
-pub fn base(profile: &Profile) -> impl Strategy<Value = Base> + use<> {
-    let profile = profile.clone();
-    // light that a clamped color mostly has room for
-    let bright = if profile.range().is_some() { 1 } else { 2 };
-    let eye = prop_oneof![4 => way(), 1 => Just(Way::Mirrored)];
-    let quarters = || (-8..=8).prop_map(|i| f64::from(i) / 4.0);
-    (
-        select(profile.models.clone()),
-        [quarters(), quarters(), quarters()],
-        integers(),
-        (eye, select(vec![1.0, 2.0, 0.25, 8.0])),
-        material(&profile),
-        color(bright),
-        vec(lamp(bright), 0..=profile.most_lights.min(4)),
-        [way(), way(), way()],
-        [1..=8, 1..=8, 1..=8],
-    )
-        .prop_map(
-            move |(model, p, n, (eye, far), material, i_a, lamps, ways, factors)| {
-                let first = lamps.first().map_or(n, |lamp| lamp.way.of(n, n));
-                let v = vector(eye.of(n, first)).map(|c| c * far);
-                let lights = lamps.iter().map(|lamp| lamp.at(&profile, p, n));
-                let scene = Scene {
-                    model,
-                    p,
-                    n: profile.direction(vector(n).map(|c| c / 2.0)),
-                    v: profile.direction(v),
-                    material,
-                    i_a: if profile.ambient { i_a } else { [0.0; 3] },
-                    lights: lights.collect(),
-                };
-                Base {
-                    scene,
-                    ways: ways.map(|way| vector(way.of(n, n))),
-                    factors: factors.map(f64::from),
-                }
-            },
+    /// An axis and an angle, such that the cone often ends near the point.
+    fn spot(&mut self, way: Triple, is_long: bool) -> (Triple, f64) {
+        let aim: Triple = from_fn(|i| f64::from(self.random.integer(-2, 2)) / 4.0 - way[i]);
+        let aim = if aim == [0.0; 3] { way } else { aim };
+        let axis = self.profile.unit(aim);
+        let short = f64::from(self.random.integer(5, 90));
+        let l = unit(way);
+        let off = (-(0..3).map(|i| axis[i] * l[i]).sum::<f64>())
+            .clamp(-1.0, 1.0)
+            .acos();
+        let degrees = match self.random.below(3) {
+            0 if is_long => self.random.real(5.0, 90.0),
+            1 if is_long => {
+                let beyond = self.random.scale(0.001, 0.2) * self.random.one_of(&[-1.0, 1.0]);
+                off.to_degrees() * (1.0 + beyond)
+            }
+            _ => short,
+        };
+        let degrees = if (1.0..=90.0).contains(&degrees) {
+            degrees
+        } else {
+            short
+        };
+        (
+            axis,
+            self.profile.rounded(degrees.to_radians()).min(RIGHT_ANGLE),
         )
+    }
 }
+
+/// The largest shininess that is tried, where the renderer has no limit.
+pub const MOST_SHINY: f64 = 65536.0;
+
+const RIGHT_ANGLE: f64 = std::f64::consts::FRAC_PI_2;

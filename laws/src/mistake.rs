@@ -1,12 +1,13 @@
 //! The mistakes that renderers make, and the color that each would give.
 
+use std::f64::consts::{FRAC_1_PI, PI};
 use std::fmt;
 
 macro_rules! mistakes {
-    ($($(#[$attribute:meta])* $mistake:ident = $name:literal,)*) => {
+    ($($(#[$attribute:meta])* $mistake:ident $([$($value:expr),*])? = $name:literal,)*) => {
         /// A known mistake. Where a renderer breaks a law, the report names the mistake that makes
         /// the same colors.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[non_exhaustive]
         pub enum Mistake {
             $($(#[$attribute])* $mistake,)*
@@ -16,15 +17,68 @@ macro_rules! mistakes {
             /// All known mistakes.
             pub const ALL: &[Self] = &[$(Self::$mistake,)*];
 
-            /// What is wrong, in words.
+            /// What is wrong, in words; `{}` stands for a number that the renderer has in its code.
             #[must_use]
             pub fn name(self) -> &'static str {
                 match self {
                     $(Self::$mistake => $name,)*
                 }
             }
+
+            /// The name in JSON, which does not change.
+            #[must_use]
+            pub fn id(self) -> &'static str {
+                match self {
+                    $(Self::$mistake => stringify!($mistake),)*
+                }
+            }
+
+            /// The numbers that are tried for `{}`.
+            #[must_use]
+            pub fn values(self) -> &'static [f64] {
+                match self {
+                    $($(Self::$mistake => &[$($value),*],)?)*
+                    _ => &[],
+                }
+            }
         }
     };
+}
+
+/// A mistake with its number, if it has one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fault {
+    /// The mistake.
+    pub mistake: Mistake,
+    /// The number in it; 0 if it has none.
+    pub value: f64,
+}
+
+impl Fault {
+    /// Every mistake with every number that is tried for it.
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
+        Mistake::ALL.iter().flat_map(|&mistake| {
+            let values = match mistake.values() {
+                [] => &[0.0],
+                values => values,
+            };
+            values.iter().map(move |&value| Self { mistake, value })
+        })
+    }
+}
+
+impl From<Mistake> for Fault {
+    /// The first of its numbers.
+    fn from(mistake: Mistake) -> Self {
+        let value = mistake.values().first().copied().unwrap_or(0.0);
+        Self { mistake, value }
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.mistake.name().replace("{}", &self.value.to_string()))
+    }
 }
 
 mistakes! {
@@ -108,6 +162,232 @@ mistakes! {
     FirstLightOnly = "only the first light counts",
     /// Only the last light counts.
     LastLightOnly = "only the last light counts: = for +=",
+    /// N·V < 0 turns N to the other side.
+    NormalTowardEye = "N is turned toward the eye, so the back of a surface is lit like its front",
+    /// N·L < 0 turns N to the other side.
+    NormalTowardLight = "N is turned toward each light",
+    /// −N in place of N.
+    NormalReversed = "N points into the surface",
+    /// −V in place of V.
+    ViewReversed = "V points from the eye to the surface",
+    /// V = −p.
+    EyeAtOrigin = "the eye is taken to be at the origin: V = -p",
+    /// V = v − p.
+    ViewTakenForEye = "v is taken for the position of the eye: V = v - p",
+    /// V = (0, 0, 1).
+    ViewAlongZ = "V is always (0, 0, 1)",
+    /// L = position.
+    PointForgotten = "L is the position of the lamp, from which p is not subtracted",
+    /// q = |position|.
+    DistanceFromOrigin = "the distance is that of the lamp to the origin, not to p",
+    /// L of a directional light points from the light to the surface.
+    SunReversed = "L of a directional light points from the light to the surface",
+    /// L of a lamp points from the light to the surface.
+    LampReversed = "L of a lamp points from the lamp to the surface",
+    /// R = (N·L)N − L.
+    ReflectionWithoutTwo = "R lacks the factor 2 of 2(N·L)N - L",
+    /// (L + V)/0.
+    HalfVectorUnguarded = "H is NaN where L = -V: the length of L + V is not checked before the division",
+    /// (N·L + 1)/2.
+    HalfLambert = "the diffuse term takes half-Lambert, (N·L + 1)/2",
+    /// ((N·L + 1)/2)².
+    HalfLambertSquared = "the diffuse term takes half-Lambert squared, ((N·L + 1)/2)²",
+    /// (N·L + w)/(1 + w).
+    Wrapped [0.5, 0.25, 0.2, 0.1, 0.3, 0.4, 0.6, 0.75] = "the diffuse term is wrapped: (N·L + {})/(1 + {})",
+    /// (N·L)².
+    CosineSquared = "N·L is squared",
+    /// k_d I without N·L.
+    CosineForgotten = "the diffuse term is not multiplied by N·L",
+    /// No k_d I N·L.
+    DiffuseForgotten = "the diffuse term is missing",
+    /// k_d π I N·L.
+    DiffuseTimesPi = "the diffuse term is multiplied by π",
+    /// k_d (1 − k_s) I N·L.
+    DiffuseMinusSpecular = "the diffuse term is multiplied by 1 - k_s",
+    /// The diffuse term lacks the attenuation.
+    DiffuseNotAttenuated = "the diffuse term is not attenuated",
+    /// k_d N·L.
+    DiffuseWithoutLight = "the diffuse term does not have the color of the light",
+    /// max(0, k_d I N·L + highlight), with N·L below 0 and the highlight not gated.
+    LightClampedBelow = "each light is clamped at 0, in place of its N·L: light from behind is subtracted from its highlight",
+    /// max(0, the sum), with N·L below 0.
+    TotalClampedBelow = "the sum of the light is clamped at 0, in place of N·L: light from behind is subtracted from that of others",
+    /// 1/(a + bq + cq²)².
+    AttenuatedTwice = "the light is attenuated twice",
+    /// 1/q².
+    InverseSquareAlone = "the attenuation is 1/q², whatever a, b and c",
+    /// 1/q.
+    InverseAlone = "the attenuation is 1/q, whatever a, b and c",
+    /// min(limit, 1/(a + bq + cq²)).
+    AttenuationAtMost [1.0, 2.0, 4.0, 10.0, 100.0] = "the attenuation is at most {}",
+    /// max(limit, 1/(a + bq + cq²)).
+    AttenuationAtLeast [0.01, 0.05, 0.1, 0.2, 0.25, 0.5, 0.001] = "the attenuation is at least {}",
+    /// 1/(a + bq + cq² + d).
+    DenominatorPlus [1.0, 0.1, 0.01, 0.001, 1e-4, 1e-5, 1e-6] = "{} is added to a + bq + cq²",
+    /// max(q, least).
+    DistanceAtLeast [0.01, 0.001, 0.0001, 0.1, 0.25, 0.5, 1.0] = "the distance is at least {}",
+    /// 0 from this distance on.
+    CulledBeyond [1000.0, 2.0, 4.0, 5.0, 8.0, 10.0, 16.0, 20.0, 25.0, 32.0, 50.0, 64.0, 100.0, 128.0, 200.0, 250.0, 256.0, 500.0, 512.0, 1024.0, 2000.0, 4096.0, 10000.0] = "lamps farther away than {} are left out",
+    /// (1 − (q/r)⁴)².
+    Windowed [10.0, 5.0, 8.0, 16.0, 20.0, 25.0, 32.0, 50.0, 64.0, 100.0, 200.0, 256.0, 500.0, 1000.0, 1024.0, 10000.0] = "the attenuation is windowed by (1 - (q/{})⁴)²",
+    /// 1 − q/r.
+    FadedTo [10.0, 5.0, 8.0, 16.0, 20.0, 25.0, 32.0, 50.0, 64.0, 100.0, 200.0, 256.0, 500.0, 1000.0, 1024.0, 10000.0] = "the attenuation fades by 1 - q/{}",
+    /// 1/(bq + cq²).
+    ConstantForgotten = "the attenuation lacks a",
+    /// 1/(a + cq²).
+    LinearForgotten = "the attenuation lacks bq",
+    /// 1/(a + bq).
+    QuadraticForgotten = "the attenuation lacks cq²",
+    /// 1/(a + bq + cq).
+    QuadraticByDistance = "the attenuation has cq for cq²",
+    /// 1/(a + cq + bq²).
+    LinearForQuadratic = "b and c of the attenuation are exchanged",
+    /// 1/(1 + bq + cq²).
+    ConstantOne = "the attenuation takes 1 for a",
+    /// a + bq + cq².
+    AttenuationInverted = "the light is multiplied by a + bq + cq², not divided",
+    /// 1/√(a + bq + cq²).
+    AttenuationRoot = "the attenuation is 1/√(a + bq + cq²)",
+    /// ⌊m⌋.
+    ShininessTruncated = "the shininess is cut to an integer",
+    /// m, rounded.
+    ShininessRounded = "the shininess is rounded to an integer",
+    /// m + 1, m − 1.
+    ShininessOff [1.0, -1.0, 2.0, 0.5] = "the shininess is off by {}",
+    /// 2m, 4m, m/2, m/4.
+    ShininessTimes [4.0, 2.0, 0.5, 0.25, 3.0, 128.0] = "the shininess is multiplied by {}",
+    /// min(m, limit).
+    ShininessAtMost [128.0, 127.0, 100.0, 64.0, 50.0, 32.0, 96.0, 120.0, 200.0, 255.0, 256.0, 500.0, 512.0, 1000.0, 1024.0, 2048.0] = "the shininess is at most {}",
+    /// c/(m − mc + c).
+    PowerOfSchlick = "the power is Schlick's approximation, c/(m - mc + c)",
+    /// |N·H|^m.
+    CosineOfHighlightAbsolute = "the highlight takes the absolute value of its cosine",
+    /// The factor (m + 8)/(8π).
+    NormalizedByEight = "the highlight is normalized by (m + 8)/(8π)",
+    /// The factor (m + 2)/(2π).
+    NormalizedByTwo = "the highlight is normalized by (m + 2)/(2π)",
+    /// The factor (m + 1)/(2π).
+    NormalizedByOne = "the highlight is normalized by (m + 1)/(2π)",
+    /// The factor (m + 2)/(8π).
+    NormalizedByTwoOfEight = "the highlight is normalized by (m + 2)/(8π)",
+    /// The factor (m + 2)(m + 4)/(8π(2^(−m/2) + m)).
+    NormalizedExactly = "the highlight is normalized by (m + 2)(m + 4)/(8π(2^(-m/2) + m))",
+    /// k_s + (1 − k_s)(1 − V·H)⁵.
+    Fresnel = "k_s has a Fresnel term, k_s + (1 - k_s)(1 - V·H)⁵",
+    /// k_s + (1 − k_s)(1 − N·V)⁵.
+    FresnelOfEye = "k_s has a Fresnel term, k_s + (1 - k_s)(1 - N·V)⁵",
+    /// No highlight.
+    HighlightForgotten = "the highlight is missing",
+    /// N·V ≤ 0 turns the highlight off.
+    HighlightGatedOnEye = "the highlight needs N·V > 0",
+    /// The mean of k_s.
+    HighlightInGray = "the highlight takes the mean of k_s",
+    /// k_s/(N·L).
+    HighlightOverCosine = "the highlight is divided by N·L",
+    /// k_s I (N·H)^m/π.
+    HighlightOverPi = "the highlight is divided by π",
+    /// k_s = 1.
+    HighlightWithoutMaterial = "the highlight is not multiplied by k_s",
+    /// k_d in place of k_s.
+    HighlightByDiffuse = "the highlight takes k_d for k_s",
+    /// Blinn's highlight on Lambert's surface.
+    HighlightOnLambert = "Lambert's surfaces have a highlight",
+    /// cosᵉ of the angle to the axis.
+    ConeExponent [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 3.0, 5.0, 10.0] = "the light of a spot falls off within its cone, as the cosine to the power of {}",
+    /// (cosine − edge)/(1 − edge).
+    ConeFaded = "the light of a spot fades from its axis to its edge",
+    /// smoothstep(edge, 1, cosine).
+    ConeSmooth = "the light of a spot fades from its axis to its edge, by smoothstep",
+    /// The angle is a whole number of degrees.
+    AngleTruncated = "the angle of the cone is cut to whole degrees",
+    /// The angle is a whole number of degrees.
+    AngleRounded = "the angle of the cone is rounded to whole degrees",
+    /// The highlight ignores the cone.
+    ConeNotOfHighlight = "the cone of a spot does not end its highlight",
+    /// The diffuse term ignores the cone.
+    ConeNotOfDiffuse = "the cone of a spot does not end its diffuse light",
+    /// k_a k_d I_a.
+    AmbientTimesDiffuse = "the ambient term is multiplied by k_d",
+    /// Black without lights.
+    BlackWithoutLights = "without lights there is no ambient term",
+    /// I_a.
+    AmbientWithoutMaterial = "the ambient term is not multiplied by k_a",
+    /// k_a.
+    AmbientWithoutLight = "the ambient term is not multiplied by I_a",
+    /// 2 k_a I_a.
+    AmbientTwice = "the ambient term is added twice",
+    /// max(k_a I_a, the rest).
+    AmbientAtLeast = "the ambient term is the least color, in place of a term of the sum",
+    /// Only the first lights count.
+    LightsAtMost [4.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 32.0, 64.0] = "only the first {} lights count",
+    /// The largest of each channel.
+    BrightestLightOnly = "the brightest light is taken, in place of the sum",
+    /// The sum over the count.
+    LightsAveraged = "the light is divided by the number of lights",
+    /// Directional lights are black.
+    SunsForgotten = "directional lights are left out",
+    /// Point lights are black.
+    PointsForgotten = "point lights are left out",
+    /// Spots are black.
+    SpotsForgotten = "spot lights are left out",
+    /// The red of a light is that of all its channels.
+    LightInRed = "all channels take the red of the light",
+    /// The light is taken for sRGB.
+    LightDecoded = "the light, which is linear, is decoded from sRGB",
+    /// The material is taken for sRGB.
+    MaterialDecoded = "the reflectances, which are linear, are decoded from sRGB",
+    /// min(color, 1).
+    ClampedUnasked = "colors are clamped to [0, 1], which the profile does not say",
+    /// Colors are not clamped.
+    ClampForgotten = "colors are not clamped to the range of the profile",
+    /// clamp(diffuse) + clamp(specular).
+    TermsClamped = "diffuse and specular light are clamped before the sum",
+    /// clamp(ambient + diffuse) + specular.
+    DiffuseClamped = "ambient and diffuse light are clamped before the highlight is added",
+    /// ⌈255 c⌉/255.
+    LevelsRoundedUp = "levels are rounded up",
+    /// min(⌊256 c⌋, 255)/255.
+    LevelsOf256 = "levels are taken by 256, not 255",
+    /// Fewer levels.
+    FewerBits [5.0, 6.0, 7.0, 4.0] = "colors have only {} bits",
+    /// 255 c modulo 256.
+    LevelsOverflow = "levels above the largest wrap around to 0",
+    /// x^(1/2.2) where linear light was promised.
+    Gamma22Unasked = "a gamma of 2.2 is applied where linear light was promised",
+    /// Decoded in place of encoded.
+    SrgbDecoded = "colors are decoded from sRGB where they should be encoded",
+    /// encode(light 1) + encode(light 2).
+    EachLightEncoded = "each light is encoded as sRGB before the sum",
+    /// x^(1/gamma).
+    GammaForSrgb [2.0, 1.8, 2.4] = "a gamma of {} is applied for sRGB",
+    /// c/(1 + c).
+    Reinhard = "colors are mapped by c/(1 + c)",
+    /// 1 − e^−c.
+    ExponentialTone = "colors are mapped by 1 - exp(-c)",
+    /// Green, blue, red.
+    ChannelsShifted [1.0, 2.0] = "channels are {} places away",
+    /// Green, red, blue.
+    RedAndGreenSwapped = "red and green are swapped",
+    /// Red, blue, green.
+    GreenAndBlueSwapped = "green and blue are swapped",
+    /// The mean of the channels.
+    Gray = "colors are gray: the mean of the channels",
+    /// 0.2126 r + 0.7152 g + 0.0722 b.
+    Luminance = "colors are gray: the luminance",
+    /// All colors are too bright, or too dark.
+    Scaled [0.5, 2.0, FRAC_1_PI, PI, 1.0 / 255.0, 255.0, 4.0, 0.25] = "all colors are multiplied by {}",
+    /// The colors are black.
+    Black = "all colors are black",
+    /// Colors that are given have this many levels from 0 to 1.
+    ColorsInSteps [255.0, 256.0, 128.0, 1024.0, 65535.0, 65536.0, 64.0] = "reflectances and lights are rounded to multiples of 1/{}",
+    /// Colors that are given have 11 bits.
+    ColorsInHalf = "reflectances and lights are rounded to half precision",
+    /// Rounding like that of 2^−k.
+    Imprecise [22.0, 20.0, 18.0, 16.0, 14.0, 13.0, 12.0, 11.0, 10.0, 9.0, 8.0, 7.0] = "it behaves like a roundoff of 2^-{}, lower than the profile says",
+    /// A scene changes the color of the next.
+    Leak = "a scene changes the color of the scenes after it",
+    /// Another color for the same scene.
+    NotRepeatable = "the same scene, asked again, has another color",
 }
 
 impl fmt::Display for Mistake {

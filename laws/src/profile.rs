@@ -66,6 +66,19 @@ pub struct Profile {
     pub unattenuated_highlight: bool,
     /// A light behind the surface has a highlight.
     pub highlight_on_the_dark_side: bool,
+    /// N is turned toward the eye: where N·V < 0, it is −N.
+    pub normal_faces_eye: bool,
+    /// Without lights, the color is black.
+    pub black_without_lights: bool,
+    /// It has no attenuation: in each scene, a is 1, and b and c are 0.
+    pub unattenuated: bool,
+    /// The highlight has no color of its own: in each scene, k_s is gray.
+    pub gray_highlight: bool,
+    /// The light of a spot falls off within its cone, as the cosine of the angle to its axis to the
+    /// power of this number, 0 or more.
+    pub spot_exponent: f64,
+    /// The ambient term is multiplied by k_d: it is k_a k_d I_a.
+    pub ambient_times_diffuse: bool,
 }
 
 impl Default for Profile {
@@ -89,6 +102,12 @@ impl Default for Profile {
             attenuated_ambient: false,
             unattenuated_highlight: false,
             highlight_on_the_dark_side: false,
+            normal_faces_eye: false,
+            black_without_lights: false,
+            unattenuated: false,
+            gray_highlight: false,
+            spot_exponent: 0.0,
+            ambient_times_diffuse: false,
         }
     }
 }
@@ -107,6 +126,8 @@ impl Profile {
             "most_lights is 0".into()
         } else if self.most_shiny.is_nan() || self.most_shiny < 1.0 {
             format!("most_shiny is {}, below 1", self.most_shiny)
+        } else if !(0.0..=128.0).contains(&self.spot_exponent) {
+            format!("spot_exponent is {}, not from 0 to 128", self.spot_exponent)
         } else if self.bits.is_some_and(|bits| !(4..=32).contains(&bits)) {
             format!("bits is {}, not from 4 to 32", self.bits.unwrap_or(0))
         } else if let Some([low, high]) = self.clamps.filter(|[low, high]| {

@@ -13,9 +13,22 @@ use crate::scene::{Light, Model, Scene, Triple};
 pub fn color(scene: &Scene, profile: &Profile) -> Triple {
     let p = Vec3::from(scene.p);
     let [n, v] = [scene.n, scene.v].map(unit);
+    let n = if profile.normal_faces_eye && n.dot(v) < 0.0 {
+        -n
+    } else {
+        n
+    };
     let [k_a, k_d, k_s] = [scene.material.k_a, scene.material.k_d, scene.material.k_s].map(rgb);
     let m = scene.material.m;
+    let k_a = if profile.ambient_times_diffuse {
+        k_a * k_d
+    } else {
+        k_a
+    };
     let (material, i_a) = (Material { k_a, k_d, k_s, m }, rgb(scene.i_a));
+    if profile.black_without_lights && scene.lights.is_empty() {
+        return [0.0; 3];
+    }
     let one = |model, i_a, light: Option<IncidentLight>| match model {
         Model::Lambert => shade::lambert(n, &material, i_a, light),
         Model::Phong => shade::phong(n, v, &material, i_a, light),
@@ -28,9 +41,9 @@ pub fn color(scene: &Scene, profile: &Profile) -> Triple {
         one(scene.model, i_a, None).ambient
     };
     for light in &scene.lights {
-        let arriving = arriving(light, p, true);
+        let arriving = arriving(light, p, true, profile);
         sum += one(Model::Lambert, Rgb::BLACK, Some(arriving)).diffuse;
-        let bright = self::arriving(light, p, !profile.unattenuated_highlight);
+        let bright = self::arriving(light, p, !profile.unattenuated_highlight, profile);
         sum += match scene.model {
             Model::Phong if profile.highlight_on_the_dark_side => {
                 k_s * bright.intensity * term::phong(reflection(n, bright.l), v, m)
@@ -58,7 +71,7 @@ fn unit(v: Triple) -> UnitVec3 {
 }
 
 /// A light where it arrives, attenuated or not.
-fn arriving(light: &Light, p: Vec3, attenuated: bool) -> IncidentLight {
+fn arriving(light: &Light, p: Vec3, attenuated: bool, profile: &Profile) -> IncidentLight {
     let point = |position: Triple, intensity, attenuation| PointLight {
         position: Vec3::from(position),
         intensity: rgb(intensity),
@@ -89,7 +102,12 @@ fn arriving(light: &Light, p: Vec3, attenuated: bool) -> IncidentLight {
             let cone = Cone::from_half_angle(half_angle).expect("an angle up to π/2");
             let point = point(position, intensity, attenuation);
             let axis = unit(axis);
-            SpotLight { point, axis, cone }.at(p)
+            let mut arriving = SpotLight { point, axis, cone }.at(p);
+            if profile.spot_exponent > 0.0 {
+                let cosine = -axis.dot(arriving.l);
+                arriving.intensity *= cosine.max(0.0).powf(profile.spot_exponent);
+            }
+            arriving
         }
     }
 }

@@ -16,9 +16,14 @@ impl Profile {
     /// How far a reply may be from the exact encoding: 0.6 of a level, as for Vulkan's normalized
     /// formats, or the error of a power in floating point.
     pub(crate) fn reply_slack(&self, size: f64) -> f64 {
+        self.slack(size, self.roundoff)
+    }
+
+    /// The same with another roundoff.
+    pub(crate) fn slack(&self, size: f64, roundoff: f64) -> f64 {
         let of_level = self.level().map_or(0.0, |level| 0.6 * level);
         let of_power = if self.srgb { 16.0 } else { 2.0 };
-        of_level + of_power * self.roundoff * size
+        of_level + of_power * roundoff * size
     }
 
     /// The least and the largest linear light that the renderer may have meant by a reply.
@@ -62,7 +67,7 @@ pub fn to_srgb(x: f64) -> f64 {
     encoded.copysign(x)
 }
 
-fn from_srgb(y: f64) -> f64 {
+pub fn from_srgb(y: f64) -> f64 {
     let size = y.abs();
     let decoded = if size <= 0.040_45 {
         size / 12.92

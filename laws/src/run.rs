@@ -1,11 +1,15 @@
 //! Puts a renderer to the laws.
 
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use std::time::{Duration, Instant};
 
+use crate::cause::Cause;
+use crate::generator::Base;
 use crate::law::{LAWS, Law};
+use crate::mistake::{Fault, Mistake};
+use crate::random::Random;
 use crate::renderer::Renderer;
-use crate::report::{LawReport, Report};
-use crate::trial::Trial;
+use crate::report::{Finding, LawReport, Report, Verdict};
+use crate::trial::{Budget, Trial, Tried};
 
 /// A run of the laws. It is deterministic: the same seed gives the same scenes.
 ///
@@ -21,6 +25,11 @@ pub struct Laws {
     seed: u64,
     cases: usize,
     only: Vec<String>,
+    known: Vec<String>,
+    replayed: Vec<(String, Base)>,
+    shrinks: usize,
+    shrinking: Duration,
+    time: Option<Duration>,
 }
 
 impl Default for Laws {
@@ -38,18 +47,23 @@ pub struct Progress {
     pub done: usize,
     /// The number of laws to try.
     pub of: usize,
-    /// The law is broken, and its smallest scene is being looked for.
-    pub shrinking: bool,
+    /// The law is broken, and this many batches were asked for to find its smallest scene; 0 before that.
+    pub shrinking: usize,
 }
 
 impl Laws {
-    /// All laws, with 256 cases of each, from seed 0.
+    /// All laws, with 256 random cases of each beside the fixed ones, from seed 0.
     #[must_use]
     pub fn new() -> Self {
         Self {
             seed: 0,
             cases: 256,
             only: Vec::new(),
+            known: Vec::new(),
+            replayed: Vec::new(),
+            shrinks: 200,
+            shrinking: Duration::from_secs(60),
+            time: None,
         }
     }
 
@@ -59,7 +73,7 @@ impl Laws {
         Self { seed, ..self }
     }
 
-    /// The number of cases of each law.
+    /// The number of random cases of each law.
     #[must_use]
     pub fn cases(self, cases: usize) -> Self {
         Self { cases, ..self }
@@ -70,6 +84,49 @@ impl Laws {
     pub fn only(mut self, name: impl Into<String>) -> Self {
         self.only.push(name.into());
         self
+    }
+
+    /// Expects this law to be broken: the report passes if it is, and does not if the law holds.
+    #[must_use]
+    pub fn known(mut self, name: impl Into<String>) -> Self {
+        self.known.push(name.into());
+        self
+    }
+
+    /// The most batches of each broken law in which its smallest scene is looked for, and the longest time. With 0, the
+    /// report shows the smallest scene of those that were generated.
+    #[must_use]
+    pub fn shrinking(self, batches: usize, time: Duration) -> Self {
+        Self {
+            shrinks: batches,
+            shrinking: time,
+            ..self
+        }
+    }
+
+    /// The longest time of the run. A law that is not tried by then is no pass.
+    #[must_use]
+    pub fn time(self, limit: Duration) -> Self {
+        Self {
+            time: Some(limit),
+            ..self
+        }
+    }
+
+    /// Tries these cases, too, before the random ones: the text that [`Report::cases`] gives, a case a line.
+    ///
+    /// # Errors
+    ///
+    /// A line that is no case, or of no law.
+    pub fn replay(mut self, cases: &str) -> Result<Self, String> {
+        for (i, line) in cases.lines().enumerate() {
+            if line.trim().is_empty() {
+                continue;
+            }
+            let case = crate::case::read(line).map_err(|why| format!("line {}: {why}", i + 1))?;
+            self.replayed.push(case);
+        }
+        Ok(self)
     }
 
     /// The name of each law, and what it says.
@@ -112,7 +169,21 @@ impl Laws {
             |law: &&Law| self.only.is_empty() || self.only.iter().any(|name| name == law.name);
         let laws: Vec<&Law> = LAWS.iter().filter(is_chosen).collect();
 
+        let names = self
+            .known
+            .iter()
+            .chain(self.replayed.iter().map(|(name, _)| name));
+        if let Some(name) = names.into_iter().find(|name| !is_known(name)) {
+            return Err(format!("there is no law {name}"));
+        }
+
         let mut trial = Trial::new(renderer, profile);
+        let budget = Budget {
+            cases: self.cases,
+            shrinks: self.shrinks,
+            shrinking: self.shrinking,
+            deadline: self.time.map(|time| Instant::now() + time),
+        };
         let mut reports = Vec::new();
         for (done, law) in laws.iter().enumerate() {
             let mut report = |shrinking| {
@@ -123,39 +194,164 @@ impl Laws {
                     shrinking,
                 });
             };
-            report(false);
-            let runner = self.runner(law);
-            let verdict = trial.of(law, self.cases, runner, &mut || report(true))?;
+            report(0);
+            let verdict = trial.of(self.tried(law), budget, &mut report)?;
             reports.push(LawReport {
                 name: law.name,
                 says: law.says,
                 verdict,
             });
         }
-        let causes = if reports.iter().any(LawReport::is_broken) {
-            trial.causes()
+        let findings = self.findings(&mut trial, &mut reports)?;
+        let exercised = if self.only.is_empty() {
+            trial.coverage.of(&trial.profile)
         } else {
             Vec::new()
         };
+        let known = self.known.iter();
         Ok(Report {
             profile: trial.profile,
             seed: self.seed,
+            known: known
+                .filter(|name| laws.iter().any(|law| law.name == **name))
+                .cloned()
+                .collect(),
             laws: reports,
-            causes,
+            findings,
+            exercised,
         })
     }
 
-    fn runner(&self, law: &Law) -> TestRunner {
-        // every law has scenes of its own, whichever others are tried
-        let mut seed = [0; 32];
-        seed[..8].copy_from_slice(&self.seed.to_le_bytes());
-        for (byte, letter) in seed[8..].iter_mut().zip(law.name.bytes()) {
-            *byte = letter;
+    fn tried<'l>(&self, law: &'l Law) -> Tried<'l> {
+        let replayed = self.replayed.iter().filter(|(name, _)| name == law.name);
+        Tried {
+            law,
+            index: law.index(),
+            replayed: replayed.map(|(_, base)| base.clone()).collect(),
+            // every law has scenes of its own, whichever others are tried
+            random: Random::new(self.seed, law.name),
+            seed: self.seed,
         }
-        TestRunner::new_with_rng(
-            Config::default(),
-            TestRng::from_seed(RngAlgorithm::ChaCha, &seed),
-        )
+    }
+
+    /// The broken laws, together with those that the same cause breaks.
+    fn findings<R: Renderer>(
+        &self,
+        trial: &mut Trial<R>,
+        reports: &mut [LawReport],
+    ) -> Result<Vec<Finding>, String> {
+        let mut broken: Vec<&'static str> = reports
+            .iter()
+            .filter(|law| law.is_broken())
+            .map(|law| law.name)
+            .collect();
+        let mut findings = Vec::new();
+        if broken.is_empty() {
+            return Ok(findings);
+        }
+        let state = self.state(trial, reports)?;
+        let cause = trial.evidence.cause(&trial.profile);
+        if let Some(mistake) = state {
+            let of_state = |name: &&str| ["repeatable", "no_memory"].contains(name);
+            let (laws, others) = broken
+                .into_iter()
+                .partition(|name| cause.is_none() || of_state(name));
+            broken = others;
+            findings.push(Finding {
+                cause: Some(Cause {
+                    mistakes: vec![mistake.into()],
+                    explained: 0,
+                    of: 0,
+                    alternatives: Vec::new(),
+                }),
+                laws,
+            });
+        }
+        if let Some(cause) = cause {
+            let (laws, others): (Vec<_>, Vec<_>) = broken.into_iter().partition(|name| {
+                let index = LAWS.iter().position(|law| law.name == *name);
+                let explains = |index| {
+                    let evidence = &trial.evidence;
+                    evidence.explains(&trial.profile, &cause.mistakes, index)
+                };
+                index.is_some_and(explains)
+            });
+            broken = others;
+            if !laws.is_empty() {
+                findings.push(Finding {
+                    cause: Some(cause),
+                    laws,
+                });
+            }
+        }
+        if !broken.is_empty() {
+            for report in reports {
+                if let Verdict::Broken { smallest, .. } = &mut report.verdict {
+                    let fits = |fault: &Fault| {
+                        smallest.fits(&trial.profile, *fault)
+                            && trial.evidence.is_suspect(&trial.profile, *fault)
+                    };
+                    smallest.suspects = Fault::all().filter(fits).collect();
+                }
+            }
+            findings.push(Finding {
+                cause: None,
+                laws: broken,
+            });
+        }
+        Ok(findings)
+    }
+
+    /// Whether colors depend on what was asked before, or on nothing that is known.
+    fn state<R: Renderer>(
+        &self,
+        trial: &mut Trial<R>,
+        reports: &[LawReport],
+    ) -> Result<Option<Mistake>, String> {
+        let of_state = |law: &&LawReport| ["repeatable", "no_memory"].contains(&law.name);
+        let broken = reports
+            .iter()
+            .filter(of_state)
+            .find_map(|law| match &law.verdict {
+                Verdict::Broken { smallest, .. } => Some(smallest),
+                _ => None,
+            });
+        let (Some(case), Some(law)) = (broken, LAWS.first()) else {
+            return Ok(None);
+        };
+        if self.shrinks == 0 {
+            // nothing more may be asked for; of what leaks, only the first scene of a batch differs
+            let often = reports.iter().any(|law| {
+                matches!(law.verdict, Verdict::Broken { cases, failures, .. }
+                    if law.name == "repeatable" && failures * 10 > cases)
+            });
+            return Ok(Some(if often {
+                Mistake::NotRepeatable
+            } else {
+                Mistake::Leak
+            }));
+        }
+        // the same scene again and again: the last ones follow themselves
+        let scene = &case.case.scene;
+        let mut other = scene.clone();
+        other.lights.clear();
+        let mut asked = vec![other];
+        asked.extend(std::iter::repeat_n(scene.clone(), 8));
+        let replies = trial.ask(&self.tried(law), &asked)?;
+        let differs = |a: f64, b: f64| {
+            let size = a.abs().max(b.abs());
+            (a - b).abs() > 64.0 * trial.profile.roundoff * size
+        };
+        let last = replies[8];
+        let is_settled = replies[2..].iter().all(|color| {
+            let mut channels = color.iter().zip(&last);
+            !channels.any(|(a, b)| differs(*a, *b))
+        });
+        Ok(Some(if is_settled {
+            Mistake::Leak
+        } else {
+            Mistake::NotRepeatable
+        }))
     }
 }
 
@@ -172,7 +368,7 @@ impl Laws {
 #[track_caller]
 pub fn check(mut renderer: impl Renderer) {
     match Laws::new().run(&mut renderer) {
-        Ok(report) if report.is_broken() => panic!("{report}"),
+        Ok(report) if !report.passes() => panic!("{report}"),
         Ok(_) => {}
         Err(error) => panic!("{error}"),
     }

@@ -7,8 +7,8 @@ pub type Triple = [f64; 3];
 
 /// One place on a surface, and the light on it.
 ///
-/// Positions are in one unit of length, angles in radians, light is linear. The numbers are few
-/// and short, so that `f32` holds almost all of them exactly.
+/// Positions are in one unit of length, angles in radians, light is linear. The renderer's type holds almost all numbers
+/// exactly.
 ///
 /// ```
 /// use shading_laws::{Light, Material, Model, Scene};

@@ -3,19 +3,24 @@
 //! `shading` gives the right color; this gives the bound on a renderer's error, and the colors of
 //! mistakes. A test holds the two together.
 
+use std::array::from_fn;
+use std::f64::consts::PI;
+
 use crate::bounded::{
-    Bounded, Bounded3, add, dot, given3, length, multiply, scale, subtract, unit,
+    Bounded, Bounded3, add, dot, given3, length, multiply, rounded, scale, subtract, unit,
 };
-use crate::mistake::Mistake;
+use crate::mistake::{Fault, Mistake};
 use crate::profile::Profile;
-use crate::reply::to_srgb;
-use crate::scene::{Light, Model, Scene};
+use crate::reply::{from_srgb, to_srgb};
+use crate::scene::{Light, Material, Model, Scene, Triple};
 
 /// The formulas with these mistakes in them.
 #[derive(Clone, Copy)]
 pub struct Textbook<'a> {
-    pub profile: &'a Profile,
-    pub mistakes: &'a [Mistake],
+    profile: &'a Profile,
+    faults: &'a [Fault],
+    /// The unit roundoff.
+    u: f64,
 }
 
 /// A light as it arrives at the point.
@@ -27,69 +32,238 @@ struct Arriving {
     cone: Bounded,
 }
 
-impl Textbook<'_> {
+/// What a scene is shaded with.
+struct Surface {
+    n: Bounded3,
+    v: Bounded3,
+    k_d: Bounded3,
+    k_s: Bounded3,
+    model: Model,
+    m: f64,
+}
+
+impl<'a> Textbook<'a> {
+    pub fn new(profile: &'a Profile, faults: &'a [Fault]) -> Self {
+        let imprecise = faults
+            .iter()
+            .find(|fault| fault.mistake == Mistake::Imprecise);
+        let u = imprecise.map_or(profile.roundoff, |fault| (-fault.value).exp2());
+        Self { profile, faults, u }
+    }
+
     fn has(&self, mistake: Mistake) -> bool {
-        self.mistakes.contains(&mistake)
+        self.faults.iter().any(|fault| fault.mistake == mistake)
+    }
+
+    /// The number in a mistake, if it is made.
+    fn value_of(&self, mistake: Mistake) -> Option<f64> {
+        let fault = self.faults.iter().find(|fault| fault.mistake == mistake)?;
+        Some(fault.value)
+    }
+
+    fn given(&self, triple: Triple) -> Bounded3 {
+        given3(triple, self.u)
+    }
+
+    /// A color that is given.
+    fn color(&self, triple: Triple) -> Bounded3 {
+        self.given(if let Some(steps) = self.value_of(Mistake::ColorsInSteps) {
+            triple.map(|c| (c * steps).round() / steps)
+        } else if self.has(Mistake::ColorsInHalf) {
+            triple.map(|c| rounded(c, (-11_f64).exp2()))
+        } else {
+            triple
+        })
     }
 
     /// The color in linear light, before the range of the renderer.
     pub fn linear(&self, scene: &Scene) -> Bounded3 {
-        let u = self.profile.roundoff;
-        let given = |triple| given3(triple, u);
-        let n = given(scene.n);
-        let n = if self.has(Mistake::NormalNotNormalized) {
-            n
-        } else {
-            unit(n)
-        };
-        let v = given(scene.v);
-        let v = if self.has(Mistake::ViewNotNormalized) {
-            v
-        } else {
-            unit(v)
-        };
-        let lights: Vec<Arriving> = scene
+        let surface = self.surface(scene);
+        let mut lights: Vec<Arriving> = scene
             .lights
             .iter()
-            .map(|l| self.arriving(l, scene))
+            .map(|light| self.arriving(light, scene))
             .collect();
-
-        let lit = match lights.len() {
-            0 => 0..0,
-            _ if self.has(Mistake::FirstLightOnly) => 0..1,
-            count if self.has(Mistake::LastLightOnly) => count - 1..count,
-            count => 0..count,
-        };
-        let clamp = self
-            .profile
-            .range()
-            .filter(|_| self.has(Mistake::EachLightClamped));
-        let mut sum = self.ambient(scene, &lights);
-        for light in &lights[lit] {
-            let mut lit = self.reflected(scene, light, n, v);
-            if let Some([low, high]) = clamp {
-                lit = lit.map(|c| c.if_positive(c, Bounded::exact(low)).at_most(high));
+        let ambient = self.ambient(scene, &lights);
+        match self.value_of(Mistake::LightsAtMost) {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small count
+            Some(most) => lights.truncate(most as usize),
+            None if self.has(Mistake::FirstLightOnly) => lights.truncate(1),
+            None if self.has(Mistake::LastLightOnly) => {
+                lights.drain(..lights.len().saturating_sub(1));
             }
-            sum = add(sum, lit);
+            None => {}
         }
+
+        let black = [Bounded::ZERO; 3];
+        let (mut diffuse, mut specular) = (black, black);
+        for light in &lights {
+            let [mut matte, mut shiny] = self.reflected(light, &surface);
+            let whole = |f: &dyn Fn(Bounded) -> Bounded| add(matte, shiny).map(f);
+            if self.has(Mistake::LightClampedBelow) {
+                (matte, shiny) = (whole(&Bounded::at_least_zero), black);
+            } else if self.has(Mistake::EachLightClamped) {
+                (matte, shiny) = (whole(&|c| self.clamped(c)), black);
+            } else if self.has(Mistake::EachLightEncoded) {
+                (matte, shiny) = (whole(&|c| c.map(to_srgb)), black);
+            } else if self.has(Mistake::BrightestLightOnly) {
+                matte = max(add(diffuse, specular), add(matte, shiny));
+                (shiny, diffuse, specular) = (black, black, black);
+            }
+            diffuse = add(diffuse, matte);
+            specular = add(specular, shiny);
+        }
+        if self.has(Mistake::LightsAveraged) && !lights.is_empty() {
+            #[allow(clippy::cast_precision_loss)] // the count of lights
+            let count = Bounded::exact(lights.len() as f64);
+            [diffuse, specular] = [diffuse, specular].map(|sum| sum.map(|c| c / count));
+        }
+        self.whole(ambient, diffuse, specular)
+    }
+
+    /// The sum of the terms, and what a mistake makes of it.
+    fn whole(&self, ambient: Bounded3, mut diffuse: Bounded3, mut specular: Bounded3) -> Bounded3 {
+        let clamped = |color: Bounded3| color.map(|c| self.clamped(c));
+        if self.has(Mistake::TermsClamped) {
+            (diffuse, specular) = (clamped(diffuse), clamped(specular));
+        }
+        let mut sum = add(ambient, diffuse);
+        if self.has(Mistake::DiffuseClamped) {
+            sum = clamped(sum);
+        }
+        sum = add(sum, specular);
+        if self.has(Mistake::AmbientAtLeast) {
+            sum = max(ambient, add(diffuse, specular));
+        }
+        if self.has(Mistake::EachLightEncoded) {
+            sum = add(ambient.map(|c| c.map(to_srgb)), diffuse);
+        }
+        if self.has(Mistake::TotalClampedBelow) {
+            sum = sum.map(Bounded::at_least_zero);
+        }
+        let [r, g, b] = sum;
         if self.has(Mistake::ChannelsSwapped) {
-            sum.reverse();
+            sum = [b, g, r];
+        } else if self.has(Mistake::RedAndGreenSwapped) {
+            sum = [g, r, b];
+        } else if self.has(Mistake::GreenAndBlueSwapped) {
+            sum = [r, b, g];
+        } else if let Some(places) = self.value_of(Mistake::ChannelsShifted) {
+            sum = if places > 1.0 { [g, b, r] } else { [b, r, g] };
+        } else if self.has(Mistake::Gray) {
+            sum = [(r + g + b) / Bounded::exact(3.0); 3];
+        } else if self.has(Mistake::Luminance) {
+            let weights = [0.2126, 0.7152, 0.0722].map(|w| Bounded::given(w, self.u));
+            sum = [dot(sum, weights); 3];
+        } else if let Some(factor) = self.value_of(Mistake::Scaled) {
+            sum = scale(sum, Bounded::given(factor, self.u));
+        } else if self.has(Mistake::Black) {
+            sum = [Bounded::ZERO; 3];
+        } else if self.has(Mistake::Reinhard) {
+            sum = sum.map(|c| c / (Bounded::exact(1.0) + c));
+        } else if self.has(Mistake::ExponentialTone) {
+            sum = sum.map(|c| c.map(|x| 1.0 - (-x).exp()).looser(4.0 * self.u));
         }
         sum
     }
 
+    /// A color in the range of the renderer, or in that from 0 to 1.
+    fn clamped(&self, c: Bounded) -> Bounded {
+        let [low, high] = self.profile.range().unwrap_or([0.0, 1.0]);
+        c.if_positive(c, Bounded::exact(low)).at_most(high)
+    }
+
+    fn surface(&self, scene: &Scene) -> Surface {
+        let mut n = self.given(scene.n);
+        if !self.has(Mistake::NormalNotNormalized) {
+            n = unit(n);
+        }
+        let (p, mut v) = (self.given(scene.p), self.given(scene.v));
+        if self.has(Mistake::EyeAtOrigin) {
+            v = p.map(|c| -c);
+        } else if self.has(Mistake::ViewTakenForEye) {
+            v = subtract(v, p);
+        } else if self.has(Mistake::ViewAlongZ) {
+            v = [0.0, 0.0, 1.0].map(Bounded::exact);
+        }
+        if !self.has(Mistake::ViewNotNormalized) {
+            v = unit(v);
+        }
+        if self.has(Mistake::ViewReversed) {
+            v = v.map(|c| -c);
+        }
+        if self.has(Mistake::NormalReversed) {
+            n = n.map(|c| -c);
+        }
+        if self.has(Mistake::NormalTowardEye) || self.profile.normal_faces_eye {
+            n = toward(v, n);
+        }
+        let material = &scene.material;
+        let model = match scene.model {
+            Model::Lambert if self.has(Mistake::HighlightOnLambert) => Model::BlinnPhong,
+            Model::Phong if self.has(Mistake::OtherModel) => Model::BlinnPhong,
+            Model::BlinnPhong if self.has(Mistake::OtherModel) => Model::Phong,
+            model => model,
+        };
+        Surface {
+            n,
+            v,
+            k_d: self.reflectance(material.k_d),
+            k_s: self.reflectance(material.k_s),
+            model,
+            m: self.shininess(material.m),
+        }
+    }
+
+    fn reflectance(&self, k: Triple) -> Bounded3 {
+        let k = self.color(k);
+        if self.has(Mistake::MaterialDecoded) {
+            k.map(|c| c.map(from_srgb))
+        } else {
+            k
+        }
+    }
+
+    fn shininess(&self, m: f64) -> f64 {
+        let value_of = |mistake| self.value_of(mistake);
+        if self.has(Mistake::ShininessTruncated) {
+            m.floor()
+        } else if self.has(Mistake::ShininessRounded) {
+            m.round()
+        } else if let Some(off) = value_of(Mistake::ShininessOff) {
+            (m + off).max(0.0)
+        } else if let Some(factor) = value_of(Mistake::ShininessTimes) {
+            m * factor
+        } else if let Some(most) = value_of(Mistake::ShininessAtMost) {
+            m.min(most)
+        } else {
+            m
+        }
+    }
+
     fn arriving(&self, light: &Light, scene: &Scene) -> Arriving {
-        let u = self.profile.roundoff;
         let one = Bounded::exact(1.0);
-        let mut intensity = given3(light.intensity(), u);
+        let mut intensity = self.color(light.intensity());
         if self.has(Mistake::LightInGray) {
             let mean = (intensity[0] + intensity[1] + intensity[2]) / Bounded::exact(3.0);
             intensity = [mean; 3];
+        } else if self.has(Mistake::LightInRed) {
+            intensity = [intensity[0]; 3];
+        } else if self.has(Mistake::LightDecoded) {
+            intensity = intensity.map(|c| c.map(from_srgb));
+        }
+        let left_out = match light {
+            Light::Directional { .. } => Mistake::SunsForgotten,
+            Light::Point { .. } => Mistake::PointsForgotten,
+            Light::Spot { .. } => Mistake::SpotsForgotten,
+        };
+        if self.has(left_out) {
+            intensity = [Bounded::ZERO; 3];
         }
         let (position, coefficients) = match *light {
             Light::Directional { l, .. } => {
-                let mut l = given3(l, u);
-                if self.has(Mistake::LightReversed) {
+                let mut l = self.given(l);
+                if self.has(Mistake::LightReversed) || self.has(Mistake::SunReversed) {
                     l = l.map(|c| -c);
                 }
                 return Arriving {
@@ -110,110 +284,255 @@ impl Textbook<'_> {
                 ..
             } => (position, attenuation),
         };
-        let mut way = subtract(given3(position, u), given3(scene.p, u));
-        if self.has(Mistake::LightReversed) {
+        let mut way = self.way(position, scene);
+        let q = length(if self.has(Mistake::DistanceFromOrigin) {
+            self.given(position)
+        } else {
+            way
+        });
+        if self.has(Mistake::LightReversed) || self.has(Mistake::LampReversed) {
             way = way.map(|c| -c);
         }
-        let q = length(way);
         let l = if self.has(Mistake::LightNotNormalized) {
             way
         } else {
             unit(way)
         };
-        let mut coefficients = given3(coefficients, u);
-        if self.has(Mistake::CoefficientsReversed) {
-            coefficients.reverse();
-        }
-        let [a, b, c] = coefficients;
-        let q = if self.has(Mistake::SquaredDistance) {
-            q * q
-        } else {
-            q
-        };
-        let attenuation = if self.has(Mistake::NotAttenuated) {
-            one
-        } else {
-            one / (a + b * q + c * (q * q))
-        };
-        let cone = match *light {
-            Light::Spot {
-                axis, half_angle, ..
-            } if !self.has(Mistake::ConeForgotten) => {
-                let mut against = -dot(given3(axis, u), l);
-                if self.has(Mistake::ConeReversed) {
-                    against = -against;
-                }
-                let angle = if self.has(Mistake::DegreesForRadians) {
-                    half_angle.to_radians()
-                } else if self.has(Mistake::HalfAngleHalved) {
-                    half_angle / 2.0
-                } else if self.has(Mistake::WholeAngleForHalf) {
-                    half_angle * 2.0
-                } else {
-                    half_angle
-                };
-                // the edge itself is lit
-                let outside = Bounded::given(angle, u).cos() - against;
-                outside.if_positive(Bounded::ZERO, one)
-            }
-            _ => one,
-        };
         Arriving {
             l,
             intensity,
-            attenuation,
-            cone,
+            attenuation: self.attenuation(coefficients, q),
+            cone: self.cone(light, l),
         }
+    }
+
+    /// From the point to the lamp. The renderer may take both to another frame first, such as that of
+    /// the eye, and round them there.
+    fn way(&self, position: Triple, scene: &Scene) -> Bounded3 {
+        let ends = (self.given(position), self.given(scene.p));
+        if self.has(Mistake::PointForgotten) {
+            return ends.0;
+        }
+        let size = |triple: Triple| triple.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+        let farthest = size(position) + size(scene.p) + size(scene.v);
+        subtract(ends.0, ends.1).map(|c| c.looser(self.u * farthest))
+    }
+
+    fn attenuation(&self, coefficients: Triple, q: Bounded) -> Bounded {
+        let (one, value_of) = (Bounded::exact(1.0), |mistake| self.value_of(mistake));
+        let mut coefficients = self.given(coefficients);
+        if self.has(Mistake::CoefficientsReversed) {
+            coefficients.reverse();
+        } else if self.has(Mistake::LinearForQuadratic) {
+            coefficients.swap(1, 2);
+        } else if self.has(Mistake::ConstantForgotten) {
+            coefficients[0] = Bounded::ZERO;
+        } else if self.has(Mistake::LinearForgotten) {
+            coefficients[1] = Bounded::ZERO;
+        } else if self.has(Mistake::QuadraticForgotten) {
+            coefficients[2] = Bounded::ZERO;
+        } else if self.has(Mistake::ConstantOne) {
+            coefficients[0] = one;
+        }
+        let [a, b, c] = coefficients;
+        let mut q = q;
+        if self.has(Mistake::SquaredDistance) {
+            q = q * q;
+        } else if let Some(least) = value_of(Mistake::DistanceAtLeast) {
+            q = q.at_least(least);
+        }
+        let square = if self.has(Mistake::QuadraticByDistance) {
+            q
+        } else {
+            q * q
+        };
+        let mut sum = a + b * q + c * square;
+        if let Some(more) = value_of(Mistake::DenominatorPlus) {
+            sum = sum + Bounded::given(more, self.u);
+        }
+        if self.has(Mistake::NotAttenuated) {
+            return one;
+        } else if self.has(Mistake::AttenuationInverted) {
+            return sum;
+        }
+        let denominator = match () {
+            () if self.has(Mistake::InverseSquareAlone) => q * q,
+            () if self.has(Mistake::InverseAlone) => q,
+            () if self.has(Mistake::AttenuationRoot) => sum.sqrt(),
+            () if self.has(Mistake::AttenuatedTwice) => sum * sum,
+            () => sum,
+        };
+        let mut left = one / denominator;
+        if let Some(most) = value_of(Mistake::AttenuationAtMost) {
+            left = left.at_most(most);
+        } else if let Some(least) = value_of(Mistake::AttenuationAtLeast) {
+            left = left.at_least(least);
+        } else if let Some(end) = value_of(Mistake::CulledBeyond) {
+            left = (Bounded::exact(end) - q).if_positive(left, Bounded::ZERO);
+        } else if let Some(end) = value_of(Mistake::Windowed) {
+            let share = q / Bounded::exact(end);
+            let square = share * share;
+            let window = (one - square * square).at_least_zero();
+            left = left * (window * window);
+        } else if let Some(end) = value_of(Mistake::FadedTo) {
+            left = left * (one - q / Bounded::exact(end)).at_least_zero();
+        }
+        left
+    }
+
+    /// What the cone of a light lets through.
+    fn cone(&self, light: &Light, l: Bounded3) -> Bounded {
+        let one = Bounded::exact(1.0);
+        let Light::Spot {
+            axis, half_angle, ..
+        } = *light
+        else {
+            return one;
+        };
+        let mut against = -dot(self.given(axis), l);
+        if self.has(Mistake::ConeReversed) {
+            against = -against;
+        }
+        let degrees = half_angle.to_degrees();
+        let angle = match () {
+            () if self.has(Mistake::DegreesForRadians) => half_angle.to_radians(),
+            () if self.has(Mistake::HalfAngleHalved) => half_angle / 2.0,
+            () if self.has(Mistake::WholeAngleForHalf) => half_angle * 2.0,
+            // rounding decides to which side a whole number of degrees is cut
+            () if self.has(Mistake::AngleTruncated)
+                && (degrees - degrees.round()).abs() < 1e3 * self.u * degrees =>
+            {
+                return Bounded::between(0.0, 1.0, self.u);
+            }
+            () if self.has(Mistake::AngleTruncated) => degrees.floor().to_radians(),
+            () if self.has(Mistake::AngleRounded) => degrees.round().to_radians(),
+            () => half_angle,
+        };
+        let edge = Bounded::given(angle, self.u).cos();
+        let mut within = one;
+        let exponent = self.value_of(Mistake::ConeExponent);
+        let exponent = exponent.unwrap_or(self.profile.spot_exponent);
+        if exponent > 0.0 {
+            within = against.at_least_zero().power(exponent);
+        }
+        if self.has(Mistake::ConeFaded) || self.has(Mistake::ConeSmooth) {
+            within = ((against - edge) / (one - edge)).at_least_zero();
+            if self.has(Mistake::ConeSmooth) {
+                within = within * within * (Bounded::exact(3.0) - within - within);
+            }
+        }
+        if self.has(Mistake::ConeForgotten) {
+            return within;
+        }
+        // the edge itself is lit
+        (edge - against).if_positive(Bounded::ZERO, within)
     }
 
     #[allow(clippy::cast_precision_loss)] // the count of lights
     fn ambient(&self, scene: &Scene, lights: &[Arriving]) -> Bounded3 {
-        let u = self.profile.roundoff;
-        let k_a = if self.has(Mistake::AmbientByDiffuse) {
-            scene.material.k_d
-        } else {
-            scene.material.k_a
+        let [k_a, k_d] = [scene.material.k_a, scene.material.k_d].map(|k| self.reflectance(k));
+        let i_a = self.color(scene.i_a);
+        let mut ambient = match () {
+            () if self.has(Mistake::AmbientByDiffuse) => multiply(k_d, i_a),
+            () if self.has(Mistake::AmbientWithoutMaterial) => i_a,
+            () if self.has(Mistake::AmbientWithoutLight) => k_a,
+            () => multiply(k_a, i_a),
         };
-        let ambient = multiply(given3(k_a, u), given3(scene.i_a, u));
-        let factor = if self.has(Mistake::AmbientForgotten) {
+        if self.has(Mistake::AmbientTimesDiffuse) || self.profile.ambient_times_diffuse {
+            ambient = multiply(ambient, k_d);
+        }
+        let is_black = self.has(Mistake::BlackWithoutLights) || self.profile.black_without_lights;
+        let factor = if self.has(Mistake::AmbientForgotten) || is_black && lights.is_empty() {
             Bounded::ZERO
         } else if self.has(Mistake::AmbientPerLight) {
             Bounded::exact(lights.len() as f64)
         } else if self.has(Mistake::AmbientAttenuated) || self.profile.attenuated_ambient {
             let arriving = lights.iter().map(|light| light.attenuation);
             arriving.fold(Bounded::ZERO, |sum, light| sum + light)
+        } else if self.has(Mistake::AmbientTwice) {
+            Bounded::exact(2.0)
         } else {
             Bounded::exact(1.0)
         };
         scale(ambient, factor)
     }
 
-    fn reflected(&self, scene: &Scene, light: &Arriving, n: Bounded3, v: Bounded3) -> Bounded3 {
-        let u = self.profile.roundoff;
-        let (k_d, mut k_s) = (given3(scene.material.k_d, u), given3(scene.material.k_s, u));
+    /// Diffuse and specular light.
+    fn reflected(&self, light: &Arriving, surface: &Surface) -> [Bounded3; 2] {
+        let one = Bounded::exact(1.0);
+        let Surface { v, k_d, k_s, .. } = *surface;
+        let n = if self.has(Mistake::NormalTowardLight) {
+            toward(light.l, surface.n)
+        } else {
+            surface.n
+        };
         let cosine = dot(n, light.l);
         let arriving = scale(light.intensity, light.cone);
+        let without_light = [light.cone; 3];
 
-        let mut lambert = if self.has(Mistake::DiffuseNotClamped) {
-            cosine
-        } else if self.has(Mistake::DiffuseTwoSided) {
-            cosine.abs()
-        } else {
-            cosine.at_least_zero()
+        let is_signed = [
+            Mistake::DiffuseNotClamped,
+            Mistake::LightClampedBelow,
+            Mistake::TotalClampedBelow,
+        ]
+        .into_iter()
+        .any(|mistake| self.has(mistake));
+        let half = || (cosine + one) / Bounded::exact(2.0);
+        let mut lambert = match self.value_of(Mistake::Wrapped) {
+            Some(wrap) => {
+                let wrap = Bounded::given(wrap, self.u);
+                ((cosine + wrap) / (one + wrap)).at_least_zero()
+            }
+            None if is_signed => cosine,
+            None if self.has(Mistake::DiffuseTwoSided) => cosine.abs(),
+            None if self.has(Mistake::HalfLambert) => half(),
+            None if self.has(Mistake::HalfLambertSquared) => half() * half(),
+            None if self.has(Mistake::CosineForgotten) => cosine.if_positive(one, Bounded::ZERO),
+            None => cosine.at_least_zero(),
         };
         if self.has(Mistake::DiffuseOverPi) {
-            lambert = lambert / Bounded::exact(std::f64::consts::PI);
+            lambert = lambert / Bounded::given(PI, self.u);
+        } else if self.has(Mistake::DiffuseTimesPi) {
+            lambert = lambert * Bounded::given(PI, self.u);
+        } else if self.has(Mistake::CosineSquared) {
+            lambert = lambert * lambert;
+        } else if self.has(Mistake::DiffuseForgotten) {
+            lambert = Bounded::ZERO;
         }
-        let diffuse = scale(multiply(k_d, arriving), lambert * light.attenuation);
+        if !self.has(Mistake::DiffuseNotAttenuated) {
+            lambert = lambert * light.attenuation;
+        }
+        let of_light = match () {
+            () if self.has(Mistake::DiffuseWithoutLight) => without_light,
+            () if self.has(Mistake::ConeNotOfDiffuse) => light.intensity,
+            () => arriving,
+        };
+        let k = if self.has(Mistake::DiffuseMinusSpecular) {
+            multiply(k_d, k_s.map(|c| one - c))
+        } else {
+            k_d
+        };
+        let diffuse = scale(multiply(k, of_light), lambert);
+        if surface.model == Model::Lambert {
+            return [diffuse, [Bounded::ZERO; 3]];
+        }
 
-        let mut factor = self.highlight(scene, light.l, n, v);
-        let is_gated =
-            !(self.has(Mistake::HighlightNotGated) || self.profile.highlight_on_the_dark_side);
+        let mut factor = self.highlight(light.l, n, surface);
+        let is_gated = !(self.has(Mistake::HighlightNotGated)
+            || self.has(Mistake::LightClampedBelow)
+            || self.profile.highlight_on_the_dark_side);
         if is_gated {
             factor = cosine.if_positive(factor, Bounded::ZERO);
         }
+        if self.has(Mistake::HighlightGatedOnEye) {
+            factor = dot(n, v).if_positive(factor, Bounded::ZERO);
+        }
         if self.has(Mistake::HighlightTimesCosine) {
             factor = factor * cosine.at_least_zero();
+        } else if self.has(Mistake::HighlightOverCosine) {
+            factor = cosine.if_positive(factor / cosine, Bounded::ZERO);
+        } else if self.has(Mistake::HighlightOverPi) {
+            factor = factor / Bounded::given(PI, self.u);
         }
         if self.has(Mistake::HighlightAttenuatedTwice) {
             factor = factor * light.attenuation;
@@ -223,27 +542,51 @@ impl Textbook<'_> {
         if is_attenuated {
             factor = factor * light.attenuation;
         }
-        if self.has(Mistake::HighlightTimesDiffuse) {
-            k_s = multiply(k_s, k_d);
-        }
-        let of_light = if self.has(Mistake::HighlightWithoutLight) {
-            [light.cone; 3]
-        } else {
-            arriving
+        let of_light = match () {
+            () if self.has(Mistake::HighlightWithoutLight) => without_light,
+            () if self.has(Mistake::ConeNotOfHighlight) => light.intensity,
+            () => arriving,
         };
-        add(diffuse, scale(multiply(k_s, of_light), factor))
+        let k = self.specular(light.l, n, surface);
+        [diffuse, scale(multiply(k, of_light), factor)]
+    }
+
+    /// What the surface reflects in its highlight.
+    fn specular(&self, l: Bounded3, n: Bounded3, surface: &Surface) -> Bounded3 {
+        let one = Bounded::exact(1.0);
+        let Surface { v, k_d, k_s, .. } = *surface;
+        let fresnel = if self.has(Mistake::Fresnel) {
+            Some(dot(v, unit(add(l, v))))
+        } else {
+            let of_eye = self.has(Mistake::FresnelOfEye);
+            of_eye.then(|| dot(n, v).at_least_zero())
+        };
+        match fresnel {
+            Some(cosine) => {
+                let grazing = (one - cosine.at_most(1.0)).at_least_zero().power(5.0);
+                k_s.map(|c| c + (one - c) * grazing)
+            }
+            None if self.has(Mistake::HighlightTimesDiffuse) => multiply(k_s, k_d),
+            None if self.has(Mistake::HighlightWithoutMaterial) => [one; 3],
+            None if self.has(Mistake::HighlightByDiffuse) => k_d,
+            None if self.has(Mistake::HighlightForgotten) => [Bounded::ZERO; 3],
+            None if self.has(Mistake::HighlightInGray) => {
+                [(k_s[0] + k_s[1] + k_s[2]) / Bounded::exact(3.0); 3]
+            }
+            None => k_s,
+        }
     }
 
     /// (R·V)^m or (N·H)^m.
-    fn highlight(&self, scene: &Scene, l: Bounded3, n: Bounded3, v: Bounded3) -> Bounded {
-        let is_phong = match scene.model {
-            Model::Lambert => return Bounded::ZERO,
-            Model::Phong => !self.has(Mistake::OtherModel),
-            Model::BlinnPhong => self.has(Mistake::OtherModel),
-        };
-        let cosine = if is_phong {
-            let twice = Bounded::exact(2.0) * dot(n, l);
-            let r = subtract(scale(n, twice), l);
+    fn highlight(&self, l: Bounded3, n: Bounded3, surface: &Surface) -> Bounded {
+        let Surface { v, m, model, .. } = *surface;
+        let cosine = if model == Model::Phong {
+            let times = if self.has(Mistake::ReflectionWithoutTwo) {
+                1.0
+            } else {
+                2.0
+            };
+            let r = subtract(scale(n, Bounded::exact(times) * dot(n, l)), l);
             let cosine = dot(r, v);
             if self.has(Mistake::ReflectionReversed) {
                 -cosine
@@ -257,66 +600,222 @@ impl Textbook<'_> {
             } else if self.has(Mistake::HalfVectorHalved) {
                 dot(n, scale(sum, Bounded::exact(0.5)))
             } else if sum.iter().all(|c| c.value == 0.0) {
-                // opposite directions have no half vector
-                return Bounded::UNKNOWN;
+                // opposite directions have no half vector; where nothing rounds, any that a renderer takes has a power
+                // from 0 to 1
+                let is_exact = l.iter().all(|c| c.value.fract() == 0.0);
+                return if is_exact {
+                    Bounded::between(0.0, 1.0, self.u)
+                } else {
+                    Bounded::UNKNOWN
+                };
             } else {
                 dot(n, unit(sum))
             }
         };
-        let m = scene.material.m;
-        if !self.has(Mistake::PowerNotClamped) {
+        let is_whole = m.fract() == 0.0;
+        let factor = if self.has(Mistake::CosineOfHighlightAbsolute) {
+            cosine.abs().power(m)
+        } else if self.has(Mistake::PowerOfSchlick) {
+            let (c, m) = (cosine.at_least_zero(), Bounded::given(m, self.u));
+            c / (m - m * c + c)
+        } else if !self.has(Mistake::PowerNotClamped) {
             cosine.at_least_zero().power(m)
-        } else if cosine.value < cosine.error {
-            Bounded::UNKNOWN // a shader's power of a negative number may be anything
+        } else if cosine.value < cosine.error && !is_whole {
+            return Bounded::UNKNOWN; // a shader's power of a negative number may be anything
+        } else if cosine.value < 0.0 && m % 2.0 == 1.0 {
+            -cosine.abs().power(m)
         } else {
-            cosine.power(m)
+            cosine.abs().power(m)
+        };
+        match self.normalization(m) {
+            Some(times) => factor * Bounded::computed(times, 16.0, self.u),
+            None => factor,
         }
+    }
+
+    fn normalization(&self, m: f64) -> Option<f64> {
+        Some(if self.has(Mistake::NormalizedByEight) {
+            (m + 8.0) / (8.0 * PI)
+        } else if self.has(Mistake::NormalizedByTwo) {
+            (m + 2.0) / (2.0 * PI)
+        } else if self.has(Mistake::NormalizedByOne) {
+            (m + 1.0) / (2.0 * PI)
+        } else if self.has(Mistake::NormalizedByTwoOfEight) {
+            (m + 2.0) / (8.0 * PI)
+        } else if self.has(Mistake::NormalizedExactly) {
+            (m + 2.0) * (m + 4.0) / (8.0 * PI * ((-m / 2.0).exp2() + m))
+        } else {
+            return None;
+        })
+    }
+
+    /// How far two colors of any renderer may be apart by rounding alone, whatever mistake it makes, relative to
+    /// the most light that may come back; and that light.
+    pub fn conditioning(&self, scene: &Scene) -> (f64, Triple) {
+        let size = |triple: Triple| triple.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+        let Material { k_a, k_d, k_s, m } = scene.material;
+        let mut most = from_fn(|i| k_a[i] * scene.i_a[i]);
+        let mut condition = 1.0_f64;
+        for light in &scene.lights {
+            let mut left = 1.0;
+            if let Light::Point {
+                position,
+                attenuation: [a, b, c],
+                ..
+            }
+            | Light::Spot {
+                position,
+                attenuation: [a, b, c],
+                ..
+            } = *light
+            {
+                let way: Triple = from_fn(|i| position[i] - scene.p[i]);
+                let q = way.iter().map(|c| c * c).sum::<f64>().sqrt();
+                left = 1.0 / (a + b * q + c * q * q);
+                let farthest = size(position) + size(scene.p) + size(scene.v);
+                condition = condition.max(1.0 + farthest / q);
+            }
+            let intensity = light.intensity();
+            most = from_fn(|i| most[i] + (k_d[i] + k_s[i]) * intensity[i] * left);
+        }
+        (32.0 * self.u * (m + 1.0) * condition, most)
+    }
+
+    /// Whether H has no direction for some light.
+    fn has_no_half_vector(&self, scene: &Scene) -> bool {
+        let v = unit(self.given(scene.v));
+        scene.model == Model::BlinnPhong
+            && scene.lights.iter().any(|light| {
+                let sum = add(self.arriving(light, scene).l, v);
+                sum.iter().all(|c| c.value.abs() <= c.error)
+            })
+    }
+
+    /// Whether a channel is NaN or infinity, or what a clamp to the range leaves of them.
+    fn is_lost(&self, c: f64) -> bool {
+        !c.is_finite() || self.profile.range().is_some_and(|ends| ends.contains(&c))
+    }
+
+    /// Whether a renderer with the mistakes may give this color; nothing where it may give any.
+    pub fn fits(&self, scene: &Scene, reply: Triple) -> Option<bool> {
+        let is_lost =
+            reply.iter().any(|c| !c.is_finite()) || reply.iter().all(|c| self.is_lost(*c));
+        if self.has(Mistake::HalfVectorUnguarded) && is_lost && self.has_no_half_vector(scene) {
+            return Some(true);
+        }
+        self.fits_linear(self.linear(scene), reply)
+    }
+
+    /// The same, where the color in linear light is known.
+    pub fn fits_linear(&self, linear: Bounded3, reply: Triple) -> Option<bool> {
+        let expected = self.reply(linear);
+        let mut is_known = false;
+        for (ends, c) in expected.into_iter().zip(reply) {
+            match ends {
+                Some([low, high]) if !(low..=high).contains(&c) => return Some(false),
+                Some(_) => is_known = true,
+                // a division by 0 or the power of a negative number
+                None if !self.faults.is_empty() && self.is_lost(c) => is_known = true,
+                None if !c.is_finite() => return Some(false),
+                None => {}
+            }
+        }
+        is_known.then_some(true)
     }
 
     /// The least and the largest reply that the renderer may give for each channel, where the
     /// formulas have an answer.
-    pub fn reply(&self, scene: &Scene) -> [Option<[f64; 2]>; 3] {
-        self.linear(scene).map(|c| {
+    pub fn reply(&self, linear: Bounded3) -> [Option<[f64; 2]>; 3] {
+        linear.map(|c| {
             let ends = [c.value - c.error, c.value + c.error];
             let [low, high] = ends.map(|end| self.encoded(end));
-            let slack = self.profile.reply_slack(low.abs().max(high.abs()));
-            let below = match self.profile.level() {
+            let slack = self.profile.slack(low.abs().max(high.abs()), self.u);
+            let level = self.profile.level();
+            let below = match level {
                 Some(level) if self.has(Mistake::LevelsTruncated) => slack.max(level),
+                Some(level) if self.has(Mistake::LevelsOf256) => slack.max(level),
                 _ => slack,
             };
-            c.error.is_finite().then_some([low - below, high + slack])
+            let above = match level {
+                Some(level) if self.has(Mistake::LevelsRoundedUp) => slack.max(level),
+                _ => slack,
+            };
+            c.error.is_finite().then_some([low - below, high + above])
         })
     }
 
     fn encoded(&self, linear: f64) -> f64 {
-        let is_clamped = !self.has(Mistake::EachLightClamped);
+        let is_clamped = ![
+            Mistake::EachLightClamped,
+            Mistake::ClampForgotten,
+            Mistake::LevelsOverflow,
+            Mistake::EachLightEncoded,
+        ]
+        .into_iter()
+        .any(|mistake| self.has(mistake));
         let clamp = |x: f64| match self.profile.range() {
             Some([low, high]) if is_clamped => x.clamp(low, high),
+            None if self.has(Mistake::ClampedUnasked) => x.clamp(0.0, 1.0),
             _ => x,
         };
         let x = clamp(linear);
         let is_encoded = self.profile.srgb && !self.has(Mistake::SrgbForgotten);
         let is_encoded = is_encoded || self.has(Mistake::SrgbUnasked);
+        let gamma = self.value_of(Mistake::GammaForSrgb);
         let x = match () {
-            () if self.has(Mistake::Gamma22ForSrgb) => x.max(0.0).powf(1.0 / 2.2),
+            () if self.has(Mistake::EachLightEncoded) => x,
+            () if self.has(Mistake::Gamma22ForSrgb) && self.profile.srgb => {
+                x.max(0.0).powf(1.0 / 2.2)
+            }
+            () if self.has(Mistake::Gamma22Unasked) && !self.profile.srgb => {
+                x.max(0.0).powf(1.0 / 2.2)
+            }
+            () if self.has(Mistake::SrgbDecoded) => from_srgb(x),
+            () if is_encoded && gamma.is_some() => x.max(0.0).powf(1.0 / gamma.unwrap_or(1.0)),
             () if is_encoded && self.has(Mistake::SrgbTwice) => to_srgb(to_srgb(x)),
             () if is_encoded => to_srgb(x),
             () => x,
         };
-        clamp(x)
+        let x = clamp(x);
+        match self.profile.level() {
+            Some(level) if self.has(Mistake::LevelsOverflow) && x > 1.0 => {
+                let count = 1.0 / level;
+                ((x * count).round() % (count + 1.0)) * level
+            }
+            Some(level) if self.has(Mistake::LevelsOf256) => (x * (1.0 + level)).min(1.0),
+            Some(_) => match self.value_of(Mistake::FewerBits) {
+                Some(bits) => {
+                    let count = bits.exp2() - 1.0;
+                    (x * count).round() / count
+                }
+                None => x,
+            },
+            None => x,
+        }
     }
+}
+
+/// A vector on the side of another; on either side where they are perpendicular.
+fn toward(side: Bounded3, v: Bounded3) -> Bounded3 {
+    let cosine = dot(side, v);
+    if cosine.value == 0.0 {
+        return v.map(|c| c.looser(2.0 * c.value.abs()));
+    }
+    v.map(|c| cosine.if_positive(c, -c))
+}
+
+fn max(a: Bounded3, b: Bounded3) -> Bounded3 {
+    from_fn(|i| a[i].max(b[i]))
 }
 
 #[cfg(test)]
 mod tests {
-    use proptest::strategy::{Strategy, ValueTree};
-    use proptest::test_runner::TestRunner;
-
     use super::*;
+    use crate::random::Random;
     use crate::{generator, reference};
 
-    /// `shading` and the textbook agree, and the bounds are tight: all but 5 % are below 10⁻¹²
-    /// of the color in `f64`. The others are of faint highlights and of lights on an edge.
+    /// `shading` and the textbook agree, and the bounds are tight: all but 6 % are below 10⁻¹²
+    /// of the color in `f64`. The others are of faint highlights, of lights on an edge and of lamps close by.
     #[test]
     fn the_textbook_gives_the_color_of_shading() {
         let precise = Profile {
@@ -327,22 +826,17 @@ mod tests {
             attenuated_ambient: true,
             unattenuated_highlight: true,
             highlight_on_the_dark_side: true,
+            normal_faces_eye: true,
+            spot_exponent: 2.5,
+            ambient_times_diffuse: true,
             ..precise.clone()
         };
         for profile in [precise, of_its_own] {
-            let textbook = Textbook {
-                profile: &profile,
-                mistakes: &[],
-            };
-            let mut runner = TestRunner::deterministic();
-            let strategy = generator::base(&profile);
+            let textbook = Textbook::new(&profile, &[]);
+            let mut random = Random::new(0, "textbook");
             let mut loose = 0;
             for _ in 0..2000 {
-                let scene = strategy
-                    .new_tree(&mut runner)
-                    .expect("a scene")
-                    .current()
-                    .scene;
+                let scene = generator::base(&profile, &mut random).scene;
                 let (ours, other) = (textbook.linear(&scene), reference::color(&scene, &profile));
                 for (bounded, right) in ours.into_iter().zip(other) {
                     let off = (bounded.value - right).abs();
@@ -353,7 +847,7 @@ mod tests {
                     loose += u32::from(bounded.error > 1e-12 * right);
                 }
             }
-            assert!(loose < 300, "{loose} of 6000 bounds are loose");
+            assert!(loose < 360, "{loose} of 6000 bounds are loose");
         }
     }
 }

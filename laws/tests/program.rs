@@ -376,6 +376,109 @@ fn assert_gone(file: &Path) {
     }
 }
 
+#[test]
+fn a_status_after_the_last_color_is_reported() {
+    let script = include_str!("../examples/renderer.py").to_owned() + "\n    sys.exit(3)\n";
+    let tried = try_script("python3", &script, &["--cases", "4", "--law", "finite"]);
+    refused(tried, &["after its last color it ended (exit status: 3)"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_reported() {
+    let listing = format!("{} --list > /dev/full", env!("CARGO_BIN_EXE_shading-laws"));
+    let (status, _, stderr) = run(Command::new("sh").args(["-c", &listing]));
+    assert_eq!(status, Some(2));
+    assert!(
+        stderr.contains("cannot write the report: No space left"),
+        "{stderr}"
+    );
+}
+
+#[test]
+fn control_characters_of_a_name_are_escaped() {
+    let script = python("").replace("say(\"{}\")", r#"say('{"name":"a\\u001b[31mb"}')"#);
+    let (_, report, stderr) = try_script("python3", &script, &["--cases", "4"]);
+    assert!(
+        report.starts_with("a\\u{1b}[31mb, seed 0"),
+        "{report}{stderr}"
+    );
+}
+
+/// Without a pipe: scenes to a file, colors from a file, and the same verdicts.
+#[test]
+fn a_file_of_colors_is_judged() {
+    let folder = temporary();
+    let options = ["--cases", "8", "--profile", r#"{"roundoff":1.2e-16}"#];
+    let scenes = succeed(program().arg("scenes").args(options));
+    let python = include_str!("../examples/renderer.py");
+    fs::write(folder.path().join("renderer.py"), python).expect("a file");
+    fs::write(folder.path().join("scenes"), "{}\n".to_owned() + &scenes).expect("a file");
+    let answer = "python3 renderer.py <scenes | tail -n +2 >colors";
+    succeed(Command::new("sh").args(["-c", answer]).current_dir(&folder));
+    let judge = |file: &str| {
+        let mut command = program();
+        command
+            .arg("judge")
+            .args(options)
+            .arg(file)
+            .current_dir(&folder);
+        run(&mut command)
+    };
+    let (status, report, stderr) = judge("colors");
+    assert_eq!(status, Some(0), "{report}{stderr}");
+
+    let colors = fs::read_to_string(folder.path().join("colors")).expect("colors");
+    let black = colors.lines().map(|_| "[0,0,0]\n").collect::<String>();
+    fs::write(folder.path().join("black"), black).expect("a file");
+    let (status, report, _) = judge("black");
+    assert_eq!(status, Some(1));
+    assert!(
+        report.contains("Likely cause: all colors are black"),
+        "{report}"
+    );
+
+    fs::write(folder.path().join("few"), "[0,0,0]\n").expect("a file");
+    refused(judge("few"), &["only 1 colors", "need the same options"]);
+    fs::write(folder.path().join("many"), colors + "[0,0,0]\n").expect("a file");
+    refused(judge("many"), &["colors for", "need the same options"]);
+}
+
+/// What is known to be broken passes, and what is known and holds does not; stored cases are tried again.
+#[test]
+fn known_failures_and_stored_cases() {
+    let folder = temporary();
+    let black = python("");
+    let go = |options: &[&str]| {
+        let mut command = program();
+        command.args(["--law", "ambient_alone", "--law", "eye", "--cases", "8"]);
+        command.args(options).args(["python3", "-c", &black]);
+        run(command.current_dir(&folder))
+    };
+    let (status, ..) = go(&["--save", "cases"]);
+    assert_eq!(status, Some(1));
+    let cases = fs::read_to_string(folder.path().join("cases")).expect("cases");
+    assert!(
+        cases.starts_with(r#"{"law":"ambient_alone","scene":{"#),
+        "{cases}"
+    );
+    let (status, report, stderr) = go(&["--replay", "cases", "--tap"]);
+    assert_eq!(status, Some(1), "{stderr}");
+    assert!(
+        report.starts_with("TAP version 13\n1..3\nnot ok 1 - ambient_alone\n"),
+        "{report}"
+    );
+
+    fs::write(folder.path().join("known"), "ambient_alone # black\n").expect("a file");
+    assert_eq!(go(&["--known", "known"]).0, Some(0));
+    fs::write(folder.path().join("known"), "ambient_alone\neye\n").expect("a file");
+    let (status, report, _) = go(&["--known", "known"]);
+    assert_eq!(status, Some(1));
+    assert!(report.contains("holds, but is known as broken"), "{report}");
+    fs::write(folder.path().join("cases"), "{}\n").expect("a file");
+    refused(go(&["--replay", "cases"]), &["cases: line 1: no \"law\""]);
+}
+
 /// Whoever closes the program's output does not make it panic.
 #[test]
 fn a_closed_pipe_is_no_panic() {

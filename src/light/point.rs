@@ -157,10 +157,14 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>) -> IncidentLight<T> {
         let (l, q, distance) =
             T::direction_and_distance(|| [self.position.into(), p.into()], to_light.into());
-        let intensity = self.attenuation.dim(&self.intensity, q);
+        let intensity = if T::is_lit(q) {
+            self.attenuation.dim(&self.intensity, q)
+        } else {
+            Rgb::BLACK
+        };
         IncidentLight {
             l: UnitVec3::assume_unit(l.into()),
-            intensity: T::black_unless_lit(q, intensity, Rgb::BLACK),
+            intensity,
             distance,
         }
     }

@@ -57,7 +57,8 @@ use crate::vector::Vec3;
 /// ```
 #[doc(alias = "vertex normal")]
 #[doc(alias = "smooth")]
-#[inline]
+#[cfg_attr(target_os = "none", inline)]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 #[must_use]
 pub fn corner<T: Real>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Vec3<T> {
     let none = UnitVec3::assume_unit(Vec3::ZERO);

@@ -77,7 +77,8 @@ pub fn facing<T: Real>(n: UnitVec3<T>, v: UnitVec3<T>) -> UnitVec3<T> {
 /// ```
 #[doc(alias = "inverse transpose")]
 #[doc(alias = "normal matrix")]
-#[inline]
+#[cfg_attr(target_os = "none", inline)]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 #[must_use]
 pub fn transformed<T: Real + PartialOrd>(
     n: UnitVec3<T>,
@@ -89,7 +90,9 @@ pub fn transformed<T: Real + PartialOrd>(
     if let Some(([a, b, c], _)) = T::rescaled_together([a.into(), b.into(), c.into()]) {
         cofactors(a.into(), b.into(), c.into())
     } else {
-        by_cofactors_of_any_size(n, columns)
+        // copies, so that those of the other branch need not lie in memory
+        let n = UnitVec3::assume_unit(Vec3::new(n.x, n.y, n.z));
+        by_cofactors_of_any_size(n, [a, b, c])
     }
     .unit()
 }
@@ -189,7 +192,8 @@ fn tame_power<T: Real + PartialOrd>(v: Vec3<T>, power: i32) -> (Vec3<T>, i32) {
 #[doc(alias = "normal map")]
 #[doc(alias = "tangent space")]
 #[doc(alias = "bump")]
-#[inline]
+#[cfg_attr(target_os = "none", inline)]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 #[must_use]
 pub fn mapped<T: Real + PartialOrd>(
     n: UnitVec3<T>,

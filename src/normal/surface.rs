@@ -51,7 +51,8 @@ pub fn plane<T: Real + PartialOrd>(a: T, b: T, c: T) -> Option<UnitVec3<T>> {
 /// assert_eq!(normal::triangle(a, b, b), None);
 /// ```
 #[doc(alias = "face")]
-#[inline]
+#[cfg_attr(target_os = "none", inline)]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 #[must_use]
 pub fn triangle<T: Real + PartialOrd>(
     v1: Vec3<T>,
@@ -80,7 +81,8 @@ pub fn triangle<T: Real + PartialOrd>(
 /// assert_eq!(normal::sphere(center, Vec3::new(1.0, 1.0, 4.0)), Some(UnitVec3::Z));
 /// assert_eq!(normal::sphere(center, center), None);
 /// ```
-#[inline]
+#[cfg_attr(target_os = "none", inline)]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 #[must_use]
 pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitVec3<T>> {
     p.rescaled_from(center).0.unit()
@@ -194,7 +196,8 @@ pub fn from_gradient<T: Real + PartialOrd>(gradient: Vec3<T>) -> Option<UnitVec3
 /// assert_eq!(normal::parametric(sphere, 1.0, core::f64::consts::PI), None);
 /// ```
 #[doc(alias = "tangent")]
-#[inline]
+#[cfg_attr(target_os = "none", inline)]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 #[must_use]
 pub fn parametric<T: Real + PartialOrd>(
     s: impl FnOnce(Dual<T>, Dual<T>) -> Vec3<Dual<T>>,
@@ -248,7 +251,8 @@ fn is_one_noise<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> bool {
 /// assert_eq!(normal::from_tangents(s_u, s_v), Some(UnitVec3::Z));
 /// assert_eq!(normal::from_tangents(s_u, s_u), None);
 /// ```
-#[inline]
+#[cfg_attr(target_os = "none", inline)]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 #[must_use]
 pub fn from_tangents<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<UnitVec3<T>> {
     s_u.rescaled().cross(s_v.rescaled()).unit()

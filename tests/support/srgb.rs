@@ -37,6 +37,7 @@ pub fn decoded(encoded: &Number) -> Number {
 
 /// The smallest `f32` of each level from 1 up without encoding: x ≥ (l − ½)/n, where the product 2n·x is
 /// exact in double precision.
+#[allow(clippy::incompatible_msrv)] // tests run on the newest Rust
 pub fn linear_edges(highest: u16) -> Vec<f32> {
     let edge = |level: u16| {
         let reaches = |x: f32| f64::from(2 * highest) * f64::from(x) >= f64::from(2 * level - 1);
@@ -54,6 +55,7 @@ pub fn linear_edges(highest: u16) -> Vec<f32> {
 }
 
 /// The smallest `f64` of each level from 1 up, as [`edges`].
+#[allow(clippy::incompatible_msrv)]
 pub fn edges_f64(highest: u16) -> Vec<f64> {
     let edge = |level: u16| {
         let edge = number(f64::from(level) - 0.5) / number(highest.into());

@@ -4,22 +4,32 @@ use std::array::from_fn;
 
 use crate::claim::{Claim, Group};
 use crate::generator::Base;
-use crate::law::part::{dot, lamp, pair};
+use crate::law::part::{dot, facing, lamp, pair};
 use crate::profile::Profile;
 use crate::scene::{Model, Scene};
 
 pub fn eye(base: Base, profile: &Profile) -> Option<Group> {
     let mut scene = base.scene;
     scene.material.k_s = [0.0; 3];
+    let mut v = base.ways[0];
+    if profile.normal_faces_eye {
+        let sides = [scene.v, v].map(|v| dot(scene.n, v));
+        if sides[0].abs() < 0.01 || sides[1].abs() < 0.01 {
+            return None; // rounding decides on which side the eye is
+        }
+        if sides[0] * sides[1] < 0.0 {
+            v = v.map(|c| -c);
+        }
+    }
     let other = Scene {
-        v: profile.direction(base.ways[0]),
+        v: profile.direction(v),
         ..scene.clone()
     };
     Some(pair(scene, other, Claim::same("both colors are the same")))
 }
 
 pub fn toward_the_normal(base: Base, profile: &Profile) -> Option<Group> {
-    let mut scene = base.scene;
+    let mut scene = facing(base.scene, profile);
     let [way, ..] = base.ways;
     scene.material.k_s = [0.0; 3];
     scene.i_a = [0.0; 3];

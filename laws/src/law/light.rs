@@ -4,7 +4,7 @@ use std::array::from_fn;
 
 use crate::claim::{Claim, Group, Relation};
 use crate::generator::Base;
-use crate::law::part::{dot, fits, lamp, pair};
+use crate::law::part::{dot, facing, fits, lamp, pair};
 use crate::law::single::one;
 use crate::profile::Profile;
 use crate::scene::{Light, Material, Model, Scene, Triple};
@@ -23,9 +23,21 @@ pub fn no_memory(base: Base, profile: &Profile) -> Option<Group> {
     })
 }
 
-pub fn additive(base: Base, _: &Profile) -> Option<Group> {
-    let all = base.scene;
-    if all.lights.len() < 2 {
+pub fn repeatable(base: Base, _: &Profile) -> Option<Group> {
+    let scenes = vec![base.scene.clone(), base.scene];
+    let says = "both answers are the same";
+    Some(Group {
+        scenes,
+        claims: vec![Claim::same(says)],
+    })
+}
+
+pub fn additive(base: Base, profile: &Profile) -> Option<Group> {
+    let mut all = base.scene;
+    if profile.black_without_lights {
+        all.i_a = [0.0; 3]; // it comes with the first light
+    }
+    if all.lights.len() < 2 || all.lights.len() > 16 {
         return None;
     }
     let with = |lights: &[Light]| Scene {
@@ -54,7 +66,7 @@ pub fn order(base: Base, _: &Profile) -> Option<Group> {
 
 pub fn black_light(base: Base, profile: &Profile) -> Option<Group> {
     let (way, mut scene) = (base.ways[0], base.scene);
-    if profile.attenuated_ambient {
+    if profile.attenuated_ambient || profile.black_without_lights {
         scene.i_a = [0.0; 3]; // even a black light brings it along
     }
     let mut other = scene.clone();
@@ -68,8 +80,8 @@ pub fn black_light(base: Base, profile: &Profile) -> Option<Group> {
 }
 
 pub fn behind(base: Base, profile: &Profile) -> Option<Group> {
-    let (way, mut scene) = (base.ways[0], base.scene);
-    if profile.attenuated_ambient {
+    let (way, mut scene) = (base.ways[0], facing(base.scene, profile));
+    if profile.attenuated_ambient || profile.black_without_lights {
         scene.i_a = [0.0; 3];
     }
     if profile.highlight_on_the_dark_side {
@@ -87,7 +99,7 @@ pub fn behind(base: Base, profile: &Profile) -> Option<Group> {
 }
 
 pub fn dark_side(base: Base, profile: &Profile) -> Option<Group> {
-    let mut scene = base.scene;
+    let mut scene = facing(base.scene, profile);
     let way = base.ways[0];
     if scene.model == Model::Lambert {
         return None;
@@ -155,7 +167,7 @@ pub fn cone(base: Base, profile: &Profile) -> Option<Group> {
     let [side, degrees, _] = base.factors;
     let position: Triple = from_fn(|i| scene.p[i] + way[i]);
     let intensity = [1.0, 0.5, 0.25];
-    let attenuation = [1.0, 0.0, 0.25];
+    let attenuation = [1.0, 0.0, if profile.unattenuated { 0.0 } else { 0.25 }];
     // a way off the axis by an angle that is far from the edge of the cone
     let aim = base.ways[1].map(|c| c * side / 4.0);
     let axis = profile.unit(from_fn(
@@ -164,8 +176,11 @@ pub fn cone(base: Base, profile: &Profile) -> Option<Group> {
     let half_angle = profile.rounded((10.0 * degrees).to_radians());
     let l = crate::generator::unit(way);
     let off = (-dot(axis, l)).clamp(-1.0, 1.0).acos() - half_angle;
-    if off.abs() < 0.05 {
+    if off.abs() < 0.05 || profile.spot_exponent > 0.0 && off < 0.0 {
         return None;
+    }
+    if profile.black_without_lights {
+        scene.i_a = [0.0; 3];
     }
     let mut other = scene.clone();
     scene.lights = vec![Light::Spot {

@@ -21,8 +21,11 @@ pub fn scale(base: Base, profile: &Profile) -> Option<Group> {
     Some(pair(base.scene, other, claim))
 }
 
-pub fn terms(base: Base, _: &Profile) -> Option<Group> {
-    let scene = base.scene;
+pub fn terms(base: Base, profile: &Profile) -> Option<Group> {
+    let mut scene = base.scene;
+    if profile.ambient_times_diffuse {
+        scene.i_a = [0.0; 3];
+    }
     let black = [0.0; 3];
     let with = |k_a, k_d, k_s| Scene {
         material: Material {

@@ -36,6 +36,8 @@ enum Need {
     Highlight,
     GatedHighlight,
     AnyLength,
+    OneSide,
+    Attenuation,
 }
 
 impl Law {
@@ -53,13 +55,29 @@ impl Law {
         }
     }
 
+    /// Its place among all laws.
+    pub fn index(&self) -> usize {
+        let place = LAWS.iter().position(|law| law.name == self.name);
+        place.unwrap_or(0)
+    }
+
+    /// Whether its scenes are those that were generated, so that no edge is to be left out.
+    pub fn is_of_one_scene(&self) -> bool {
+        ["finite", "as_said", "not_negative", "formula"].contains(&self.name)
+    }
+
+    /// Whether its scenes are asked for in two batches.
+    pub fn asks_twice(&self) -> bool {
+        self.name == "repeatable"
+    }
+
     /// Why the law cannot be tried, if it cannot.
     pub fn lacks(&self, profile: &Profile) -> Option<&'static str> {
         let has_highlight = profile.models.iter().any(|model| *model != Model::Lambert);
         self.needs.iter().find_map(|need| {
             let (has, lacks) = match need {
                 Need::Ambient => (
-                    profile.ambient && !profile.attenuated_ambient,
+                    profile.ambient && !profile.attenuated_ambient && !profile.black_without_lights,
                     "it has no ambient light of its own",
                 ),
                 Need::Lamp => (
@@ -82,6 +100,8 @@ impl Law {
                     has_highlight && !profile.highlight_on_the_dark_side,
                     "its highlights are not gated",
                 ),
+                Need::OneSide => (!profile.normal_faces_eye, "its normals face the eye"),
+                Need::Attenuation => (!profile.unattenuated, "it has no attenuation"),
                 Need::AnyLength => (!profile.unit_vectors, "it needs unit vectors"),
             };
             (!has).then_some(lacks)
@@ -109,6 +129,12 @@ pub const LAWS: &[Law] = &[
         "a scene has the same color wherever it is in a batch",
         &[],
         light::no_memory,
+    ),
+    Law::new(
+        "repeatable",
+        "a batch that is asked again has the same colors",
+        &[],
+        light::repeatable,
     ),
     Law::new(
         "ambient_alone",
@@ -185,7 +211,7 @@ pub const LAWS: &[Law] = &[
     Law::new(
         "both_reversed",
         "with N and every L reversed, a diffuse surface looks the same",
-        &[Need::Lamp],
+        &[Need::Lamp, Need::OneSide],
         direction::both_reversed,
     ),
     Law::new(
@@ -227,7 +253,7 @@ pub const LAWS: &[Law] = &[
     Law::new(
         "distance",
         "a lamp farther away in the same direction does not brighten",
-        &[Need::PointLight],
+        &[Need::PointLight, Need::Attenuation],
         light::distance,
     ),
     Law::new(

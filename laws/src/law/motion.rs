@@ -48,10 +48,23 @@ pub fn unit_of_length(base: Base, _: &Profile) -> Option<Group> {
     ))
 }
 
-pub fn translation(base: Base, _: &Profile) -> Option<Group> {
+pub fn translation(base: Base, profile: &Profile) -> Option<Group> {
     let offset = base.factors.map(|c| c - 4.0);
     let add = |p: Triple| from_fn(|i| p[i] + offset[i]);
     let other = moved(&base.scene, add, |d| d);
+    // long numbers would be others after the sum
+    let same = |p: Triple, moved: Triple| {
+        (0..3).all(|i| moved[i] - offset[i] == p[i] && profile.rounded(moved[i]) == moved[i])
+    };
+    let place = |light: &Light| match *light {
+        Light::Point { position, .. } | Light::Spot { position, .. } => Some(position),
+        Light::Directional { .. } => None,
+    };
+    let lamps = base.scene.lights.iter().zip(&other.lights);
+    let mut places = lamps.filter_map(|(light, moved)| Some((place(light)?, place(moved)?)));
+    if !same(base.scene.p, other.p) || !places.all(|(p, moved)| same(p, moved)) {
+        return None;
+    }
     Some(pair(
         base.scene,
         other,

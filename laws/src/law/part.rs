@@ -39,6 +39,14 @@ pub fn lamp(profile: &Profile, p: Triple, way: Triple, intensity: Triple) -> Lig
     }
 }
 
+/// The scene with N on the side of the eye, where the renderer turns it there.
+pub fn facing(mut scene: Scene, profile: &Profile) -> Scene {
+    if profile.normal_faces_eye && dot(scene.n, scene.v) < 0.0 {
+        scene.n = scene.n.map(|c| -c);
+    }
+    scene
+}
+
 /// Nothing if the scene is beyond what the renderer has.
 pub fn fits(scene: &Scene, profile: &Profile) -> Option<()> {
     let fits = scene.lights.len() <= profile.most_lights && scene.material.m <= profile.most_shiny;

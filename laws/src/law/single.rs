@@ -6,7 +6,7 @@ use shading::f64::Vec3;
 
 use crate::claim::{Claim, Group, Relation};
 use crate::generator::Base;
-use crate::law::part::{dot, lamp, times};
+use crate::law::part::{dot, facing, lamp, times};
 use crate::profile::Profile;
 use crate::reference;
 use crate::scene::{Material, Model, Scene};
@@ -39,10 +39,13 @@ pub fn not_negative(base: Base, _: &Profile) -> Option<Group> {
     )
 }
 
-pub fn ambient_alone(base: Base, _: &Profile) -> Option<Group> {
+pub fn ambient_alone(base: Base, profile: &Profile) -> Option<Group> {
     let mut scene = base.scene;
     scene.lights.clear();
-    let ambient = times(scene.material.k_a, scene.i_a);
+    let mut ambient = times(scene.material.k_a, scene.i_a);
+    if profile.ambient_times_diffuse {
+        ambient = times(ambient, scene.material.k_d);
+    }
     let claim = Claim::new("the color is k_a I_a", Relation::Zero, &[(1.0, 0)]);
     Some(Group {
         scenes: vec![scene],
@@ -59,6 +62,9 @@ pub fn bound(base: Base, profile: &Profile) -> Option<Group> {
     // all factors at 1: N·L, the power and the cone
     let Material { k_a, k_d, k_s, .. } = scene.material;
     let mut most = times(k_a, scene.i_a);
+    if profile.ambient_times_diffuse {
+        most = times(most, k_d);
+    }
     if profile.attenuated_ambient {
         let sum: f64 = scene
             .lights
@@ -84,7 +90,7 @@ pub fn bound(base: Base, profile: &Profile) -> Option<Group> {
 }
 
 pub fn mirror(base: Base, profile: &Profile) -> Option<Group> {
-    let mut scene = base.scene;
+    let mut scene = facing(base.scene, profile);
     let way = base.ways[0];
     let n = scene.n;
     let (twice, square) = (2.0 * dot(n, way), dot(n, n));

@@ -13,6 +13,9 @@ pub fn profile(line: &str, command: &str) -> Result<Profile, String> {
     let Value::Object(members) = value else {
         return Err(expected(&quoted(line)));
     };
+    if let Some(twice) = members.keys().find(|name| times(line, name) > 1) {
+        return Err(format!("\"{twice}\": it is there twice"));
+    }
     let mut profile = Profile {
         name: command.to_owned(),
         ..Profile::default()
@@ -21,6 +24,34 @@ pub fn profile(line: &str, command: &str) -> Result<Profile, String> {
         set(&mut profile, &name, value).map_err(|why| format!("\"{name}\": {why}"))?;
     }
     profile.complaint().map_or(Ok(profile), Err)
+}
+
+/// How often an object has a member of this name.
+fn times(line: &str, name: &str) -> usize {
+    let (mut depth, mut count, mut rest) = (0, 0, line.char_indices());
+    while let Some((start, c)) = rest.next() {
+        match c {
+            '{' | '[' => depth += 1,
+            '}' | ']' => depth -= 1,
+            '"' => {
+                let mut end = start;
+                while let Some((at, c)) = rest.next() {
+                    end = at;
+                    match c {
+                        '\\' => drop(rest.next()),
+                        '"' => break,
+                        _ => {}
+                    }
+                }
+                let text: Result<String, _> = serde_json::from_str(&line[start..=end]);
+                let is_member = line[end + 1..].trim_start().starts_with(':');
+                let is_it = text.is_ok_and(|text| text == name);
+                count += usize::from(depth == 1 && is_member && is_it);
+            }
+            _ => {}
+        }
+    }
+    count
 }
 
 fn set(profile: &mut Profile, name: &str, value: Value) -> Result<(), String> {
@@ -60,6 +91,12 @@ fn set(profile: &mut Profile, name: &str, value: Value) -> Result<(), String> {
         "highlight_on_the_dark_side" => {
             read(value).map(|has| profile.highlight_on_the_dark_side = has)
         }
+        "normal_faces_eye" => read(value).map(|is| profile.normal_faces_eye = is),
+        "black_without_lights" => read(value).map(|is| profile.black_without_lights = is),
+        "unattenuated" => read(value).map(|is| profile.unattenuated = is),
+        "gray_highlight" => read(value).map(|is| profile.gray_highlight = is),
+        "spot_exponent" => read(value).map(|exponent| profile.spot_exponent = exponent),
+        "ambient_times_diffuse" => read(value).map(|is| profile.ambient_times_diffuse = is),
         _ => return Err("there is no such member".into()),
     };
     result.map_err(|why| why.to_string())
@@ -181,7 +218,7 @@ mod tests {
         let page = include_str!("../../docs/format.md");
         let rows = page.lines().filter_map(|line| line.strip_prefix("| `\""));
         let rows: Vec<_> = rows.filter_map(|row| row.split_once("\"` | ")).collect();
-        assert_eq!(rows.len(), 16);
+        assert_eq!(rows.len(), 22);
         for (name, row) in rows {
             let default = row.split('`').nth(1).unwrap_or_default();
             let default = if name == "name" { "\"it\"" } else { default };
@@ -200,7 +237,9 @@ mod tests {
             "lights":["spot"],"most_lights":4,"most_shiny":64.5,"integer_shininess":true,
             "unit_vectors":true,"clamps":[0,1],"srgb":true,"bits":8,"whole_angle":true,
             "attenuated_ambient":true,"unattenuated_highlight":true,
-            "highlight_on_the_dark_side":true}"#;
+            "highlight_on_the_dark_side":true,"normal_faces_eye":true,"black_without_lights":true,
+            "unattenuated":true,"gray_highlight":true,"spot_exponent":2,
+            "ambient_times_diffuse":true}"#;
         let expected = Profile {
             name: "it".into(),
             roundoff: 1e-3,
@@ -220,6 +259,12 @@ mod tests {
             attenuated_ambient: true,
             unattenuated_highlight: true,
             highlight_on_the_dark_side: true,
+            normal_faces_eye: true,
+            black_without_lights: true,
+            unattenuated: true,
+            gray_highlight: true,
+            spot_exponent: 2.0,
+            ambient_times_diffuse: true,
         };
         assert_eq!(profile(line, "the command"), Ok(expected));
     }
@@ -235,6 +280,12 @@ mod tests {
             ("{\"models\":[\"pbr\"]}", "\"models\": \"pbr\" is none of"),
             ("{\"models\":[]}", "models is empty"),
             ("{\"bits\":1}", "bits is 1"),
+            ("{\"bits\":8, \"bits\":8}", "\"bits\": it is there twice"),
+            (
+                "{\"bits\":8,\"\\u0062its\":8}",
+                "\"bits\": it is there twice",
+            ),
+            ("{\"name\":\"\\\"bits\\\":8\",\"bits\":1}", "bits is 1"),
             ("[0,0,0]", "expected a JSON object"),
             ("ready", "expected a JSON object"),
         ] {

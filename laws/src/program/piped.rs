@@ -49,10 +49,16 @@ impl Piped {
     ///
     /// # Errors
     ///
-    /// It has more lines to say.
+    /// It has more lines to say, or it ends with another status than 0.
     pub fn finish(mut self) -> Result<(), String> {
         self.process.close();
-        self.nothing_more(self.timeout.min(Duration::from_secs(2)))
+        self.nothing_more(self.timeout.min(Duration::from_secs(2)))?;
+        match self.process.status() {
+            Some(status) if !status.success() => {
+                Err(format!("after its last color it ended ({status})"))
+            }
+            _ => Ok(()),
+        }
     }
 
     fn nothing_more(&mut self, patience: Duration) -> Result<(), String> {

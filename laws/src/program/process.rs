@@ -123,6 +123,11 @@ impl Process {
         }
     }
 
+    /// How it ended, if it ends soon.
+    pub fn status(&mut self) -> Option<std::process::ExitStatus> {
+        self.status_within(GRACE)
+    }
+
     fn status_within(&mut self, patience: Duration) -> Option<std::process::ExitStatus> {
         let begin = Instant::now();
         loop {

@@ -55,3 +55,16 @@ pub fn of_its_own() -> Profile {
         ..linear()
     }
 }
+
+/// It departs from the formulas on purpose in all other ways.
+pub fn of_another_kind() -> Profile {
+    Profile {
+        normal_faces_eye: true,
+        black_without_lights: true,
+        unattenuated: true,
+        gray_highlight: true,
+        spot_exponent: 2.0,
+        ambient_times_diffuse: true,
+        ..linear()
+    }
+}

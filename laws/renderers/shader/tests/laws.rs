@@ -35,6 +35,8 @@ fn usual_mistakes_are_found_and_named() {
         assert_eq!(PHONG.matches(right).count(), 1, "{right}");
         let mut shader = shader(&PHONG.replace(right, wrong));
         let report = Laws::new().run(&mut shader).expect("colors");
-        assert_eq!(report.causes, [[mistake]], "{wrong}: {report}");
+        let cause = report.findings.iter().find_map(|finding| finding.cause.as_ref());
+        let named = cause.map(|cause| cause.mistakes.iter().map(|fault| fault.mistake).collect());
+        assert_eq!(named, Some(vec![mistake]), "{wrong}: {report}");
     }
 }

@@ -1,0 +1,234 @@
+//! Which mistakes explain the colors of a run.
+
+use crate::mistake::{Fault, Mistake};
+use crate::profile::Profile;
+use crate::random::Random;
+use crate::scene::{Scene, Triple};
+use crate::textbook::Textbook;
+
+/// The most scenes of each law that are kept, wrong ones and right ones.
+const WRONG: usize = 24;
+const RIGHT: usize = 12;
+
+/// A share of the wrong colors that is nearly all.
+const NEARLY_ALL: f64 = 0.9;
+
+/// What may have caused the wrong colors of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cause {
+    /// The mistake, or the mistakes that are made together.
+    pub mistakes: Vec<Fault>,
+    /// The number of wrong colors that the mistakes give.
+    pub explained: usize,
+    /// The number of wrong colors that were compared. It is 0 for a cause that another experiment showed.
+    pub of: usize,
+    /// Other mistakes that give the same colors.
+    pub alternatives: Vec<Vec<Fault>>,
+}
+
+/// A color, and the law that asked for it.
+struct Sample {
+    law: usize,
+    scene: Scene,
+    reply: Triple,
+}
+
+/// A sample of what a renderer answered, of a size that does not grow with the run.
+pub struct Evidence {
+    wrong: Vec<Sample>,
+    right: Vec<Sample>,
+    /// Whether the wrong colors are in random order, so that the first ones are like all.
+    is_mixed: bool,
+    /// For each law the number of its wrong and of its right colors.
+    counts: Vec<[usize; 2]>,
+    random: Random,
+}
+
+impl Evidence {
+    pub fn new() -> Self {
+        Self {
+            wrong: Vec::new(),
+            right: Vec::new(),
+            is_mixed: false,
+            counts: Vec::new(),
+            random: Random::new(0, "evidence"),
+        }
+    }
+
+    /// Notes a color of a law, each with the same chance to be kept.
+    pub fn note(&mut self, law: usize, is_right: bool, scene: &Scene, reply: Triple) {
+        if self.counts.len() <= law {
+            self.counts.resize(law + 1, [0; 2]);
+        }
+        let count = &mut self.counts[law][usize::from(is_right)];
+        *count += 1;
+        let (samples, most) = if is_right {
+            (&mut self.right, RIGHT)
+        } else {
+            (&mut self.wrong, WRONG)
+        };
+        let sample = || Sample {
+            law,
+            scene: scene.clone(),
+            reply,
+        };
+        if *count <= most {
+            samples.push(sample());
+            return;
+        }
+        let place = self.random.below(*count);
+        if place < most {
+            let mut of_law = samples.iter_mut().filter(|sample| sample.law == law);
+            if let Some(replaced) = of_law.nth(place) {
+                *replaced = sample();
+            }
+        }
+    }
+
+    /// The causes that explain nearly all wrong colors and no right one away, the best first.
+    pub fn cause(&mut self, profile: &Profile) -> Option<Cause> {
+        if self.wrong.is_empty() {
+            return None;
+        }
+        self.mix();
+        let faults: Vec<Fault> = Fault::all().collect();
+        let singles = faults.iter().map(|fault| vec![*fault]);
+        let is_rough = |fault: &&Fault| fault.mistake == Mistake::Imprecise;
+        let exact = singles.filter(|faults| !faults.iter().any(|fault| is_rough(&fault)));
+        let best = self.best(profile, exact, NEARLY_ALL);
+        let best = best.or_else(|| {
+            let rough = faults.iter().filter(is_rough);
+            rough
+                .into_iter()
+                .find_map(|fault| self.roughness(profile, *fault))
+        });
+        best.or_else(|| self.pair(profile, &faults))
+    }
+
+    fn mix(&mut self) {
+        if !self.is_mixed {
+            for i in (1..self.wrong.len()).rev() {
+                self.wrong.swap(i, self.random.below(i + 1));
+            }
+            for i in (1..self.right.len()).rev() {
+                self.right.swap(i, self.random.below(i + 1));
+            }
+            self.is_mixed = true;
+        }
+    }
+
+    fn best(
+        &self,
+        profile: &Profile,
+        candidates: impl Iterator<Item = Vec<Fault>>,
+        least: f64,
+    ) -> Option<Cause> {
+        let mut ranked: Vec<(usize, usize, Vec<Fault>)> = candidates
+            .filter_map(|faults| {
+                let (explained, errors) = self.score(profile, &faults, least)?;
+                Some((errors, explained, faults))
+            })
+            .collect();
+        ranked.sort_by_key(|(errors, ..)| *errors);
+        let (errors, explained, mistakes) = ranked.first()?.clone();
+        let alternatives = ranked
+            .into_iter()
+            .skip(1)
+            .filter(|(others, ..)| *others == errors)
+            .map(|(.., faults)| faults);
+        Some(Cause {
+            mistakes,
+            explained,
+            of: self.wrong.len(),
+            alternatives: alternatives.collect(),
+        })
+    }
+
+    /// The number of wrong colors that the mistakes give and that of colors that they do not, if the first is at least
+    /// this share of the wrong ones and nearly no right color is contradicted.
+    fn score(&self, profile: &Profile, faults: &[Fault], least: f64) -> Option<(usize, usize)> {
+        let textbook = Textbook::new(profile, faults);
+        #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)]
+        #[allow(clippy::cast_sign_loss)] // a part of a small count
+        let misses = |count: usize, share: f64| (count as f64 * share) as usize;
+        let most = misses(self.wrong.len(), 1.0 - least);
+        let mut unexplained = 0;
+        for (i, sample) in self.wrong.iter().enumerate() {
+            if textbook.fits(&sample.scene, sample.reply) != Some(true) {
+                unexplained += 1;
+                // what fails so often at the beginning hardly ever explains enough in the end
+                let most_so_far = misses(i, 2.0 * (1.0 - least)) + 6;
+                if unexplained > most.min(most_so_far) {
+                    return None;
+                }
+            }
+        }
+        let most = misses(self.right.len(), 0.02);
+        let mut contradicted = 0;
+        for sample in &self.right {
+            if textbook.fits(&sample.scene, sample.reply) == Some(false) {
+                contradicted += 1;
+                if contradicted > most {
+                    return None;
+                }
+            }
+        }
+        Some((self.wrong.len() - unexplained, unexplained + contradicted))
+    }
+
+    /// The cause if the colors are as if they were rounded so: nearly all of them, some too bright and
+    /// some too dark.
+    fn roughness(&self, profile: &Profile, fault: Fault) -> Option<Cause> {
+        let (explained, _) = self.score(profile, &[fault], 0.98)?;
+        let right = Textbook::new(profile, &[]);
+        let is_brighter = |sample: &&Sample| {
+            let expected = right.reply(right.linear(&sample.scene));
+            let mut channels = expected.into_iter().zip(sample.reply);
+            channels.any(|(ends, c)| ends.is_some_and(|[_, high]| c > high))
+        };
+        let brighter = self.wrong.iter().filter(is_brighter).count();
+        let darker = self.wrong.len() - brighter;
+        (brighter.min(darker) * 8 >= self.wrong.len()).then(|| Cause {
+            mistakes: vec![fault],
+            explained,
+            of: self.wrong.len(),
+            alternatives: Vec::new(),
+        })
+    }
+
+    /// Two mistakes together, each of which gives some of the wrong colors alone.
+    fn pair(&self, profile: &Profile, faults: &[Fault]) -> Option<Cause> {
+        let gives_some = |fault: &&Fault| {
+            let textbook = Textbook::new(profile, std::slice::from_ref(fault));
+            let first = self.wrong.len().min(80);
+            let fitting = self.wrong[..first]
+                .iter()
+                .filter(|sample| textbook.fits(&sample.scene, sample.reply) == Some(true));
+            fault.mistake != Mistake::Imprecise && fitting.count() * 20 >= first
+        };
+        let some: Vec<Fault> = faults.iter().filter(gives_some).copied().collect();
+        let some = &some;
+        let pairs = some.iter().enumerate().flat_map(|(i, a)| {
+            let others = some[..i].iter().filter(|b| b.mistake != a.mistake);
+            others.map(move |b| vec![*b, *a])
+        });
+        self.best(profile, pairs, 0.97)
+    }
+
+    /// Whether a cause gives nearly all wrong colors of a law.
+    pub fn explains(&self, profile: &Profile, faults: &[Fault], law: usize) -> bool {
+        let textbook = Textbook::new(profile, faults);
+        let of_law = self.wrong.iter().filter(|sample| sample.law == law);
+        let (mut explained, mut of) = (0, 0);
+        for sample in of_law {
+            of += 1;
+            explained += usize::from(textbook.fits(&sample.scene, sample.reply) == Some(true));
+        }
+        explained * 10 >= of * 8
+    }
+
+    /// Whether a mistake gives half of the wrong colors or more, and contradicts nearly no right one.
+    pub fn is_suspect(&self, profile: &Profile, fault: Fault) -> bool {
+        fault.mistake != Mistake::Imprecise && self.score(profile, &[fault], 0.5).is_some()
+    }
+}

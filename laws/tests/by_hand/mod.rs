@@ -1,0 +1,804 @@
+//! A renderer written by hand, in `f32` or `f64`, with each known mistake to choose from and some that are not known.
+
+#![allow(dead_code)] // each test uses some of it
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use shading_laws::{Fault, Light, Mistake, Model, Profile, Renderer, Scene};
+
+/// A float.
+pub trait Float:
+    Copy
+    + PartialOrd
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    fn of(x: f64) -> Self;
+    fn get(self) -> f64;
+    fn sqrt(self) -> Self;
+    fn powf(self, m: Self) -> Self;
+    fn powi(self, m: i32) -> Self;
+    fn cos(self) -> Self;
+    fn exp(self) -> Self;
+    fn ln(self) -> Self;
+    fn mul_add(self, b: Self, c: Self) -> Self;
+    fn max(self, other: Self) -> Self;
+    fn min(self, other: Self) -> Self;
+    fn abs(self) -> Self;
+}
+
+macro_rules! float {
+    ($float:ident) => {
+        impl Float for $float {
+            fn of(x: f64) -> Self {
+                x as $float
+            }
+            fn get(self) -> f64 {
+                f64::from(self)
+            }
+            fn sqrt(self) -> Self {
+                self.sqrt()
+            }
+            fn powf(self, m: Self) -> Self {
+                self.powf(m)
+            }
+            fn powi(self, m: i32) -> Self {
+                self.powi(m)
+            }
+            fn cos(self) -> Self {
+                self.cos()
+            }
+            fn exp(self) -> Self {
+                self.exp()
+            }
+            fn ln(self) -> Self {
+                self.ln()
+            }
+            fn mul_add(self, b: Self, c: Self) -> Self {
+                self.mul_add(b, c)
+            }
+            fn max(self, other: Self) -> Self {
+                self.max(other)
+            }
+            fn min(self, other: Self) -> Self {
+                self.min(other)
+            }
+            fn abs(self) -> Self {
+                self.abs()
+            }
+        }
+    };
+}
+
+float!(f32);
+float!(f64);
+
+pub type Vec3<T> = [T; 3];
+
+pub fn dot<T: Float>(a: Vec3<T>, b: Vec3<T>) -> T {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn scale<T: Float>(a: Vec3<T>, s: T) -> Vec3<T> {
+    a.map(|c| c * s)
+}
+
+pub fn add<T: Float>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+pub fn sub<T: Float>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+pub fn mul<T: Float>(a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
+    [a[0] * b[0], a[1] * b[1], a[2] * b[2]]
+}
+
+pub fn normalize<T: Float>(a: Vec3<T>) -> Vec3<T> {
+    scale(a, T::of(1.0) / dot(a, a).sqrt())
+}
+
+pub fn of<T: Float>(triple: [f64; 3]) -> Vec3<T> {
+    triple.map(T::of)
+}
+
+fn srgb(x: f64) -> f64 {
+    if x <= 0.003_130_8 {
+        12.92 * x
+    } else {
+        1.055 * x.powf(1.0 / 2.4) - 0.055
+    }
+}
+
+fn from_srgb(x: f64) -> f64 {
+    if x <= 0.040_45 {
+        x / 12.92
+    } else {
+        ((x + 0.055) / 1.055).powf(2.4)
+    }
+}
+
+/// A way to be wrong that is no known mistake.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Odd {
+    /// k_d is multiplied by this.
+    DiffuseTimes(f64),
+    /// The wrap of N·L.
+    Wrap(f64),
+    /// N·L to the power of this.
+    CosineTo(f64),
+    /// The highlight's power from a table of so many entries.
+    PowerTable(f64),
+    /// The unit vectors are rounded to so many bits.
+    Normals(f64),
+    /// N is tilted by this.
+    Tilt(f64),
+    /// The attenuation to the power of this.
+    AttenuationTo(f64),
+    /// The edge of a spot is softer by this.
+    SoftEdge(f64),
+    /// The shininess to the power of this.
+    ShininessTo(f64),
+    /// The red channel is too bright.
+    Red(f64),
+    /// A constant is added.
+    Plus(f64),
+    /// The light has a hue by its index.
+    Hue(f64),
+    /// All lights after the first are dimmer.
+    Later(f64),
+    /// q² from |a|² − 2a·b + |b|².
+    ExpandedSquares,
+    /// Everything is rounded to so many bits after each light.
+    Rounded(f64),
+    /// N·L is rounded to multiples of 1/x.
+    Banded(f64),
+}
+
+/// What is wrong with a renderer.
+#[derive(Clone, Debug, Default)]
+pub struct Plan {
+    pub faults: Vec<Fault>,
+    pub odd: Option<Odd>,
+}
+
+impl<const N: usize> From<[Mistake; N]> for Plan {
+    fn from(mistakes: [Mistake; N]) -> Self {
+        Self {
+            faults: mistakes.map(Fault::from).to_vec(),
+            odd: None,
+        }
+    }
+}
+
+fn bits(x: f64, bits: f64) -> f64 {
+    if x == 0.0 || !x.is_finite() {
+        return x;
+    }
+    let unit = (x.abs().log2().floor() + 1.0 - bits).exp2();
+    (x / unit).round() * unit
+}
+
+/// The color that a shader with the mistakes gives.
+#[allow(clippy::too_many_lines, clippy::cognitive_complexity)] // it is the shader, as people write it
+pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3] {
+    use Mistake::*;
+    let is = |mistake| plan.faults.iter().any(|fault| fault.mistake == mistake);
+    let value = |mistake| {
+        let fault = plan.faults.iter().find(|fault| fault.mistake == mistake);
+        fault.map(|fault| fault.value)
+    };
+    let odd = plan.odd;
+    let (zero, one, pi) = (T::of(0.0), T::of(1.0), T::of(std::f64::consts::PI));
+
+    let color = |c: [f64; 3]| {
+        let c = match value(ColorsInSteps) {
+            Some(steps) => c.map(|c| (c * steps).round() / steps),
+            None if is(ColorsInHalf) => c.map(|c| bits(c, 11.0)),
+            None => c,
+        };
+        of::<T>(c)
+    };
+    let reflectance = |k: [f64; 3]| {
+        if is(MaterialDecoded) {
+            of(color(k).map(|c| from_srgb(c.get())))
+        } else {
+            color(k)
+        }
+    };
+    let (p, mut n, mut v) = (of::<T>(scene.p), of::<T>(scene.n), of::<T>(scene.v));
+    if is(EyeAtOrigin) {
+        v = scale(p, -one);
+    }
+    if is(ViewTakenForEye) {
+        v = sub(v, p);
+    }
+    if is(ViewAlongZ) {
+        v = [zero, zero, one];
+    }
+    if !is(NormalNotNormalized) {
+        n = normalize(n);
+    }
+    if !is(ViewNotNormalized) {
+        v = normalize(v);
+    }
+    if is(ViewReversed) {
+        v = scale(v, -one);
+    }
+    if is(NormalReversed) {
+        n = scale(n, -one);
+    }
+    if (is(NormalTowardEye) || profile.normal_faces_eye) && dot(n, v) < zero {
+        n = scale(n, -one);
+    }
+    match odd {
+        Some(Odd::Normals(of)) => n = n.map(|c| T::of(bits(c.get(), of))),
+        Some(Odd::Tilt(by)) => n = normalize(add(n, [T::of(by), zero, zero])),
+        _ => {}
+    }
+    let material = &scene.material;
+    let (k_a, k_d) = (reflectance(material.k_a), reflectance(material.k_d));
+    let mut k_s = reflectance(material.k_s);
+    if is(HighlightTimesDiffuse) {
+        k_s = mul(k_s, k_d);
+    }
+    if is(HighlightByDiffuse) {
+        k_s = k_d;
+    }
+    if is(HighlightInGray) {
+        k_s = [(k_s[0] + k_s[1] + k_s[2]) / T::of(3.0); 3];
+    }
+    if is(HighlightWithoutMaterial) {
+        k_s = [one; 3];
+    }
+    if is(HighlightForgotten) {
+        k_s = [zero; 3];
+    }
+    let i_a = color(scene.i_a);
+    let mut ambient = mul(if is(AmbientByDiffuse) { k_d } else { k_a }, i_a);
+    if is(AmbientWithoutMaterial) {
+        ambient = i_a;
+    }
+    if is(AmbientWithoutLight) {
+        ambient = k_a;
+    }
+    if is(AmbientTimesDiffuse) || profile.ambient_times_diffuse {
+        ambient = mul(ambient, k_d);
+    }
+    if is(AmbientTwice) {
+        ambient = add(ambient, ambient);
+    }
+    let no_lights =
+        (is(BlackWithoutLights) || profile.black_without_lights) && scene.lights.is_empty();
+    if is(AmbientForgotten) || no_lights {
+        ambient = [zero; 3];
+    }
+    let by_light = is(AmbientPerLight) || is(AmbientAttenuated) || profile.attenuated_ambient;
+    let base = if by_light || is(AmbientAtLeast) {
+        [zero; 3]
+    } else {
+        ambient
+    };
+
+    let m = material.m;
+    let m = match () {
+        () if is(ShininessTruncated) => m.floor(),
+        () if is(ShininessRounded) => m.round(),
+        () => m,
+    };
+    let m = (m + value(ShininessOff).unwrap_or(0.0)).max(0.0);
+    let m = m * value(ShininessTimes).unwrap_or(1.0);
+    let mut m = m.min(value(ShininessAtMost).unwrap_or(f64::INFINITY));
+    if let Some(Odd::ShininessTo(power)) = odd {
+        m = m.powf(power);
+    }
+
+    let range = profile.clamps.or(profile.bits.map(|_| [0.0, 1.0]));
+    let [low, high] = range.unwrap_or([0.0, 1.0]);
+    let clamp = |c: T| c.max(T::of(low)).min(T::of(high));
+    let most = value(LightsAtMost).unwrap_or(1e9) as usize;
+    let (mut diffuse, mut specular) = ([zero; 3], [zero; 3]);
+    let mut brightest = [zero; 3];
+    for (i, light) in scene.lights.iter().enumerate() {
+        if i >= most || is(FirstLightOnly) && i > 0 {
+            break;
+        }
+        let mut intensity = color(light.intensity());
+        if is(LightInGray) {
+            intensity = [(intensity[0] + intensity[1] + intensity[2]) / T::of(3.0); 3];
+        }
+        if is(LightInRed) {
+            intensity = [intensity[0]; 3];
+        }
+        if is(LightDecoded) {
+            intensity = of(intensity.map(|c| from_srgb(c.get())));
+        }
+        match odd {
+            Some(Odd::Hue(by)) => intensity[i % 3] = intensity[i % 3] * T::of(1.0 + by),
+            Some(Odd::Later(by)) if i > 0 => intensity = scale(intensity, T::of(1.0 - by)),
+            _ => {}
+        }
+        let is_sun = matches!(light, Light::Directional { .. });
+        let left_out = match light {
+            Light::Directional { .. } => SunsForgotten,
+            Light::Point { .. } => PointsForgotten,
+            Light::Spot { .. } => SpotsForgotten,
+        };
+        if is(left_out) {
+            continue;
+        }
+        let mut q = one;
+        let mut way = match light {
+            Light::Directional { l, .. } => of::<T>(*l),
+            Light::Point { position, .. } | Light::Spot { position, .. } => {
+                let position = of::<T>(*position);
+                let way = if is(PointForgotten) {
+                    position
+                } else {
+                    sub(position, p)
+                };
+                q = dot(way, way).sqrt();
+                if is(DistanceFromOrigin) {
+                    q = dot(position, position).sqrt();
+                }
+                if odd == Some(Odd::ExpandedSquares) {
+                    let twice = T::of(2.0) * dot(position, p);
+                    q = (dot(position, position) - twice + dot(p, p))
+                        .max(zero)
+                        .sqrt();
+                }
+                way
+            }
+        };
+        if is(LightReversed) || is(SunReversed) && is_sun || is(LampReversed) && !is_sun {
+            way = scale(way, -one);
+        }
+        let l = if is_sun || is(LightNotNormalized) {
+            way
+        } else {
+            normalize(way)
+        };
+        let mut attenuation = match light {
+            Light::Directional { .. } => one,
+            Light::Point { attenuation, .. } | Light::Spot { attenuation, .. } => {
+                let [mut a, mut b, mut c] = of::<T>(*attenuation);
+                if is(CoefficientsReversed) {
+                    (a, c) = (c, a);
+                }
+                if is(LinearForQuadratic) {
+                    (b, c) = (c, b);
+                }
+                if is(ConstantForgotten) {
+                    a = zero;
+                }
+                if is(LinearForgotten) {
+                    b = zero;
+                }
+                if is(QuadraticForgotten) {
+                    c = zero;
+                }
+                if is(ConstantOne) {
+                    a = one;
+                }
+                if is(SquaredDistance) {
+                    q = q * q;
+                }
+                if let Some(least) = value(DistanceAtLeast) {
+                    q = q.max(T::of(least));
+                }
+                let square = if is(QuadraticByDistance) { q } else { q * q };
+                let sum = a + b * q + c * square;
+                let sum = sum + T::of(value(DenominatorPlus).unwrap_or(0.0));
+                match () {
+                    () if is(AttenuationInverted) => sum,
+                    () if is(InverseSquareAlone) => one / (q * q),
+                    () if is(InverseAlone) => one / q,
+                    () if is(AttenuationRoot) => one / sum.sqrt(),
+                    () if is(AttenuatedTwice) => one / (sum * sum),
+                    () if is(NotAttenuated) => one,
+                    () => one / sum,
+                }
+            }
+        };
+        if !is_sun {
+            if let Some(most) = value(AttenuationAtMost) {
+                attenuation = attenuation.min(T::of(most));
+            }
+            if let Some(least) = value(AttenuationAtLeast) {
+                attenuation = attenuation.max(T::of(least));
+            }
+            if value(CulledBeyond).is_some_and(|end| q.get() >= end) {
+                attenuation = zero;
+            }
+            if let Some(end) = value(Windowed) {
+                let share = q / T::of(end);
+                let window = (one - share * share * share * share).max(zero);
+                attenuation = attenuation * window * window;
+            }
+            if let Some(end) = value(FadedTo) {
+                attenuation = attenuation * (one - q / T::of(end)).max(zero);
+            }
+            if let Some(Odd::AttenuationTo(power)) = odd {
+                attenuation = attenuation.powf(T::of(power));
+            }
+        }
+        let mut cone = one;
+        if let Light::Spot {
+            axis, half_angle, ..
+        } = light
+        {
+            let mut toward = -dot(of::<T>(*axis), l);
+            if is(ConeReversed) {
+                toward = -toward;
+            }
+            let half_angle = if profile.whole_angle {
+                half_angle / 2.0
+            } else {
+                *half_angle
+            };
+            let edge = T::of(match () {
+                () if is(DegreesForRadians) => half_angle.to_radians(),
+                () if is(HalfAngleHalved) => half_angle / 2.0,
+                () if is(WholeAngleForHalf) => 2.0 * half_angle,
+                () if is(AngleTruncated) => half_angle.to_degrees().floor().to_radians(),
+                () if is(AngleRounded) => half_angle.to_degrees().round().to_radians(),
+                () => half_angle,
+            })
+            .cos();
+            let exponent = value(ConeExponent).unwrap_or(profile.spot_exponent);
+            if exponent > 0.0 {
+                cone = toward.max(zero).powf(T::of(exponent));
+            }
+            if is(ConeFaded) || is(ConeSmooth) {
+                let t = ((toward - edge) / (one - edge)).max(zero).min(one);
+                cone = if is(ConeSmooth) {
+                    t * t * (T::of(3.0) - t - t)
+                } else {
+                    t
+                };
+            }
+            if let Some(Odd::SoftEdge(width)) = odd {
+                cone = ((toward - edge) / T::of(width)).max(zero).min(one);
+            } else if toward < edge && !is(ConeForgotten) {
+                cone = zero;
+            }
+        }
+        let whole_light = intensity;
+        let intensity = scale(intensity, cone);
+
+        let n = if is(NormalTowardLight) && dot(n, l) < zero {
+            scale(n, -one)
+        } else {
+            n
+        };
+        let n_dot_l = dot(n, l);
+        let half = (n_dot_l + one) / T::of(2.0);
+        let is_signed = is(DiffuseNotClamped) || is(LightClampedBelow) || is(TotalClampedBelow);
+        let mut lambert = match () {
+            () if is_signed => n_dot_l,
+            () if is(DiffuseTwoSided) => n_dot_l.abs(),
+            () if is(HalfLambert) => half,
+            () if is(HalfLambertSquared) => half * half,
+            () if is(CosineForgotten) => {
+                if n_dot_l > zero {
+                    one
+                } else {
+                    zero
+                }
+            }
+            () => n_dot_l.max(zero),
+        };
+        let wrap = match odd {
+            Some(Odd::Wrap(by)) => Some(by),
+            _ => value(Wrapped),
+        };
+        if let Some(wrap) = wrap {
+            lambert = ((n_dot_l + T::of(wrap)) / (one + T::of(wrap))).max(zero);
+        }
+        match () {
+            () if is(DiffuseOverPi) => lambert = lambert / pi,
+            () if is(DiffuseTimesPi) => lambert = lambert * pi,
+            () if is(CosineSquared) => lambert = lambert * lambert,
+            () if is(DiffuseForgotten) => lambert = zero,
+            () => {}
+        }
+        match odd {
+            Some(Odd::DiffuseTimes(by)) => lambert = lambert * T::of(by),
+            Some(Odd::CosineTo(power)) => lambert = lambert.powf(T::of(power)),
+            Some(Odd::Banded(by)) => lambert = T::of((lambert.get() * by).round() / by),
+            _ => {}
+        }
+        if !is(DiffuseNotAttenuated) {
+            lambert = lambert * attenuation;
+        }
+        let of_light = match () {
+            () if is(DiffuseWithoutLight) => [cone; 3],
+            () if is(ConeNotOfDiffuse) => whole_light,
+            () => intensity,
+        };
+        let k = if is(DiffuseMinusSpecular) {
+            mul(k_d, k_s.map(|c| one - c))
+        } else {
+            k_d
+        };
+        let mut matte = scale(mul(k, of_light), lambert);
+        let mut shiny = [zero; 3];
+        let is_gated =
+            !(is(HighlightNotGated) || is(LightClampedBelow) || profile.highlight_on_the_dark_side);
+        let has_model = scene.model != Model::Lambert || is(HighlightOnLambert);
+        let has_highlight = has_model
+            && (n_dot_l > zero || !is_gated)
+            && (!is(HighlightGatedOnEye) || dot(n, v) > zero);
+        if has_highlight {
+            let is_phong = match scene.model {
+                Model::Lambert => false,
+                Model::Phong => !is(OtherModel),
+                Model::BlinnPhong => is(OtherModel),
+            };
+            let sum = add(l, v);
+            // opposite directions have no half vector
+            let has_half = dot(sum, sum) > zero || is(HalfVectorUnguarded);
+            let cosine = if is_phong {
+                let times = if is(ReflectionWithoutTwo) { 1.0 } else { 2.0 };
+                let mut r = sub(scale(n, T::of(times) * n_dot_l), l);
+                if is(ReflectionReversed) {
+                    r = scale(r, -one);
+                }
+                dot(r, v)
+            } else if is(HalfVectorHalved) {
+                dot(n, scale(sum, T::of(0.5)))
+            } else if is(HalfVectorNotNormalized) {
+                dot(n, sum)
+            } else if has_half {
+                dot(n, normalize(sum))
+            } else {
+                zero
+            };
+            let cosine = match () {
+                () if is(PowerNotClamped) => cosine,
+                () if is(CosineOfHighlightAbsolute) => cosine.abs(),
+                // a maximum that lets NaN through
+                () if cosine < zero => zero,
+                () => cosine,
+            };
+            let of_m = T::of(m);
+            let mut factor = cosine.powf(of_m);
+            if is(PowerOfSchlick) {
+                factor = cosine / (of_m - of_m * cosine + cosine);
+            }
+            if let Some(Odd::PowerTable(entries)) = odd {
+                let entry = (cosine.get().clamp(0.0, 1.0) * entries).round() / entries;
+                factor = T::of(entry.powf(m));
+            }
+            let eight_pi = T::of(8.0) * pi;
+            let (two, eight) = (T::of(2.0), T::of(8.0));
+            match () {
+                () if is(NormalizedByEight) => factor = factor * (of_m + eight) / eight_pi,
+                () if is(NormalizedByTwo) => factor = factor * (of_m + two) / (two * pi),
+                () if is(NormalizedByOne) => factor = factor * (of_m + one) / (two * pi),
+                () if is(NormalizedByTwoOfEight) => factor = factor * (of_m + two) / eight_pi,
+                () if is(NormalizedExactly) => {
+                    let below = T::of((-m / 2.0).exp2()) + of_m;
+                    factor = factor * (of_m + two) * (of_m + T::of(4.0)) / (eight_pi * below);
+                }
+                () => {}
+            }
+            factor = match () {
+                () if is(HighlightNotAttenuated) || profile.unattenuated_highlight => factor,
+                () if is(HighlightAttenuatedTwice) => factor * attenuation * attenuation,
+                () if is(HighlightTimesCosine) => factor * attenuation * n_dot_l,
+                () if is(HighlightOverCosine) => factor * attenuation / n_dot_l,
+                () if is(HighlightOverPi) => factor * attenuation / pi,
+                () => factor * attenuation,
+            };
+            let of_light = match () {
+                () if is(HighlightWithoutLight) => [cone; 3],
+                () if is(ConeNotOfHighlight) => whole_light,
+                () => intensity,
+            };
+            let grazing = if is(Fresnel) {
+                Some(one - dot(v, normalize(sum)))
+            } else {
+                is(FresnelOfEye).then(|| one - dot(n, v).max(zero))
+            };
+            let k = match grazing {
+                Some(x) => {
+                    let x = x.max(zero);
+                    k_s.map(|c| c + (one - c) * (x * x * x * x * x))
+                }
+                None => k_s,
+            };
+            shiny = scale(mul(k, of_light), factor);
+        }
+        let lit = add(matte, shiny);
+        if is(LightClampedBelow) {
+            (matte, shiny) = (lit.map(|c| c.max(zero)), [zero; 3]);
+        }
+        if is(EachLightClamped) {
+            (matte, shiny) = (lit.map(clamp), [zero; 3]);
+        }
+        if is(EachLightEncoded) {
+            (matte, shiny) = (of(lit.map(|c| srgb(c.get()))), [zero; 3]);
+        }
+        if is(LastLightOnly) {
+            (diffuse, specular) = ([zero; 3], [zero; 3]);
+        }
+        if is(BrightestLightOnly) {
+            brightest = [0, 1, 2].map(|i| brightest[i].max(matte[i] + shiny[i]));
+            (diffuse, specular) = (brightest, [zero; 3]);
+        } else {
+            diffuse = add(diffuse, matte);
+            specular = add(specular, shiny);
+        }
+        if is(AmbientPerLight) {
+            specular = add(specular, ambient);
+        }
+        if is(AmbientAttenuated) || profile.attenuated_ambient {
+            specular = add(specular, scale(ambient, attenuation));
+        }
+        if let Some(Odd::Rounded(of_bits)) = odd {
+            diffuse = diffuse.map(|c| T::of(bits(c.get(), of_bits)));
+            specular = specular.map(|c| T::of(bits(c.get(), of_bits)));
+        }
+    }
+    if is(LightsAveraged) && !scene.lights.is_empty() {
+        let count = T::of(scene.lights.len() as f64);
+        diffuse = diffuse.map(|c| c / count);
+        specular = specular.map(|c| c / count);
+    }
+    if is(TermsClamped) {
+        diffuse = diffuse.map(clamp);
+        specular = specular.map(clamp);
+    }
+    let base = if is(EachLightEncoded) {
+        of(base.map(|c| srgb(c.get())))
+    } else {
+        base
+    };
+    let mut sum = add(base, diffuse);
+    if is(DiffuseClamped) {
+        sum = sum.map(clamp);
+    }
+    sum = add(sum, specular);
+    if is(AmbientAtLeast) {
+        sum = [0, 1, 2].map(|i| sum[i].max(ambient[i]));
+    }
+    if is(TotalClampedBelow) {
+        sum = sum.map(|c| c.max(zero));
+    }
+    match odd {
+        Some(Odd::Red(by)) => sum[0] = sum[0] * T::of(by),
+        Some(Odd::Plus(by)) => sum = sum.map(|c| c + T::of(by)),
+        _ => {}
+    }
+    let [r, g, b] = sum;
+    let sum = match () {
+        () if is(ChannelsSwapped) => [b, g, r],
+        () if is(RedAndGreenSwapped) => [g, r, b],
+        () if is(GreenAndBlueSwapped) => [r, b, g],
+        () if is(Gray) => [(r + g + b) / T::of(3.0); 3],
+        () if is(Luminance) => [r * T::of(0.2126) + g * T::of(0.7152) + b * T::of(0.0722); 3],
+        () if is(Black) => [zero; 3],
+        () => match value(ChannelsShifted) {
+            Some(places) if places > 1.0 => [g, b, r],
+            Some(_) => [b, r, g],
+            None => [r, g, b],
+        },
+    };
+    let sum = scale(sum, T::of(value(Scaled).unwrap_or(1.0)));
+    let sum = match () {
+        () if is(Reinhard) => sum.map(|c| c / (one + c)),
+        () if is(ExponentialTone) => sum.map(|c| one - (-c).exp()),
+        () => sum,
+    };
+    encoded(sum, profile, plan)
+}
+
+/// What becomes of linear light on its way out.
+fn encoded<T: Float>(sum: Vec3<T>, profile: &Profile, plan: &Plan) -> [f64; 3] {
+    use Mistake::*;
+    let is = |mistake| plan.faults.iter().any(|fault| fault.mistake == mistake);
+    let value = |mistake| {
+        let fault = plan.faults.iter().find(|fault| fault.mistake == mistake);
+        fault.map(|fault| fault.value)
+    };
+    let range = profile.clamps.or(profile.bits.map(|_| [0.0, 1.0]));
+    let keeps =
+        is(EachLightClamped) || is(ClampForgotten) || is(LevelsOverflow) || is(EachLightEncoded);
+    let clamp = |c: f64| match range {
+        // as in a shader, NaN becomes the lower end
+        Some([low, high]) if !keeps => f64::min(f64::max(c, low), high),
+        None if is(ClampedUnasked) => c.clamp(0.0, 1.0),
+        _ => c,
+    };
+    sum.map(|c| {
+        let c = clamp(c.get());
+        let is_encoded = profile.srgb && !is(SrgbForgotten) || is(SrgbUnasked);
+        let c = match () {
+            () if is(EachLightEncoded) => c,
+            () if is(Gamma22ForSrgb) && profile.srgb => c.max(0.0).powf(1.0 / 2.2),
+            () if is(Gamma22Unasked) && !profile.srgb => c.max(0.0).powf(1.0 / 2.2),
+            () if is(SrgbDecoded) => from_srgb(c),
+            () if is_encoded => match value(GammaForSrgb) {
+                Some(gamma) => c.powf(1.0 / gamma),
+                None if is(SrgbTwice) => srgb(srgb(c)),
+                None => srgb(c),
+            },
+            () => c,
+        };
+        // in the precision of the renderer
+        let c = T::of(clamp(c)).get();
+        let Some(count) = profile.bits.map(|bits| f64::from(bits).exp2() - 1.0) else {
+            return c;
+        };
+        match () {
+            () if is(LevelsTruncated) => (c * count).floor() / count,
+            () if is(LevelsRoundedUp) => (c * count).ceil() / count,
+            () if is(LevelsOf256) => (c * (count + 1.0)).floor().min(count) / count,
+            () if is(LevelsOverflow) => (c * count).round().rem_euclid(count + 1.0) / count,
+            () => match value(FewerBits) {
+                Some(bits) => {
+                    let few = bits.exp2() - 1.0;
+                    ((c * few).round() / few * count).round() / count
+                }
+                None => (c * count).round() / count,
+            },
+        }
+    })
+}
+
+/// The renderer as a program would have it: in the precision of its profile, with what it remembers of other scenes.
+pub struct ByHand {
+    profile: Profile,
+    plan: Plan,
+    previous: [f64; 3],
+    count: usize,
+}
+
+impl Renderer for ByHand {
+    fn profile(&self) -> Profile {
+        self.profile.clone()
+    }
+
+    fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<[f64; 3]>, String> {
+        let is = |mistake| {
+            self.plan
+                .faults
+                .iter()
+                .any(|fault| fault.mistake == mistake)
+        };
+        let (leaks, flickers) = (is(Mistake::Leak), is(Mistake::NotRepeatable));
+        let is_double = self.profile.roundoff < 1e-10;
+        let mut colors = Vec::with_capacity(scenes.len());
+        for scene in scenes {
+            let mut color = if is_double {
+                shade::<f64>(scene, &self.profile, &self.plan)
+            } else {
+                shade::<f32>(scene, &self.profile, &self.plan)
+            };
+            self.count += 1;
+            if leaks {
+                let previous = std::mem::replace(&mut self.previous, color);
+                color = [0, 1, 2].map(|i| f64::midpoint(color[i], previous[i]));
+            }
+            if flickers {
+                color = color.map(|c| c * (1.0 + 0.01 * (self.count % 7) as f64));
+            }
+            colors.push(color);
+        }
+        Ok(colors)
+    }
+}
+
+pub fn renderer(profile: &Profile, plan: impl Into<Plan>) -> ByHand {
+    ByHand {
+        profile: profile.clone(),
+        plan: plan.into(),
+        previous: [0.0; 3],
+        count: 0,
+    }
+}
