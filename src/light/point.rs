@@ -72,7 +72,9 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     ///
     /// A light behind the surface costs a dot product, but no root and no division. A light close
     /// to the horizon may be returned although N·L ≤ 0. It adds nothing, so a sum over lights is
-    /// the same, to the bit.
+    /// the same, to the bit. Of dual numbers, the values are; a light that adds nothing may add a
+    /// gradient that is not finite where the scene is so large or so small that squares leave the
+    /// range.
     ///
     /// ```
     /// use shading::f32::{Attenuation, Material, PointLight, Rgb, UnitVec3, Vec3};
