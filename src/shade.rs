@@ -294,15 +294,17 @@ fn sum<T: Real, M, E: Exponent<T>>(
     let mut highlights = m.powers(Rgb::BLACK, |intensity: Rgb<T>, highlight| {
         specular += intensity * highlight;
     });
-    for IncidentLight { l, intensity, .. } in lights {
-        let n_dot_l = term::lambert(n, l);
-        if n_dot_l.any_positive() {
-            highlights.take(intensity, n_dot_l.if_positive(cosine(l), T::ZERO));
-            // this line comes last, so that LLVM packs it into SIMD registers together with the
-            // highlight
-            diffuse += intensity * n_dot_l;
-        }
-    }
+    lights
+        .into_iter()
+        .for_each(|IncidentLight { l, intensity, .. }| {
+            let n_dot_l = term::lambert(n, l);
+            if n_dot_l.any_positive() {
+                highlights.take(intensity, n_dot_l.if_positive(cosine(l), T::ZERO));
+                // this line comes last, so that LLVM packs it into SIMD registers together with the
+                // highlight
+                diffuse += intensity * n_dot_l;
+            }
+        });
     highlights.finish();
     shaded.diffuse = diffuse.reflected(material.k_d);
     shaded.specular = specular.reflected(material.k_s);
