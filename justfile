@@ -23,6 +23,10 @@ bench:
     cargo bench -p shading-benches --bench versus
     cargo bench -p shading-benches --bench instructions -- --check
 
+# renew what is generated: the pinned bits, the counts, the table of flash, the public interface
+renew *what:
+    .ci/renew {{what}}
+
 # draw the gallery into target/gallery, and redraw the READMEs' pictures
 pictures:
     cargo run --release -p gallery

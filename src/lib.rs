@@ -85,8 +85,8 @@
 //!   scalars into lanes, to shade several points at once: `light.cast(f32x8::splat)`. `packed` puts
 //!   several lights into lanes, to shade one point with all of them:
 //!   [`PointLight::packed`](PointLight#method.packed). Lanes cannot be compared as a whole, so
-//!   [`Vec3::unit`], [`half_vector`] and the functions in [`mod@normal`] that return an `Option` do
-//!   not take them; [`Vec3::unit_or`] does.
+//!   [`Vec3::unit`], [`half_vector`], the checked constructors and the functions in [`mod@normal`]
+//!   that return an `Option` do not take them; [`Vec3::unit_or`] and `cast` do.
 //!
 //! # The floors
 //!

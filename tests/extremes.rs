@@ -14,6 +14,8 @@ for_f32_and_f64!(
     the_cone_of_half_pi_ends_at_the_horizon,
     every_half_angle_up_to_pi_is_a_cone,
     cosines_of_half_angles_are_right,
+    a_sample_of_any_length_is_the_same_normal,
+    a_light_is_left_out_where_rounding_cannot_matter,
 );
 
 fn a_triangle_whose_edges_overflow_has_its_normal<T: Float>() {
@@ -134,5 +136,48 @@ fn cosines_of_half_angles_are_right<T: Float>() {
             (cosine - expected).abs() <= tolerance,
             "{angle:e}: {cosine} for {expected}"
         );
+    }
+}
+
+/// The length of a sample of a normal map does not matter, to the bit where it changes by a power of
+/// two: down to the smallest subnormal numbers, and up to where the sum would overflow.
+fn a_sample_of_any_length_is_the_same_normal<T: Float>() {
+    let n = Vec3::new(T::of(2.0), T::of(-1.0), T::of(3.0))
+        .unit()
+        .expect("a direction");
+    let tangent = Vec3::new(T::ONE, T::of(4.0), T::of(-2.0));
+    let sample = Vec3::new(-T::ONE, T::of(0.75), T::of(0.875));
+    let mapped = |sample| normal::mapped(n, tangent, T::ONE, sample);
+    let expected = mapped(sample).expect("a normal");
+    // ⅛ is the last bit of the sample
+    let largest = T::of(T::MAX.to_f64() * 0.5 * (1.0 + 2.0 * T::U)); // a power of two
+    for scale in [T::of(8.0 * T::TINIEST), T::of(T::MIN_POSITIVE), largest] {
+        assert_eq!(mapped(sample * scale), Some(expected), "{scale:e}");
+    }
+    // (MAX, MAX, MAX) is along the diagonal, up to rounding
+    let [diagonal, huge] = [T::ONE, T::MAX].map(|c| mapped(Vec3::new(c, c, c)).expect("a normal"));
+    assert!((*diagonal - *huge).length().to_f64() <= 16.0 * T::U);
+}
+
+/// Below the horizon, a light is kept up to 2⁻⁹ of |x| + |y| + |z|, where the rounding of a number
+/// with 12 bits may matter, and up to 1/`EXTREME`, where products lose bits. From there on it is left
+/// out.
+fn a_light_is_left_out_where_rounding_cannot_matter<T: Float>() {
+    let is_kept = |x: T, z: T| {
+        let lamp = PointLight {
+            position: Vec3::new(x, T::ZERO, z),
+            intensity: Rgb::WHITE,
+            attenuation: Attenuation::NONE,
+        };
+        lamp.in_front(Vec3::ZERO, UnitVec3::Z).is_some()
+    };
+    // the height h is kept for h ≤ (1 + h)/512, that is, h ≤ 1/511
+    for (height, kept) in [(1.0 / 511.5, true), (1.0 / 510.5, false), (0.5, false)] {
+        assert_eq!(is_kept(T::ONE, -T::of(height)), kept, "{height}");
+    }
+    // straight below, h is kept for h ≤ h/512 + 1/EXTREME
+    let least = T::ONE / T::EXTREME;
+    for (height, kept) in [(1.0, true), (1.001, true), (1.003, false), (2.0, false)] {
+        assert_eq!(is_kept(T::ZERO, -T::of(height) * least), kept, "{height}");
     }
 }

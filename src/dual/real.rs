@@ -201,8 +201,11 @@ impl<T: Real> Real for Dual<T> {
             [values(light), values(p)]
         };
         let (l, q, distance) = T::direction_and_distance(values_of_both, values(to_light));
-        let slopes = gradients_of_unit(to_light, l, q);
-        let (gradients, along) = T::black_unless_lit(q, slopes, ([Vec3::ZERO; 3], Vec3::ZERO));
+        let (gradients, along) = if T::is_lit(q) {
+            gradients_of_unit(to_light, l, q)
+        } else {
+            ([Vec3::ZERO; 3], Vec3::ZERO)
+        };
         let along = along.map(|slope| q.if_above(T::MAX, T::ZERO, slope));
         let dual = |value| Self {
             value,
@@ -212,8 +215,8 @@ impl<T: Real> Real for Dual<T> {
     }
 
     #[inline]
-    fn black_unless_lit<C>(q: Self, light: C, black: C) -> C {
-        T::black_unless_lit(q.value, light, black)
+    fn is_lit(q: Self) -> bool {
+        T::is_lit(q.value)
     }
 
     /// With H = (L + V)/|L + V|, (N·H)′ = N′·H + N·H′.
@@ -231,6 +234,11 @@ impl<T: Real> Real for Dual<T> {
             cosine.gradient
         };
         Self { value, gradient }
+    }
+
+    #[inline]
+    fn half_of(m: u32) -> Option<u32> {
+        T::half_of(m)
     }
 
     /// (R·V)′ from R·V = 2(N·L)(N·V) − L·V.

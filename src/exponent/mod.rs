@@ -111,7 +111,7 @@ impl<T: Real> Exponent<T> for u32 {
 
     #[inline]
     fn half(self) -> Option<Self> {
-        (self % 2 == 0).then_some(self / 2)
+        T::half_of(self)
     }
 
     // whatever depends on m alone is computed once

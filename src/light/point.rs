@@ -72,7 +72,9 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     ///
     /// A light behind the surface costs a dot product, but no root and no division. A light close
     /// to the horizon may be returned although N·L ≤ 0. It adds nothing, so a sum over lights is
-    /// the same, to the bit.
+    /// the same, to the bit. Of dual numbers, the values are; a light that adds nothing may add a
+    /// gradient that is not finite where the scene is so large or so small that squares leave the
+    /// range.
     ///
     /// ```
     /// use shading::f32::{Attenuation, Material, PointLight, Rgb, UnitVec3, Vec3};
@@ -156,10 +158,14 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>) -> IncidentLight<T> {
         let (l, q, distance) =
             T::direction_and_distance(|| [self.position.into(), p.into()], to_light.into());
-        let intensity = self.attenuation.dim(&self.intensity, q);
+        let intensity = if T::is_lit(q) {
+            self.attenuation.dim(&self.intensity, q)
+        } else {
+            Rgb::BLACK
+        };
         IncidentLight {
             l: UnitVec3::assume_unit(l.into()),
-            intensity: T::black_unless_lit(q, intensity, Rgb::BLACK),
+            intensity,
             distance,
         }
     }

@@ -249,7 +249,7 @@ pub trait Real:
     }
 
     /// L, q and the distance of a light, given its position and the point, and the way to the light.
-    /// A light without a direction has a q at which [`black_unless_lit`](Real::black_unless_lit) is black.
+    /// A light without a direction has a q at which it is black or [`is_lit`](Real::is_lit) is false.
     #[doc(hidden)]
     #[inline(always)]
     #[must_use]
@@ -260,12 +260,12 @@ pub trait Real:
         triple::direction_and_distance(light_and_p, to_light)
     }
 
-    /// The light that arrives from q, which is `black` where q says so.
+    /// Whether light may arrive from q.
     #[doc(hidden)]
     #[inline(always)]
     #[must_use]
-    fn black_unless_lit<C>(_q: Self, light: C, _black: C) -> C {
-        light
+    fn is_lit(_q: Self) -> bool {
+        true
     }
 
     /// N·H, where H is the half vector of L and V, or its square; 0 if L = −V.
@@ -274,6 +274,14 @@ pub trait Real:
     #[must_use]
     fn half_cosine(n: [Self; 3], l: [Self; 3], v: [Self; 3], squared: bool) -> Self {
         triple::half_cosine(n, l, v, squared)
+    }
+
+    /// m/2, if the square of N·H costs less than N·H itself and is raised instead.
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn half_of(m: u32) -> Option<u32> {
+        (m % 2 == 0).then_some(m / 2)
     }
 
     /// R·V, where R is the reflection of L.

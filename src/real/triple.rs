@@ -53,31 +53,35 @@ pub(super) fn length<T: Real>(v: Triple<T>) -> T {
     }
 }
 
-#[cfg_attr(target_os = "none", inline)]
-#[cfg_attr(not(target_os = "none"), inline(always))]
-pub(super) fn unit<T: Real>(v: Triple<T>) -> (Triple<T>, T) {
-    let (rescaled, _) = rescaled_difference(v, [T::ZERO; 3]);
-    let [x, y, z] = rescaled;
-    let length = T::dot(rescaled, rescaled).sqrt();
-    ([x / length, y / length, z / length], length)
-}
-
-/// The power that rescales a difference, from its square. A cold function takes and returns numbers: a vector
-/// would be written to memory even if the function is not called, and reading it back would wait for the store.
+/// The power of two that rescales a vector. A cold function takes and returns numbers: a vector would be written
+/// to memory even if the function is not called, and reading it back would wait for the store.
 #[cold]
 #[inline(never)]
-fn power<T: Real>(square: T) -> T {
-    let [shrink, grow] = scales(square);
+fn power<T: Real>(x: T, y: T, z: T) -> T {
+    let v = [x, y, z];
+    let [shrink, grow] = scales(T::dot(v, v));
     shrink * grow
+}
+
+#[cfg_attr(target_os = "none", inline)]
+#[cfg_attr(not(target_os = "none"), inline(always))]
+pub(super) fn unit<T: Real>(v @ [x, y, z]: Triple<T>) -> (Triple<T>, T) {
+    let v = if is_extreme(T::dot(v, v)) {
+        T::scaled(v, power(x, y, z))
+    } else {
+        v
+    };
+    let ([x, y, z], length) = (v, T::dot(v, v).sqrt());
+    ([x / length, y / length, z / length], length)
 }
 
 #[cfg_attr(target_os = "none", inline)]
 #[cfg_attr(not(target_os = "none"), inline(always))]
 pub(super) fn rescaled_difference<T: Real>(to: Triple<T>, from: Triple<T>) -> (Triple<T>, T) {
     let difference = minus(to, from);
-    let square = T::dot(difference, difference);
-    if is_extreme(square) {
-        let power = power(square);
+    if is_extreme(T::dot(difference, difference)) {
+        let [x, y, z] = difference;
+        let power = power(x, y, z);
         let (shrink, grow) = (power.at_most(T::ONE), power.at_least(T::ONE));
         let difference = minus(T::scaled(to, shrink), T::scaled(from, shrink));
         (T::scaled(difference, grow), power)

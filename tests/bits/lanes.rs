@@ -19,13 +19,7 @@ fn bits_of_lights_in_lanes_are_as_pinned() {
         ("f64x8", digest::<f64x8>()),
     ];
     let lines = lines.map(|(name, digest)| format!("{digest:016x} {name}"));
-    let pinned: Vec<_> = PINNED.lines().collect();
-    let now = lines.join("\n");
-    assert_eq!(
-        lines[..],
-        pinned,
-        "not as in tests/bits/lanes.txt, but:\n{now}"
-    );
+    crate::assert_pinned("lanes.txt", PINNED, lines.into_iter());
 }
 
 fn digest<L: Lanes>() -> u64

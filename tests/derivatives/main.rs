@@ -1,4 +1,4 @@
-//! (66) A dual number over any number: its value and its gradient, against other ways to the same.
+//! (63) A dual number over any number: its value and its gradient, against other ways to the same.
 
 #![allow(clippy::float_cmp)] // bits are compared, on purpose
 

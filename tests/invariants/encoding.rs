@@ -60,7 +60,7 @@ fn all_of_rgb565_survives_the_round_trip() {
     }
 }
 
-/// (65) A row of pixels encodes to the bytes of its pixels one by one, so the compiler may vectorize it.
+/// (64) A row of pixels encodes to the bytes of its pixels one by one, so the compiler may vectorize it.
 #[test]
 fn a_row_encodes_as_its_pixels_do() {
     check(proptest::collection::vec(displayed(), 0..40), |row| {

@@ -120,7 +120,7 @@ fn bernstein<T: Real>(t: T) -> [T; 4] {
 
 include!(concat!(env!("OUT_DIR"), "/teapot.rs"));
 
-/// The file has z upwards; here y is.
+/// The file has z pointing up; here y does.
 fn patches() -> impl Iterator<Item = Patch> {
     let point = |[x, y, z]: [f32; 3]| Vec3::new(x - 0.2, z - 1.5, -y) * 0.4;
     PATCHES

@@ -125,21 +125,28 @@ impl Real for Fixed {
         to_light: [Self; 3],
     ) -> ([Self; 3], Self, Self) {
         let (l, q) = vector::unit_and_length(&to_light);
-        if q.0 > 0 {
-            (l, q, q)
-        } else {
-            ([Self(0), Self(0), Self(ONE)], Self(0), Self::MAX)
-        }
+        (l, q, if q.0 > 0 { q } else { Self::MAX })
     }
 
     #[inline(always)]
-    fn black_unless_lit<C>(q: Self, light: C, black: C) -> C {
-        if q.0 > 0 { light } else { black }
+    fn is_lit(q: Self) -> bool {
+        q.0 > 0
     }
 
     #[inline]
     fn half_cosine(n: [Self; 3], l: [Self; 3], v: [Self; 3], squared: bool) -> Self {
-        vector::half_cosine(&n, &l, &v, squared)
+        let cosine = vector::half_cosine(&n, &l, &v);
+        if squared {
+            cosine * cosine.abs()
+        } else {
+            cosine
+        }
+    }
+
+    // N·H needs no root
+    #[inline]
+    fn half_of(_m: u32) -> Option<u32> {
+        None
     }
 
     #[inline]

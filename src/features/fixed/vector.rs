@@ -99,11 +99,11 @@ pub(super) fn quotients(&[x, y, z]: &[Fixed; 3], divisor: Fixed) -> [Fixed; 3] {
     [quotient(x), quotient(y), quotient(z)]
 }
 
-/// The cosine of the angle between n and the half vector of l and v, N·H, or its square; 0 if they
-/// are opposite.
+/// The cosine of the angle between n and the half vector of l and v, N·H; 0 if they are
+/// opposite.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
-pub(super) fn half_cosine(n: &[Fixed; 3], l: &[Fixed; 3], v: &[Fixed; 3], squared: bool) -> Fixed {
+pub(super) fn half_cosine(n: &[Fixed; 3], l: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
     let (mut square, mut dot, mut i) = (0_u32, 0_i32, 0);
     while i < 3 {
         let h = l[i].0.wrapping_add(v[i].0) << 13;
@@ -114,12 +114,7 @@ pub(super) fn half_cosine(n: &[Fixed; 3], l: &[Fixed; 3], v: &[Fixed; 3], square
     let pairs = pairs_of_zeros(square);
     let root = reciprocal_root(square << (2 * pairs));
     let cosine = upper_of_part(dot << pairs, root); // 23 bits after the point
-    if squared && cosine > 0 {
-        let cosine = (cosine as u32) << 8; // 31 bits
-        Fixed(((upper(cosine, cosine) >> 13) as i32 + 1) >> 1)
-    } else {
-        Fixed((cosine + (1 << 6)) >> 7)
-    }
+    Fixed((cosine + (1 << 6)) >> 7)
 }
 
 /// The cosine of the angle between v and the reflection of l in n, R·V = 2(n·l)(n·v) − l·v.
@@ -142,7 +137,7 @@ fn fine_dot(a: &[Fixed; 3], b: &[Fixed; 3]) -> i32 {
     sum >> 3
 }
 
-/// The direction and the length of a vector; both are 0 for the zero vector.
+/// The direction and the length of a vector; for the zero vector, the z axis and 0.
 ///
 /// The direction is right even if the length saturates.
 #[inline]
@@ -173,6 +168,9 @@ const fn normalize(v: &mut [Fixed; 3]) -> Fixed {
     v[0] = share_of(v[0].0 << shift, reciprocal);
     v[1] = share_of(v[1].0 << shift, reciprocal);
     v[2] = share_of(v[2].0 << shift, reciprocal);
+    if length == 0 {
+        v[2] = Fixed(ONE);
+    }
     Fixed(length as i32)
 }
 

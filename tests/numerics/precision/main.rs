@@ -83,22 +83,3 @@ fn compare((documented, measured): (&str, &str)) {
         }
     }
 }
-#[test]
-fn experiment() {
-    use crate::search::largest;
-    let t = std::time::Instant::now();
-    let h = 8;
-    println!(
-        "intensity {}",
-        largest(&measure::lamp_intensity::<f32>, 24, h)
-    );
-    println!("{:?}", t.elapsed());
-    println!("corner {}", largest(&measure::corner::<f32>, 24, h));
-    println!("{:?}", t.elapsed());
-    println!(
-        "direction {}",
-        largest(&measure::lamp_direction::<f32>, 24, h)
-    );
-    println!("sphere {}", largest(&measure::sphere::<f32>, 24, h));
-    println!("{:?}", t.elapsed());
-}

@@ -1,14 +1,8 @@
 //! Searches for the largest error by climbing hills from random places.
 
-/// The number of random places tried before a climb.
+/// The number of random places tried before a climb, and the number of steps tried during it.
 const LOOKS: u32 = 100;
-/// The number of steps that lead nowhere before it starts again.
-const PATIENCE: u32 = match option_env!("PAT") {
-    Some(p) => p.as_bytes()[0] as u32 * 100 - 4800,
-    None => 1500,
-};
-/// The number of places tried on one hill, over all climbs.
-const STEPS: u32 = 20_000;
+const STEPS: u32 = 2000;
 
 /// The largest number of numbers that an input is made from.
 const MOST: usize = 32;
@@ -33,49 +27,77 @@ impl Numbers<'_> {
 }
 
 /// The largest error found on `hills` hills, for numbers of `digits` binary digits. Each hill has
-/// its own random numbers, so more hills never find less.
-pub fn largest(error: &dyn Fn(&mut Numbers) -> f64, digits: usize, hills: u64) -> f64 {
-    let heights = (0..hills).map(|hill| climb(error, digits, Random(hill)));
-    heights.fold(0.0, f64::max)
+/// its own random numbers. If the search `goes_on`, the highest of each 50 hills is climbed for ten
+/// times as long.
+pub fn largest(
+    error: &dyn Fn(&mut Numbers) -> f64,
+    digits: usize,
+    hills: u64,
+    goes_on: bool,
+) -> f64 {
+    let climbs = (0..hills).map(|hill| {
+        let mut climb = Climb {
+            top: [0.0; MOST],
+            height: 0.0,
+            used: 0,
+            random: Random(hill),
+        };
+        climb.look(error);
+        climb.steps(error, digits, STEPS);
+        climb
+    });
+    let mut climbs: Vec<_> = climbs.collect();
+    climbs.sort_by(|a, b| b.height.total_cmp(&a.height));
+    let count = if goes_on { climbs.len() / 50 } else { 0 };
+    for climb in climbs.iter_mut().take(count) {
+        climb.steps(error, digits, 10 * STEPS);
+    }
+    climbs.iter().map(|climb| climb.height).fold(0.0, f64::max)
 }
 
-/// Starts at the highest of some random places, and takes every step that does not lead down. A
-/// step changes one or two of the numbers, by anything from 2 down to their last digit. Where no
-/// step has led up for long, it starts again elsewhere.
-#[allow(clippy::cast_precision_loss)] // powers of two
-fn climb(error: &dyn Fn(&mut Numbers) -> f64, digits: usize, mut random: Random) -> f64 {
-    let (mut highest, mut top, mut height, mut used) = (0.0_f64, [0.0; MOST], 0.0, 0);
-    let mut step = 0; // since the start, or since the last one up
-    for _ in 0..STEPS {
-        let mut place = top;
-        if step < LOOKS {
-            place = std::array::from_fn(|_| random.signed());
-        } else {
-            for _ in 0..=random.below(2) {
-                let number = &mut place[random.below(used)];
-                let size = 2.0 / (1_u64 << random.below(digits + 8)) as f64;
-                *number = (*number + size * random.signed()).clamp(-1.0, 1.0);
-            }
-        }
+struct Climb {
+    top: [f64; MOST],
+    height: f64,
+    /// How many of the numbers the input is made from.
+    used: usize,
+    random: Random,
+}
+
+impl Climb {
+    /// Tries the place, and stays there unless that leads down.
+    fn visit(&mut self, error: &dyn Fn(&mut Numbers) -> f64, place: [f64; MOST]) {
         let mut numbers = Numbers {
             all: &place,
             used: 0,
         };
         let found = error(&mut numbers);
-        used = used.max(numbers.used);
-        if found > height {
-            step = step.min(LOOKS);
+        if found >= self.height {
+            (self.top, self.height) = (place, found);
         }
-        if found >= height {
-            (top, height) = (place, found);
-            highest = highest.max(found);
-        }
-        step += 1;
-        if step > LOOKS + PATIENCE {
-            (step, height) = (0, 0.0);
+        self.used = self.used.max(numbers.used);
+    }
+
+    /// Starts at the highest of some random places.
+    fn look(&mut self, error: &dyn Fn(&mut Numbers) -> f64) {
+        for _ in 0..LOOKS {
+            let place = std::array::from_fn(|_| self.random.signed());
+            self.visit(error, place);
         }
     }
-    highest
+
+    /// A step changes one or two of the numbers, by anything from 2 down to their last digit.
+    #[allow(clippy::cast_precision_loss)] // powers of two
+    fn steps(&mut self, error: &dyn Fn(&mut Numbers) -> f64, digits: usize, count: u32) {
+        for _ in 0..count {
+            let mut place = self.top;
+            for _ in 0..=self.random.below(2) {
+                let number = &mut place[self.random.below(self.used)];
+                let size = 2.0 / (1_u64 << self.random.below(digits + 2)) as f64;
+                *number = (*number + size * self.random.signed()).clamp(-1.0, 1.0);
+            }
+            self.visit(error, place);
+        }
+    }
 }
 
 /// SplitMix64 (Steele, Lea, and Flood 2014): the same numbers in each run, on every machine.

@@ -35,7 +35,10 @@ fn usual_mistakes_are_found_and_named() {
         assert_eq!(PHONG.matches(right).count(), 1, "{right}");
         let mut shader = shader(&PHONG.replace(right, wrong));
         let report = Laws::new().run(&mut shader).expect("colors");
-        let cause = report.findings.iter().find_map(|finding| finding.cause.as_ref());
+        let cause = report
+            .findings
+            .iter()
+            .find_map(|finding| finding.cause.as_ref());
         let named = cause.map(|cause| cause.mistakes.iter().map(|fault| fault.mistake).collect());
         assert_eq!(named, Some(vec![mistake]), "{wrong}: {report}");
     }
