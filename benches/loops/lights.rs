@@ -168,7 +168,7 @@ fn of_terms(directions: &[Data<Vectors>]) -> usize {
         )
         .against(
             "powf",
-            LIKE,
+            limit(2.1, 2.1),
             twice!(|Vectors {
                         glam: [n, h, _], ..
                     }| {
@@ -185,7 +185,7 @@ fn of_lights(points: &[Data<Vectors>]) -> usize {
     )
     .against(
         "glam",
-        LIKE,
+        limit(2.0, 1.4),
         twice!(|Vectors { glam: [p, ..], .. }| arriving(&LAMP, *p)),
     )
     .run(points)
@@ -195,7 +195,7 @@ fn of_lights(points: &[Data<Vectors>]) -> usize {
         )
         .against(
             "glam",
-            LIKE,
+            limit(2.9, 1.4),
             twice!(|Vectors { glam: [p, ..], .. }| {
                 let (l, intensity) = arriving(&LAMP, *p);
                 let inside = -l.dot(glam(*SPOT.axis)) >= COSINE;
@@ -213,7 +213,7 @@ fn of_sums(directions: &[Data<Vectors>]) -> usize {
     )
     .against(
         "glam, powi",
-        limit(0.75, 0.75),
+        limit(1.2, 1.2),
         twice!(|Vectors { glam, .. }| {
             let m = std::hint::black_box(WHOLE_M.cast_signed());
             summed(std::hint::black_box(&LAMPS), *glam, |cosine| cosine.powi(m))
@@ -226,7 +226,7 @@ fn of_sums(directions: &[Data<Vectors>]) -> usize {
         )
         .against(
             "glam, powf",
-            limit(0.75, 0.75),
+            limit(1.2, 1.2),
             twice!(|Vectors { glam, .. }| {
                 let m = std::hint::black_box(REAL_M);
                 summed(std::hint::black_box(&LAMPS), *glam, |cosine| cosine.powf(m))
