@@ -70,8 +70,8 @@ impl<T: Real> SoftCone<T> {
     #[inline]
     #[must_use]
     pub fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
-        // Counted from the outer edge, a faint light keeps its digits. If the edges coincide, the quotient
-        // is −∞ outside, and does not count inside.
+        // Counted from the outer edge, a faint light keeps its digits. If the edges coincide, 0/0 on
+        // them is not used, as it may be any number.
         let cosine = (-axis).dot(l);
         let t = (cosine - self.outer) / (self.inner - self.outer);
         let t = (self.inner - cosine).if_positive(t.at_least(T::ZERO), T::ONE);
