@@ -146,6 +146,38 @@ impl<T: Real> Real for Dual<T> {
     }
 
     #[inline]
+    fn window(q: Self, r: Self) -> Self {
+        let value = T::window(q.value, r.value);
+        Self {
+            value,
+            ..crate::real::triple::window(q, r)
+        }
+    }
+
+    #[inline]
+    fn attenuated_within(
+        r: Self,
+        v: [Self; 3],
+        coefficients: [Self; 3],
+        q: [Self; 2],
+        to_light: impl FnOnce() -> [Self; 3],
+        limit: impl FnOnce() -> Self,
+    ) -> [Self; 3] {
+        let limit = limit();
+        let dimmed = T::attenuated_within(
+            r.value,
+            values(v),
+            values(coefficients),
+            q.map(|q| q.value),
+            || values(to_light()),
+            || limit.value,
+        );
+        let v = Self::scaled(v, Self::window(q[0], r));
+        let dual = Self::attenuated(v, coefficients, q, || limit);
+        with_values(dimmed, gradients(dual))
+    }
+
+    #[inline]
     fn length(v: [Self; 3]) -> Self {
         let (unit, _) = T::unit(values(v));
         Self {

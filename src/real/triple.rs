@@ -141,7 +141,7 @@ fn extreme_direction_and_distance<T: Real>(
 }
 
 #[inline]
-pub(super) fn window<T: Real>(q: T, r: T) -> T {
+pub(crate) fn window<T: Real>(q: T, r: T) -> T {
     let share = q.ratio(r);
     let square = share * share;
     let root = (T::ONE - square * square).at_least(T::ZERO);
