@@ -98,8 +98,7 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     /// );
     /// ```
     #[doc(alias = "cull")]
-    #[cfg_attr(target_os = "none", inline(always))]
-    #[cfg_attr(not(target_os = "none"), inline)]
+    #[inline(always)]
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
         let to_light = self.position - p;
