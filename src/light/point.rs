@@ -158,8 +158,9 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>) -> IncidentLight<T> {
         let (l, q, distance) =
             T::direction_and_distance(|| [self.position.into(), p.into()], to_light.into());
-        let intensity = if T::is_lit(q) {
-            self.attenuation.dim(&self.intensity, q)
+        let intensity = if T::is_lit(q[1]) {
+            let to_light = || (self.position - p).into();
+            self.attenuation.dim_along(&self.intensity, q, to_light)
         } else {
             Rgb::BLACK
         };

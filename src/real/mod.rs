@@ -182,6 +182,18 @@ pub trait Real:
         self / whole
     }
 
+    /// The share of a light that its range r leaves, which may be infinite as for [`ratio`](Real::ratio).
+    ///
+    /// ```text
+    /// max(0, 1 − (q/r)⁴)²
+    /// ```
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn window(q: Self, r: Self) -> Self {
+        triple::window(q, r)
+    }
+
     /// The distance from 1 to the next number above.
     #[doc(hidden)]
     #[inline]
@@ -200,12 +212,34 @@ pub trait Real:
         angle::cosine_of_half_angle(self)
     }
 
-    /// v divided by a denominator that is not negative; 1/denominator counts as `limit` at most.
+    /// v/(a + bq + cq²), where 1/(a + bq + cq²) counts as `limit` at most, given the two q of
+    /// [`direction_and_distance`](Real::direction_and_distance).
     #[doc(hidden)]
     #[inline(always)]
     #[must_use]
-    fn attenuated(v: [Self; 3], denominator: Self, limit: impl FnOnce() -> Self) -> [Self; 3] {
-        triple::attenuated(v, denominator, limit)
+    fn attenuated(
+        v: [Self; 3],
+        coefficients: [Self; 3],
+        q: [Self; 2],
+        limit: impl FnOnce() -> Self,
+    ) -> [Self; 3] {
+        triple::attenuated(v, coefficients, q[0], limit)
+    }
+
+    /// The same times the [`window`](Real::window) of a range r. q is the length of `to_light`.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn attenuated_within(
+        r: Self,
+        v: [Self; 3],
+        coefficients: [Self; 3],
+        q: [Self; 2],
+        _to_light: impl FnOnce() -> [Self; 3],
+        limit: impl FnOnce() -> Self,
+    ) -> [Self; 3] {
+        let v = Self::scaled(v, Self::window(q[0], r));
+        Self::attenuated(v, coefficients, q, limit)
     }
 
     /// |v|.
@@ -249,7 +283,8 @@ pub trait Real:
         Self::scaled(v, power)
     }
 
-    /// L, q and the distance of a light, given its position and the point, and the way to the light.
+    /// L, q and the distance of a light, given its position and the point, and the way to the light. There
+    /// are two q: one to compute with, and one that may be finer, for [`attenuated`](Real::attenuated) alone.
     /// A light without a direction has a q at which it is black or [`is_lit`](Real::is_lit) is false.
     #[doc(hidden)]
     #[inline(always)]
@@ -257,7 +292,7 @@ pub trait Real:
     fn direction_and_distance(
         light_and_p: impl FnOnce() -> [[Self; 3]; 2],
         to_light: [Self; 3],
-    ) -> ([Self; 3], Self, Self) {
+    ) -> ([Self; 3], [Self; 2], Self) {
         triple::direction_and_distance(light_and_p, to_light)
     }
 
