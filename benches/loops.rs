@@ -9,6 +9,8 @@
 mod data;
 #[path = "loops/encodings.rs"]
 mod encodings;
+#[path = "loops/lights.rs"]
+mod lights;
 #[path = "loops/normals.rs"]
 mod normals;
 #[path = "loops/race.rs"]
@@ -24,7 +26,11 @@ fn main() -> ExitCode {
         .skip(1)
         .filter(|a| a != "--bench")
         .collect();
-    let all: [(&str, Races); 2] = [("encodings", encodings::race), ("normals", normals::race)];
+    let all: [(&str, Races); 3] = [
+        ("encodings", encodings::race),
+        ("lights", lights::race),
+        ("normals", normals::race),
+    ];
     let chosen = |name: &str| chosen.is_empty() || chosen.iter().any(|c| c == name);
     let exceeded: usize = all
         .iter()

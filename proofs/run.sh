@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Proves what docs/proofs.md lists, in about a minute; with `--all`, tests the prover itself with a hundred times as
-# many numbers. The last line says how many claims were proved, by which means, and how many are open.
+# Proves what docs/proofs.md lists, tests the prover, and plants faults in a copy of the source, each of which must make a
+# claim fail. With `--all` the prover is tested with a hundred times as many numbers. The last line says how many claims were proved, by which means, and how many are open.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -9,4 +9,50 @@ runs=20
 cargo build --release -p shading-proofs
 prover="${CARGO_TARGET_DIR:-target}/release/shading-proofs"
 "$prover" check "$runs"
-"$prover" prove
+
+# faults planted in a copy of the source, which is built once with all of them
+copy=${CARGO_TARGET_DIR:-target}/planted
+rm -rf "$copy/src" && mkdir -p "$copy/docs"
+cp -r src laws proofs "$copy"
+cp docs/*.md README.md "$copy" && cp docs/*.md "$copy/docs"
+"$prover" plant "$copy"
+cat >"$copy/Cargo.toml" <<'END'
+[package]
+name = "shading"
+version = "0.1.0"
+edition = "2024"
+
+[workspace]
+members = ["laws", "proofs"]
+
+[dependencies]
+libm = "0.2.16"
+
+[features]
+fixed = []
+
+[workspace.lints.rust]
+END
+cp Cargo.lock "$copy"
+RUSTFLAGS="--cap-lints allow" cargo build -q --release --manifest-path "$copy/proofs/Cargo.toml" --target-dir "$copy/target"
+"$prover" faults "$copy/target/release/shading-proofs"
+
+# the error bounds, which Gappa proves
+command -v gappa >/dev/null || (. tests/firmware/toolchain.sh && install_packages gappa)
+scripts=${CARGO_TARGET_DIR:-target}/bounds
+rm -rf "$scripts"
+"$prover" bounds "$scripts"
+proved=0 open=0
+for script in "$scripts"/*.g; do
+    if gappa -Eprecision=150 "$script" 2>"$scripts/log"; then
+        proved=$((proved + 1))
+    else
+        open=$((open + 1))
+        echo "open: $script"
+        cat "$scripts/log"
+    fi
+done
+
+claims=$("$prover" prove | tee /dev/stderr | tail -n 1)
+echo "$claims; bounds: $proved proved by Gappa, $open open"
+[[ "$claims" == *" 0 open" && $open == 0 ]]

@@ -26,7 +26,8 @@ macro_rules! aliases {
         ///
         /// A constructor that works in constants exists separately for `f32` and `f64`, so the
         /// compiler cannot infer which one `Attenuation::new` means. With the types of this module
-        /// it need not:
+        /// it need not. Code that is generic over the number calls
+        /// [`Attenuation::of`](crate::Attenuation::of) and its like instead.
         ///
         /// ```
         #[doc = concat!("use shading::", stringify!($float), "::{Attenuation, Cone, Material, PointLight, Rgb, SpotLight, UnitVec3, Vec3};")]

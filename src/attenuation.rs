@@ -37,6 +37,20 @@ pub trait Falloff<T>: Copy {
     #[must_use]
     fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T>;
 
+    /// The same, given q and a finer q, as by
+    /// [`direction_and_distance`](Real::direction_and_distance), and the way to the light.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn dim_along(
+        &self,
+        intensity: &Rgb<T>,
+        [q, _]: [T; 2],
+        _to_light: impl FnOnce() -> [T; 3],
+    ) -> Rgb<T> {
+        self.dim(intensity, q)
+    }
+
     /// Whether light may remain at the distance whose square is given, in at least one lane. The
     /// default is `true`.
     #[inline]
@@ -244,7 +258,7 @@ impl<T: Real> Attenuation<T> {
 
     /// The limit of the factor, which is at least 1.
     #[inline]
-    fn limit(&self) -> T {
+    pub(crate) fn limit(&self) -> T {
         // it is not stored in a field, because MAX of one type is not MAX in another
         if self.clamped == YES { T::ONE } else { T::MAX }
     }
@@ -277,8 +291,13 @@ impl<T: Real> Falloff<T> for Attenuation<T> {
     // small chips.
     #[inline(always)]
     fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T> {
-        let denominator = self.a + q * (self.b + self.c * q);
-        T::attenuated((*intensity).into(), denominator, || self.limit()).into()
+        self.dim_along(intensity, [q, q], || [q, T::ZERO, T::ZERO])
+    }
+
+    #[inline(always)]
+    fn dim_along(&self, intensity: &Rgb<T>, q: [T; 2], _: impl FnOnce() -> [T; 3]) -> Rgb<T> {
+        let coefficients = [self.a, self.b, self.c];
+        T::attenuated((*intensity).into(), coefficients, q, || self.limit()).into()
     }
 
     #[inline]

@@ -97,10 +97,10 @@
 //! | 6 names | `aliases` |
 //! | 5 the model | `shade` |
 //! | 4 scenes | `light`, `material` |
-//! | 3 formulas | `direction`, `term`, `normal`, `attenuation`, `range`, `cone`, `soft_cone` |
+//! | 3 formulas | `flag`, `direction`, `term`, `normal`, `attenuation`, `range`, `cone`, `soft_cone` |
 //! | 2 differentiation | `dual` |
 //! | 1 vectors, colors | `componentwise`, `vector`, `unit`, `rgb`, `encoding` |
-//! | 0 numbers | `flag`, `real`, `elementary`, `exponent` |
+//! | 0 numbers | `real`, `elementary`, `exponent` |
 #![no_std]
 #![deny(unsafe_code)]
 #![cfg_attr(
@@ -117,7 +117,6 @@
 
 mod elementary;
 mod exponent;
-mod flag;
 mod real;
 
 mod componentwise;
@@ -131,6 +130,7 @@ mod dual;
 mod attenuation;
 mod cone;
 mod direction;
+mod flag;
 pub mod normal;
 mod range;
 mod soft_cone;

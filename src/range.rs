@@ -88,16 +88,7 @@ impl<T: Real> Ranged<T> {
     #[inline]
     #[must_use]
     pub fn at(self, q: T) -> T {
-        self.attenuation.at(q) * self.window(q)
-    }
-
-    /// w(q)
-    #[inline]
-    fn window(self, q: T) -> T {
-        let share = q.ratio(self.range);
-        let square = share * share;
-        let root = (T::ONE - square * square).at_least(T::ZERO);
-        root * root
+        self.attenuation.at(q) * T::window(q, self.range)
     }
 
     /// The attenuation without the range.
@@ -179,7 +170,19 @@ impl<T: Real> Falloff<T> for Ranged<T> {
 
     #[inline]
     fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T> {
-        self.attenuation.dim(&(*intensity * self.window(q)), q)
+        self.dim_along(intensity, [q, q], || [q, T::ZERO, T::ZERO])
+    }
+
+    #[inline]
+    fn dim_along(
+        &self,
+        intensity: &Rgb<T>,
+        q: [T; 2],
+        to_light: impl FnOnce() -> [T; 3],
+    ) -> Rgb<T> {
+        let (i, coefficients) = ((*intensity).into(), self.attenuation.coefficients());
+        let limit = || self.attenuation.limit();
+        T::attenuated_within(self.range, i, coefficients, q, to_light, limit).into()
     }
 
     #[inline]

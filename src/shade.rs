@@ -294,14 +294,27 @@ fn sum<T: Real, M, E: Exponent<T>>(
     let mut highlights = m.powers(Rgb::BLACK, |intensity: Rgb<T>, highlight| {
         specular += intensity * highlight;
     });
-    for IncidentLight { l, intensity, .. } in lights {
-        let n_dot_l = term::lambert(n, l);
-        if n_dot_l.any_positive() {
-            highlights.take(intensity, n_dot_l.if_positive(cosine(l), T::ZERO));
-            // this line comes last, so that LLVM packs it into SIMD registers together with the
-            // highlight
-            diffuse += intensity * n_dot_l;
-        }
+    macro_rules! add {
+        ($light:expr) => {
+            let IncidentLight { l, intensity, .. } = $light;
+            let n_dot_l = term::lambert(n, l);
+            if n_dot_l.any_positive() {
+                highlights.take(intensity, n_dot_l.if_positive(cosine(l), T::ZERO));
+                // this line comes last, so that LLVM packs it into SIMD registers together with
+                // the highlight
+                diffuse += intensity * n_dot_l;
+            }
+        };
+    }
+    // The iterator's own loop is inlined where its `next` is not, which halves the time under four lights.
+    // A closure would take more stack than a small chip has.
+    #[cfg(not(target_os = "none"))]
+    lights.into_iter().for_each(|light| {
+        add!(light);
+    });
+    #[cfg(target_os = "none")]
+    for light in lights {
+        add!(light);
     }
     highlights.finish();
     shaded.diffuse = diffuse.reflected(material.k_d);

@@ -70,10 +70,11 @@ impl<T: Real> SoftCone<T> {
     #[inline]
     #[must_use]
     pub fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
-        // 1 on the inner edge; if the edges coincide, ±∞ beside them and NaN on them. Counted from the
-        // outer edge, a faint light keeps its digits.
-        let t = ((-axis).dot(l) - self.outer) / (self.inner - self.outer);
-        let t = (T::ONE - t).if_positive(t.at_least(T::ZERO), T::ONE);
+        // Counted from the outer edge, a faint light keeps its digits. If the edges coincide, 0/0 on
+        // them is not used, as it may be any number.
+        let cosine = (-axis).dot(l);
+        let t = (cosine - self.outer) / (self.inner - self.outer);
+        let t = (self.inner - cosine).if_positive(t.at_least(T::ZERO), T::ONE);
         if self.smoothstep == YES {
             (t * t * (T::ONE + T::ONE + T::ONE - (t + t))).at_most(T::ONE)
         } else {

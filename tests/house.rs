@@ -120,6 +120,28 @@ fn heads(path: &str) -> Vec<String> {
     items.map(str::trim).flat_map(heads).collect()
 }
 
+/// A dual number hands every hidden operation on to the number that it is made of, except for two that follow
+/// from the operators, and for one that asks for an order, which the number need not have.
+#[test]
+fn dual_numbers_hand_every_operation_on() {
+    let real = code(&read(at_root("src/real/mod.rs")));
+    let dual = code(&read(at_root("src/dual/real.rs")));
+    let hidden = real.split("#[doc(hidden)]").skip(1);
+    let names = hidden
+        .filter_map(|item| item.split_once("fn "))
+        .map(|(_, item)| {
+            let end = item.find(['(', '<']).expect("arguments");
+            &item[..end]
+        });
+    let missing: Vec<_> = names
+        .filter(|name| !["any_outside", "scaled", "cosine_of_half_angle"].contains(name))
+        .filter(|name| {
+            !dual.contains(&format!("fn {name}(")) && !dual.contains(&format!("fn {name}<"))
+        })
+        .collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}
+
 /// Each invariant has a number and a row, and each property appears in a row.
 #[test]
 fn table_of_invariants_is_complete() {

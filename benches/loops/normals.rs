@@ -59,7 +59,7 @@ fn mapped(
 /// As fast as on `glam`; by a call, the wider result counts.
 const LIKE: Limit = limit(1.3, 1.4);
 /// The compiler vectorizes the rival.
-const VECTORIZED: Limit = limit(2.5, f64::INFINITY);
+const VECTORIZED: Limit = limit(2.9, f64::INFINITY);
 
 pub fn race() -> usize {
     let (triangles, directions) = (triangles(), directions());
@@ -110,7 +110,7 @@ fn of_points(triangles: &[Data<Vectors>]) -> usize {
                         ours: [a, b, c], ..
                     }: &Vectors| { normal::corner(*a, *b, *c) }),
         )
-        .against("glam, acos", limit(1.2, 1.2), twice!(corner))
+        .against("glam, acos", limit(2.1, 2.1), twice!(corner))
         .run(triangles)
         + Race::of(
             "normal::sphere",
@@ -148,7 +148,7 @@ fn of_functions(triangles: &[Data<Vectors>]) -> usize {
     )
     .against(
         "plain",
-        VECTORIZED,
+        limit(4.2, f64::INFINITY),
         twice!(|Vectors { glam: [a, ..], .. }| plain(torus_gradient(*a))),
     )
     .run(triangles)
@@ -160,12 +160,12 @@ fn of_functions(triangles: &[Data<Vectors>]) -> usize {
         )
         .against(
             "glam",
-            limit(1.5, 1.5),
+            limit(1.8, 2.1),
             twice!(|Vectors { glam: [a, ..], .. }| { saddle_cross(a.x, a.y).try_normalize() }),
         )
         .against(
             "plain",
-            VECTORIZED,
+            limit(5.5, f64::INFINITY),
             twice!(|Vectors { glam: [a, ..], .. }| plain(saddle_cross(a.x, a.y))),
         )
         .run(triangles)
@@ -195,7 +195,7 @@ fn of_normals(triangles: &[Data<Vectors>], directions: &[Data<Vectors>]) -> usiz
     )
     .against(
         "glam",
-        LIKE,
+        limit(1.4, 1.4),
         twice!(|Vectors {
                     glam: [a, b, c], ..
                 }| {
@@ -224,7 +224,7 @@ fn of_normals(triangles: &[Data<Vectors>], directions: &[Data<Vectors>]) -> usiz
         )
         .against(
             "by hand",
-            limit(1.3, 1.3),
+            limit(1.3, 1.8),
             twice!(|Vectors {
                         glam: [a, b, _], ..
                     }| { if a.dot(*b) < 0.0 { -a } else { *a } }),

@@ -1,14 +1,17 @@
 //! The promises of `shading`, proved from its own source. See README.md.
 
 mod claims;
+mod faults;
+mod gappa;
 mod table;
 
-use std::process::ExitCode;
+use std::path::Path;
+use std::process::{Command, ExitCode};
 use std::time::Instant;
 
 use shading_laws::proof::{Format, Verdict, check_ranges, judge};
 
-const USAGE: &str = "prove [CLAIM]… | check RUNS | rows";
+const USAGE: &str = "prove [CLAIM]… | check RUNS | rows | bounds FOLDER | plant FOLDER | faults PROVER";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -16,6 +19,9 @@ fn main() -> ExitCode {
     let is_right = match arguments[..] {
         ["prove", ref names @ ..] => prove(names),
         ["check", runs] => runs.parse().is_ok_and(check),
+        ["bounds", folder] => gappa::write(Path::new(folder)).map_err(|e| println!("{e}")).is_ok(),
+        ["plant", folder] => faults::plant(Path::new(folder)).map_err(|e| println!("{e}")).is_ok(),
+        ["faults", prover] => find(prover),
         ["rows"] => {
             print!("{}", table::rows());
             true
@@ -47,7 +53,7 @@ fn prove(names: &[&str]) -> bool {
             }
         }
     }
-    let complaints = table::complaints();
+    let complaints = if names.is_empty() { table::complaints() } else { vec![] };
     for complaint in &complaints {
         println!("{complaint}");
     }
@@ -71,4 +77,22 @@ fn check(runs: u64) -> bool {
     }
     println!("prover: {compared} values compared with their ranges");
     is_sound
+}
+
+/// Whether the prover with planted faults finds each of them, and proves the same claim without it.
+fn find(prover: &str) -> bool {
+    let proves = |number: &str, claim: &str| {
+        let output = Command::new(prover).env("PLANTED", number).args(["prove", claim]).output();
+        output.is_ok_and(|output| output.status.success())
+    };
+    let mut found = 0;
+    for (number, (file, old, new, claim)) in faults::FAULTS.iter().enumerate() {
+        if proves("", claim) && !proves(&number.to_string(), claim) {
+            found += 1;
+        } else {
+            println!("{claim} does not find the fault {number} in {file}: {new} instead of {old}");
+        }
+    }
+    println!("faults: {found} of {} found", faults::FAULTS.len());
+    found == faults::FAULTS.len()
 }

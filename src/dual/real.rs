@@ -124,20 +124,22 @@ impl<T: Real> Real for Dual<T> {
     }
 
     #[inline]
-    fn attenuated(v: [Self; 3], denominator: Self, limit: impl FnOnce() -> Self) -> [Self; 3] {
+    fn attenuated(
+        v: [Self; 3],
+        coefficients @ [a, b, c]: [Self; 3],
+        q @ [plain, _]: [Self; 2],
+        limit: impl FnOnce() -> Self,
+    ) -> [Self; 3] {
+        let denominator = a + plain * (b + c * plain);
         let (d, limit) = (denominator.value, limit().value);
-        let attenuated = T::attenuated(values(v), d, || limit);
+        let divided = |v| T::attenuated(v, values(coefficients), q.map(|q| q.value), || limit);
+        let attenuated = divided(values(v));
         // (v/d)′ = (v′ − (v/d) d′)/d; d′ does not matter where the factor is limited or v/d is 0
         let is_free = (d * limit - T::ONE).if_positive(T::ONE, T::ZERO);
         let part = |gradient: Vec3<T>, r: T| {
             let is_falling = is_free.if_positive(r.abs(), T::ZERO);
             let fall = |slope: T| is_falling.if_positive(slope * r, T::ZERO);
-            T::attenuated(
-                (gradient - denominator.gradient.map(fall)).into(),
-                d,
-                || limit,
-            )
-            .into()
+            divided((gradient - denominator.gradient.map(fall)).into()).into()
         };
         let ([x, y, z], [rx, ry, rz]) = (gradients(v), attenuated);
         with_values(attenuated, [part(x, rx), part(y, ry), part(z, rz)])
@@ -195,12 +197,12 @@ impl<T: Real> Real for Dual<T> {
     fn direction_and_distance(
         light_and_p: impl FnOnce() -> [[Self; 3]; 2],
         to_light: [Self; 3],
-    ) -> ([Self; 3], Self, Self) {
+    ) -> ([Self; 3], [Self; 2], Self) {
         let values_of_both = || {
             let [light, p] = light_and_p();
             [values(light), values(p)]
         };
-        let (l, q, distance) = T::direction_and_distance(values_of_both, values(to_light));
+        let (l, [q, finer], distance) = T::direction_and_distance(values_of_both, values(to_light));
         let (gradients, along) = if T::is_lit(q) {
             gradients_of_unit(to_light, l, q)
         } else {
@@ -211,7 +213,11 @@ impl<T: Real> Real for Dual<T> {
             value,
             gradient: along,
         };
-        (with_values(l, gradients), dual(q), dual(distance))
+        (
+            with_values(l, gradients),
+            [dual(q), dual(finer)],
+            dual(distance),
+        )
     }
 
     #[inline]

@@ -114,8 +114,7 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> Light<T, C, A> {
     /// assert_eq!(light.in_front(p, UnitVec3::Z), Some(light.at(p)));
     /// assert_eq!(light.in_front(p, UnitVec3::NEG_Z), None);
     /// ```
-    #[cfg_attr(target_os = "none", inline(always))]
-    #[cfg_attr(not(target_os = "none"), inline)]
+    #[inline(always)]
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
         let point = match self {

@@ -98,8 +98,7 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     /// );
     /// ```
     #[doc(alias = "cull")]
-    #[cfg_attr(target_os = "none", inline(always))]
-    #[cfg_attr(not(target_os = "none"), inline)]
+    #[inline(always)]
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
         let to_light = self.position - p;
@@ -159,8 +158,9 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>) -> IncidentLight<T> {
         let (l, q, distance) =
             T::direction_and_distance(|| [self.position.into(), p.into()], to_light.into());
-        let intensity = if T::is_lit(q) {
-            self.attenuation.dim(&self.intensity, q)
+        let intensity = if T::is_lit(q[1]) {
+            let to_light = || (self.position - p).into();
+            self.attenuation.dim_along(&self.intensity, q, to_light)
         } else {
             Rgb::BLACK
         };

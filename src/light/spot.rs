@@ -89,8 +89,7 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> SpotLight<T, C, A> {
     /// assert_eq!(spot.in_front(below, UnitVec3::NEG_Y), None); // behind the surface
     /// assert_eq!(spot.in_front(aside, UnitVec3::Y), None); // outside the cone
     /// ```
-    #[cfg_attr(target_os = "none", inline(always))]
-    #[cfg_attr(not(target_os = "none"), inline)]
+    #[inline(always)]
     #[must_use]
     pub fn in_front(&self, p: Vec3<T>, n: UnitVec3<T>) -> Option<IncidentLight<T>> {
         self.narrowed_in_front(self.point.in_front(p, n)?)

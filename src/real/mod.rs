@@ -1,6 +1,7 @@
 //! The number type that every formula is written over.
 
 mod angle;
+mod float;
 pub(crate) mod root;
 pub(crate) mod triple;
 pub(crate) mod whole_power;
@@ -181,6 +182,18 @@ pub trait Real:
         self / whole
     }
 
+    /// The share of a light that its range r leaves, which may be infinite as for [`ratio`](Real::ratio).
+    ///
+    /// ```text
+    /// max(0, 1 − (q/r)⁴)²
+    /// ```
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn window(q: Self, r: Self) -> Self {
+        triple::window(q, r)
+    }
+
     /// The distance from 1 to the next number above.
     #[doc(hidden)]
     #[inline]
@@ -199,12 +212,34 @@ pub trait Real:
         angle::cosine_of_half_angle(self)
     }
 
-    /// v divided by a denominator that is not negative; 1/denominator counts as `limit` at most.
+    /// v/(a + bq + cq²), where 1/(a + bq + cq²) counts as `limit` at most, given the two q of
+    /// [`direction_and_distance`](Real::direction_and_distance).
     #[doc(hidden)]
     #[inline(always)]
     #[must_use]
-    fn attenuated(v: [Self; 3], denominator: Self, limit: impl FnOnce() -> Self) -> [Self; 3] {
-        triple::attenuated(v, denominator, limit)
+    fn attenuated(
+        v: [Self; 3],
+        coefficients: [Self; 3],
+        q: [Self; 2],
+        limit: impl FnOnce() -> Self,
+    ) -> [Self; 3] {
+        triple::attenuated(v, coefficients, q[0], limit)
+    }
+
+    /// The same times the [`window`](Real::window) of a range r. q is the length of `to_light`.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn attenuated_within(
+        r: Self,
+        v: [Self; 3],
+        coefficients: [Self; 3],
+        q: [Self; 2],
+        _to_light: impl FnOnce() -> [Self; 3],
+        limit: impl FnOnce() -> Self,
+    ) -> [Self; 3] {
+        let v = Self::scaled(v, Self::window(q[0], r));
+        Self::attenuated(v, coefficients, q, limit)
     }
 
     /// |v|.
@@ -248,7 +283,8 @@ pub trait Real:
         Self::scaled(v, power)
     }
 
-    /// L, q and the distance of a light, given its position and the point, and the way to the light.
+    /// L, q and the distance of a light, given its position and the point, and the way to the light. There
+    /// are two q: one to compute with, and one that may be finer, for [`attenuated`](Real::attenuated) alone.
     /// A light without a direction has a q at which it is black or [`is_lit`](Real::is_lit) is false.
     #[doc(hidden)]
     #[inline(always)]
@@ -256,7 +292,7 @@ pub trait Real:
     fn direction_and_distance(
         light_and_p: impl FnOnce() -> [[Self; 3]; 2],
         to_light: [Self; 3],
-    ) -> ([Self; 3], Self, Self) {
+    ) -> ([Self; 3], [Self; 2], Self) {
         triple::direction_and_distance(light_and_p, to_light)
     }
 
@@ -330,78 +366,3 @@ pub(crate) const fn parts(constant: f64) -> [f32; 3] {
     let second = rest as f32;
     [first, second, (rest - second as f64) as f32]
 }
-
-macro_rules! float {
-    ($float:ident, $extreme:expr, $sqrt:path) => {
-        #[diagnostic::do_not_recommend] // the trait's own message names the types
-        impl Real for $float {
-            const ZERO: Self = 0.0;
-            const ONE: Self = 1.0;
-            const NEG_ONE: Self = -1.0;
-            const MAX: Self = $float::MAX;
-            const EXTREME: Self = $extreme;
-
-            #[inline]
-            #[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
-            fn of(literal: f64) -> Self {
-                literal as Self
-            }
-
-            #[inline]
-            #[allow(clippy::useless_conversion)]
-            fn of_f32(literal: f32) -> Self {
-                literal.into()
-            }
-
-            #[inline]
-            fn sqrt(self) -> Self {
-                $sqrt(self)
-            }
-
-            #[inline]
-            fn epsilon() -> Self {
-                $float::EPSILON
-            }
-
-            #[inline]
-            fn if_positive(self, then: Self, otherwise: Self) -> Self {
-                if self > 0.0 { then } else { otherwise }
-            }
-
-            #[inline]
-            fn any_positive(self) -> bool {
-                self > 0.0
-            }
-
-            // Positive floats are ordered as their bits are, so one integer comparison replaces two
-            // subtractions. If `high` itself counts as outside, both constants of that comparison
-            // fit into Arm's instructions.
-            #[inline]
-            fn any_outside(self, low: Self, high: Self) -> bool {
-                let above_low = self.to_bits().wrapping_sub(low.to_bits());
-                let range = high.to_bits().wrapping_sub(low.to_bits());
-                if low > 0.0 {
-                    above_low >= range
-                } else {
-                    above_low > range
-                }
-            }
-
-            #[inline]
-            fn abs(self) -> Self {
-                $float::abs(self)
-            }
-
-            // The compiler can turn this comparison into the processor's minimum or maximum.
-            // `f32::min` is a library call on Arm.
-            #[inline]
-            fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
-                if self > threshold { then } else { otherwise }
-            }
-        }
-    };
-}
-
-// 2^100 and 2^720, as their bits
-float!(f32, f32::from_bits((127 + 100) << 23), root::sqrtf);
-float!(f64, f64::from_bits((1023 + 720) << 52), root::sqrt);

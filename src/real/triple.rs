@@ -102,13 +102,14 @@ pub(super) fn rescaled_together<T: Real>([a, b, c]: [Triple<T>; 3]) -> Option<([
 pub(super) fn direction_and_distance<T: Real>(
     light_and_p: impl FnOnce() -> [Triple<T>; 2],
     to_light: Triple<T>,
-) -> (Triple<T>, T, T) {
+) -> (Triple<T>, [T; 2], T) {
     let square = T::dot(to_light, to_light);
     if is_extreme(square) {
-        extreme_direction_and_distance(light_and_p(), square)
+        let (l, q, distance) = extreme_direction_and_distance(light_and_p(), square);
+        (l, [q, q], distance)
     } else {
         let q = square.sqrt();
-        (T::scaled(to_light, T::ONE / q), q, q)
+        (T::scaled(to_light, T::ONE / q), [q, q], q)
     }
 }
 
@@ -139,13 +140,22 @@ fn extreme_direction_and_distance<T: Real>(
     (l, q_or(infinity), q_or(T::MAX))
 }
 
+#[inline]
+pub(super) fn window<T: Real>(q: T, r: T) -> T {
+    let share = q.ratio(r);
+    let square = share * share;
+    let root = (T::ONE - square * square).at_least(T::ZERO);
+    root * root
+}
+
 #[inline(always)]
 pub(super) fn attenuated<T: Real>(
     v: Triple<T>,
-    denominator: T,
+    [a, b, c]: Triple<T>,
+    q: T,
     limit: impl FnOnce() -> T,
 ) -> Triple<T> {
-    let factor = T::ONE / denominator;
+    let factor = T::ONE / (a + q * (b + c * q));
     // a factor of up to 1 can neither exceed the limit nor overflow
     if factor.any_outside(T::ZERO, T::ONE) {
         let [x, y, z] = T::scaled(v, factor.at_least(T::ZERO).at_most(limit()));

@@ -3,6 +3,7 @@
 
 mod colors;
 mod derivatives;
+mod falloff;
 mod numbers;
 mod scene;
 mod totality;

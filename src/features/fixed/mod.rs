@@ -35,6 +35,7 @@
 
 mod arithmetic;
 mod encoding;
+mod falloff;
 mod product;
 mod real;
 mod reciprocal;
@@ -82,16 +83,18 @@ pub use types::*;
 /// neither an infinity nor a NaN. x/0 is [`MAX`](Fixed::MAX) for x > 0, [`MIN`](Fixed::MIN) for
 /// x < 0, and 0 for 0/0. The square root of a negative number is 0.
 ///
-/// Scenes of ±100 units with lamps from 0.1 to 200 units away are right: each channel of a color is
-/// within half a level of an 8-bit display of the exact formula, with an intensity of up to 1 at the
-/// surface and an m of up to 128. [`guide::precision`](mod@crate::guide::precision) has the figures.
-/// Closer to the step, precision is lost in three places:
+/// What arrives from a lamp is within two steps or 2⁻¹⁵ of the exact formula, whichever is larger: at every
+/// distance, for every attenuation and every range. It never rises with the distance.
 ///
-/// - The denominator of an [`attenuation`](crate::attenuation()) should be (1 + q)/100 or more. An
-///   inverse square, 1/(cq²), therefore needs c ≥ 1.1 at q = 0.1, but only c ≥ 0.02 at q = 1.
-/// - The cosines of a soft cone should be 0.05 or more apart.
-/// - The highlight of Blinn–Phong loses precision where L is within 6° of −V, so that it grazes the
-///   surface.
+/// A color of one light that arrives with an intensity of up to 1 is within half a level of an 8-bit display
+/// for an m of up to 80, and within one level for an m of up to 128, if its spot has no soft edge. The error
+/// grows with the number of lights and their intensity. [`guide::precision`](mod@crate::guide::precision)
+/// has the bound. Keep two things away from the step:
+///
+/// - the cosines of a soft cone, which should be 0.05 or more apart. A smoothstep may fall by a step where
+///   the formula rises;
+/// - the half vector of Blinn–Phong, which is imprecise where L is within 6° of −V, so that the light
+///   grazes the surface.
 ///
 /// The sum, the difference, the product, the quotient and the square root round correctly: to the
 /// nearest number, and a product halfway between two numbers goes up. The results have the same bits

@@ -1,5 +1,6 @@
 //! [`Real`] and [`Elementary`].
 
+use super::falloff::{self, Factor};
 use super::{Fixed, ONE, vector};
 use crate::cone::Cone;
 use crate::elementary::Elementary;
@@ -82,13 +83,39 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn attenuated(v: [Self; 3], denominator: Self, limit: impl FnOnce() -> Self) -> [Self; 3] {
-        let least = if limit() == Self::ONE {
-            Self::ONE
-        } else {
-            Self::ZERO
-        };
-        vector::quotients(&v, denominator.at_least(least))
+    fn window(q: Self, r: Self) -> Self {
+        if r == Self::MAX {
+            return Self(ONE);
+        }
+        let share = falloff::window(&[q, Self(0), Self(0)], r);
+        Factor::ONE.within(share).scale(&[Self(ONE); 3])[0]
+    }
+
+    #[inline]
+    fn attenuated(
+        v: [Self; 3],
+        [a, b, c]: [Self; 3],
+        [_, q]: [Self; 2],
+        limit: impl FnOnce() -> Self,
+    ) -> [Self; 3] {
+        let factor = Factor::of(a, b, c, q);
+        factor.clamped(limit() == Self(ONE)).scale(&v)
+    }
+
+    #[inline]
+    fn attenuated_within(
+        r: Self,
+        v: [Self; 3],
+        [a, b, c]: [Self; 3],
+        [_, q]: [Self; 2],
+        to_light: impl FnOnce() -> [Self; 3],
+        limit: impl FnOnce() -> Self,
+    ) -> [Self; 3] {
+        let mut factor = Factor::of(a, b, c, q).clamped(limit() == Self(ONE));
+        if r != Self::MAX {
+            factor = factor.within(falloff::window(&to_light(), r));
+        }
+        factor.scale(&v)
     }
 
     #[inline]
@@ -123,14 +150,15 @@ impl Real for Fixed {
     fn direction_and_distance(
         _: impl FnOnce() -> [[Self; 3]; 2],
         to_light: [Self; 3],
-    ) -> ([Self; 3], Self, Self) {
-        let (l, q) = vector::unit_and_length(&to_light);
-        (l, q, if q.0 > 0 { q } else { Self::MAX })
+    ) -> ([Self; 3], [Self; 2], Self) {
+        let (l, finer) = vector::unit_and_fine_length(&to_light);
+        let q = falloff::in_steps(finer);
+        (l, [q, finer], if finer.0 == 0 { Self::MAX } else { q })
     }
 
     #[inline(always)]
     fn is_lit(q: Self) -> bool {
-        q.0 > 0
+        q.0 != 0
     }
 
     #[inline]

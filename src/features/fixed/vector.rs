@@ -3,11 +3,12 @@
 //! Each result is rounded to steps once, at the end. On a Cortex-M0, whose flash and stack are small,
 //! a function has one copy that is called; elsewhere, it becomes a part of the caller.
 
+use super::falloff::{FINE, in_steps};
 use super::product::{
-    COUNTS_ZEROS, LONG_MULTIPLY, part, product64, short_part, upper, upper_of_part,
-    upper_of_square, upper_signed,
+    COUNTS_ZEROS, LONG_MULTIPLY, product64, short_part, upper, upper_of_part, upper_of_square,
+    upper_signed,
 };
-use super::reciprocal::{pairs_of_zeros, reciprocal, reciprocal_root};
+use super::reciprocal::{pairs_of_zeros, reciprocal_root};
 use super::{Fixed, ONE};
 
 /// Σ ab.
@@ -71,34 +72,6 @@ pub(super) fn scaled(&[x, y, z]: &[Fixed; 3], factor: Fixed) -> [Fixed; 3] {
     }
 }
 
-/// Each number divided by a divisor, which counts as one step if it is not positive.
-///
-/// The error is below a step and 2⁻¹⁸ of the result. A result above 2¹⁴ may be the largest number.
-#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
-#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
-pub(super) fn quotients(&[x, y, z]: &[Fixed; 3], divisor: Fixed) -> [Fixed; 3] {
-    if LONG_MULTIPLY && divisor.0 > ONE {
-        // the usual case; where flash is scarce, the general one does
-        let share = reciprocal(divisor.0 as u32);
-        return [x, y, z].map(|c| Fixed(part(c.0, share)));
-    }
-    let (mut divisor, mut shift) = (divisor.0.max(1), 0);
-    while divisor <= ONE {
-        divisor <<= 1;
-        shift += 1;
-    }
-    let share = reciprocal(divisor as u32);
-    let quotient = |c: Fixed| {
-        let shifted = c.0 << shift;
-        Fixed(if shifted >> shift == c.0 {
-            part(shifted, share)
-        } else {
-            c.0 >> 31 ^ i32::MAX
-        })
-    };
-    [quotient(x), quotient(y), quotient(z)]
-}
-
 /// The cosine of the angle between n and the half vector of l and v, N·H; 0 if they are
 /// opposite.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
@@ -142,12 +115,19 @@ fn fine_dot(a: &[Fixed; 3], b: &[Fixed; 3]) -> i32 {
 /// The direction is right even if the length saturates.
 #[inline]
 pub(super) const fn unit_and_length(v: &[Fixed; 3]) -> ([Fixed; 3], Fixed) {
+    let (unit, length) = unit_and_fine_length(v);
+    (unit, in_steps(length))
+}
+
+/// The same, but a length below 1 is negative, and [`FINE`] bits finer.
+#[inline]
+pub(super) const fn unit_and_fine_length(v: &[Fixed; 3]) -> ([Fixed; 3], Fixed) {
     let mut unit = *v;
     let length = normalize(&mut unit);
     (unit, length)
 }
 
-/// Makes a direction of a vector, and returns its length.
+/// Makes a direction of a vector, and returns its length as [`unit_and_fine_length`] does.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 const fn normalize(v: &mut [Fixed; 3]) -> Fixed {
@@ -158,20 +138,22 @@ const fn normalize(v: &mut [Fixed; 3]) -> Fixed {
     let pairs = pairs_of_zeros(square);
     let reciprocal = reciprocal_root(square << (2 * pairs)) << pairs;
     let length = upper(square, reciprocal as u32); // in units of 2^(5 − shift) steps
+    v[0] = share_of(v[0].0 << shift, reciprocal);
+    v[1] = share_of(v[1].0 << shift, reciprocal);
+    v[2] = share_of(v[2].0 << shift, reciprocal);
+    let is_short = length >> 11 >> shift == 0;
+    let shift = shift as i32 - if is_short { FINE as i32 } else { 0 };
     let length = if shift > 5 {
         ((length >> (shift - 6)) + 1) >> 1
     } else {
         let up = 5 - shift;
         let most = (i32::MAX as u32) >> up;
         (if length < most { length } else { most }) << up
-    };
-    v[0] = share_of(v[0].0 << shift, reciprocal);
-    v[1] = share_of(v[1].0 << shift, reciprocal);
-    v[2] = share_of(v[2].0 << shift, reciprocal);
+    } as i32;
     if length == 0 {
         v[2] = Fixed(ONE);
     }
-    Fixed(length as i32)
+    Fixed(if is_short { -length } else { length })
 }
 
 /// A component times the reciprocal of the length, rounded.

@@ -2,7 +2,7 @@
 //! without a long multiply computes every product in another way.
 
 use shading::fixed::{Attenuation, Fixed, PointLight, Rgb, Vec3};
-use shading::{Exponent, Real};
+use shading::{Exponent, Falloff, Real};
 
 use crate::digest::Fnv;
 use crate::places::Numbers;
@@ -35,20 +35,35 @@ pub fn absorb(digest: &mut Fnv) {
             intensity: Rgb::new(x, y, share).map(Real::abs),
             attenuation: Attenuation::new(a, b, c).unwrap_or(Attenuation::NONE),
         };
-        digest.absorb([
-            lamp.at(v),
-            lamp.at(p),
-            lamp.at(q + Vec3::new(share, share, Fixed::STEP)),
-        ]);
+        let near = q + Vec3::new(share, share, Fixed::STEP);
+        digest.absorb([v, p, near].map(|p| lamp.at(p)));
+        for (p, r) in [(p, x.abs()), (near, share + share)] {
+            let attenuation = lamp.attenuation.clamped().within(r.at_least(Fixed::STEP));
+            let attenuation = attenuation.unwrap_or(lamp.attenuation.into());
+            let PointLight {
+                position,
+                intensity,
+                ..
+            } = lamp;
+            digest.absorb(
+                PointLight {
+                    position,
+                    intensity,
+                    attenuation,
+                }
+                .at(p),
+            );
+        }
     }
 
     // a Cortex-M0 divides by numbers above 1 in its own way: all up to 2, and some of each larger size
     for leading in 0x8000..0x1_0000 {
         let larger = (leading << 15 | leading) >> (leading & 7);
         for steps in [2 * leading, 2 * leading + 1, larger] {
-            let divisor = Fixed::from_bits(steps);
-            let dividends = [Fixed::MAX, Fixed::MIN, Fixed::ONE];
-            digest.absorb(Fixed::attenuated(dividends, divisor, || Fixed::MAX));
+            let (divisor, zero) = (Fixed::from_bits(steps), Fixed::ZERO);
+            let dividends = Rgb::new(Fixed::MAX, Fixed::MIN, Fixed::ONE);
+            let falloff = Attenuation::new(divisor, zero, zero).unwrap_or_default();
+            digest.absorb(falloff.dim(&dividends, Fixed::ONE));
         }
     }
 }

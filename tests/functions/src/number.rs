@@ -4,9 +4,7 @@ use core::fmt::Debug;
 
 #[cfg(feature = "fixed")]
 use shading::fixed::Fixed;
-use shading::{
-    Attenuation, Cone, Dual, Elementary, Exponent, Ranged, Rgb, SoftCone, UnitVec3, Vec3,
-};
+use shading::{Cone, Dual, Elementary, Exponent, Rgb, UnitVec3, Vec3};
 
 use crate::digest::Fnv;
 use crate::places::Numbers;
@@ -27,13 +25,6 @@ pub trait Number: Elementary + PartialOrd + Debug + Value + 'static {
     fn absorb_into(self, digest: &mut Fnv);
     fn single(self) -> f32;
     fn double(self) -> f64;
-    fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>>;
-    fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>>;
-    fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>>;
-    fn soft_cone_from_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
-    fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>>;
-    fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>>;
-    fn unit_vector(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
     fn normalized(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
 
     fn times_vector(self, v: Vec3<Self>) -> Vec3<Self>;
@@ -73,34 +64,6 @@ macro_rules! number {
 
             fn double(self) -> f64 {
                 self.into()
-            }
-
-            fn attenuation(a: Self, b: Self, c: Self) -> Option<Attenuation<Self>> {
-                Attenuation::<$number>::new(a, b, c)
-            }
-
-            fn cone_from_half_angle(radians: Self) -> Option<Cone<Self>> {
-                Cone::<$number>::from_half_angle(radians)
-            }
-
-            fn cone_from_cosine(cosine: Self) -> Option<Cone<Self>> {
-                Cone::<$number>::from_cosine(cosine)
-            }
-
-            fn soft_cone_from_half_angles(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
-                SoftCone::<$number>::from_half_angles(inner, outer)
-            }
-
-            fn soft_cone_from_cosines(inner: Self, outer: Self) -> Option<SoftCone<Self>> {
-                SoftCone::<$number>::from_cosines(inner, outer)
-            }
-
-            fn within(attenuation: Attenuation<Self>, range: Self) -> Option<Ranged<Self>> {
-                attenuation.within(range)
-            }
-
-            fn unit_vector(v: Vec3<Self>) -> Option<UnitVec3<Self>> {
-                UnitVec3::<$number>::new(v.x, v.y, v.z)
             }
 
             fn normalized(v: Vec3<Self>) -> Option<UnitVec3<Self>> {

@@ -112,7 +112,6 @@ macro_rules! for_each_function {
             length "Vec3::length" |g| g.a.length() => nothing;
             unit "Vec3::unit" |g| g.a.unit() => unit;
             unit_or "Vec3::unit_or" |g| g.a.unit_or(g.n) => unit_or_n;
-            unit_vec3_new "UnitVec3::new" |g| T::unit_vector(*g.n) => unit;
             unit_vec3_of "UnitVec3::of" |g| UnitVec3::of(g.n.x, g.n.y, g.n.z) => unit;
             normalized "UnitVec3::normalized" |g| T::normalized(g.a) => unit;
             clamped "Rgb::clamped" |g| (g.rgb - g.integer.k_a).clamped() => share;
@@ -144,16 +143,12 @@ macro_rules! for_each_function {
             phong_normalization "term::phong_normalization" |g| term::phong_normalization(g.real.m) => positive;
 
             attenuation "attenuation" |g| shading::attenuation(g.a.x, g.a.y, g.a.z, g.x) => nothing;
-            attenuation_new "Attenuation::new" |g| T::attenuation(g.x, g.y, g.cosine).map(Attenuation::coefficients) => not_negative;
             attenuation_of "Attenuation::of" |g| Attenuation::of(g.x, g.y, g.cosine).map(Attenuation::coefficients) => not_negative;
             attenuation_at "Attenuation::at" |g| g.attenuation.at(g.x.abs()) => nothing;
-            within "Attenuation::within" |g| T::within(g.attenuation, g.y.abs()).map(Ranged::range) => positive_or_infinite;
             ranged_of "Ranged::of" |g| Ranged::of(g.attenuation, g.y.abs()).map(Ranged::range) => positive_or_infinite;
             ranged_at "Ranged::at" |g| g.soft_spot.point.attenuation.at(g.x.abs()) => not_negative;
-            cone_from_cosine "Cone::from_cosine" |g| T::cone_from_cosine(g.cosine + g.cosine - T::ONE).map(Cone::cosine) => cosines;
             cone_of_cosine "Cone::of_cosine" |g| Cone::of_cosine(g.cosine + g.cosine - T::ONE).map(Cone::cosine) => cosines;
             cone_factor "Cone::factor" |g| g.spot.cone.factor(g.n, g.l) => share;
-            soft_cone_from_cosines "SoftCone::from_cosines" |g| T::soft_cone_from_cosines(g.cosine, -g.cosine).map(SoftCone::cosines) => cosines;
             soft_cone_of_cosines "SoftCone::of_cosines" |g| SoftCone::of_cosines(g.cosine, -g.cosine).map(SoftCone::cosines) => cosines;
             soft_cone_factor "SoftCone::factor" |g| g.soft_spot.cone.factor(g.n, g.l) => share;
 
@@ -189,9 +184,7 @@ macro_rules! for_each_function {
             shade_all_in_front_real "shade::blinn_phong, real m, all in front" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, PointLight::all_in_front(&g.lamps, g.p, g.n)) => light;
         }
         HALF_ANGLES: Number {
-            cone_from_half_angle "Cone::from_half_angle" |g| T::cone_from_half_angle(g.cosine * T::of_f32(3.25)).map(Cone::cosine) => cosines;
             cone_of_half_angle "Cone::of_half_angle" |g| Cone::of_half_angle(g.cosine * T::of_f32(3.25)).map(Cone::cosine) => cosines;
-            soft_cone_from_half_angles "SoftCone::from_half_angles" |g| T::soft_cone_from_half_angles(g.cosine, g.cosine * T::of_f32(3.0)).map(SoftCone::cosines) => cosines;
             soft_cone_of_half_angles "SoftCone::of_half_angles" |g| SoftCone::of_half_angles(g.cosine, g.cosine * T::of_f32(3.0)).map(SoftCone::cosines) => cosines;
         }
     } };
