@@ -37,4 +37,22 @@ cp Cargo.lock "$copy"
 RUSTFLAGS="--cap-lints allow" cargo build -q --release --manifest-path "$copy/proofs/Cargo.toml" --target-dir "$copy/target"
 "$prover" faults "$copy/target/release/shading-proofs"
 
-"$prover" prove
+# the error bounds, which Gappa proves
+command -v gappa >/dev/null || (. tests/firmware/toolchain.sh && install_packages gappa)
+scripts=${CARGO_TARGET_DIR:-target}/bounds
+rm -rf "$scripts"
+"$prover" bounds "$scripts"
+proved=0 open=0
+for script in "$scripts"/*.g; do
+    if gappa -Eprecision=150 "$script" 2>"$scripts/log"; then
+        proved=$((proved + 1))
+    else
+        open=$((open + 1))
+        echo "open: $script"
+        cat "$scripts/log"
+    fi
+done
+
+claims=$("$prover" prove | tee /dev/stderr | tail -n 1)
+echo "$claims; bounds: $proved proved by Gappa, $open open"
+[[ "$claims" == *" 0 open" && $open == 0 ]]

@@ -195,7 +195,7 @@ fn of_normals(triangles: &[Data<Vectors>], directions: &[Data<Vectors>]) -> usiz
     )
     .against(
         "glam",
-        LIKE,
+        limit(1.4, 1.4),
         twice!(|Vectors {
                     glam: [a, b, c], ..
                 }| {

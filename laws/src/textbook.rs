@@ -681,14 +681,13 @@ impl<'a> Textbook<'a> {
         (32.0 * self.u * (m + 1.0) * condition, most)
     }
 
-    /// Whether H has no direction for some light.
+    /// Whether H has no direction for some light. NaN times a black k_s is NaN, so other models may be lost, too.
     fn has_no_half_vector(&self, scene: &Scene) -> bool {
         let v = unit(self.given(scene.v));
-        scene.model == Model::BlinnPhong
-            && scene.lights.iter().any(|light| {
-                let sum = add(self.arriving(light, scene).l, v);
-                sum.iter().all(|c| c.value.abs() <= c.error)
-            })
+        scene.lights.iter().any(|light| {
+            let sum = add(self.arriving(light, scene).l, v);
+            sum.iter().all(|c| c.value.abs() <= c.error)
+        })
     }
 
     /// Whether a channel is NaN or infinity, or what a clamp to the range leaves of them.

@@ -2,6 +2,7 @@
 
 mod claims;
 mod faults;
+mod gappa;
 mod table;
 
 use std::path::Path;
@@ -10,7 +11,7 @@ use std::time::Instant;
 
 use shading_laws::proof::{Format, Verdict, check_ranges, judge};
 
-const USAGE: &str = "prove [CLAIM]… | check RUNS | rows | plant FOLDER | faults PROVER";
+const USAGE: &str = "prove [CLAIM]… | check RUNS | rows | bounds FOLDER | plant FOLDER | faults PROVER";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -18,6 +19,7 @@ fn main() -> ExitCode {
     let is_right = match arguments[..] {
         ["prove", ref names @ ..] => prove(names),
         ["check", runs] => runs.parse().is_ok_and(check),
+        ["bounds", folder] => gappa::write(Path::new(folder)).map_err(|e| println!("{e}")).is_ok(),
         ["plant", folder] => faults::plant(Path::new(folder)).map_err(|e| println!("{e}")).is_ok(),
         ["faults", prover] => find(prover),
         ["rows"] => {

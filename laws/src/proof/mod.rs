@@ -18,9 +18,10 @@ pub use goal::Goal;
 #[doc(hidden)]
 pub use known::Known;
 pub use range::Range;
+use term::explore;
 pub use term::{Format, Term};
 #[doc(hidden)]
-pub use term::{Graph, Node, Test, explore, with};
+pub use term::{Graph, Node, Test, with};
 
 /// What a claim is about: its variables, and what it assumes of them.
 #[derive(Clone, Copy, Debug)]
@@ -122,6 +123,16 @@ impl fmt::Display for Verdict {
             Self::Open(goal) => write!(f, "open: {goal}"),
         }
     }
+}
+
+/// Runs a formula along every path; `each` sees the graph with its result.
+#[doc(hidden)]
+pub fn paths<R>(
+    format: Format,
+    formula: impl Fn(Given) -> R,
+    each: impl FnMut(&mut Graph, R),
+) -> usize {
+    explore(format, &|| formula(Given(format)), each)
 }
 
 /// Tries to prove a claim, then to refute it with `runs` inputs.

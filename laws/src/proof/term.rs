@@ -206,6 +206,7 @@ impl Graph {
                 (Node::Neg(x), _) => Simple::New(Node::Sub(b, x)),
                 _ => sum(a, b),
             },
+            Node::Sub(a, ZERO) => Simple::Node(a),
             Node::Sub(a, b) => match of(b) {
                 Node::Neg(y) => sum(a, y),
                 _ => Simple::New(node),

@@ -89,12 +89,12 @@ pub use types::*;
 /// A color of one light that arrives with an intensity of up to 1 is within half a level of an 8-bit display
 /// for an m of up to 80, and within one level for an m of up to 128, if its spot has no soft edge. The error
 /// grows with the number of lights and their intensity. [`guide::precision`](mod@crate::guide::precision)
-/// has the bound. Precision is lost in two places:
+/// has the bound. Keep two things away from the step:
 ///
-/// - The cosines of a soft cone should be 0.05 or more apart. A smoothstep may fall by a step where the
-///   formula rises.
-/// - The highlight of Blinn–Phong loses precision where L is within 6° of −V, so that it grazes the
-///   surface.
+/// - the cosines of a soft cone, which should be 0.05 or more apart. A smoothstep may fall by a step where
+///   the formula rises;
+/// - the half vector of Blinn–Phong, which is imprecise where L is within 6° of −V, so that the light
+///   grazes the surface.
 ///
 /// The sum, the difference, the product, the quotient and the square root round correctly: to the
 /// nearest number, and a product halfway between two numbers goes up. The results have the same bits
