@@ -71,9 +71,9 @@ impl<T: Real> SoftCone<T> {
     #[must_use]
     pub fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
         // Counted from the outer edge, a faint light keeps its digits. If the edges coincide, 0/0 on
-        // them is not used, as it may be any number.
+        // them is not used, as it may be any number; a width of −0 would turn the sign beside them.
         let cosine = (-axis).dot(l);
-        let t = (cosine - self.outer) / (self.inner - self.outer);
+        let t = (cosine - self.outer) / (self.inner - self.outer).abs();
         let t = (self.inner - cosine).if_positive(t.at_least(T::ZERO), T::ONE);
         if self.smoothstep == YES {
             (t * t * (T::ONE + T::ONE + T::ONE - (t + t))).at_most(T::ONE)

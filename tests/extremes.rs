@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use shading::{Attenuation, Cone, PointLight, Rgb, UnitVec3, Vec3, normal};
+use shading::{Attenuation, Cone, PointLight, Rgb, SoftCone, UnitVec3, Vec3, normal};
 use support::number::{Float, for_f32_and_f64};
 
 for_f32_and_f64!(
@@ -12,6 +12,7 @@ for_f32_and_f64!(
     a_light_at_an_overflowing_distance_shines,
     the_cone_of_pi_is_everything,
     the_cone_of_half_pi_ends_at_the_horizon,
+    a_soft_edge_between_two_zeros_is_hard,
     every_half_angle_up_to_pi_is_a_cone,
     cosines_of_half_angles_are_right,
     a_sample_of_any_length_is_the_same_normal,
@@ -57,6 +58,25 @@ fn a_light_at_an_overflowing_distance_shines<T: Float>() {
     // the distance counts as the largest number: 1/q² is 0, and 1/(q/MAX) is 1
     let inverse_square = Attenuation::of(T::ZERO, T::ZERO, T::ONE).expect("coefficients");
     assert_eq!(light(inverse_square).at(west).intensity, Rgb::BLACK);
+}
+
+/// −0 is not below 0, so it may be the inner cosine; the width of such an edge is −0.
+fn a_soft_edge_between_two_zeros_is_hard<T: Float>() {
+    let tiny = T::of(T::TINIEST);
+    let zeros = [T::ZERO, -T::ZERO];
+    for (inner, outer) in zeros.into_iter().flat_map(|a| zeros.map(|b| (a, b))) {
+        let cone = SoftCone::of_cosines(inner, outer).expect("an edge");
+        for (cosine, factor) in [(-tiny, T::ZERO), (T::ZERO, T::ONE), (tiny, T::ONE)] {
+            let l = UnitVec3::assume_unit(Vec3::new(cosine, T::ZERO, T::ONE));
+            for cone in [cone, cone.smoothstep()] {
+                assert_eq!(
+                    cone.factor(UnitVec3::NEG_X, l),
+                    factor,
+                    "{inner:?} {outer:?}"
+                );
+            }
+        }
+    }
 }
 
 fn the_cone_of_pi_is_everything<T: Float>() {
