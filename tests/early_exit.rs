@@ -50,11 +50,12 @@ proptest! {
         prop_assert_eq!(shaded, shade::blinn_phong(n, v, &material, Rgb::BLACK, incident_lit));
     }
 
-    /// The lights fill more than one group of 32, and include directional lights and spots.
+    /// A light that passes the early exit is the light that arrives; one that does not is behind the
+    /// surface or dark.
     #[test]
-    fn all_in_front_agrees_with_in_front(
+    fn in_front_leaves_out_only_what_adds_nothing(
         (n, p) in (vector(), vector()),
-        lights in vec((vector(), vector(), 0..3), 0..100),
+        lights in vec((vector(), vector(), 0..3), 0..20),
     ) {
         let n = n.unit_or(UnitVec3::Z);
         let point = |position| PointLight {
@@ -63,22 +64,13 @@ proptest! {
             attenuation: Attenuation::NONE,
         };
         let cone = Cone::<f32>::from_half_angle(1.0).unwrap();
-        let points: Vec<_> = lights.iter().map(|&(position, ..)| point(position)).collect();
-        let mixed: Vec<_> = lights
-            .iter()
-            .map(|&(position, direction, kind)| {
-                let (point, axis) = (point(position), direction.unit_or(UnitVec3::Z));
-                match kind {
-                    0 => Light::Directional(DirectionalLight { l: axis, intensity: Rgb::WHITE }),
-                    1 => Light::Point(point),
-                    _ => Light::Spot(SpotLight { point, axis, cone }),
-                }
-            })
-            .collect();
-
-        // a light that passes the early exit is the light that arrives; one that does not is behind
-        // the surface or dark
-        for light in &mixed {
+        for (position, direction, kind) in lights {
+            let (point, axis) = (point(position), direction.unit_or(UnitVec3::Z));
+            let light: Light = match kind {
+                0 => DirectionalLight { l: axis, intensity: Rgb::WHITE }.into(),
+                1 => point.into(),
+                _ => SpotLight { point, axis, cone }.into(),
+            };
             let incident = light.at(p);
             match light.in_front(p, n) {
                 Some(lit) => prop_assert_eq!(lit, incident),
@@ -87,13 +79,5 @@ proptest! {
                 ),
             }
         }
-        prop_assert!(
-            PointLight::all_in_front(&points, p, n)
-                .eq(points.iter().filter_map(|light| light.in_front(p, n)))
-        );
-        prop_assert!(
-            Light::all_in_front(&mixed, p, n)
-                .eq(mixed.iter().filter_map(|light| light.in_front(p, n)))
-        );
     }
 }

@@ -54,7 +54,7 @@ impl<T: Real, M: Exponent<T>> Ours<T, M> {
     #[inline(never)]
     pub fn shade(&mut self) {
         self.each(|scene, p, n, v| {
-            let lights = PointLight::all_in_front(&scene.lights, p, n);
+            let lights = scene.lights.iter().filter_map(|light| light.in_front(p, n));
             shade::blinn_phong(n, v, &scene.material, scene.ambient, lights)
         });
     }

@@ -20,7 +20,6 @@ pub use incident::IncidentLight;
 pub use point::PointLight;
 pub use spot::SpotLight;
 
-use self::in_front::Filtered;
 use crate::attenuation::{Attenuation, Falloff};
 use crate::cone::{Beam, Cone};
 use crate::real::Real;
@@ -126,32 +125,6 @@ impl<T: Real, C: Beam<T>, A: Falloff<T>> Light<T, C, A> {
             Self::Spot(spot) => spot.narrowed_in_front(incident),
             _ => Some(incident),
         }
-    }
-
-    /// [`in_front`](Light::in_front) of each light of a scene, in order, without a branch per
-    /// light. See [`PointLight::all_in_front`].
-    ///
-    /// ```
-    /// use shading::f32::{DirectionalLight, Light, Rgb, UnitVec3, Vec3};
-    ///
-    /// let from = |l| DirectionalLight { l, intensity: Rgb::WHITE }.into();
-    /// let lights: [Light; 3] = [UnitVec3::X, UnitVec3::NEG_Z, UnitVec3::Z].map(from);
-    /// let lit = Light::all_in_front(&lights, Vec3::ZERO, UnitVec3::Z);
-    /// assert!(lit.map(|light| light.l).eq([UnitVec3::Z]));
-    /// ```
-    #[inline]
-    pub fn all_in_front(
-        lights: &[Self],
-        p: Vec3<T>,
-        n: UnitVec3<T>,
-    ) -> impl Iterator<Item = IncidentLight<T>> {
-        let may_light = move |light: &Self| match light {
-            Self::Directional(light) => n.dot(light.l).any_positive(),
-            Self::Point(light) | Self::Spot(SpotLight { point: light, .. }) => {
-                light.may_light(p, n)
-            }
-        };
-        Filtered::by(may_light, lights).filter_map(move |light| light.in_front(p, n))
     }
 
     /// The same light in another number type. `f` converts each number and may only round it.

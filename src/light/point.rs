@@ -1,6 +1,6 @@
 //! A light from one point.
 
-use super::in_front::{Filtered, is_in_front};
+use super::in_front::is_in_front;
 use super::incident::IncidentLight;
 use crate::attenuation::{Attenuation, Falloff};
 use crate::real::Real;
@@ -109,42 +109,6 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
         } else {
             None
         }
-    }
-
-    /// [`in_front`](PointLight::in_front) of each light of a scene, in order, without a branch per
-    /// light: it tests 32 lights at a time.
-    ///
-    /// This is the fastest way if the processor cannot predict which lights are in front of the
-    /// surface. If all of them are, or on a microcontroller, `filter_map` with `in_front` is
-    /// faster.
-    ///
-    /// ```
-    /// use shading::f32::{Attenuation, PointLight, Rgb, UnitVec3, Vec3};
-    ///
-    /// let lamp = |z| PointLight {
-    ///     position: Vec3::new(0.0, 0.0, z),
-    ///     intensity: Rgb::WHITE,
-    ///     attenuation: Attenuation::NONE,
-    /// };
-    /// let lamps = [lamp(2.0), lamp(-2.0), lamp(4.0)];
-    /// let lit = PointLight::all_in_front(&lamps, Vec3::ZERO, UnitVec3::Z);
-    /// assert!(lit.map(|light| light.distance).eq([2.0, 4.0]));
-    /// ```
-    #[inline]
-    pub fn all_in_front(
-        lights: &[Self],
-        p: Vec3<T>,
-        n: UnitVec3<T>,
-    ) -> impl Iterator<Item = IncidentLight<T>> {
-        Filtered::by(move |light: &Self| light.may_light(p, n), lights)
-            .map(move |light| light.at(p))
-    }
-
-    /// Whether [`in_front`](PointLight::in_front) may return a light.
-    #[inline]
-    pub(super) fn may_light(&self, p: Vec3<T>, n: UnitVec3<T>) -> bool {
-        let to_light = self.position - p;
-        is_in_front(n, to_light) && self.reaches(to_light)
     }
 
     /// Whether the light may reach a point from which P_light − p leads to it.

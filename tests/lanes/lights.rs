@@ -190,7 +190,6 @@ fn lights_add_up<L: Lanes, M: Exponent<L> + Exponent<L::Scalar>>(
     for shaded in [
         shaded(&mut packs.iter().map(|pack| pack.at(p))),
         shaded(&mut packs.iter().filter_map(|pack| pack.in_front(p, n))),
-        shaded(&mut Light::all_in_front(&packs, p, n)),
     ] {
         assert_same(shaded.ambient, material.k_a * i_a);
         assert_same(

@@ -200,11 +200,10 @@ fn shade_all<T: Real, M: Exponent<T>>(
     i_a: Rgb<T>,
     lights: &[Light<T>],
     p: Vec3<T>,
-) -> [Shaded<T>; 3] {
+) -> [Shaded<T>; 2] {
     let each = || lights.iter().map(|light| light.at(p));
     [
         shade::phong(n, v, material, i_a, each()),
         shade::blinn_phong(n, v, material, i_a, each()),
-        shade::blinn_phong(n, v, material, i_a, Light::all_in_front(lights, p, n)),
     ]
 }

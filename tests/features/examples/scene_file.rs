@@ -21,7 +21,7 @@ pub struct Scene {
 /// The light that a point sends along `v`.
 #[must_use]
 pub fn shaded(scene: &Scene, p: Vec3, n: UnitVec3, v: UnitVec3) -> Rgb {
-    let lights = Light::all_in_front(&scene.lights, p, n);
+    let lights = scene.lights.iter().filter_map(|light| light.in_front(p, n));
     shade::blinn_phong(n, v, &scene.material, scene.ambient, lights).total()
 }
 

@@ -19,8 +19,7 @@ pub fn pixel(
     let n = normal::implicit(torus, p).unwrap_or(UnitVec3::Z);
     let corner = normal::corner(p, *n, *v);
     let at = || lights.iter().map(|light| light.at(p));
-    let in_front = lights.iter().filter_map(|light| light.in_front(p, n));
-    let all_in_front = Light::all_in_front(lights, p, n);
+    let in_front = || lights.iter().filter_map(|light| light.in_front(p, n));
     let shininess = Material {
         k_a: real.k_a,
         k_d: real.k_d,
@@ -29,9 +28,9 @@ pub fn pixel(
     };
     shade::lambert(corner.unit_or(n), integer, Rgb::WHITE, at())
         + shade::phong(n, v, integer, Rgb::WHITE, at())
-        + shade::phong(n, v, &shininess, Rgb::WHITE, in_front)
+        + shade::phong(n, v, &shininess, Rgb::WHITE, in_front())
         + shade::blinn_phong(n, v, integer, Rgb::WHITE, at())
-        + shade::blinn_phong(n, v, &shininess, Rgb::WHITE, all_in_front)
+        + shade::blinn_phong(n, v, &shininess, Rgb::WHITE, in_front())
             * (integer.m.raise(m) + m.raise(m) + promise(0.0))
 }
 

@@ -71,7 +71,6 @@ macro_rules! for_each_function {
             every_lambert "shade::lambert, every light" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lights()) => light;
             every_phong "shade::phong, every light" |g| shade::phong(g.n, g.v, &g.integer, g.rgb, g.from_lights().filter_map(|light| light.in_front(g.n))) => light;
             every_blinn_phong "shade::blinn_phong, every light" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.from_lights()) => light;
-            every_blinn_phong_in_front "shade::blinn_phong, every light in front" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, Light::all_in_front(&g.lights, g.p, g.n)) => light;
         }
         SERIES: Float {
             raise_real_sweep "Exponent::raise, every real m" |g| REAL.map(|m| T::from(m).raise(g.cosine)) => nothing;
@@ -156,21 +155,18 @@ macro_rules! for_each_function {
             directional_light_in_front "DirectionalLight::in_front" |g| g.sun.in_front(g.p, g.n) => arriving;
             point_light "PointLight::at" |g| g.lamps[0].at(g.p) => arriving;
             point_light_in_front "PointLight::in_front" |g| g.lamps[0].in_front(g.p, g.n) => arriving;
-            point_lights_in_front "PointLight::all_in_front" |g| { let mut lit = PointLight::all_in_front(&g.lamps, g.p, g.n); [(); 4].map(|()| lit.next()) } => nothing;
             spot_light "SpotLight::at" |g| g.spot.at(g.p) => arriving;
             spot_light_in_front "SpotLight::in_front" |g| g.spot.in_front(g.p, g.n) => arriving;
             soft_spot_light "SpotLight::at, soft and ranged" |g| g.soft_spot.at(g.p) => arriving;
             soft_spot_light_in_front "SpotLight::in_front, soft and ranged" |g| g.soft_spot.in_front(g.p, g.n) => arriving;
             any_light "Light::at" |g| g.lights[2].at(g.p) => arriving;
             any_light_in_front "Light::in_front" |g| g.lights[2].in_front(g.p, g.n) => arriving;
-            any_lights_in_front "Light::all_in_front" |g| { let mut lit = Light::all_in_front(&g.lights, g.p, g.n); [(); 4].map(|()| lit.next()) } => nothing;
             incident_light_in_front "IncidentLight::in_front" |g| g.incident.in_front(g.n) => nothing;
 
             shade_lambert "shade::lambert" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lamps()) => light;
             shade_phong "shade::phong, integer m" |g| shade::phong(g.n, g.v, &g.integer, g.rgb, g.from_lamps()) => light;
             shade_blinn_phong "shade::blinn_phong, integer m" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.from_lamps()) => light;
             shade_in_front "shade::blinn_phong, integer m, lights in front" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.lamps.iter().filter_map(|lamp| lamp.in_front(g.p, g.n))) => light;
-            shade_all_in_front "shade::blinn_phong, integer m, all in front" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, PointLight::all_in_front(&g.lamps, g.p, g.n)) => light;
             shaded_total "Shaded::total" |g| g.shaded.total() => light;
         }
         REAL_M: Float {
@@ -181,7 +177,6 @@ macro_rules! for_each_function {
             shade_phong_real "shade::phong, real m" |g| shade::phong(g.n, g.v, &g.real, g.rgb, g.from_lamps()) => light;
             shade_blinn_phong_real "shade::blinn_phong, real m" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.from_lamps()) => light;
             shade_in_front_real "shade::blinn_phong, real m, lights in front" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.lamps.iter().filter_map(|lamp| lamp.in_front(g.p, g.n))) => light;
-            shade_all_in_front_real "shade::blinn_phong, real m, all in front" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, PointLight::all_in_front(&g.lamps, g.p, g.n)) => light;
         }
         HALF_ANGLES: Number {
             cone_of_half_angle "Cone::of_half_angle" |g| Cone::of_half_angle(g.cosine * T::of_f32(3.25)).map(Cone::cosine) => cosines;
@@ -193,8 +188,8 @@ macro_rules! for_each_function {
 /// Each row as a function.
 pub mod row {
     use shading::{
-        Attenuation, Beam, Cone, Dual, Elementary, Exponent, Falloff, Light, PointLight, Ranged,
-        Real, Rgb, SoftCone, UnitVec3, Vec3, normal, shade, term,
+        Attenuation, Beam, Cone, Dual, Elementary, Exponent, Falloff, Ranged, Real, Rgb, SoftCone,
+        UnitVec3, Vec3, normal, shade, term,
     };
 
     use crate::given::Given;

@@ -130,9 +130,15 @@ impl Scene {
     fn shaded(&self, ray: &Ray, hit: &Hit, material: &Finish) -> Shaded<f32> {
         let v = -ray.direction;
         // no ray is sent to a light behind the surface
-        let lit = Light::all_in_front(&self.lights, hit.p, hit.n)
-            .chain(Light::all_in_front(&self.soft_lights, hit.p, hit.n))
-            .filter(|light| !self.in_shadow(hit, light));
+        let hard = self
+            .lights
+            .iter()
+            .filter_map(|light| light.in_front(hit.p, hit.n));
+        let soft = self
+            .soft_lights
+            .iter()
+            .filter_map(|light| light.in_front(hit.p, hit.n));
+        let lit = hard.chain(soft).filter(|light| !self.in_shadow(hit, light));
         match self.model {
             Model::Phong => shade::phong(hit.n, v, material, self.ambient, lit),
             Model::BlinnPhong => shade::blinn_phong(hit.n, v, material, self.ambient, lit),
