@@ -247,7 +247,7 @@ pub(super) fn window(v: &[Fixed; 3], r: Fixed) -> Wide {
     let (shift, rest_shift) = (range.leading_zeros(), rest.leading_zeros());
     let range = (range << shift >> 33) as u32;
     let rest = (rest << rest_shift >> 34) as u32;
-    let other = 2 * range - (2 * rest >> (rest_shift - shift).min(31));
+    let other = 2 * range - ((2 * rest) >> (rest_shift - shift).min(31));
     let product = Wide::new(
         upper(rest << 2, other),
         1 + shift as i32 - rest_shift as i32,
