@@ -106,9 +106,13 @@ impl Factor {
 
     /// The reciprocal of a denominator of three words, the highest in units of 2^shift steps, that is
     /// below 1 or above the largest number.
-    #[cold]
+    #[cfg_attr(
+        all(target_arch = "arm", not(target_has_atomic = "32")),
+        inline(always)
+    )]
     #[cfg_attr(
         not(all(target_arch = "arm", not(target_has_atomic = "32"))),
+        cold,
         inline(never)
     )]
     fn beyond(mut high: u32, mut middle: u32, mut low: u32, mut shift: i32) -> Self {
@@ -148,19 +152,18 @@ impl Factor {
         }
     }
 
-    /// v times the factor, rounded and saturated.
+    /// Multiplies v by the factor, rounded and saturated. It does so in place: on a Cortex-M0 a sum has no
+    /// stack for another color.
     #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
     #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
-    pub(super) fn scale(self, v: &[Fixed; 3]) -> [Fixed; 3] {
-        let mut scaled = *v;
-        for c in &mut scaled {
+    pub(super) fn scale(self, v: &mut [Fixed; 3]) {
+        for c in v {
             *c = if LONG_MULTIPLY && self.up < 0 {
                 Fixed(part(c.0, self.share))
             } else {
                 self.times_any(*c)
             };
         }
-        scaled
     }
 
     #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline)]

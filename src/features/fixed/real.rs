@@ -88,24 +88,27 @@ impl Real for Fixed {
             return Self(ONE);
         }
         let share = falloff::window(&[q, Self(0), Self(0)], r);
-        Factor::ONE.within(share).scale(&[Self(ONE); 3])[0]
+        let mut window = [Self(ONE); 3];
+        Factor::ONE.within(share).scale(&mut window);
+        window[0]
     }
 
     #[inline]
     fn attenuated(
-        v: [Self; 3],
+        mut v: [Self; 3],
         [a, b, c]: [Self; 3],
         [_, q]: [Self; 2],
         limit: impl FnOnce() -> Self,
     ) -> [Self; 3] {
         let factor = Factor::of(a, b, c, q);
-        factor.clamped(limit() == Self(ONE)).scale(&v)
+        factor.clamped(limit() == Self(ONE)).scale(&mut v);
+        v
     }
 
     #[inline]
     fn attenuated_within(
         r: Self,
-        v: [Self; 3],
+        mut v: [Self; 3],
         [a, b, c]: [Self; 3],
         [_, q]: [Self; 2],
         to_light: impl FnOnce() -> [Self; 3],
@@ -115,7 +118,8 @@ impl Real for Fixed {
         if r != Self::MAX {
             factor = factor.within(falloff::window(&to_light(), r));
         }
-        factor.scale(&v)
+        factor.scale(&mut v);
+        v
     }
 
     #[inline]
