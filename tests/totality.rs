@@ -1084,6 +1084,8 @@ fn every_row_of_the_table_names_a_test() {
         "shadows.rs",
         "lengths.rs",
         "lanes/main.rs",
+        "fixed/colors.rs",
+        "fixed/falloff.rs",
         "fixed/numbers.rs",
         "fixed/scene.rs",
         "fixed/totality.rs",
