@@ -48,27 +48,24 @@ use crate::vector::Vec3;
 #[inline]
 #[must_use]
 pub fn tangent<T: Real + PartialOrd>(
-    vertices: [Vec3<T>; 3],
-    coordinates: [[T; 2]; 3],
+    [a, b, c]: [Vec3<T>; 3],
+    [[x1, y1], [x2, y2], [x3, y3]]: [[T; 2]; 3],
 ) -> Option<(UnitVec3<T>, T)> {
     // halves, because a difference may overflow; shares of the largest, because a product may
     let half = T::of_f32(0.5);
-    let [a, b, c] = vertices.map(|p| p * half);
-    let (e1, e2) = (b - a, c - a);
-    let edge = e1.length().at_least(e2.length());
-    let [x1, x2] = shares(coordinates.map(|[x, _]| x * half));
-    let [y1, y2] = shares(coordinates.map(|[_, y]| y * half));
-    let d = x1 * y2 - x2 * y1;
+    let (e2, e3) = (b * half - a * half, c * half - a * half);
+    let edge = e2.length().at_least(e3.length());
+    let (x2, x3) = shares(x2 * half - x1 * half, x3 * half - x1 * half);
+    let (y2, y3) = shares(y2 * half - y1 * half, y3 * half - y1 * half);
+    let d = x2 * y3 - x3 * y2;
     let h = d.if_positive(T::ONE, T::NEG_ONE);
-    let t = (e1 / edge * y2 - e2 / edge * y1) * h;
+    let t = (e2 / edge * y3 - e3 / edge * y2) * h;
     t.unit().filter(|_| d.abs() > T::ZERO).map(|t| (t, h))
 }
 
-/// The differences from the first number, in shares of the larger one. If both are 0, they are NaN.
+/// Two numbers in shares of the larger one. If both are 0, they are NaN.
 #[inline]
-fn shares<T: Real>([first, second, third]: [T; 3]) -> [T; 2] {
-    let differences = [second - first, third - first];
-    let [a, b] = differences.map(T::abs);
-    let larger = a.at_least(b);
-    differences.map(|difference| difference / larger)
+fn shares<T: Real>(a: T, b: T) -> (T, T) {
+    let larger = a.abs().at_least(b.abs());
+    (a / larger, b / larger)
 }

@@ -20,8 +20,9 @@ pub(super) fn cosine_of_half_angle<T: Real + PartialOrd>(radians: T) -> Option<T
         return None;
     }
     // what the number nearest to π/2 lacks
-    let [first, second, third] = HALF_PI.map(T::of_f32);
-    let rest = (first - half) + second + third + constant(REST);
+    let [first, second, third] = HALF_PI;
+    let first = T::of_f32(first) - half;
+    let rest = first + T::of_f32(second) + T::of_f32(third) + constant(REST);
     // each case needs only the sine of an angle of at most π/4
     Some(if radians < quarter {
         cosine_of_small(radians)

@@ -61,12 +61,18 @@ for_each_function!(digests);
 
 impl<T: Number> Of<T> {
     /// Everything that promises not to compute in doubles, whatever the number.
-    pub const WITHOUT_DOUBLES: [&[Function<T>]; 4] =
-        [Self::ARITHMETIC, Self::SWEEPS, Self::FUNCTIONS, Self::BYTES];
-    /// Everything that every number has.
-    pub const OF_NUMBERS: [&[Function<T>]; 6] = [
+    pub const WITHOUT_DOUBLES: [&[Function<T>]; 5] = [
         Self::ARITHMETIC,
         Self::SWEEPS,
+        Self::OFF_GPU,
+        Self::FUNCTIONS,
+        Self::BYTES,
+    ];
+    /// Everything that every number has.
+    pub const OF_NUMBERS: [&[Function<T>]; 7] = [
+        Self::ARITHMETIC,
+        Self::SWEEPS,
+        Self::OFF_GPU,
         Self::FUNCTIONS,
         Self::BYTES,
         Self::HALF_ANGLES,

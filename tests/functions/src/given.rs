@@ -181,6 +181,15 @@ impl<T: Number> Given<T> {
         self.lamps.iter().map(|lamp| lamp.at(self.p))
     }
 
+    /// The light that arrives from each lamp in front of the surface.
+    #[inline]
+    pub fn lamps_in_front(&self) -> impl Iterator<Item = IncidentLight<T>> {
+        let Self { p, n, .. } = *self;
+        self.lamps
+            .iter()
+            .filter_map(move |lamp| lamp.in_front(p, n))
+    }
+
     /// The light that arrives from a light of each kind, twice: more than four are in front of the
     /// surface.
     pub fn from_lights(&self) -> impl Iterator<Item = IncidentLight<T>> {

@@ -6,8 +6,9 @@
 ///
 /// - `ARITHMETIC`, `SWEEPS`, `SERIES`: the digests and the checks with any bits alone. The first
 ///   compile to a few instructions; the other two call a function several times in a row;
-/// - `BYTES`, `ANGLES`: the counts of instructions and of flash, too;
-/// - `FUNCTIONS`, `REAL_M`, `HALF_ANGLES`: the shader, too, which has neither bytes nor doubles.
+/// - `BYTES`, `ANGLES`, `OFF_GPU`: the counts of instructions and of flash, too;
+/// - `FUNCTIONS`, `REAL_M`, `HALF_ANGLES`: the shader, too, which has neither bytes nor doubles, tables nor
+///   enums with data. It has arguments of its own, with the same names.
 ///
 /// `HALF_ANGLES` compute in doubles in fixed point, and `ANGLES` in `f32` too. `REAL_M` and
 /// `SERIES` are for floats.
@@ -99,11 +100,18 @@ macro_rules! for_each_function {
             angular_implicit "normal::implicit, with angles" |g| normal::implicit(gyroid, g.p) => unit;
             angular_parametric "normal::parametric, with angles" |g| normal::parametric(globe, g.x, g.y) => unit;
         }
+        OFF_GPU: Number {
+            exp "Elementary::exp" |g| g.x.exp() => nothing;
+            ln "Elementary::ln" |g| g.x.abs().ln() => nothing;
+            dual_exp "Dual::exp" |g| g.f.exp() => nothing;
+            dual_ln "Dual::ln" |g| g.f.abs().ln() => nothing;
+            normalized "UnitVec3::normalized" |g| T::normalized(g.a) => unit;
+            any_light "Light::at" |g| g.lights[2].at(g.p) => arriving;
+            any_light_in_front "Light::in_front" |g| g.lights[2].in_front(g.p, g.n) => arriving;
+        }
         FUNCTIONS: Number {
             sqrt "Real::sqrt" |g| g.x.abs().sqrt() => nothing;
             powi "Elementary::powi" |g| g.x.powi(7) => nothing;
-            exp "Elementary::exp" |g| g.x.exp() => nothing;
-            ln "Elementary::ln" |g| g.x.abs().ln() => nothing;
             raise_integer "Exponent::raise, integer m" |g| g.integer.m.raise(g.cosine) => nothing;
 
             dot "Vec3::dot" |g| g.a.dot(g.b) => nothing;
@@ -112,13 +120,10 @@ macro_rules! for_each_function {
             unit "Vec3::unit" |g| g.a.unit() => unit;
             unit_or "Vec3::unit_or" |g| g.a.unit_or(g.n) => unit_or_n;
             unit_vec3_of "UnitVec3::of" |g| UnitVec3::of(g.n.x, g.n.y, g.n.z) => unit;
-            normalized "UnitVec3::normalized" |g| T::normalized(g.a) => unit;
             clamped "Rgb::clamped" |g| (g.rgb - g.integer.k_a).clamped() => share;
 
             dual_sqrt "Dual::sqrt" |g| g.f.abs().sqrt() => nothing;
             dual_powi "Dual::powi" |g| g.f.powi(7) => nothing;
-            dual_exp "Dual::exp" |g| g.f.exp() => nothing;
-            dual_ln "Dual::ln" |g| g.f.abs().ln() => nothing;
 
             normal_plane "normal::plane" |g| normal::plane(g.a.x, g.a.y, g.a.z) => unit;
             normal_triangle "normal::triangle" |g| normal::triangle(g.p, g.a, g.b) => unit;
@@ -159,14 +164,12 @@ macro_rules! for_each_function {
             spot_light_in_front "SpotLight::in_front" |g| g.spot.in_front(g.p, g.n) => arriving;
             soft_spot_light "SpotLight::at, soft and ranged" |g| g.soft_spot.at(g.p) => arriving;
             soft_spot_light_in_front "SpotLight::in_front, soft and ranged" |g| g.soft_spot.in_front(g.p, g.n) => arriving;
-            any_light "Light::at" |g| g.lights[2].at(g.p) => arriving;
-            any_light_in_front "Light::in_front" |g| g.lights[2].in_front(g.p, g.n) => arriving;
             incident_light_in_front "IncidentLight::in_front" |g| g.incident.in_front(g.n) => nothing;
 
             shade_lambert "shade::lambert" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lamps()) => light;
             shade_phong "shade::phong, integer m" |g| shade::phong(g.n, g.v, &g.integer, g.rgb, g.from_lamps()) => light;
             shade_blinn_phong "shade::blinn_phong, integer m" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.from_lamps()) => light;
-            shade_in_front "shade::blinn_phong, integer m, lights in front" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.lamps.iter().filter_map(|lamp| lamp.in_front(g.p, g.n))) => light;
+            shade_in_front "shade::blinn_phong, integer m, lights in front" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.lamps_in_front()) => light;
             shaded_total "Shaded::total" |g| g.shaded.total() => light;
         }
         REAL_M: Float {
@@ -176,7 +179,7 @@ macro_rules! for_each_function {
             blinn_normalization "term::blinn_normalization" |g| term::blinn_normalization(g.real.m) => positive;
             shade_phong_real "shade::phong, real m" |g| shade::phong(g.n, g.v, &g.real, g.rgb, g.from_lamps()) => light;
             shade_blinn_phong_real "shade::blinn_phong, real m" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.from_lamps()) => light;
-            shade_in_front_real "shade::blinn_phong, real m, lights in front" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.lamps.iter().filter_map(|lamp| lamp.in_front(g.p, g.n))) => light;
+            shade_in_front_real "shade::blinn_phong, real m, lights in front" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.lamps_in_front()) => light;
         }
         HALF_ANGLES: Number {
             cone_of_half_angle "Cone::of_half_angle" |g| Cone::of_half_angle(g.cosine * T::of_f32(3.25)).map(Cone::cosine) => cosines;
@@ -221,7 +224,7 @@ pub mod row {
         (i + i + T::ONE, T::from(0.707) + (i + share) * T::from(1e-5))
     }
 
-    fn torus<T: Real>(p: Vec3<T>) -> T {
+    pub fn torus<T: Real>(p: Vec3<T>) -> T {
         let ring = (p.x * p.x + p.y * p.y).sqrt() - T::of_f32(2.0);
         ring * ring + p.z * p.z - T::of_f32(0.25)
     }
@@ -234,7 +237,7 @@ pub mod row {
         blob(-T::ONE) + blob(T::ONE) + (p.z.abs() + T::ONE).ln() - p.x.powi(3)
     }
 
-    fn saddle<T: Real>(u: T, v: T) -> Vec3<T> {
+    pub fn saddle<T: Real>(u: T, v: T) -> Vec3<T> {
         Vec3::new(u, v, u * u - v * v)
     }
 
