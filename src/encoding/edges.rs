@@ -126,3 +126,26 @@ pub(crate) const fn decoded(encoded: f64) -> f64 {
         root = next;
     }
 }
+
+/// The most by which the bits of a NaN exceed those of infinity.
+pub(super) const NAN: u32 = 0x007F_FFFF;
+
+/// The place of a number in the order of all numbers. As signed integers, the bits of positive floats are
+/// in order, and those of negative floats are below them. The sum wraps every NaN around to below all.
+pub(super) const fn order(x: f32) -> i32 {
+    x.to_bits().wrapping_add(NAN) as i32
+}
+
+/// The place of a number, brought into a range of places.
+#[inline]
+pub(super) const fn between(x: f32, first: i32, last: i32) -> i32 {
+    let place = order(x);
+    let place = if place < first { first } else { place };
+    if place > last { last } else { place }
+}
+
+/// The bits of a number, brought into a range in this order; NaN counts as dark.
+#[inline]
+pub(super) const fn in_order(x: f32, low: f32, high: f32) -> u32 {
+    between(x, order(low), order(high)) as u32 - NAN
+}

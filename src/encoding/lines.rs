@@ -3,32 +3,16 @@
 //! A line for each quarter of an octave guesses the level, in the numbers' bits. The guess is the level
 //! or the one below, which a comparison with the beginning of the next level decides.
 
-use super::edges::{encoded, next_edges};
-
-/// The most by which the bits of a NaN exceed those of infinity.
-const NAN: u32 = 0x007F_FFFF;
-
-/// The place of a number in the order of all numbers. As signed integers, the bits of positive floats are
-/// in order, and those of negative floats are below them. The sum wraps every NaN around to below all.
-const fn order(x: f32) -> i32 {
-    x.to_bits().wrapping_add(NAN) as i32
-}
+use super::edges::{NAN, between, encoded, in_order, next_edges, order};
 
 /// The first place is level 0, the last is the highest level; a mask finds the lines from one to the other.
 const FIRST: i32 = order(1.0 / 8192.0) + 1;
 const LAST: i32 = order(1.0) - 1;
 
-#[inline]
-const fn between(x: f32, first: i32, last: i32) -> i32 {
-    let place = order(x);
-    let place = if place < first { first } else { place };
-    if place > last { last } else { place }
-}
-
 /// The bits of a number, brought into a range; NaN counts as dark.
 #[inline]
 pub(crate) const fn clamped(x: f32, low: f32, high: f32) -> u32 {
-    between(x, order(low), order(high)) as u32 - NAN
+    in_order(x, low, high)
 }
 
 /// Where a number stands among the edges of the levels.

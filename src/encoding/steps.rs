@@ -4,7 +4,7 @@
 //! next. An entry is the level at the end of its interval, less the part of the interval before the
 //! step. Adding the place within the interval carries into the level from the step on.
 
-use super::edges::next_edges;
+use super::edges::{in_order, next_edges};
 
 /// The intervals of the levels of an encoding. `SHIFT` low bits of a number are the place within its
 /// interval.
@@ -48,6 +48,10 @@ impl<const LENGTH: usize, const SHIFT: u32> Steps<LENGTH, SHIFT> {
 /// The bits of a number, brought into a range; NaN counts as dark.
 #[inline]
 pub(crate) const fn clamped(x: f32, low: f32, high: f32) -> u32 {
+    if cfg!(target_arch = "aarch64") {
+        // whose maximum makes a number of a signaling NaN
+        return in_order(x, low, high);
+    }
     // The second comparison is one of integers, because the compiler would make a branch of two of
     // floats: it sees that the result has only one level then.
     let bits = if x > low { x } else { low }.to_bits();

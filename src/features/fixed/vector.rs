@@ -73,10 +73,17 @@ pub(super) fn scaled(&[x, y, z]: &[Fixed; 3], factor: Fixed) -> [Fixed; 3] {
 }
 
 /// The cosine of the angle between n and the half vector of l and v, N·H; 0 if they are
-/// opposite.
+/// opposite. It takes two functions, for the stack of a Cortex-M0.
+#[inline]
+pub(super) fn half_cosine(n: &[Fixed; 3], l: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
+    let (dot, square) = with_half_vector(n, l, v);
+    over_root(dot, square)
+}
+
+/// N·h and the upper half of |h|², where h = L + V.
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
-pub(super) fn half_cosine(n: &[Fixed; 3], l: &[Fixed; 3], v: &[Fixed; 3]) -> Fixed {
+fn with_half_vector(n: &[Fixed; 3], l: &[Fixed; 3], v: &[Fixed; 3]) -> (i32, u32) {
     let (mut square, mut dot, mut i) = (0_u32, 0_i32, 0);
     while i < 3 {
         let h = l[i].0.wrapping_add(v[i].0) << 13;
@@ -84,6 +91,13 @@ pub(super) fn half_cosine(n: &[Fixed; 3], l: &[Fixed; 3], v: &[Fixed; 3]) -> Fix
         dot = dot.wrapping_add(upper_signed(n[i].0 << 12, h));
         i += 1;
     }
+    (dot, square)
+}
+
+/// N·h/|h|.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+fn over_root(dot: i32, square: u32) -> Fixed {
     let pairs = pairs_of_zeros(square);
     let root = reciprocal_root(square << (2 * pairs));
     let cosine = upper_of_part(dot << pairs, root); // 23 bits after the point
@@ -120,27 +134,31 @@ pub(super) const fn unit_and_length(v: &[Fixed; 3]) -> ([Fixed; 3], Fixed) {
 }
 
 /// The same, but a length below 1 is negative, and [`FINE`] bits finer.
+///
+/// It takes two functions: together they would keep more on the stack of a Cortex-M0.
 #[inline]
 pub(super) const fn unit_and_fine_length(v: &[Fixed; 3]) -> ([Fixed; 3], Fixed) {
     let mut unit = *v;
-    let length = normalize(&mut unit);
+    let shift = headroom(magnitude(&unit));
+    let (length, reciprocal) = length_and_reciprocal(&unit, shift);
+    normalize(&mut unit, shift, reciprocal);
+    if length.0 == 0 {
+        unit[2] = Fixed(ONE);
+    }
     (unit, length)
 }
 
-/// Makes a direction of a vector, and returns its length as [`unit_and_fine_length`] does.
+/// The length of a vector with so much headroom, as [`unit_and_fine_length`] returns it, and the reciprocal
+/// for [`normalize`].
 #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
-const fn normalize(v: &mut [Fixed; 3]) -> Fixed {
-    let shift = headroom(magnitude(v));
+const fn length_and_reciprocal(v: &[Fixed; 3], shift: u32) -> (Fixed, i32) {
     let square = upper_of_square(v[0].0 << shift)
         + upper_of_square(v[1].0 << shift)
         + upper_of_square(v[2].0 << shift);
     let pairs = pairs_of_zeros(square);
     let reciprocal = reciprocal_root(square << (2 * pairs)) << pairs;
     let length = upper(square, reciprocal as u32); // in units of 2^(5 − shift) steps
-    v[0] = share_of(v[0].0 << shift, reciprocal);
-    v[1] = share_of(v[1].0 << shift, reciprocal);
-    v[2] = share_of(v[2].0 << shift, reciprocal);
     let is_short = length >> 11 >> shift == 0;
     let shift = shift as i32 - if is_short { FINE as i32 } else { 0 };
     let length = if shift > 5 {
@@ -150,10 +168,16 @@ const fn normalize(v: &mut [Fixed; 3]) -> Fixed {
         let most = (i32::MAX as u32) >> up;
         (if length < most { length } else { most }) << up
     } as i32;
-    if length == 0 {
-        v[2] = Fixed(ONE);
-    }
-    Fixed(if is_short { -length } else { length })
+    (Fixed(if is_short { -length } else { length }), reciprocal)
+}
+
+/// Makes a direction of a vector, given its headroom and the reciprocal of its length.
+#[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
+#[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
+const fn normalize(v: &mut [Fixed; 3], shift: u32, reciprocal: i32) {
+    v[0] = share_of(v[0].0 << shift, reciprocal);
+    v[1] = share_of(v[1].0 << shift, reciprocal);
+    v[2] = share_of(v[2].0 << shift, reciprocal);
 }
 
 /// A component times the reciprocal of the length, rounded.
