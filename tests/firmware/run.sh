@@ -137,7 +137,6 @@ for target in $chip_targets; do
         within "$target stack" "$depth" $limit
     done
 done
-done
 
 echo "== each check can fail"
 # broken FEATURE CHECK...: the check must fail when the feature breaks its promise
