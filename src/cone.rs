@@ -145,7 +145,8 @@ impl<T: Real> Cone<T> {
     where
         T: PartialOrd,
     {
-        (cosine >= T::NEG_ONE && cosine <= T::ONE).then(|| Self::with_slack(cosine))
+        // −0 would turn the sign of the width of an edge
+        (cosine >= T::NEG_ONE && cosine <= T::ONE).then(|| Self::with_slack(cosine + T::ZERO))
     }
 
     /// The cone of a cosine within [−1, 1], or of another cone's: it contains its axis, and a cone of
@@ -277,7 +278,7 @@ macro_rules! checked {
                     } else if cosine < SLACK - 1.0 {
                         -1.0 - SLACK
                     } else {
-                        cosine
+                        cosine + 0.0 // −0 would turn the sign of the width of an edge
                     },
                 })
             }

@@ -71,10 +71,11 @@ impl<T: Real> SoftCone<T> {
     #[must_use]
     pub fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
         // Counted from the outer edge, a faint light keeps its digits. If the edges coincide, 0/0 on
-        // them is not used, as it may be any number; a width of −0 would turn the sign beside them.
+        // them is not used, as it may be any number.
         let cosine = (-axis).dot(l);
-        let t = (cosine - self.outer) / (self.inner - self.outer).abs();
-        let t = (self.inner - cosine).if_positive(t.at_least(T::ZERO), T::ONE);
+        let t = (cosine - self.outer) / (self.inner - self.outer);
+        let t = t.at_least(T::ZERO).at_most(T::ONE);
+        let t = (self.inner - cosine).if_positive(t, T::ONE);
         if self.smoothstep == YES {
             (t * t * (T::ONE + T::ONE + T::ONE - (t + t))).at_most(T::ONE)
         } else {

@@ -15,7 +15,7 @@ pub const FAULTS: &[Fault] = &[
     ("rgb", "channel.if_positive(channel.at_most(T::ONE), T::ZERO)", "channel.at_most(T::ONE)", "clamped"),
     ("attenuation", "factor.at_least(T::ZERO)", "factor", "attenuation_clamped"),
     ("attenuation", "if self.clamped == YES { T::ONE } else { T::MAX }", "T::MAX", "attenuation_clamped"),
-    ("range", "(T::ONE - square * square).at_least(T::ZERO)", "(T::ONE - square * square)", "ranged_beyond"),
+    ("real/triple", "(T::ONE - square * square).at_least(T::ZERO)", "(T::ONE - square * square)", "ranged_beyond"),
     ("soft_cone", "t.at_least(T::ZERO)", "t", "soft_cone_of_any"),
     (
         "soft_cone",
