@@ -3,6 +3,7 @@
 mod claims;
 mod faults;
 mod gappa;
+mod random;
 mod table;
 
 use std::path::Path;
@@ -61,22 +62,25 @@ fn prove(names: &[&str]) -> bool {
     open == 0 && complaints.is_empty()
 }
 
-/// Tests the prover: with numbers, each value must lie in the range that it derived.
+/// Tests the prover: with numbers, each value must lie in the range that it derived. The formulas are
+/// those of the claims, and random ones.
 fn check(runs: u64) -> bool {
-    let (mut compared, mut is_sound) = (0, true);
-    for claim in claims::all() {
-        for format in [Format::F32, Format::F64] {
-            match check_ranges(format, claim.formula, runs) {
-                Ok(number) => compared += number,
-                Err(wrong) => {
-                    is_sound = false;
-                    println!("{format:?} {}: {wrong}", claim.name);
-                }
+    let formats = [Format::F32, Format::F64];
+    let of_random =
+        (1..=100 * runs).map(|seed| check_ranges(formats[seed as usize % 2], |given| random::formula(seed, given), 50));
+    let of_claims = claims::all().flat_map(|claim| formats.map(|format| check_ranges(format, claim.formula, runs)));
+    let mut compared = 0;
+    for result in of_random.chain(of_claims) {
+        match result {
+            Ok(number) => compared += number,
+            Err(wrong) => {
+                println!("{wrong}");
+                return false;
             }
         }
     }
     println!("prover: {compared} values compared with their ranges");
-    is_sound
+    true
 }
 
 /// Whether the prover with planted faults finds each of them, and proves the same claim without it.

@@ -504,11 +504,11 @@ impl Known {
                 let within = Range::within(-now.high, now.high);
                 self.learn(g, a, Range { nan, ..within });
             }
-            Node::Sqrt(a) => {
-                let low = if now.low > 0.0 { f.tiny() } else { -INF };
+            // the root of a negative number is NaN, too
+            Node::Sqrt(a) if !nan => {
+                let low = if now.low > 0.0 { f.tiny() } else { 0.0 };
                 let high = if now.high < INF { f.max() } else { INF };
-                let within = Range::within(low, high);
-                self.learn(g, a, Range { nan, ..within });
+                self.learn(g, a, Range::within(low, high));
             }
             Node::Select(test, then, otherwise) => {
                 let [a, b] = [then, otherwise].map(|id| self.range(g, id).meet(now).is_empty());
