@@ -63,11 +63,10 @@ fn prove(names: &[&str]) -> bool {
 }
 
 /// Tests the prover: with numbers, each value must lie in the range that it derived. The formulas are
-/// those of the claims, and random ones.
+/// random ones, and those of the claims.
 fn check(runs: u64) -> bool {
     let formats = [Format::F32, Format::F64];
-    let of_random =
-        (1..=100 * runs).map(|seed| check_ranges(formats[seed as usize % 2], |given| random::formula(seed, given), 50));
+    let of_random = (1..=50 * runs).flat_map(|seed| formats.map(|format| random::check(seed, format, 20)));
     let of_claims = claims::all().flat_map(|claim| formats.map(|format| check_ranges(format, claim.formula, runs)));
     let mut compared = 0;
     for result in of_random.chain(of_claims) {
@@ -83,20 +82,31 @@ fn check(runs: u64) -> bool {
     true
 }
 
-/// Whether the prover with planted faults finds each of them, and proves the same claim without it.
+/// Whether the prover with planted faults finds each of them, and proves the same claim without it; and
+/// whether its tests find each wrong rule.
 fn find(prover: &str) -> bool {
-    let proves = |number: &str, claim: &str| {
-        let output = Command::new(prover).env("PLANTED", number).args(["prove", claim]).output();
+    let succeeds = |number: Option<usize>, arguments: [&str; 2]| {
+        let planted = number.map_or(String::new(), |number| number.to_string());
+        let output = Command::new(prover).env("PLANTED", planted).args(arguments).output();
         output.is_ok_and(|output| output.status.success())
     };
     let mut found = 0;
     for (number, (file, old, new, claim)) in faults::FAULTS.iter().enumerate() {
-        if proves("", claim) && !proves(&number.to_string(), claim) {
+        if succeeds(None, ["prove", claim]) && !succeeds(Some(number), ["prove", claim]) {
             found += 1;
         } else {
             println!("{claim} does not find the fault {number} in {file}: {new} instead of {old}");
         }
     }
-    println!("faults: {found} of {} found", faults::FAULTS.len());
-    found == faults::FAULTS.len()
+    let mut refuted = 0;
+    for (rule, (file, old, new)) in faults::RULES.iter().enumerate() {
+        if succeeds(Some(faults::FAULTS.len() + rule), ["check", "20"]) {
+            println!("the prover's tests do not find the wrong rule in {file}: {new} instead of {old}");
+        } else {
+            refuted += 1;
+        }
+    }
+    let (faults, rules) = (faults::FAULTS.len(), faults::RULES.len());
+    println!("faults: {found} of {faults} found; wrong rules: {refuted} of {rules} found");
+    found == faults && refuted == rules
 }
