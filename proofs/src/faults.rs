@@ -106,12 +106,7 @@ pub const FAULTS: &[Fault] = &[
         "self.gradient / other.value",
         "dual_sums_and_products",
     ),
-    (
-        "dual/mod",
-        "let value = self.value / other.value;",
-        "let value = self.value / other.value + T::ONE;",
-        "dual_values",
-    ),
+    ("dual/mod", "self.value / other.value", "self.value / other.value + T::ONE", "dual_values"),
 ];
 
 /// A file of the prover, an expression that occurs in it once, and a wrong rule in its place: the tests of the prover
