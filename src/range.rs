@@ -26,13 +26,13 @@ use crate::rgb::Rgb;
 #[doc(alias = "cutoff")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ranged<T = f32> {
-    attenuation: Attenuation<T>,
+    pub(crate) attenuation: Attenuation<T>,
     range: T,
 }
 
 impl<T: Real> Ranged<T> {
     /// A range that has been checked.
-    #[cfg(feature = "fixed")]
+    #[cfg(any(feature = "fixed", feature = "wide"))]
     pub(crate) const fn unchecked(attenuation: Attenuation<T>, range: T) -> Self {
         Self { attenuation, range }
     }
