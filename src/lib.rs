@@ -85,9 +85,8 @@
 //!   scalars into lanes, to shade several points at once: `light.cast(f32x8::splat)`. To shade
 //!   one point with several lights at once, [`PointLight::all_at`](PointLight#method.all_at) puts
 //!   the lights of a slice into lanes as it goes, and
-//!   [`PointLight::packed`](PointLight#method.packed) puts them there in advance. Lanes cannot be compared as a whole, so
-//!   [`Vec3::unit`], [`half_vector`], the checked constructors and the functions in [`mod@normal`]
-//!   that return an `Option` do not take them; [`Vec3::unit_or`] and `cast` do.
+//!   [`PointLight::packed`](PointLight#method.packed) puts them there in advance. The page of
+//!   [`Lanes`](trait@Lanes) lists the functions that do not take lanes.
 //!
 //! # The floors
 //!
@@ -159,7 +158,7 @@ pub use features::{InLanes, Lanes};
 pub use light::{DirectionalLight, IncidentLight, Light, Lights, PointLight, SpotLight};
 pub use material::Material;
 pub use range::Ranged;
-pub use real::Real;
+pub use real::{Real, Scalar};
 pub use rgb::Rgb;
 #[doc(inline)]
 pub use shade::Shaded;

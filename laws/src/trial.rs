@@ -111,7 +111,7 @@ impl<'a, R: Renderer> Trial<'a, R> {
                     }
                     None => break,
                 };
-                if let Some(group) = (tried.law.group)(base.clone(), &self.profile) {
+                if let Some(group) = tried.law.group(base.clone(), &self.profile) {
                     random_cases += usize::from(tries > 0);
                     bases.push(base);
                     groups.push(group);
@@ -198,8 +198,13 @@ impl<'a, R: Renderer> Trial<'a, R> {
 
     /// The colors of scenes, as the renderer gets them.
     pub fn ask(&mut self, tried: &Tried, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
-        let handed: Vec<Scene> = scenes.iter().map(|s| handed(s, &self.profile)).collect();
-        let replies = match self.caught(&handed) {
+        let answer = if self.profile.whole_angle {
+            let handed: Vec<Scene> = scenes.iter().map(|s| handed(s, &self.profile)).collect();
+            self.caught(&handed)
+        } else {
+            self.caught(scenes)
+        };
+        let replies = match answer {
             Ok(replies) => replies?,
             Err(message) => return Err(self.panicked(tried, scenes, &message)),
         };
@@ -266,7 +271,7 @@ impl<'a, R: Renderer> Trial<'a, R> {
             let mut cases = simpler
                 .into_iter()
                 .filter_map(|base| {
-                    let group = (tried.law.group)(base.clone(), &self.profile)?;
+                    let group = tried.law.group(base.clone(), &self.profile)?;
                     Some((base, group))
                 })
                 .collect::<Vec<_>>()

@@ -1,8 +1,8 @@
 //! Several lights at a time, at one point: the bits of a sum over the lights one by one.
 
 use shading::{
-    Exponent, InLanes, IncidentLight, Material, PointLight, Real, Rgb, SpotLight, UnitVec3, Vec3,
-    shade,
+    Exponent, InLanes, IncidentLight, Material, PointLight, Ranged, Real, Rgb, SpotLight, UnitVec3,
+    Vec3, shade,
 };
 
 use crate::lights::{AnyLight, assert_same, of_kind};
@@ -85,6 +85,22 @@ impl<L: Lanes, M: Exponent<L> + Exponent<L::Scalar>> Place<L, M> {
         self.assert_same_sums(
             || PointLight::all_at(&points, p).0.collect(),
             || points.iter().map(|light| light.at(p)).collect(),
+        );
+        let ranged: Vec<PointLight<_, Ranged<_>>> = points
+            .iter()
+            .zip(lights)
+            .map(|(point, (_, [.., unsquared]))| {
+                let range = Ranged::of(point.attenuation, L::Scalar::of(8.0)).unwrap();
+                PointLight {
+                    position: point.position,
+                    intensity: point.intensity,
+                    attenuation: [range, range.unsquared()][*unsquared],
+                }
+            })
+            .collect();
+        self.assert_same_sums(
+            || PointLight::all_at(&ranged, p).0.collect(),
+            || ranged.iter().map(|light| light.at(p)).collect(),
         );
         self.assert_same_sums(
             || SpotLight::all_at(&spots, p).0.collect(),

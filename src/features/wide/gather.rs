@@ -83,7 +83,14 @@ gather! {
     }
     [] Ranged<L::Lane> => Ranged<L>, of {
         let attenuation = Attenuation::gather(|i| &of(i).attenuation)?;
-        Some(Ranged::unchecked(attenuation, L::from_fn(|i| of(i).range())))
+        let ranged = Ranged::unchecked(attenuation, L::from_fn(|i| of(i).range()));
+        if !are_alike::<L>(|i| of(i).is_unsquared()) {
+            None
+        } else if of(0).is_unsquared() {
+            Some(ranged.unsquared())
+        } else {
+            Some(ranged)
+        }
     }
     [] Cone<L::Lane> => Cone<L>, of {
         Some(Cone { cosine: L::from_fn(|i| of(i).cosine) })
