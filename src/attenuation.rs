@@ -1,7 +1,7 @@
 //! Falloff of light with distance.
 
 use crate::flag::{Flag, NO, YES};
-use crate::real::Real;
+use crate::real::{Real, Scalar};
 use crate::rgb::Rgb;
 
 /// The falloff of a [`PointLight`](crate::PointLight) with distance: an [`Attenuation`], an
@@ -149,7 +149,7 @@ impl<T: Real> Attenuation<T> {
     #[must_use]
     pub fn of(a: T, b: T, c: T) -> Option<Self>
     where
-        T: PartialOrd,
+        T: Scalar,
     {
         let is_finite = |x: T| x >= T::ZERO && x <= T::MAX;
         let is_positive = a > T::ZERO || b > T::ZERO || c > T::ZERO;

@@ -1,6 +1,6 @@
 //! The cone of a spot light.
 
-use crate::real::Real;
+use crate::real::{Real, Scalar};
 use crate::unit::UnitVec3;
 
 /// The directions in which a [`SpotLight`](crate::SpotLight) shines: a hard [`Cone`], a cone with a
@@ -123,7 +123,7 @@ impl<T: Real> Cone<T> {
     #[must_use]
     pub fn of_half_angle(radians: T) -> Option<Self>
     where
-        T: PartialOrd,
+        T: Scalar,
     {
         radians.cosine_of_half_angle().map(Self::with_slack)
     }
@@ -143,7 +143,7 @@ impl<T: Real> Cone<T> {
     #[must_use]
     pub fn of_cosine(cosine: T) -> Option<Self>
     where
-        T: PartialOrd,
+        T: Scalar,
     {
         // −0 would turn the sign of the width of an edge
         (cosine >= T::NEG_ONE && cosine <= T::ONE).then(|| Self::with_slack(cosine + T::ZERO))

@@ -1,6 +1,6 @@
 //! The reflection vector R and the half vector H.
 
-use crate::real::{Real, triple};
+use crate::real::{Real, Scalar, triple};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -58,7 +58,7 @@ pub fn reflection<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> UnitVec3<T> {
 #[doc(alias = "bisector")]
 #[inline]
 #[must_use]
-pub fn half_vector<T: Real + PartialOrd>(l: UnitVec3<T>, v: UnitVec3<T>) -> Option<UnitVec3<T>> {
+pub fn half_vector<T: Real + Scalar>(l: UnitVec3<T>, v: UnitVec3<T>) -> Option<UnitVec3<T>> {
     between(l, v).unit()
 }
 

@@ -84,9 +84,8 @@
 //!   subnormal numbers. On x86 without SSE2 the feature does not build. `cast` converts a scene of
 //!   scalars into lanes, to shade several points at once: `light.cast(f32x8::splat)`. `packed` puts
 //!   several lights into lanes, to shade one point with all of them:
-//!   [`PointLight::packed`](PointLight#method.packed). Lanes cannot be compared as a whole, so
-//!   [`Vec3::unit`], [`half_vector`], the checked constructors and the functions in [`mod@normal`]
-//!   that return an `Option` do not take them; [`Vec3::unit_or`] and `cast` do.
+//!   [`PointLight::packed`](PointLight#method.packed). The page of [`Lanes`](trait@Lanes) lists the
+//!   functions that do not take lanes.
 //!
 //! # The floors
 //!
@@ -158,7 +157,7 @@ pub use features::fixed;
 pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
 pub use material::Material;
 pub use range::Ranged;
-pub use real::Real;
+pub use real::{Real, Scalar};
 pub use rgb::Rgb;
 #[doc(inline)]
 pub use shade::Shaded;

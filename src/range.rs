@@ -1,7 +1,7 @@
 //! Attenuation that ends at a range.
 
 use crate::attenuation::{Attenuation, Falloff};
-use crate::real::Real;
+use crate::real::{Real, Scalar};
 use crate::rgb::Rgb;
 
 /// An [`Attenuation`] that ends at a range r: the light falls off toward r and is exactly 0 from r
@@ -53,7 +53,7 @@ impl<T: Real> Ranged<T> {
     #[must_use]
     pub fn of(attenuation: Attenuation<T>, r: T) -> Option<Self>
     where
-        T: PartialOrd,
+        T: Scalar,
     {
         (r > T::ZERO).then_some(Self {
             attenuation,

@@ -2,7 +2,7 @@
 
 use crate::cone::{Beam, Cone};
 use crate::flag::{Flag, NO, YES};
-use crate::real::Real;
+use crate::real::{Real, Scalar};
 use crate::unit::UnitVec3;
 
 /// The cone of a spot light with a soft edge: the light is full up to an inner **half**-angle,
@@ -155,7 +155,7 @@ impl<T: Real> SoftCone<T> {
     #[must_use]
     pub fn of_half_angles(inner: T, outer: T) -> Option<Self>
     where
-        T: PartialOrd,
+        T: Scalar,
     {
         let inner_cone = Cone::of_half_angle(inner)?;
         let outer_cone = Cone::of_half_angle(outer)?;
@@ -176,7 +176,7 @@ impl<T: Real> SoftCone<T> {
     #[must_use]
     pub fn of_cosines(inner: T, outer: T) -> Option<Self>
     where
-        T: PartialOrd,
+        T: Scalar,
     {
         let inner_cone = Cone::of_cosine(inner)?;
         let outer_cone = Cone::of_cosine(outer)?;

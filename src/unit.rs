@@ -2,8 +2,8 @@
 
 use core::ops::{Deref, Neg};
 
-use crate::real::Real;
 use crate::real::root;
+use crate::real::{Real, Scalar};
 use crate::vector::Vec3;
 
 impl<T: Real> Vec3<T> {
@@ -51,7 +51,7 @@ impl<T: Real> Vec3<T> {
     #[must_use]
     pub fn unit(self) -> Option<UnitVec3<T>>
     where
-        T: PartialOrd,
+        T: Scalar,
     {
         let (unit, length) = T::unit(self.into());
         (length > T::ZERO && length <= T::MAX).then(|| UnitVec3(unit.into()))
@@ -155,7 +155,7 @@ impl<T: Real> UnitVec3<T> {
     #[must_use]
     pub fn of(x: T, y: T, z: T) -> Option<Self>
     where
-        T: PartialOrd,
+        T: Scalar,
     {
         let two = T::ONE + T::ONE;
         let excess = T::dot([x, y, z], [x, y, z]) - T::ONE;

@@ -4,6 +4,8 @@
 #[path = "support/srgb.rs"]
 mod srgb;
 
+use std::hint::black_box;
+
 use shading::f32::Rgb;
 use srgb::{decoded, edges, edges_f64, linear_edges, number};
 
@@ -84,6 +86,30 @@ fn levels_of_doubles_begin_where_the_standard_says() {
         assert_eq!(Rgb::gray(x).to_linear8(), [byte; 3]);
         assert_eq!(Rgb::gray(x).to_rgb565() & 31, u16::from(byte) / 8);
         assert_eq!(Rgb::gray(x).to_linear565() & 31, u16::from(byte) / 8);
+    }
+}
+
+/// Also a signaling NaN, which AArch64's maximum takes for a number. What the compiler does not see
+/// is computed at run time, as a picture is.
+#[test]
+fn every_nan_is_dark() {
+    for infinity in [0x7F80_0000, 0xFF80_0000_u32] {
+        for payload in [1, 0x003F_FFFF, 0x0040_0000, 0x007F_FFFF] {
+            let color = shading::Rgb::gray(f32::from_bits(infinity | payload));
+            let color = black_box(color);
+            let levels = black_box((color.to_srgb8(), color.to_linear8()));
+            let packed = black_box((color.to_rgb565(), color.to_linear565()));
+            assert_eq!((levels, packed), (([0; 3], [0; 3]), (0, 0)));
+        }
+    }
+    for infinity in [0x7FF0_0000_0000_0000, 0xFFF0_0000_0000_0000_u64] {
+        for payload in [1, (1 << 51) - 1, 1 << 51, (1 << 52) - 1] {
+            let color = shading::Rgb::gray(f64::from_bits(infinity | payload));
+            let color = black_box(color);
+            let levels = black_box((color.to_srgb8(), color.to_linear8()));
+            let packed = black_box((color.to_rgb565(), color.to_linear565()));
+            assert_eq!((levels, packed), (([0; 3], [0; 3]), (0, 0)));
+        }
     }
 }
 

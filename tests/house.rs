@@ -26,7 +26,8 @@ fn read(path: impl AsRef<Path>) -> String {
 
 /// The cells of the Markdown table whose header contains `title`, row by row.
 fn table<'a>(page: &'a str, title: &str) -> Vec<Vec<&'a str>> {
-    let lines = page.lines().map(|line| line.trim_start_matches("//! "));
+    let text = |line: &'a str| line.trim_start_matches("//! ").trim_start_matches("/// ");
+    let lines = page.lines().map(text);
     let from_title = lines.skip_while(|line| !(line.starts_with('|') && line.contains(title)));
     let rows = from_title.skip(2).take_while(|line| line.starts_with('|'));
     rows.map(|row| row.trim_matches('|').split('|').map(str::trim).collect())
@@ -248,4 +249,33 @@ fn assert_same(table: &BTreeSet<String>, there: &BTreeSet<String>) {
         too_many.is_empty() && missing.is_empty(),
         "the table has {too_many:?} and lacks {missing:?}"
     );
+}
+
+/// The page of `Lanes` names the functions that ask for a scalar, and no others.
+#[test]
+fn lanes_page_names_what_does_not_take_them() {
+    let interface = read(at_root("tests/public-api/interface.txt"));
+    let functions = interface.lines().filter_map(|line| {
+        let function = line.strip_prefix("pub fn shading::")?;
+        function.contains("shading::Scalar").then_some(function)
+    });
+    // `Vec3<T>::unit(self) -> …` is `Vec3::unit`
+    let name = |function: &str| {
+        let path = function.split('(').next().expect("a path");
+        let before = path
+            .split('<')
+            .map(|part| part.rsplit('>').next().expect("a part"));
+        before.collect::<String>()
+    };
+    let asking: BTreeSet<String> = functions.map(name).collect();
+
+    let page = read(at_root("src/features/wide/mod.rs"));
+    let rows = table(&page, "| not in lanes |");
+    let listed: BTreeSet<String> = rows
+        .iter()
+        .flat_map(|cells| names(cells[0]))
+        .map(str::to_owned)
+        .collect();
+    assert_eq!(listed, asking);
+    assert!(!asking.is_empty());
 }

@@ -42,6 +42,18 @@ web_said() {
     judge --cases 1000 --timeout 60 node web/host.mjs '{"clamps":[0,1],"highlight_on_the_dark_side":true}'
 }
 
+vtk() {
+    install_packages libosmesa6 python3-venv
+    [ -x target/vtk/bin/pip ] || python3 -m venv target/vtk
+    target/vtk/bin/pip install --quiet --disable-pip-version-check --no-deps --requirement vtk/requirements.txt
+    judge target/vtk/bin/python vtk/host.py
+}
+
+povray() {
+    install_packages povray python3
+    judge --cases 100 --shrink 20 python3 povray/host.py # a picture of POV-Ray takes at least a third of a second
+}
+
 # Runs the laws on a command, with the options before it, and compares the outcome of each with the expected one.
 judge() {
     local report=target/reports/$renderer.txt status=0
@@ -56,7 +68,7 @@ judge() {
     ' "$report" | diff --unified=0 --label expected --label found <(grep "^$renderer " expected.txt) - || failed=1
 }
 
-renderers=(mesa chip shader web web_said)
+renderers=(mesa chip shader web web_said vtk povray)
 failed=0
 for renderer in "${@:-"${renderers[@]}"}"; do
     [[ " ${renderers[*]} " == *" $renderer "* ]] || {

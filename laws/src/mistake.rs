@@ -310,6 +310,8 @@ mistakes! {
     AmbientTimesDiffuse = "the ambient term is multiplied by k_d",
     /// Black without lights.
     BlackWithoutLights = "without lights there is no ambient term",
+    /// k_a I_a + k_d.
+    UnlitWithoutLights = "without lights the surface is shown unlit: k_d is added",
     /// I_a.
     AmbientWithoutMaterial = "the ambient term is not multiplied by k_a",
     /// k_a.

@@ -70,6 +70,8 @@ pub struct Profile {
     pub normal_faces_eye: bool,
     /// Without lights, the color is black.
     pub black_without_lights: bool,
+    /// Without lights, it shows the surface unlit: k_d is added to the ambient term.
+    pub unlit_without_lights: bool,
     /// It has no attenuation: in each scene, a is 1, and b and c are 0.
     pub unattenuated: bool,
     /// The highlight has no color of its own: in each scene, k_s is gray.
@@ -104,6 +106,7 @@ impl Default for Profile {
             highlight_on_the_dark_side: false,
             normal_faces_eye: false,
             black_without_lights: false,
+            unlit_without_lights: false,
             unattenuated: false,
             gray_highlight: false,
             spot_exponent: 0.0,
@@ -126,6 +129,11 @@ impl Profile {
             "most_lights is 0".into()
         } else if self.most_shiny.is_nan() || self.most_shiny < 1.0 {
             format!("most_shiny is {}, below 1", self.most_shiny)
+        } else if self.unlit_without_lights
+            && (self.black_without_lights || self.attenuated_ambient)
+        {
+            "unlit_without_lights goes with neither black_without_lights nor attenuated_ambient"
+                .into()
         } else if !(0.0..=128.0).contains(&self.spot_exponent) {
             format!("spot_exponent is {}, not from 0 to 128", self.spot_exponent)
         } else if self.bits.is_some_and(|bits| !(4..=32).contains(&bits)) {

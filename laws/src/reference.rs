@@ -26,7 +26,8 @@ pub fn color(scene: &Scene, profile: &Profile) -> Triple {
         k_a
     };
     let (material, i_a) = (Material { k_a, k_d, k_s, m }, rgb(scene.i_a));
-    if profile.black_without_lights && scene.lights.is_empty() {
+    let is_dark = scene.lights.is_empty();
+    if profile.black_without_lights && is_dark {
         return [0.0; 3];
     }
     let one = |model, i_a, light: Option<IncidentLight>| match model {
@@ -40,6 +41,9 @@ pub fn color(scene: &Scene, profile: &Profile) -> Triple {
     } else {
         one(scene.model, i_a, None).ambient
     };
+    if profile.unlit_without_lights && is_dark {
+        sum += k_d;
+    }
     for light in &scene.lights {
         let arriving = arriving(light, p, true, profile);
         sum += one(Model::Lambert, Rgb::BLACK, Some(arriving)).diffuse;

@@ -311,6 +311,7 @@ impl Profile {
             "highlight_on_the_dark_side": self.highlight_on_the_dark_side,
             "normal_faces_eye": self.normal_faces_eye,
             "black_without_lights": self.black_without_lights,
+            "unlit_without_lights": self.unlit_without_lights,
             "unattenuated": self.unattenuated,
             "gray_highlight": self.gray_highlight,
             "spot_exponent": self.spot_exponent,

@@ -454,7 +454,13 @@ impl<'a> Textbook<'a> {
         } else {
             Bounded::exact(1.0)
         };
-        scale(ambient, factor)
+        let is_unlit = self.has(Mistake::UnlitWithoutLights) || self.profile.unlit_without_lights;
+        let unlit = if is_unlit && lights.is_empty() {
+            k_d
+        } else {
+            [Bounded::ZERO; 3]
+        };
+        add(scale(ambient, factor), unlit)
     }
 
     /// Diffuse and specular light.

@@ -111,7 +111,7 @@ impl<'a, R: Renderer> Trial<'a, R> {
                     }
                     None => break,
                 };
-                if let Some(group) = (tried.law.group)(base.clone(), &self.profile) {
+                if let Some(group) = tried.law.group(base.clone(), &self.profile) {
                     random_cases += usize::from(tries > 0);
                     bases.push(base);
                     groups.push(group);
@@ -266,7 +266,7 @@ impl<'a, R: Renderer> Trial<'a, R> {
             let mut cases = simpler
                 .into_iter()
                 .filter_map(|base| {
-                    let group = (tried.law.group)(base.clone(), &self.profile)?;
+                    let group = tried.law.group(base.clone(), &self.profile)?;
                     Some((base, group))
                 })
                 .collect::<Vec<_>>()

@@ -8,11 +8,26 @@ static EIGHT_BITS: [u64; 256] = next_edges_f64();
 static SIX_BITS: [u64; 64] = next_edges_f64();
 static FIVE_BITS: [u64; 32] = next_edges_f64();
 
-/// The bits of a number, brought into a range; NaN counts as dark.
+/// The place of a number in the order of all numbers, with every NaN below all.
+const fn order(x: f64) -> i64 {
+    const NAN: u64 = (1 << 52) - 1; // the most by which the bits of a NaN exceed those of infinity
+    x.to_bits().wrapping_add(NAN) as i64
+}
+
+/// The bits of a number, brought into a range; NaN counts as dark. Integers are compared, because
+/// AArch64's maximum makes a number of a signaling NaN.
 #[inline]
 const fn clamped(channel: f64, low: f64, high: f64) -> u64 {
-    let channel = if channel > low { channel } else { low };
-    let channel = if channel > high { high } else { channel };
+    let channel = if order(channel) > order(low) {
+        channel
+    } else {
+        low
+    };
+    let channel = if order(channel) > order(high) {
+        high
+    } else {
+        channel
+    };
     channel.to_bits()
 }
 

@@ -1,7 +1,7 @@
 //! Normals made from normals: turned to the eye, transformed, or perturbed by a normal map.
 
 use super::surface::from_tangents;
-use crate::real::Real;
+use crate::real::{Real, Scalar};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -80,10 +80,7 @@ pub fn facing<T: Real>(n: UnitVec3<T>, v: UnitVec3<T>) -> UnitVec3<T> {
 #[cfg_attr(target_os = "none", inline)]
 #[cfg_attr(not(target_os = "none"), inline(always))]
 #[must_use]
-pub fn transformed<T: Real + PartialOrd>(
-    n: UnitVec3<T>,
-    columns: [Vec3<T>; 3],
-) -> Option<UnitVec3<T>> {
+pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> Option<UnitVec3<T>> {
     let cofactors =
         |a: Vec3<T>, b: Vec3<T>, c: Vec3<T>| b.cross(c) * n.x + c.cross(a) * n.y + a.cross(b) * n.z;
     let [a, b, c] = columns;
@@ -195,7 +192,7 @@ fn tame_power<T: Real + PartialOrd>(v: Vec3<T>, power: i32) -> (Vec3<T>, i32) {
 #[cfg_attr(target_os = "none", inline)]
 #[cfg_attr(not(target_os = "none"), inline(always))]
 #[must_use]
-pub fn mapped<T: Real + PartialOrd>(
+pub fn mapped<T: Real + Scalar>(
     n: UnitVec3<T>,
     tangent: Vec3<T>,
     handedness: T,

@@ -1,7 +1,7 @@
 //! Normals of planes, triangles, spheres, implicit and parametric surfaces.
 
 use crate::dual::Dual;
-use crate::real::Real;
+use crate::real::{Real, Scalar};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -24,7 +24,7 @@ use crate::vector::Vec3;
 /// ```
 #[inline]
 #[must_use]
-pub fn plane<T: Real + PartialOrd>(a: T, b: T, c: T) -> Option<UnitVec3<T>> {
+pub fn plane<T: Real + Scalar>(a: T, b: T, c: T) -> Option<UnitVec3<T>> {
     Vec3::new(a, b, c).unit()
 }
 
@@ -54,11 +54,7 @@ pub fn plane<T: Real + PartialOrd>(a: T, b: T, c: T) -> Option<UnitVec3<T>> {
 #[cfg_attr(target_os = "none", inline)]
 #[cfg_attr(not(target_os = "none"), inline(always))]
 #[must_use]
-pub fn triangle<T: Real + PartialOrd>(
-    v1: Vec3<T>,
-    v2: Vec3<T>,
-    v3: Vec3<T>,
-) -> Option<UnitVec3<T>> {
+pub fn triangle<T: Real + Scalar>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Option<UnitVec3<T>> {
     v2.rescaled_from(v1).0.cross(v3.rescaled_from(v1).0).unit()
 }
 
@@ -84,7 +80,7 @@ pub fn triangle<T: Real + PartialOrd>(
 #[cfg_attr(target_os = "none", inline)]
 #[cfg_attr(not(target_os = "none"), inline(always))]
 #[must_use]
-pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitVec3<T>> {
+pub fn sphere<T: Real + Scalar>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitVec3<T>> {
     p.rescaled_from(center).0.unit()
 }
 
@@ -130,7 +126,7 @@ pub fn sphere<T: Real + PartialOrd>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitV
 #[doc(alias = "gradient")]
 #[inline]
 #[must_use]
-pub fn implicit<T: Real + PartialOrd>(
+pub fn implicit<T: Real + Scalar>(
     f: impl FnOnce(Vec3<Dual<T>>) -> Dual<T>,
     p: Vec3<T>,
 ) -> Option<UnitVec3<T>> {
@@ -155,7 +151,7 @@ pub fn implicit<T: Real + PartialOrd>(
 /// ```
 #[inline]
 #[must_use]
-pub fn from_gradient<T: Real + PartialOrd>(gradient: Vec3<T>) -> Option<UnitVec3<T>> {
+pub fn from_gradient<T: Real + Scalar>(gradient: Vec3<T>) -> Option<UnitVec3<T>> {
     gradient.unit()
 }
 
@@ -199,7 +195,7 @@ pub fn from_gradient<T: Real + PartialOrd>(gradient: Vec3<T>) -> Option<UnitVec3
 #[cfg_attr(target_os = "none", inline)]
 #[cfg_attr(not(target_os = "none"), inline(always))]
 #[must_use]
-pub fn parametric<T: Real + PartialOrd>(
+pub fn parametric<T: Real + Scalar>(
     s: impl FnOnce(Dual<T>, Dual<T>) -> Vec3<Dual<T>>,
     u: T,
     v: T,
@@ -254,6 +250,6 @@ fn is_one_noise<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> bool {
 #[cfg_attr(target_os = "none", inline)]
 #[cfg_attr(not(target_os = "none"), inline(always))]
 #[must_use]
-pub fn from_tangents<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<UnitVec3<T>> {
+pub fn from_tangents<T: Real + Scalar>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<UnitVec3<T>> {
     s_u.rescaled().cross(s_v.rescaled()).unit()
 }

@@ -1,6 +1,6 @@
 //! The tangent that a normal map needs.
 
-use crate::real::Real;
+use crate::real::{Real, Scalar};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -47,7 +47,7 @@ use crate::vector::Vec3;
 #[doc(alias = "tangent space")]
 #[inline]
 #[must_use]
-pub fn tangent<T: Real + PartialOrd>(
+pub fn tangent<T: Real + Scalar>(
     [a, b, c]: [Vec3<T>; 3],
     [[x1, y1], [x2, y2], [x3, y3]]: [[T; 2]; 3],
 ) -> Option<(UnitVec3<T>, T)> {

@@ -3,10 +3,13 @@
 mod angle;
 mod float;
 pub(crate) mod root;
+mod scalar;
 pub(crate) mod triple;
 pub(crate) mod whole_power;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
+
+pub use scalar::Scalar;
 
 /// A real number: `f32`, `f64`, a dual number, a set of SIMD lanes, or a type of your own.
 ///

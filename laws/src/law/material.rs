@@ -85,11 +85,14 @@ pub fn channels_alike(base: Base, _: &Profile) -> Option<Group> {
     Some(pair(base.scene, other, claim))
 }
 
-pub fn channels_apart(base: Base, _: &Profile) -> Option<Group> {
+pub fn channels_apart(base: Base, profile: &Profile) -> Option<Group> {
     // a surface and lights that are not red
     let without = |c: Triple| [0.0, c[1], c[2]];
     let mut other = map_colors(&base.scene, without);
     other.i_a = without(other.i_a);
+    if profile.gray_highlight {
+        other.material.k_s = base.scene.material.k_s;
+    }
     let mut claim = Claim::same("green and blue are the same");
     claim.channels = [false, true, true];
     Some(pair(base.scene, other, claim))

@@ -20,8 +20,7 @@ pub struct Law {
     pub name: &'static str,
     pub says: &'static str,
     needs: &'static [Need],
-    /// The scenes and claims, or nothing if the law says nothing about this scene.
-    pub group: fn(Base, &Profile) -> Option<Group>,
+    group: fn(Base, &Profile) -> Option<Group>,
 }
 
 #[derive(Clone, Copy)]
@@ -38,6 +37,7 @@ enum Need {
     AnyLength,
     OneSide,
     Attenuation,
+    Lit,
 }
 
 impl Law {
@@ -53,6 +53,23 @@ impl Law {
             needs,
             group,
         }
+    }
+
+    /// The scenes and claims, or nothing if the law says nothing about this scene.
+    pub fn group(&self, base: Base, profile: &Profile) -> Option<Group> {
+        let way = base.ways[0];
+        let mut group = (self.group)(base, profile)?;
+        // what happens without lights is left to the formula
+        if profile.unlit_without_lights && !self.is_of_one_scene() {
+            for scene in &mut group.scenes {
+                if scene.lights.is_empty() {
+                    scene
+                        .lights
+                        .push(part::lamp(profile, scene.p, way, [0.0; 3]));
+                }
+            }
+        }
+        Some(group)
     }
 
     /// Its place among all laws.
@@ -80,6 +97,7 @@ impl Law {
                     profile.ambient && !profile.attenuated_ambient && !profile.black_without_lights,
                     "it has no ambient light of its own",
                 ),
+                Need::Lit => (!profile.unlit_without_lights, "without lights, it is unlit"),
                 Need::Lamp => (
                     profile.directional_lights || profile.point_lights,
                     "it has neither directional nor point lights",
@@ -139,7 +157,7 @@ pub const LAWS: &[Law] = &[
     Law::new(
         "ambient_alone",
         "without lights there is k_a I_a",
-        &[Need::Ambient],
+        &[Need::Ambient, Need::Lit],
         single::ambient_alone,
     ),
     Law::new(

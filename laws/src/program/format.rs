@@ -93,6 +93,7 @@ fn set(profile: &mut Profile, name: &str, value: Value) -> Result<(), String> {
         }
         "normal_faces_eye" => read(value).map(|is| profile.normal_faces_eye = is),
         "black_without_lights" => read(value).map(|is| profile.black_without_lights = is),
+        "unlit_without_lights" => read(value).map(|is| profile.unlit_without_lights = is),
         "unattenuated" => read(value).map(|is| profile.unattenuated = is),
         "gray_highlight" => read(value).map(|is| profile.gray_highlight = is),
         "spot_exponent" => read(value).map(|exponent| profile.spot_exponent = exponent),
@@ -218,7 +219,7 @@ mod tests {
         let page = include_str!("../../docs/format.md");
         let rows = page.lines().filter_map(|line| line.strip_prefix("| `\""));
         let rows: Vec<_> = rows.filter_map(|row| row.split_once("\"` | ")).collect();
-        assert_eq!(rows.len(), 22);
+        assert_eq!(rows.len(), 23);
         for (name, row) in rows {
             let default = row.split('`').nth(1).unwrap_or_default();
             let default = if name == "name" { "\"it\"" } else { default };
@@ -261,12 +262,15 @@ mod tests {
             highlight_on_the_dark_side: true,
             normal_faces_eye: true,
             black_without_lights: true,
+            unlit_without_lights: false, // goes with neither of two others
             unattenuated: true,
             gray_highlight: true,
             spot_exponent: 2.0,
             ambient_times_diffuse: true,
         };
         assert_eq!(profile(line, "the command"), Ok(expected));
+        let unlit = profile(r#"{"unlit_without_lights":true}"#, "it");
+        assert!(unlit.is_ok_and(|profile| profile.unlit_without_lights));
     }
 
     #[test]

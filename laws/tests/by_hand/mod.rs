@@ -277,6 +277,9 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
     if is(AmbientForgotten) || no_lights {
         ambient = [zero; 3];
     }
+    if (is(UnlitWithoutLights) || profile.unlit_without_lights) && scene.lights.is_empty() {
+        ambient = add(ambient, k_d);
+    }
     let by_light = is(AmbientPerLight) || is(AmbientAttenuated) || profile.attenuated_ambient;
     let base = if by_light || is(AmbientAtLeast) {
         [zero; 3]

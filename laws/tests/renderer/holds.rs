@@ -28,6 +28,7 @@ fn a_shader_by_hand_holds() {
 fn what_differs_on_purpose_is_no_mistake() {
     holds(&mut renderer(&profiles::of_its_own(), []));
     holds(&mut renderer(&profiles::of_another_kind(), []));
+    holds(&mut renderer(&profiles::unlit(), []));
 }
 
 macro_rules! of_shading {

@@ -68,3 +68,12 @@ pub fn of_another_kind() -> Profile {
         ..linear()
     }
 }
+
+/// It shows a surface unlit without lights, and has lamps only.
+pub fn unlit() -> Profile {
+    Profile {
+        unlit_without_lights: true,
+        directional_lights: false,
+        ..linear()
+    }
+}

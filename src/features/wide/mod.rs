@@ -35,6 +35,23 @@ const HAS_ROOT: bool = cfg!(any(
 
 /// SIMD lanes: several numbers that are computed side by side. The float types of `wide` implement it.
 ///
+/// # What does not take lanes
+///
+/// A function that takes a [`Scalar`](crate::Scalar) decides whether there is a result, and lanes may
+/// differ in that. Call it for each lane, or call what stands beside it:
+///
+/// | not in lanes | in lanes |
+/// |---|---|
+/// | `Vec3::unit` | [`Vec3::unit_or`](crate::Vec3::unit_or) |
+/// | `UnitVec3::of`, `Attenuation::of`, `Ranged::of`, `Cone::of_half_angle`, `Cone::of_cosine`, `SoftCone::of_half_angles`, `SoftCone::of_cosines` | `cast` of what was made from scalars |
+/// | `half_vector` | [`Vec3::unit_or`](crate::Vec3::unit_or) of L + V; the sums of [`shade`](mod@crate::shade) |
+/// | `normal::plane`, `normal::triangle`, `normal::sphere`, `normal::implicit`, `normal::from_gradient`, `normal::parametric`, `normal::from_tangents`, `normal::transformed`, `normal::mapped`, `normal::tangent` | [`normal::corner`](crate::normal::corner), then [`Vec3::unit_or`](crate::Vec3::unit_or) |
+///
+/// [`Elementary`](crate::Elementary) functions and the encodings of an [`Rgb`](crate::Rgb) are for scalars too: take
+/// the lanes apart by `to_array`.
+///
+/// # Lights in lanes
+///
 /// [`PointLight::packed`](crate::PointLight::packed) puts lights into lanes, and
 /// [`Shaded::sum_of_lanes`](crate::Shaded::sum_of_lanes) adds the lanes up.
 ///

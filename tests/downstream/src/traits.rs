@@ -8,7 +8,8 @@ use core::ops::{Add, AddAssign, Deref, Div, Mul, MulAssign, Neg, Sub, SubAssign}
 use shading::fixed::Fixed;
 use shading::{
     Attenuation, Beam, Cone, DirectionalLight, Dual, Elementary, Exponent, Falloff, IncidentLight,
-    Light, Material, PointLight, Ranged, Real, Rgb, Shaded, SoftCone, SpotLight, UnitVec3, Vec3,
+    Light, Material, PointLight, Ranged, Real, Rgb, Scalar, Shaded, SoftCone, SpotLight, UnitVec3,
+    Vec3,
 };
 
 /// Fails to compile unless each type implements each trait.
@@ -32,11 +33,11 @@ implemented! {
         Rgb: Copy, Clone, Debug, PartialEq, Default, Add, Sub, Mul, Mul<f32>, Div<f32>, Sum, Sum<&'static Rgb>;
         Rgb: AddAssign, SubAssign, MulAssign<f32>, From<[f32; 3]>;
         [f32; 3]: From<Vec3>, From<UnitVec3>, From<Rgb>;
-        f32: Real, Elementary, Exponent<f32>, Mul<Vec3>, Mul<Rgb>, Add<Dual>, Sub<Dual>, Mul<Dual>, Div<Dual>;
-        f64: Real, Elementary, Exponent<f64>, Mul<Vec3<f64>>, Mul<Rgb<f64>>;
+        f32: Real, Scalar, Elementary, Exponent<f32>, Mul<Vec3>, Mul<Rgb>, Add<Dual>, Sub<Dual>, Mul<Dual>, Div<Dual>;
+        f64: Real, Scalar, Elementary, Exponent<f64>, Mul<Vec3<f64>>, Mul<Rgb<f64>>;
         f64: Add<Dual<f64>>, Sub<Dual<f64>>, Mul<Dual<f64>>, Div<Dual<f64>>;
         u32: Exponent<f32>;
-        Dual: Copy, Clone, Debug, PartialEq, PartialOrd, Real, Elementary;
+        Dual: Copy, Clone, Debug, PartialEq, PartialOrd, Real, Scalar, Elementary;
         Dual: Add, Sub, Mul, Div, Neg, Add<f32>, Sub<f32>, Mul<f32>, Div<f32>;
         Attenuation: Copy, Clone, Debug, PartialEq, Default, Falloff<f32>;
         Ranged: Copy, Clone, Debug, PartialEq, Falloff<f32>, From<Attenuation>;
