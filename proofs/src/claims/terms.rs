@@ -120,18 +120,21 @@ claims! {
         let at = falloff.at(q);
         same(Falloff::dim(&falloff, &i, q), i.map(|i| (i * at).at_most(Term::MAX)))
     }
-    ranged_at: "`Ranged::at` of any bits is in [0, MAX]" |given| {
-        within([any_ranged(given).at(given.any("q"))], not_negative(given))
+    ranged_at: "`Ranged::at` of any bits, unsquared or not, is in [0, MAX]" |given| {
+        let (falloff, q) = (any_ranged(given), given.any("q"));
+        within([falloff.at(q), falloff.unsquared().at(q)], not_negative(given))
     }
-    ranged_beyond: "`Ranged::at` is 0 for q ≥ r and for NaN" |given| {
+    ranged_beyond: "`Ranged::at`, unsquared or not, is 0 for q ≥ r and for NaN" |given| {
         let (falloff, q) = (any_ranged(given), given.number("q", light()));
         let nan = given.number("nan", Range::NAN);
         given.assume_at_most(falloff.range(), q);
-        within([falloff.at(q), falloff.at(nan)], Range::within(0.0, 0.0))
+        let at = |q| [falloff.at(q), falloff.unsquared().at(q)];
+        within([at(q), at(nan)].concat(), Range::within(0.0, 0.0))
     }
-    ranged_without_end: "`Ranged::at` with r = ∞ is `Attenuation::at`, to the bit" |given| {
+    ranged_without_end: "`Ranged::at` with r = ∞, unsquared or not, is `Attenuation::at`, to the bit" |given| {
         let (falloff, q) = (ranged(given, Range::within(INF, INF)), given.number("q", not_negative(given)));
-        vec![Goal::Same(falloff.at(q), falloff.attenuation().at(q))]
+        let free = falloff.attenuation().at(q);
+        vec![Goal::Same(falloff.at(q), free), Goal::Same(falloff.unsquared().at(q), free)]
     }
     ranged_reaches: "a light that `Ranged` leaves out by its squared distance has q ≥ r" |given| {
         let (falloff, square) = (any_ranged(given), given.number("square", light()));
