@@ -124,7 +124,7 @@ pub const RULES: &[(&str, &str, &str)] = &[
     ("range", "self.minus_zero && b.has(0.0)", "false"),
     ("range", "if b.minus_zero { &[1.0, -1.0] } else { &[1.0] }", "&[1.0]"),
     ("known", "is_maximum && x.low >= 0.0 && !x.minus_zero && !x.nan", "is_maximum && x.low >= 0.0 && !x.nan"),
-    ("known", "is_zero(self.range(g, d)) && !self.range(g, c).minus_zero", "is_zero(self.range(g, d))"),
+    ("known", "is_zero(self.range(g, c)) && !self.range(g, d).minus_zero", "is_zero(self.range(g, c))"),
     // an end is too near
     ("range", "or(self.high * b.high, 0.0, f)", "or(self.low * b.high, 0.0, f)"),
     ("range", "b.low.max(f.tiny())", "b.low.max(1.0)"),
@@ -146,7 +146,7 @@ pub const RULES: &[(&str, &str, &str)] = &[
     ),
     ("known", "is_always && !x.nan && !y.nan", "is_always"),
     // the number that records is another
-    ("term", "Node::Mul(a.min(b), a.max(b))", "Node::Mul(a.min(b), a.min(b))"),
+    ("graph", "Node::Mul(a.min(b), a.max(b))", "Node::Mul(a.min(b), a.min(b))"),
     ("term", "Test::Above(self.0, threshold.0)", "Test::Above(threshold.0, self.0)"),
 ];
 

@@ -2,7 +2,7 @@
 //! prover derives for it, have the bits that `f32` or `f64` gives, and keep to every goal that is proved.
 
 use shading::{Real, Vec3};
-use shading_laws::proof::{Format, Given, Goal, Known, Node, Range, Term, try_out};
+use shading_laws::proof::{Format, Given, Goal, Known, Node, Range, Run, Term, try_out};
 
 /// A linear congruential generator (Knuth's constants).
 #[derive(Clone)]
@@ -99,9 +99,9 @@ pub fn check(seed: u64, format: Format, runs: u64) -> Result<u64, String> {
         let terms = formula(random.clone(), variables);
         goals(random.clone(), &terms).into_iter().chain(terms.into_iter().map(|term| Goal::Same(term, term))).collect()
     };
-    try_out(format, run, runs, |g, goals| {
+    try_out(format, run, runs, |Run { graph: g, path, .. }, goals| {
         let mut known = Known::default();
-        for &(test, answer) in &g.path {
+        for &(test, answer) in path {
             known.refine(g, test, answer);
         }
         let mut variables = g.nodes.iter().zip(&g.values).filter(|(node, _)| matches!(node, Node::Var(_)));
@@ -115,7 +115,7 @@ pub fn check(seed: u64, format: Format, runs: u64) -> Result<u64, String> {
         let differs = |(a, b): (f64, &f64)| a.to_bits() != b.to_bits() && !(a.is_nan() && b.is_nan());
         let outside = (0..).zip(&g.values).find(|&(id, x)| !known.range(g, id).contains(*x));
         if known.impossible {
-            wrong = Some(format!("the path {:?} is not impossible", g.path));
+            wrong = Some(format!("the path {path:?} is not impossible"));
         } else if let Some((id, x)) = outside {
             wrong = Some(format!("{:?} is {x:e}, not in {:?}", g.nodes[id as usize], known.range(g, id)));
         } else if let Some((a, b)) = of_terms.zip(&floats).find(|&pair| differs(pair)) {
