@@ -59,13 +59,13 @@ pub fn write(folder: &Path) -> std::io::Result<()> {
     for (name, bound, formula) in BOUNDS {
         for format in [Format::F32, Format::F64] {
             let mut scripts = Vec::new();
-            paths(format, formula, |g, results| {
+            paths(format, formula, |run, results| {
                 let is_rescaled = |&(test, answer): &(Test, bool)| {
                     answer && matches!(test, Test::Outside(_, _, high) if high == Term::EXTREME.0)
                 };
-                if !g.path.iter().any(is_rescaled) {
-                    let known = g.known.clone();
-                    scripts.extend(results.into_iter().map(|result| script(g, known.clone(), result, *bound)));
+                if !run.path.iter().any(is_rescaled) {
+                    let script = |result| script(&run.graph, run.known.clone(), result, *bound);
+                    scripts.extend(results.into_iter().map(script));
                 }
             });
             assert!(!scripts.is_empty(), "{name} has no way");

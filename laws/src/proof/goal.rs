@@ -1,8 +1,9 @@
 //! What a claim says about its results.
 
+use super::graph::{Graph, Test};
 use super::known::Known;
 use super::range::Range;
-use super::term::{Graph, Term, Test};
+use super::term::Term;
 
 /// How many open selections a goal may try both ways, one inside the other.
 const SPLITS: u32 = 8;

@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
+use super::format::Format;
+use super::graph::{Graph, Node, Test};
 use super::range::Range;
-use super::term::{Format, Graph, Node, Test};
 
 const INF: f64 = f64::INFINITY;
 

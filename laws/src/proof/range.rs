@@ -3,7 +3,7 @@
 //! Rounding is monotone. So the rounded operation on the ends of two intervals gives the ends of the
 //! result, and nothing is widened.
 
-use super::term::Format;
+use super::format::Format;
 
 /// The numbers from `low` to `high`, and whether a value may be NaN, −0 or finite. For the two ends, −0
 /// counts as 0. There are no numbers if `low` > `high`.
