@@ -226,3 +226,31 @@ fn scales_of_any_size_transform_a_normal() {
         }
     }
 }
+
+/// Rounding swaps the cosines of some neighboring half-angles, such as 0.78597474 and 0.7859748.
+#[test]
+fn edges_of_neighboring_angles_are_in_order() {
+    for bits in 0.785_f32.to_bits()..0.787_f32.to_bits() {
+        let [inner, outer] = [bits, bits + 1].map(f32::from_bits);
+        let [in_constants, generic] = [SoftCone::<f32>::from_half_angles, SoftCone::of_half_angles]
+            .map(|of| of(inner, outer).expect("half-angles").cosines());
+        assert!(in_constants[0] >= in_constants[1], "{inner:?} {outer:?}");
+        assert_eq!(in_constants, generic);
+    }
+}
+
+/// As above, for the constructor that works in constants.
+#[test]
+fn a_constant_soft_edge_between_two_zeros_is_hard() {
+    let zeros = [0.0_f32, -0.0];
+    for (inner, outer) in zeros.into_iter().flat_map(|a| zeros.map(|b| (a, b))) {
+        let cone = SoftCone::<f32>::from_cosines(inner, outer).expect("an edge");
+        for (cosine, factor) in [(-1e-45, 0.0), (0.0, 1.0), (1e-45, 1.0)] {
+            let l = UnitVec3::assume_unit(Vec3::new(cosine, 0.0, 1.0));
+            assert_eq!(
+                cone.factor(UnitVec3::NEG_X, l).to_bits(),
+                f32::to_bits(factor)
+            );
+        }
+    }
+}
