@@ -183,9 +183,9 @@ fn a_sample_of_any_length_is_the_same_normal<T: Float>() {
 /// with 12 bits may matter, and up to 1/`EXTREME`, where products lose bits. From there on it is left
 /// out.
 fn a_light_is_left_out_where_rounding_cannot_matter<T: Float>() {
-    let is_kept = |x: T, z: T| {
+    let is_kept = |x: T, y: T, z: T| {
         let lamp = PointLight {
-            position: Vec3::new(x, T::ZERO, z),
+            position: Vec3::new(x, y, z),
             intensity: Rgb::WHITE,
             attenuation: Attenuation::NONE,
         };
@@ -193,12 +193,18 @@ fn a_light_is_left_out_where_rounding_cannot_matter<T: Float>() {
     };
     // the height h is kept for h ≤ (1 + h)/512, that is, h ≤ 1/511
     for (height, kept) in [(1.0 / 511.5, true), (1.0 / 510.5, false), (0.5, false)] {
-        assert_eq!(is_kept(T::ONE, -T::of(height)), kept, "{height}");
+        let z = -T::of(height);
+        assert_eq!(is_kept(T::ONE, T::ZERO, z), kept, "{height}");
+        assert_eq!(is_kept(T::ZERO, T::ONE, z), kept, "{height}");
     }
     // straight below, h is kept for h ≤ h/512 + 1/EXTREME
     let least = T::ONE / T::EXTREME;
     for (height, kept) in [(1.0, true), (1.001, true), (1.003, false), (2.0, false)] {
-        assert_eq!(is_kept(T::ZERO, -T::of(height) * least), kept, "{height}");
+        assert_eq!(
+            is_kept(T::ZERO, T::ZERO, -T::of(height) * least),
+            kept,
+            "{height}"
+        );
     }
 }
 

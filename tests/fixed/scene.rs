@@ -207,3 +207,12 @@ fn toward_the_axis_a_smoothstep_falls_by_one_step_at_most() {
         assert_eq!(brightest, Fixed::ONE.to_bits());
     }
 }
+
+#[test]
+fn a_range_is_kept_in_a_type_with_infinities() {
+    let range = Fixed::from_bits(5 << 16);
+    let ranged = Attenuation::NONE.within(range).expect("a range");
+    assert!((ranged.cast(Fixed::to_f32).range() - 5.0).abs() < f32::EPSILON);
+    let endless = Ranged::from(Attenuation::NONE);
+    assert!(endless.cast(Fixed::to_f32).range().is_infinite());
+}
