@@ -27,7 +27,7 @@ use crate::rgb::Rgb;
 #[doc(alias = "cutoff")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ranged<T = f32> {
-    attenuation: Attenuation<T>,
+    pub(crate) attenuation: Attenuation<T>,
     range: T,
     /// Whether the window is glTF's.
     unsquared: Flag,

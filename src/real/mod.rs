@@ -4,12 +4,14 @@ mod angle;
 mod float;
 pub(crate) mod root;
 mod scalar;
+mod several;
 pub(crate) mod triple;
 pub(crate) mod whole_power;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 pub use scalar::Scalar;
+pub(crate) use several::Several;
 
 /// A real number: `f32`, `f64`, a dual number, a set of SIMD lanes, or a type of your own.
 ///
