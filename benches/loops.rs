@@ -3,6 +3,7 @@
 //!
 //! `cargo bench --bench loops` prints nanoseconds in a loop and by a call, for each rival too, and the
 //! ratios ours/theirs. A `!` marks a ratio above its limit. After three tries it fails.
+//! The bench builds itself again with the feature `wide`, for several lights at a time.
 //! `-- normals` runs the races of `loops/normals.rs` alone.
 
 #[path = "loops/data.rs"]
@@ -15,6 +16,8 @@ mod lights;
 mod normals;
 #[path = "loops/race.rs"]
 mod race;
+#[path = "support/rebuilt.rs"]
+mod rebuilt;
 
 use std::process::ExitCode;
 
@@ -22,6 +25,10 @@ use std::process::ExitCode;
 type Races = fn() -> usize;
 
 fn main() -> ExitCode {
+    if cfg!(not(feature = "wide")) {
+        rebuilt::with_lanes("loops");
+        return ExitCode::SUCCESS;
+    }
     let chosen: Vec<String> = std::env::args()
         .skip(1)
         .filter(|a| a != "--bench")

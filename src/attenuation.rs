@@ -123,7 +123,7 @@ pub struct Attenuation<T = f32> {
 
 impl<T: Real> Attenuation<T> {
     /// An attenuation whose coefficients have been checked.
-    #[cfg(feature = "fixed")]
+    #[cfg(any(feature = "fixed", feature = "wide"))]
     pub(crate) const fn unchecked(a: T, b: T, c: T) -> Self {
         Self {
             a,

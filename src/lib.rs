@@ -82,10 +82,11 @@
 //! - `wide` implements [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`. Each lane
 //!   has the bits of the scalar, except on 32-bit Arm with NEON, whose `f32` instructions flush
 //!   subnormal numbers. On x86 without SSE2 the feature does not build. `cast` converts a scene of
-//!   scalars into lanes, to shade several points at once: `light.cast(f32x8::splat)`. `packed` puts
-//!   several lights into lanes, to shade one point with all of them:
-//!   [`PointLight::packed`](PointLight#method.packed). The page of [`Lanes`](trait@Lanes) lists the
-//!   functions that do not take lanes.
+//!   scalars into lanes, to shade several points at once: `light.cast(f32x8::splat)`. To shade
+//!   one point with several lights at once, [`PointLight::all_at`](PointLight#method.all_at) puts
+//!   the lights of a slice into lanes as it goes, and
+//!   [`PointLight::packed`](PointLight#method.packed) puts them there in advance. The page of
+//!   [`Lanes`](trait@Lanes) lists the functions that do not take lanes.
 //!
 //! # The floors
 //!
@@ -150,11 +151,11 @@ pub use direction::{half_vector, reflection};
 pub use dual::Dual;
 pub use elementary::Elementary;
 pub use exponent::Exponent;
-#[cfg(feature = "wide")]
-pub use features::Lanes;
 #[cfg(feature = "fixed")]
 pub use features::fixed;
-pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
+#[cfg(feature = "wide")]
+pub use features::{InLanes, Lanes};
+pub use light::{DirectionalLight, IncidentLight, Light, Lights, PointLight, SpotLight};
 pub use material::Material;
 pub use range::Ranged;
 pub use real::{Real, Scalar};

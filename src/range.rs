@@ -1,11 +1,12 @@
 //! Attenuation that ends at a range.
 
 use crate::attenuation::{Attenuation, Falloff};
+use crate::flag::{Flag, NO, YES};
 use crate::real::{Real, Scalar};
 use crate::rgb::Rgb;
 
 /// An [`Attenuation`] that ends at a range r: the light falls off toward r and is exactly 0 from r
-/// on.
+/// on. [`within`](Attenuation#method.within) makes one.
 ///
 /// A light without a range lights every point a little, so no light may be skipped for being far
 /// away. With a range, `in_front` of a [`PointLight`](crate::PointLight) or a
@@ -26,15 +27,21 @@ use crate::rgb::Rgb;
 #[doc(alias = "cutoff")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ranged<T = f32> {
-    attenuation: Attenuation<T>,
+    pub(crate) attenuation: Attenuation<T>,
     range: T,
+    /// Whether the window is glTF's.
+    unsquared: Flag,
 }
 
 impl<T: Real> Ranged<T> {
     /// A range that has been checked.
-    #[cfg(feature = "fixed")]
+    #[inline]
     pub(crate) const fn unchecked(attenuation: Attenuation<T>, range: T) -> Self {
-        Self { attenuation, range }
+        Self {
+            attenuation,
+            range,
+            unsquared: NO,
+        }
     }
 
     /// [`Attenuation::within`](Attenuation#method.within) for any number type, in generic code: the
@@ -55,10 +62,7 @@ impl<T: Real> Ranged<T> {
     where
         T: Scalar,
     {
-        (r > T::ZERO).then_some(Self {
-            attenuation,
-            range: r,
-        })
+        (r > T::ZERO).then_some(Self::unchecked(attenuation, r))
     }
 
     /// The factor at the distance q ≥ 0.
@@ -69,14 +73,13 @@ impl<T: Real> Ranged<T> {
     ///
     /// q is the distance, not its square, and r > 0 the range, in the same unit. The factor never
     /// rises as q rises, and it never exceeds the attenuation without a range, to the bit. The
-    /// outer square lets it end smoothly at r. *KHR_lights_punctual*, a glTF 2.0 extension,
-    /// recommends max(0, 1 − (q/r)⁴) without the square.
+    /// outer square lets it end smoothly at r; [`unsquared`](Ranged::unsquared) leaves it out.
     ///
     /// The factor is 0 for q ≥ r and for NaN.
     ///
-    /// Source: Brian Karis, *Real Shading in Unreal Engine 4*, SIGGRAPH course, 2013; Filament and
-    /// three.js use the same formula. In three.js, a `distance` of 0 means no range. This crate
-    /// refuses 0; ∞ means no range.
+    /// Source: Brian Karis, *Real Shading in Unreal Engine 4*, SIGGRAPH course, 2013; Babylon.js,
+    /// Bevy, Filament and three.js use the same formula. In three.js, a `distance` of 0 means no
+    /// range. This crate refuses 0; ∞ means no range.
     ///
     /// ```
     /// use shading::f32::Attenuation;
@@ -88,7 +91,53 @@ impl<T: Real> Ranged<T> {
     #[inline]
     #[must_use]
     pub fn at(self, q: T) -> T {
-        self.attenuation.at(q) * T::window(q, self.range)
+        self.attenuation.at(q) * T::window(q, self.range, self.unsquared == NO)
+    }
+
+    /// The same attenuation and range, with the window that the specification of glTF recommends:
+    /// max(0, 1 − (q/r)⁴) in place of its square. The light is brighter toward r and ends there with
+    /// an edge.
+    ///
+    /// Source: Khronos, *KHR_lights_punctual*, a glTF 2.0 extension, “Range Property”, and its
+    /// sample viewer. Of the programs that read glTF, Babylon.js, Bevy, Filament and three.js square
+    /// the window.
+    ///
+    /// ```
+    /// use shading::f32::Attenuation;
+    ///
+    /// let inverse_square = Attenuation::new(0.0, 0.0, 1.0).unwrap();
+    /// let lamp = inverse_square.within(8.0).unwrap().unsquared();
+    /// assert_eq!(lamp.at(4.0), 0.0625 * 0.9375); // 1/4² (1 − (4/8)⁴)
+    /// assert_eq!(lamp.at(8.0), 0.0);
+    /// ```
+    #[doc(alias = "gltf")]
+    #[inline]
+    #[must_use]
+    pub const fn unsquared(self) -> Self
+    where
+        T: Copy,
+    {
+        Self {
+            unsquared: YES,
+            ..self
+        }
+    }
+
+    /// Whether the window is that of [`unsquared`](Ranged::unsquared).
+    ///
+    /// ```
+    /// use shading::f32::Attenuation;
+    ///
+    /// let lamp = Attenuation::NONE.within(8.0).unwrap();
+    /// assert!(!lamp.is_unsquared() && lamp.unsquared().is_unsquared());
+    /// ```
+    #[inline]
+    #[must_use]
+    pub const fn is_unsquared(self) -> bool
+    where
+        T: Copy,
+    {
+        self.unsquared == YES
     }
 
     /// The attenuation without the range.
@@ -146,6 +195,7 @@ impl<T: Real> Ranged<T> {
         Ranged {
             attenuation,
             range: if is_endless { endless() } else { range },
+            unsquared: self.unsquared,
         }
     }
 }
@@ -160,8 +210,7 @@ fn endless<T: Real>() -> T {
 impl<T: Real> From<Attenuation<T>> for Ranged<T> {
     #[inline]
     fn from(attenuation: Attenuation<T>) -> Self {
-        let range = endless();
-        Self { attenuation, range }
+        Self::unchecked(attenuation, endless())
     }
 }
 
@@ -182,7 +231,8 @@ impl<T: Real> Falloff<T> for Ranged<T> {
     ) -> Rgb<T> {
         let (i, coefficients) = ((*intensity).into(), self.attenuation.coefficients());
         let limit = || self.attenuation.limit();
-        T::attenuated_within(self.range, i, coefficients, q, to_light, limit).into()
+        let window = (self.range, self.unsquared == NO);
+        T::attenuated_within(window, i, coefficients, q, to_light, limit).into()
     }
 
     #[inline]
@@ -220,10 +270,7 @@ macro_rules! checked {
             #[must_use]
             pub const fn within(self, r: $float) -> Option<Ranged<$float>> {
                 if r > 0.0 {
-                    Some(Ranged {
-                        attenuation: self,
-                        range: r,
-                    })
+                    Some(Ranged::unchecked(self, r))
                 } else {
                     None
                 }

@@ -4,7 +4,7 @@ use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub, SubAssign};
 
 use crate::componentwise::componentwise;
-use crate::real::Real;
+use crate::real::{Real, Several};
 
 /// A color: linear light, or the reflectance of a material, in three channels.
 ///
@@ -72,6 +72,19 @@ impl<T: Real> Rgb<T> {
 
     /// The product with a reflectance. A channel that overflowed to infinity counts as the largest
     /// finite number, so its product with a reflectance of 0 is 0.
+    /// `sum` and the light of each lane, in order.
+    #[inline(always)]
+    pub(crate) fn added_to<U: Real>(self, sum: Rgb<U>) -> Rgb<U>
+    where
+        T: Several<U>,
+    {
+        Rgb::new(
+            self.r.added_to(sum.r),
+            self.g.added_to(sum.g),
+            self.b.added_to(sum.b),
+        )
+    }
+
     #[inline]
     pub(crate) fn reflected(self, k: Self) -> Self {
         self.map(|channel| channel.at_most(T::MAX)) * k

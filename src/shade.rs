@@ -23,7 +23,8 @@
 //! same unit.
 //!
 //! `lights` is any iterator over [`IncidentLight`]. You can write shadows, culling and area lights
-//! as iterator adaptors.
+//! as iterator adaptors. With the feature `wide`, `PointLight::all_at` gives several lights at a
+//! time in SIMD lanes. The sum adds them one after another, so its bits do not change.
 //!
 //! **Shadows.** Leave out the lights that do not reach the point. The shadow ray from the surface
 //! ends at the light, at its [`distance`](IncidentLight::distance), so a wall behind a lamp casts
@@ -71,9 +72,9 @@ use core::ops::{Add, Mul};
 
 use crate::exponent::Exponent;
 use crate::exponent::batch::Powers;
-use crate::light::IncidentLight;
+use crate::light::{IncidentLight, Lights};
 use crate::material::Material;
-use crate::real::Real;
+use crate::real::{Real, Several};
 use crate::rgb::Rgb;
 use crate::term;
 use crate::unit::UnitVec3;
@@ -186,10 +187,10 @@ pub fn lambert<T: Real, M>(
     n: UnitVec3<T>,
     material: &Material<T, M>,
     i_a: Rgb<T>,
-    lights: impl IntoIterator<Item = IncidentLight<T>>,
+    lights: impl Lights<T>,
 ) -> Shaded<T> {
     // a cosine of 0 gives no highlight, whatever m is
-    sum(n, material, i_a, lights, 0_u32, |_| T::ZERO)
+    sum(n, material, i_a, lights.arriving(), 0_u32, |_| Real::ZERO)
 }
 
 /// Shades a shiny surface with Phong's highlight.
@@ -218,15 +219,16 @@ pub fn lambert<T: Real, M>(
 /// Source: Bui Tuong Phong, *Illumination for Computer Generated Pictures*, 1975.
 #[inline]
 #[must_use]
-pub fn phong<T: Real, M: Exponent<T>>(
+pub fn phong<T: Real, A: Lights<T>, M: Exponent<A::Number>>(
     n: UnitVec3<T>,
     v: UnitVec3<T>,
     material: &Material<T, M>,
     i_a: Rgb<T>,
-    lights: impl IntoIterator<Item = IncidentLight<T>>,
+    lights: A,
 ) -> Shaded<T> {
-    let r_dot_v = |l: UnitVec3<T>| T::reflected_cosine(n.into(), l.into(), v.into());
-    sum(n, material, i_a, lights, material.m, r_dot_v)
+    let (normal, v) = (n.cast(A::Number::in_each), v.cast(A::Number::in_each));
+    let r_dot_v = |l: UnitVec3<_>| Real::reflected_cosine(normal.into(), l.into(), v.into());
+    sum(n, material, i_a, lights.arriving(), material.m, r_dot_v)
 }
 
 /// Shades a shiny surface with Blinn's highlight: Phong's model with the half vector.
@@ -255,20 +257,22 @@ pub fn phong<T: Real, M: Exponent<T>>(
 /// Source: James F. Blinn, *Models of Light Reflection for Computer Synthesized Pictures*, 1977.
 #[inline]
 #[must_use]
-pub fn blinn_phong<T: Real, M: Exponent<T>>(
+pub fn blinn_phong<T: Real, A: Lights<T>, M: Exponent<A::Number>>(
     n: UnitVec3<T>,
     v: UnitVec3<T>,
     material: &Material<T, M>,
     i_a: Rgb<T>,
-    lights: impl IntoIterator<Item = IncidentLight<T>>,
+    lights: A,
 ) -> Shaded<T> {
     let half = material.m.half();
-    let n_dot_h = |l: UnitVec3<T>| T::half_cosine(n.into(), l.into(), v.into(), half.is_some());
+    let (normal, v) = (n.cast(A::Number::in_each), v.cast(A::Number::in_each));
+    let n_dot_h =
+        |l: UnitVec3<_>| Real::half_cosine(normal.into(), l.into(), v.into(), half.is_some());
     sum(
         n,
         material,
         i_a,
-        lights,
+        lights.arriving(),
         half.unwrap_or(material.m),
         n_dot_h,
     )
@@ -276,14 +280,15 @@ pub fn blinn_phong<T: Real, M: Exponent<T>>(
 
 /// The sum over the lights. Their highlights are the m-th powers of the cosines.
 #[inline]
-fn sum<T: Real, M, E: Exponent<T>>(
+fn sum<T: Real, L: Several<T>, M, E: Exponent<L>>(
     n: UnitVec3<T>,
     material: &Material<T, M>,
     i_a: Rgb<T>,
-    lights: impl IntoIterator<Item = IncidentLight<T>>,
+    lights: impl Iterator<Item = IncidentLight<L>>,
     m: E,
-    cosine: impl Fn(UnitVec3<T>) -> T,
+    cosine: impl Fn(UnitVec3<L>) -> L,
 ) -> Shaded<T> {
+    let n = n.cast(L::in_each);
     // the ambient term is stored first, so that I_a need not be kept
     let mut shaded = Shaded {
         ambient: term::ambient(material.k_a, i_a),
@@ -291,25 +296,25 @@ fn sum<T: Real, M, E: Exponent<T>>(
         specular: Rgb::BLACK,
     };
     let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
-    let mut highlights = m.powers(Rgb::BLACK, |intensity: Rgb<T>, highlight| {
-        specular += intensity * highlight;
+    let mut highlights = m.powers(Rgb::BLACK, |intensity: Rgb<L>, highlight| {
+        specular = (intensity * highlight).added_to(specular);
     });
     macro_rules! add {
         ($light:expr) => {
             let IncidentLight { l, intensity, .. } = $light;
             let n_dot_l = term::lambert(n, l);
             if n_dot_l.any_positive() {
-                highlights.take(intensity, n_dot_l.if_positive(cosine(l), T::ZERO));
+                highlights.take(intensity, n_dot_l.if_positive(cosine(l), L::ZERO));
                 // this line comes last, so that LLVM packs it into SIMD registers together with
                 // the highlight
-                diffuse += intensity * n_dot_l;
+                diffuse = (intensity * n_dot_l).added_to(diffuse);
             }
         };
     }
     // The iterator's own loop is inlined where its `next` is not, which halves the time under four lights.
     // A closure would take more stack than a small chip has.
     #[cfg(not(target_os = "none"))]
-    lights.into_iter().for_each(|light| {
+    lights.for_each(|light| {
         add!(light);
     });
     #[cfg(target_os = "none")]

@@ -32,8 +32,8 @@ use crate::unit::UnitVec3;
 #[doc(alias = "spotlight")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SoftCone<T = f32> {
-    inner: T,
-    outer: T,
+    pub(crate) inner: T,
+    pub(crate) outer: T,
     /// Whether the edge is a smoothstep instead of a square.
     smoothstep: Flag,
 }

@@ -311,6 +311,8 @@ fn attenuation_halfway_to_its_range<T: Float>() {
     let free = Attenuation::of(T::ONE, T::ZERO, T::of(0.25)).expect("coefficients");
     let ranged = Ranged::of(free, T::of(4.0)).expect("a range");
     assert_eq!(ranged.at(T::of(2.0)), T::of(225.0 / 512.0));
+    // as glTF has it, ½ (1 − (2/4)⁴) = ½ 15/16
+    assert_eq!(ranged.unsquared().at(T::of(2.0)), T::of(15.0 / 32.0));
     // a light with this attenuation: its whole intensity is ½ (15/16)² of (1, ½, 0)
     let lamp = PointLight {
         position: vector([0.0, 0.0, 2.0]),
@@ -321,6 +323,14 @@ fn attenuation_halfway_to_its_range<T: Float>() {
     assert_eq!(incident.intensity, rgb(225.0 / 512.0, 225.0 / 1024.0, 0.0));
     assert_eq!(lamp.in_front(Vec3::ZERO, UnitVec3::Z), Some(incident));
     assert_eq!(lamp.in_front(vector([0.0, 0.0, -2.5]), UnitVec3::Z), None);
+    let gltf = PointLight {
+        attenuation: ranged.unsquared(),
+        ..lamp
+    };
+    let incident = gltf.at(Vec3::ZERO);
+    assert_eq!(incident.intensity, rgb(15.0 / 32.0, 15.0 / 64.0, 0.0));
+    assert_eq!(gltf.in_front(Vec3::ZERO, UnitVec3::Z), Some(incident));
+    assert_eq!(gltf.in_front(vector([0.0, 0.0, -2.5]), UnitVec3::Z), None);
 }
 
 /// A lamp two units above the origin, where ¼ of (1, ½, 0) arrives, and the slanted sun with

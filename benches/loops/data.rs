@@ -9,6 +9,7 @@ use crate::race::Data;
 const COUNT: u16 = 4096;
 
 /// Three vectors, of which a function takes as many as it needs, for this crate and for `glam`.
+#[derive(Clone)]
 pub struct Vectors {
     pub ours: [shading::Vec3<f32>; 3],
     pub glam: [Vec3; 3],

@@ -90,9 +90,25 @@ fn shaded<M: Exponent<f32>>(material: &Material<f32, M>, vectors: &Vectors) -> R
     shade::blinn_phong(n, v, material, AMBIENT, lights).total()
 }
 
+/// The same, four lights at a time.
+#[cfg(feature = "wide")]
+#[inline]
+fn shaded_at_once<M: Exponent<wide::f32x4>>(
+    material: &Material<f32, M>,
+    vectors: &Vectors,
+) -> Rgb<f32> {
+    let [p, n, v] = vectors.ours;
+    let lights = PointLight::all_at::<wide::f32x4>(std::hint::black_box(&LAMPS), p);
+    shade::blinn_phong(unit(n), unit(v), material, AMBIENT, lights).total()
+}
+
 pub fn race() -> usize {
     let (points, directions) = (triangles(), directions());
-    of_terms(&directions) + of_lights(&points) + of_sums(&directions)
+    #[cfg(feature = "wide")]
+    let at_once = of_sums_at_once(directions.clone());
+    #[cfg(not(feature = "wide"))]
+    let at_once = 0;
+    of_terms(&directions) + of_lights(&points) + of_sums(&directions) + at_once
 }
 
 fn of_terms(directions: &[Data<Vectors>]) -> usize {
@@ -227,6 +243,48 @@ fn of_sums(directions: &[Data<Vectors>]) -> usize {
         .against(
             "glam, powf",
             limit(1.2, 1.2),
+            twice!(|Vectors { glam, .. }| {
+                let m = std::hint::black_box(REAL_M);
+                summed(std::hint::black_box(&LAMPS), *glam, |cosine| cosine.powf(m))
+            }),
+        )
+        .run(directions)
+}
+
+/// Four lights at a time. Where the same lights are in front of every point, rivals predict each branch.
+#[cfg(feature = "wide")]
+fn of_sums_at_once(directions: Vec<Data<Vectors>>) -> usize {
+    let (smooth, others): (Vec<_>, Vec<_>) = directions
+        .into_iter()
+        .partition(|(kind, _)| *kind == "smooth");
+    [(smooth, limit(0.9, 0.9)), (others, limit(0.5, 0.5))]
+        .iter()
+        .map(|(directions, limit)| of_four_at_once(directions, *limit))
+        .sum()
+}
+
+#[cfg(feature = "wide")]
+fn of_four_at_once(directions: &[Data<Vectors>], limit: Limit) -> usize {
+    Race::of(
+        "four at once, whole m",
+        twice!(|vectors: &Vectors| shaded_at_once(std::hint::black_box(&WHOLE), vectors)),
+    )
+    .against(
+        "glam, powi",
+        limit,
+        twice!(|Vectors { glam, .. }| {
+            let m = std::hint::black_box(WHOLE_M.cast_signed());
+            summed(std::hint::black_box(&LAMPS), *glam, |cosine| cosine.powi(m))
+        }),
+    )
+    .run(directions)
+        + Race::of(
+            "four at once, real m",
+            twice!(|vectors: &Vectors| shaded_at_once(std::hint::black_box(&REAL), vectors)),
+        )
+        .against(
+            "glam, powf",
+            limit,
             twice!(|Vectors { glam, .. }| {
                 let m = std::hint::black_box(REAL_M);
                 summed(std::hint::black_box(&LAMPS), *glam, |cosine| cosine.powf(m))

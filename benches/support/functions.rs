@@ -55,6 +55,9 @@ fn nothing(place: &Place) -> f32 {
 const IN_LANES: &[Function] = counted! {
     points_packed "PointLight::packed, eight" packed::points;
     lights_packed "Light::packed, three kinds" packed::lights;
+    sum_all_integer "shade::blinn_phong, integer m, four lights all at once" packed::sum_all_integer;
+    sum_all_real "shade::blinn_phong, real m, four lights all at once" packed::sum_all_real;
+    sum_all_kinds "shade::blinn_phong, integer m, three kinds all at once" packed::sum_all_kinds;
     sum_of_lanes "Shaded::sum_of_lanes, eight" packed::sum_of_lanes;
     sum_4_packed_integer "shade::blinn_phong, integer m, four lanes" packed::sum_4_integer;
     sum_4_packed_real "shade::blinn_phong, real m, four lanes" packed::sum_4_real;

@@ -54,6 +54,30 @@ where
     }
 }
 
+fn sum_all<M: Exponent<f32x4>>(place: &Place, material: &Material<f32, M>) -> Shaded<f32> {
+    let lamps = PointLight::all_at::<f32x4>(&place.lamps, place.p);
+    shade::blinn_phong(place.n, place.v, black_box(material), Rgb::WHITE, lamps)
+}
+
+pub fn sum_all_integer(place: &Place) -> Shaded<f32> {
+    sum_all(place, &place.integer)
+}
+
+pub fn sum_all_real(place: &Place) -> Shaded<f32> {
+    sum_all(place, &place.real)
+}
+
+pub fn sum_all_kinds(place: &Place) -> Shaded<f32> {
+    let lights = Light::all_at::<f32x4>(&place.lights, place.p);
+    shade::blinn_phong(
+        place.n,
+        place.v,
+        black_box(&place.integer),
+        Rgb::WHITE,
+        lights,
+    )
+}
+
 pub fn sum_4_integer(place: &Place) -> Shaded<f32> {
     FOUR.sum(place, &FOUR.integer)
 }

@@ -12,13 +12,13 @@ cargo fmt --all --check
 mesa() {
     install_packages libosmesa6-dev
     "${CC:-cc}" -std=c99 -O2 -Wall -Wextra -Werror mesa/host.c -lOSMesa -lm -o target/mesa
-    judge target/mesa
+    judge -- target/mesa
 }
 
 chip() {
     cargo clippy --quiet -p chip -- -D warnings
     cargo build --quiet --release -p chip
-    judge --cases 1000 target/release/chip # one law is broken in 1 % of the cases
+    judge --cases 1000 -- target/release/chip # one law is broken in 1 % of the cases
 }
 
 shader() {
@@ -27,34 +27,35 @@ shader() {
     cargo clippy --quiet -p shader --all-targets -- -D warnings
     cargo test --quiet --release -p shader
     cargo build --quiet --release -p shader
-    judge target/release/shader
+    judge -- target/release/shader
 }
 
 web() {
     command -v "${CHROMIUM:-chromium}" >/dev/null || install_packages chromium
     command -v npm >/dev/null || install_packages nodejs npm
     npm ci --prefix web --silent --no-audit --no-fund --ignore-scripts
-    judge --cases 1000 --timeout 60 node web/host.mjs # some laws are broken in 0.4 % of the cases
+    judge --cases 1000 --timeout 60 -- node web/host.mjs # some laws are broken in 0.4 % of the cases
 }
 
 # the same, but it says that it clamps, and that a light behind the surface has a highlight
 web_said() {
-    judge --cases 1000 --timeout 60 node web/host.mjs '{"clamps":[0,1],"highlight_on_the_dark_side":true}'
+    judge --cases 1000 --timeout 60 -- node web/host.mjs '{"clamps":[0,1],"highlight_on_the_dark_side":true}'
 }
 
 vtk() {
     install_packages libosmesa6 python3-venv
     [ -x target/vtk/bin/pip ] || python3 -m venv target/vtk
     target/vtk/bin/pip install --quiet --disable-pip-version-check --no-deps --requirement vtk/requirements.txt
-    judge target/vtk/bin/python vtk/host.py
+    judge -- target/vtk/bin/python vtk/host.py
 }
 
 povray() {
     install_packages povray python3
-    judge --cases 100 --shrink 20 python3 povray/host.py # a picture of POV-Ray takes at least a third of a second
+    judge --cases 100 --shrink 20 -- python3 povray/host.py # a picture of POV-Ray takes at least a third of a second
 }
 
-# Runs the laws on a command, with the options before it, and compares the outcome of each with the expected one.
+# Runs the laws on a command, with the options before `--`, and compares the outcome of each with the expected one, and the
+# colors of scenes that are worked out by hand with those that the pages state.
 judge() {
     local report=target/reports/$renderer.txt status=0
     cargo run --quiet --release --manifest-path ../../Cargo.toml -p shading-laws -- "$@" >"$report" || status=$?
@@ -66,6 +67,8 @@ judge() {
         in_table && !NF { exit }
         in_table { print renderer, $1, $3 == "BROKEN" ? "broken" : $3 == "not" ? "not tried" : $3 }
     ' "$report" | diff --unified=0 --label expected --label found <(grep "^$renderer " expected.txt) - || failed=1
+    while [ "$1" != -- ]; do shift; done
+    python3 claims.py "$renderer" "${@:2}" || failed=1
 }
 
 renderers=(mesa chip shader web web_said vtk povray)

@@ -253,8 +253,9 @@ impl Div for Bounded {
 ///
 /// Source: Dekker 1971, *A Floating-Point Technique for Extending the Available Precision*.
 pub fn rounded(x: f64, u: f64) -> f64 {
-    let dropped = (u / (f64::EPSILON / 2.0)).log2().floor();
-    let away = x * (dropped.exp2() + 1.0);
+    // the power of two at or below it: a logarithm would cost a tenth of a run
+    let dropped = f64::from_bits((u / (f64::EPSILON / 2.0)).to_bits() >> 52 << 52);
+    let away = x * (dropped + 1.0);
     away - (away - x)
 }
 

@@ -47,7 +47,7 @@
 //! shades in batches, such as a shader on a GPU, implements [`Renderer`]. [`Laws`] sets the seed and
 //! the number of cases; without that, every run is the same.
 //!
-//! Where a law is broken, the [`Report`] shows the smallest scene that breaks it, as Rust to copy
+//! Where a law is broken, the [`Report`] shows the smallest scene that breaks it, as a line of the format and as Rust to copy
 //! into a test, and names the [`Mistake`] that gives nearly all of the wrong colors:
 //!
 //! ```text
@@ -102,7 +102,9 @@ mod smaller;
 // a run: what it saw, what it may conclude, and what it says
 mod cause;
 mod coverage;
+mod junit;
 mod report;
+mod reproduction;
 mod run;
 mod trial;
 
@@ -115,8 +117,11 @@ pub use profile::Profile;
 pub use proof::prove;
 pub use renderer::{Renderer, from_fn};
 pub use report::{Counterexample, Finding, LawReport, Report, Verdict};
+pub use reproduction::Reproduction;
 pub use run::{Laws, Progress, check};
 pub use scene::{Light, Material, Model, Scene, Triple};
+#[doc(hidden)]
+pub use textbook::compared;
 
 /// The format that the program `shading-laws` and a renderer speak.
 #[cfg(doc)]

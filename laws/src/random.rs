@@ -39,7 +39,7 @@ impl Random {
     /// From 0 to below 1.
     #[allow(clippy::cast_precision_loss)] // 53 bits
     pub fn share(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (53_f64).exp2()
+        (self.next() >> 11) as f64 * (f64::EPSILON / 2.0)
     }
 
     /// From `low` to `high`.

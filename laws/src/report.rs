@@ -10,6 +10,7 @@ use crate::coverage::Exercised;
 use crate::generator::Base;
 use crate::mistake::Fault;
 use crate::profile::Profile;
+use crate::reproduction::Reproduction;
 use crate::scene::{Light, Scene, Triple};
 use crate::smaller::cost;
 use crate::textbook::Textbook;
@@ -29,6 +30,8 @@ pub struct Report {
     pub exercised: Vec<Exercised>,
     /// The laws that are expected to be broken.
     pub known: Vec<String>,
+    /// How the text shows a broken case as code to run.
+    pub reproduction: Reproduction,
 }
 
 /// Broken laws that have one cause, or of which none is known.
@@ -134,7 +137,7 @@ impl Report {
             && self.exercised.iter().all(Exercised::is_all)
     }
 
-    fn is_known(&self, law: &LawReport) -> bool {
+    pub(crate) fn is_known(&self, law: &LawReport) -> bool {
         self.known.iter().any(|name| name == law.name)
     }
 
@@ -191,7 +194,7 @@ impl Report {
     }
 
     /// What was declared and not exercised, in words.
-    fn unexercised(&self) -> Vec<String> {
+    pub(crate) fn unexercised(&self) -> Vec<String> {
         let missing = self.exercised.iter().filter(|one| !one.is_all());
         missing.map(ToString::to_string).collect()
     }
@@ -448,8 +451,11 @@ impl Report {
         } else {
             writeln!(f, "No known mistake explains these colors.")?;
         }
-        for (law, smallest) in broken {
+        for (i, (law, smallest)) in broken.into_iter().enumerate() {
             write!(f, "\n{}: {}\n{smallest}", law.name, law.says)?;
+            if i == 0 {
+                f.write_str(&self.reproduction.of(&smallest.scenes))?;
+            }
         }
         Ok(())
     }
@@ -461,7 +467,7 @@ fn words(faults: &[Fault]) -> String {
 }
 
 /// A text without control characters.
-fn printable(text: &str) -> String {
+pub(crate) fn printable(text: &str) -> String {
     let escaped = |c: char| {
         if c.is_control() {
             c.escape_default().collect()
@@ -515,13 +521,6 @@ impl fmt::Display for Counterexample {
         for scene in &self.scenes {
             writeln!(f, "{}", scene.to_json())?;
         }
-        writeln!(f, "  to reproduce it in Rust:")?;
-        writeln!(f, "    let scenes = [")?;
-        for scene in &self.scenes {
-            let scene = scene.to_string().replace('\n', "\n        ");
-            writeln!(f, "        {scene},")?;
-        }
-        writeln!(f, "    ];")?;
-        writeln!(f, "    let colors = renderer.shade(&scenes)?;")
+        Ok(())
     }
 }

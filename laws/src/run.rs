@@ -9,6 +9,7 @@ use crate::mistake::{Fault, Mistake};
 use crate::random::Random;
 use crate::renderer::Renderer;
 use crate::report::{Finding, LawReport, Report, Verdict};
+use crate::reproduction::Reproduction;
 use crate::trial::{Budget, Trial, Tried};
 
 /// A run of the laws. It is deterministic: the same seed gives the same scenes.
@@ -219,6 +220,7 @@ impl Laws {
             laws: reports,
             findings,
             exercised,
+            reproduction: Reproduction::default(),
         })
     }
 

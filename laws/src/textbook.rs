@@ -11,6 +11,7 @@ use crate::bounded::{
 };
 use crate::mistake::{Fault, Mistake};
 use crate::profile::Profile;
+use crate::random::Random;
 use crate::reply::{from_srgb, to_srgb};
 use crate::scene::{Light, Material, Model, Scene, Triple};
 
@@ -813,46 +814,12 @@ fn max(a: Bounded3, b: Bounded3) -> Bounded3 {
     from_fn(|i| a[i].max(b[i]))
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::random::Random;
-    use crate::{generator, reference};
-
-    /// `shading` and the textbook agree, and the bounds are tight: all but 6 % are below 10⁻¹²
-    /// of the color in `f64`. The others are of faint highlights, of lights on an edge and of lamps close by.
-    #[test]
-    fn the_textbook_gives_the_color_of_shading() {
-        let precise = Profile {
-            roundoff: f64::EPSILON / 2.0,
-            ..Profile::default()
-        };
-        let of_its_own = Profile {
-            attenuated_ambient: true,
-            unattenuated_highlight: true,
-            highlight_on_the_dark_side: true,
-            normal_faces_eye: true,
-            spot_exponent: 2.5,
-            ambient_times_diffuse: true,
-            ..precise.clone()
-        };
-        for profile in [precise, of_its_own] {
-            let textbook = Textbook::new(&profile, &[]);
-            let mut random = Random::new(0, "textbook");
-            let mut loose = 0;
-            for _ in 0..2000 {
-                let scene = generator::base(&profile, &mut random).scene;
-                let (ours, other) = (textbook.linear(&scene), reference::color(&scene, &profile));
-                for (bounded, right) in ours.into_iter().zip(other) {
-                    let off = (bounded.value - right).abs();
-                    assert!(
-                        off <= bounded.error,
-                        "{bounded:?} is not {right} in\n{scene}"
-                    );
-                    loose += u32::from(bounded.error > 1e-12 * right);
-                }
-            }
-            assert!(loose < 360, "{loose} of 6000 bounds are loose");
-        }
-    }
+/// For the tests of this package: a scene, its color by the textbook with the bound on its error, and that by `shading`.
+#[doc(hidden)]
+#[must_use]
+pub fn compared(profile: &Profile, seed: u64) -> (Scene, [[f64; 2]; 3], Triple) {
+    let scene = crate::generator::base(profile, &mut Random::new(seed, "textbook")).scene;
+    let ours = Textbook::new(profile, &[]).linear(&scene);
+    let right = crate::reference::color(&scene, profile);
+    (scene, ours.map(|c| [c.value, c.error]), right)
 }

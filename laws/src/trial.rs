@@ -198,8 +198,13 @@ impl<'a, R: Renderer> Trial<'a, R> {
 
     /// The colors of scenes, as the renderer gets them.
     pub fn ask(&mut self, tried: &Tried, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
-        let handed: Vec<Scene> = scenes.iter().map(|s| handed(s, &self.profile)).collect();
-        let replies = match self.caught(&handed) {
+        let answer = if self.profile.whole_angle {
+            let handed: Vec<Scene> = scenes.iter().map(|s| handed(s, &self.profile)).collect();
+            self.caught(&handed)
+        } else {
+            self.caught(scenes)
+        };
+        let replies = match answer {
             Ok(replies) => replies?,
             Err(message) => return Err(self.panicked(tried, scenes, &message)),
         };

@@ -133,7 +133,8 @@ fn nan_breaks_a_law_and_the_report_names_the_scene() {
         let script = python(&format!("if is_scene: say('[0,{nan},0]'); continue"));
         let (status, report, stderr) = try_script("python3", &script, &["--cases", "16"]);
         assert_eq!(status, Some(1), "{report}{stderr}");
-        assert!(report.contains("Scene {"), "{report}");
+        let command = "printf '%s\\n' '{\"shading-laws\":1}' '{\"model\":";
+        assert!(report.contains(command), "{report}");
     }
 }
 
@@ -477,6 +478,113 @@ fn known_failures_and_stored_cases() {
     assert!(report.contains("holds, but is known as broken"), "{report}");
     fs::write(folder.path().join("cases"), "{}\n").expect("a file");
     refused(go(&["--replay", "cases"]), &["cases: line 1: no \"law\""]);
+}
+
+/// The code that a report shows, pasted after an example with a mistake, gives the colors that the report shows.
+#[test]
+fn broken_cases_are_reproduced_in_the_language_of_the_example() {
+    let folder = temporary();
+    let path = |name: &str| folder.path().join(name);
+    let python = include_str!("../examples/renderer.py");
+    let python = python.replace(r#"mul(scene["k_a"], scene["i_a"])"#, r#"scene["k_a"]"#);
+    fs::write(path("renderer.py"), &python).expect("a file");
+    let report = |options: &[&str]| {
+        let mut command = program();
+        command
+            .args(["--law", "ambient_alone", "--cases", "8"])
+            .args(options);
+        command
+            .args(["python3", "renderer.py"])
+            .current_dir(&folder);
+        let (status, report, stderr) = run(&mut command);
+        assert_eq!(status, Some(1), "{report}{stderr}");
+        report
+    };
+    let numbers = |text: &str| -> Vec<f64> {
+        let words = text.split(|c: char| !c.is_ascii_digit() && !".-e".contains(c));
+        words.filter_map(|word| word.parse().ok()).collect()
+    };
+    let sh = |command: &str| {
+        succeed(
+            Command::new("sh")
+                .args(["-c", command])
+                .current_dir(&folder),
+        )
+    };
+    let after = |report: &str, words: &str| {
+        let (_, code) = report.split_once(words).expect("code");
+        code.to_owned()
+    };
+
+    let plain = report(&[]);
+    let shown = plain
+        .lines()
+        .find_map(|line| line.strip_prefix("  color 1: "));
+    let shown = numbers(shown.expect("a color"));
+    assert_eq!(shown.len(), 3, "{plain}");
+    let said = sh(&after(&plain, "to reproduce it:"));
+    assert_eq!(numbers(said.lines().nth(1).expect("a color")), shown);
+
+    let calls = after(&report(&["--language", "python"]), "in Python:");
+    fs::write(
+        path("calls.py"),
+        format!("import json\nfrom renderer import shade\n{calls}"),
+    )
+    .expect("a file");
+    assert_eq!(numbers(&sh("python3 calls.py")), shown);
+
+    let c = include_str!("../examples/renderer.c").replace("mul(s.k_a, s.i_a)", "s.k_a");
+    let calls = after(&report(&["--language", "c"]), "in C:");
+    let c = c.replace("int main(", "int renderer(") + "int main(void) {\n" + &calls + "}\n";
+    fs::write(path("calls.c"), c).expect("a file");
+    assert_eq!(numbers(&sh("cc calls.c -o calls -lm && ./calls")), shown);
+
+    let rust = include_str!("../examples/renderer.rs");
+    let rust = rust.replace("mul(k_a, triple(numbers))", "(k_a, triple(numbers)).0");
+    let calls = after(&report(&["--language", "rust"]), "in Rust:");
+    let rust = rust.replace("fn main(", "fn renderer(") + "fn main() {\n" + &calls + "}\n";
+    fs::write(path("calls.rs"), rust).expect("a file");
+    assert_eq!(
+        numbers(&sh("rustc --edition 2021 calls.rs 2>/dev/null && ./calls")),
+        shown
+    );
+}
+
+/// Another program's parser reads the XML and finds what the report has.
+#[test]
+fn reports_come_as_junit() {
+    let folder = temporary();
+    let named = r#"say('{"name":"<&\\u0007>"}')"#;
+    let black = python("").replace(r#"say("{}")"#, named);
+    let count = r"
+import sys, xml.etree.ElementTree as E
+root = E.parse(sys.argv[1]).getroot()
+suite = root.find('testsuite')
+of = lambda name: len(root.findall('.//' + name))
+print(root.get('tests'), of('testcase'), root.get('failures'), of('failure'), of('skipped'), suite.get('name'))
+";
+    let mut command = program();
+    command.args([
+        "--law",
+        "ambient_alone",
+        "--law",
+        "eye",
+        "--law",
+        "as_said",
+        "--cases",
+        "8",
+    ]);
+    command.args(["--junit", "junit.xml", "python3", "-c", &black]);
+    let (status, report, stderr) = run(command.current_dir(&folder));
+    assert_eq!(status, Some(1), "{report}{stderr}");
+    let read = succeed(
+        Command::new("python3")
+            .args(["-c", count, "junit.xml"])
+            .current_dir(&folder),
+    );
+    assert_eq!(read.trim(), r"4 4 1 1 1 <&\u{7}>, seed 0");
+    let xml = fs::read_to_string(folder.path().join("junit.xml")).expect("a file");
+    assert!(xml.contains("the color is k_a I_a"), "{xml}");
 }
 
 /// Whoever closes the program's output does not make it panic.

@@ -146,17 +146,17 @@ impl<T: Real> Real for Dual<T> {
     }
 
     #[inline]
-    fn window(q: Self, r: Self) -> Self {
-        let value = T::window(q.value, r.value);
+    fn window(q: Self, r: Self, is_squared: bool) -> Self {
+        let value = T::window(q.value, r.value, is_squared);
         Self {
             value,
-            ..crate::real::triple::window(q, r)
+            ..crate::real::triple::window(q, r, is_squared)
         }
     }
 
     #[inline]
     fn attenuated_within(
-        r: Self,
+        (r, is_squared): (Self, bool),
         v: [Self; 3],
         coefficients: [Self; 3],
         q: [Self; 2],
@@ -165,14 +165,14 @@ impl<T: Real> Real for Dual<T> {
     ) -> [Self; 3] {
         let limit = limit();
         let dimmed = T::attenuated_within(
-            r.value,
+            (r.value, is_squared),
             values(v),
             values(coefficients),
             q.map(|q| q.value),
             || values(to_light()),
             || limit.value,
         );
-        let v = Self::scaled(v, Self::window(q[0], r));
+        let v = Self::scaled(v, Self::window(q[0], r, is_squared));
         let dual = Self::attenuated(v, coefficients, q, || limit);
         with_values(dimmed, gradients(dual))
     }

@@ -25,7 +25,8 @@ format! {
     Rgb, self: "Rgb({}, {}, {})", self.r, self.g, self.b;
     Dual, self: "Dual({}, {})", self.value, self.gradient;
     Attenuation, self: "Attenuation({}, clamped: {})", self.coefficients(), self.is_clamped();
-    Ranged, self: "Ranged({}, range: {})", self.attenuation(), self.range();
+    Ranged, self: "Ranged({}, range: {}, unsquared: {})",
+        self.attenuation(), self.range(), self.is_unsquared();
     Cone, self: "Cone(cosine: {})", self.cosine();
     SoftCone, self: "SoftCone(cosines: {}, smoothstep: {})", self.cosines(), self.is_smoothstep();
     IncidentLight, self: "IncidentLight(l: {}, intensity: {}, distance: {})",

@@ -18,4 +18,4 @@ mod serde;
 mod wide;
 
 #[cfg(feature = "wide")]
-pub use wide::Lanes;
+pub use wide::{InLanes, Lanes};

@@ -11,12 +11,14 @@
 mod directional;
 mod in_front;
 mod incident;
+mod lights;
 mod point;
 mod spot;
 mod wider;
 
 pub use directional::DirectionalLight;
 pub use incident::IncidentLight;
+pub use lights::Lights;
 pub use point::PointLight;
 pub use spot::SpotLight;
 

@@ -4,12 +4,14 @@ mod angle;
 mod float;
 pub(crate) mod root;
 mod scalar;
+mod several;
 pub(crate) mod triple;
 pub(crate) mod whole_power;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 pub use scalar::Scalar;
+pub(crate) use several::Several;
 
 /// A real number: `f32`, `f64`, a dual number, a set of SIMD lanes, or a type of your own.
 ///
@@ -188,13 +190,13 @@ pub trait Real:
     /// The share of a light that its range r leaves, which may be infinite as for [`ratio`](Real::ratio).
     ///
     /// ```text
-    /// max(0, 1 − (q/r)⁴)²
+    /// max(0, 1 − (q/r)⁴), or its square
     /// ```
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn window(q: Self, r: Self) -> Self {
-        triple::window(q, r)
+    fn window(q: Self, r: Self, is_squared: bool) -> Self {
+        triple::window(q, r, is_squared)
     }
 
     /// The distance from 1 to the next number above.
@@ -229,19 +231,20 @@ pub trait Real:
         triple::attenuated(v, coefficients, q[0], limit)
     }
 
-    /// The same times the [`window`](Real::window) of a range r. q is the length of `to_light`.
+    /// The same times the [`window`](Real::window) of a range r and whether it is squared. q is the
+    /// length of `to_light`.
     #[doc(hidden)]
     #[inline(always)]
     #[must_use]
     fn attenuated_within(
-        r: Self,
+        (r, is_squared): (Self, bool),
         v: [Self; 3],
         coefficients: [Self; 3],
         q: [Self; 2],
         _to_light: impl FnOnce() -> [Self; 3],
         limit: impl FnOnce() -> Self,
     ) -> [Self; 3] {
-        let v = Self::scaled(v, Self::window(q[0], r));
+        let v = Self::scaled(v, Self::window(q[0], r, is_squared));
         Self::attenuated(v, coefficients, q, limit)
     }
 

@@ -141,11 +141,11 @@ fn extreme_direction_and_distance<T: Real>(
 }
 
 #[inline]
-pub(crate) fn window<T: Real>(q: T, r: T) -> T {
+pub(crate) fn window<T: Real>(q: T, r: T, is_squared: bool) -> T {
     let share = q.ratio(r);
     let square = share * share;
     let root = (T::ONE - square * square).at_least(T::ZERO);
-    root * root
+    if is_squared { root * root } else { root }
 }
 
 #[inline(always)]

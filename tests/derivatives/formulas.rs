@@ -52,6 +52,7 @@ pub fn everywhere<T: Real>(numbers: &Numbers<T>) -> Vec<T> {
         lamp(attenuation).at(b),
         lamp(attenuation.clamped()).at(c),
         far(ranged).at(b),
+        far(ranged.unsquared()).at(b),
         far(endless).at(c),
         spot(cone).at(b),
         spot(cone.smoothstep()).at(c),

@@ -12,6 +12,7 @@ struct Lamp {
     /// a, b, c, r, the intensity, and the coordinates of the point, in steps
     numbers: [i32; 8],
     is_clamped: bool,
+    is_squared: bool,
 }
 
 impl Lamp {
@@ -30,9 +31,11 @@ impl Lamp {
             }
         });
         let is_clamped = random.below(4) == 0;
+        let is_squared = random.below(2) == 0;
         Self {
             numbers,
             is_clamped,
+            is_squared,
         }
         .valid()
     }
@@ -80,6 +83,15 @@ impl Lamp {
         (numbers, attenuation)
     }
 
+    fn within(self, attenuation: Attenuation, r: Fixed) -> Ranged {
+        let ranged = attenuation.within(r).expect("a range");
+        if self.is_squared {
+            ranged
+        } else {
+            ranged.unsquared()
+        }
+    }
+
     /// What arrives, in steps.
     fn arriving(self) -> f64 {
         let ([_, _, _, r, intensity, x, y, z], attenuation) = self.fixed();
@@ -87,7 +99,7 @@ impl Lamp {
             position: Vec3::ZERO,
             // each channel for itself
             intensity: Rgb::new(Fixed::STEP, intensity, Fixed::MAX),
-            attenuation: attenuation.within(r).expect("a range"),
+            attenuation: self.within(attenuation, r),
         };
         let ranged = lamp.at(Vec3::new(x, y, z)).intensity.g;
         if r == Fixed::MAX {
@@ -127,7 +139,7 @@ impl Lamp {
         } else {
             let rest = i128::from(self.numbers[3]).pow(2) - square;
             let share = rest.max(0) as f64 / (r * r); // 1 − (q/r)²
-            (share * (2.0 - share)).powi(2)
+            (share * (2.0 - share)).powi(if self.is_squared { 2 } else { 1 })
         };
         (intensity * (factor * window)).min(f64::from(i32::MAX))
     }

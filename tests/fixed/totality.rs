@@ -110,9 +110,11 @@ fn the_largest_range_is_no_range() {
         assert_eq!(none.at(q), Fixed::ONE, "{q}");
     }
     assert_eq!(none.at(Fixed::MAX), Fixed::ONE);
+    assert_eq!(none.unsquared().at(Fixed::MAX), Fixed::ONE);
     let short = Attenuation::NONE.within(x(2.0)).expect("a range");
     for q in [x(2.0), x(2.5), Fixed::MAX] {
         assert_eq!(short.at(q), Fixed::ZERO, "{q}");
+        assert_eq!(short.unsquared().at(q), Fixed::ZERO, "{q}");
     }
 }
 

@@ -24,9 +24,9 @@ pub fn edge() -> impl Strategy<Value = (usize, f64)> {
     (0..40_usize, number())
 }
 
-type AnyLight<S> = Light<S, SoftCone<S>, Ranged<S>>;
+pub type AnyLight<S> = Light<S, SoftCone<S>, Ranged<S>>;
 
-fn of_kind<S: Scalar>(lamp_: &Lamp, [kind, clamped, smoothstep]: [usize; 3]) -> AnyLight<S> {
+pub fn of_kind<S: Scalar>(lamp_: &Lamp, [kind, clamped, smoothstep]: [usize; 3]) -> AnyLight<S> {
     let [Light::Point(point), sun, Light::Spot(spot)] = lamp::<S>(lamp_) else {
         unreachable!("a point, a sun, a spot");
     };
@@ -103,7 +103,7 @@ fn halves<S: Real>(lanes: &[S]) -> S {
     halves(&sums)
 }
 
-fn assert_same<S: Scalar>(lanes: impl Into<[S; 3]>, expected: impl Into<[S; 3]>) {
+pub fn assert_same<S: Scalar>(lanes: impl Into<[S; 3]>, expected: impl Into<[S; 3]>) {
     let (lanes, expected) = (lanes.into(), expected.into());
     assert!(
         lanes.map(S::bits) == expected.map(S::bits),

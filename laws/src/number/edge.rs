@@ -13,7 +13,8 @@ use super::generators::{
 
 /// A soft cone from its cosines, as `cone` makes a hard one.
 fn soft_cone<T: Number>(inner: f64, outer: f64) -> SoftCone<T> {
-    SoftCone::of_cosines(T::of(inner), T::of(outer)).expect("cosines")
+    SoftCone::of_cosines(T::of(inner), T::of(outer))
+        .expect("the property expects cosines, and there is none")
 }
 
 /// Two cosines, the larger first; often equal.
@@ -125,14 +126,20 @@ fn ranged<T: Number>() -> impl Strategy<Value = Ranged<T>> {
         (-octaves..octaves).prop_map(f64::exp2),
         Just(f64::INFINITY)
     ];
-    (coefficients::<T>(), range).prop_map(|(attenuation, range)| {
+    (coefficients::<T>(), range, any::<bool>()).prop_map(|(attenuation, range, is_squared)| {
         let range = range.max(T::TINY.to_f64());
-        Ranged::of(attenuation, T::of(range)).expect("above 0")
+        let ranged = Ranged::of(attenuation, T::of(range))
+            .expect("the property expects a number above 0, and there is none");
+        if is_squared {
+            ranged
+        } else {
+            ranged.unsquared()
+        }
     })
 }
 
 /// (56) It is exactly 0 from r on, never above the attenuation without the range, and never rises
-/// with q.
+/// with q. glTF's window leaves no less than its square.
 fn ranged_attenuation_ends_at_its_range<T: Number>() {
     let inputs = (
         ranged::<T>(),
@@ -150,6 +157,7 @@ fn ranged_attenuation_ends_at_its_range<T: Number>() {
         for q in [p, q, r * T::of(share)] {
             let factor = ranged.at(q);
             prop_assert!(factor >= T::ZERO && factor <= free.at(q));
+            prop_assert!(factor <= ranged.unsquared().at(q));
             if q >= r && !is_endless {
                 same([factor; 3], [T::ZERO; 3])?;
             }
@@ -161,8 +169,9 @@ fn ranged_attenuation_ends_at_its_range<T: Number>() {
     });
 }
 
-/// (56) It is the attenuation times (1 − (q/r)⁴)², or 0. The quotient is off by 1u and its fourth
-/// power by 7u, which counts twice; the attenuation is off by 6u; there are three more roundings.
+/// (56) It is the attenuation times (1 − (q/r)⁴)², or 0; for glTF, without the square. The quotient
+/// is off by 1u and its fourth power by 7u, which the square counts twice; the attenuation is off by
+/// 6u; there are three more roundings.
 ///
 /// In an evenly spaced type, the window is off by 15u. The denominator of the attenuation is off by
 /// (q + 1)u, and its reciprocal by 1u. An attenuation above 256 is not a scene's.
@@ -171,19 +180,23 @@ fn ranged_attenuation_follows_its_formula<T: Number>() {
     check(inputs, |(attenuation, range, share)| {
         let range = T::of(range);
         let ranged = attenuation.cast(T::to_f64).within(range.to_f64());
-        let ranged = ranged.expect("above 0").cast(T::of);
+        let ranged = ranged
+            .expect("the property expects a number above 0, and there is none")
+            .cast(T::of);
         let q = range * T::of(share);
         let share = q.to_f64() / range.to_f64();
-        let window = f64::max(0.0, 1.0 - share.powi(4)).powi(2);
+        let root = f64::max(0.0, 1.0 - share.powi(4));
         let free = attenuation.cast(T::to_f64).at(q.to_f64());
-        prop_assume!(!T::EVENLY_SPACED || free <= 256.0);
+        let most = T::MAX.to_f64();
+        prop_assume!(!T::EVENLY_SPACED || free <= f64::min(256.0, most / 2.0) && free * most > 1.0);
         let denominator = (q.to_f64() + 1.0) * T::U * free;
         let reciprocal = free * denominator / (1.0 - denominator) + T::U;
         let tolerance = by_spacing::<T>(
             24.0 * T::U * free,
             15.0 * T::U * (free + reciprocal) + reciprocal + T::U,
         );
-        within(ranged.at(q).to_f64() - free * window, tolerance)
+        within(ranged.at(q).to_f64() - free * root * root, tolerance)?;
+        within(ranged.unsquared().at(q).to_f64() - free * root, tolerance)
     });
 }
 
@@ -199,7 +212,7 @@ fn infinite_range_is_no_range<T: Number>() {
         let ranged = attenuation
             .cast(T::to_f64)
             .within(f64::INFINITY)
-            .expect("above 0");
+            .expect("the property expects a number above 0, and there is none");
         let free = PointLight {
             position,
             intensity,

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
+use shading_laws::Reproduction;
 
 #[derive(Clone, Copy, ValueEnum)]
 pub enum Language {
@@ -19,6 +20,15 @@ impl Language {
             Self::Python => ("renderer.py", include_str!("../../examples/renderer.py")),
             Self::C => ("renderer.c", include_str!("../../examples/renderer.c")),
             Self::Rust => ("renderer.rs", include_str!("../../examples/renderer.rs")),
+        }
+    }
+
+    /// Calls of the example's function.
+    pub fn reproduction(self) -> Reproduction {
+        match self {
+            Self::Python => Reproduction::Python,
+            Self::C => Reproduction::C,
+            Self::Rust => Reproduction::Rust,
         }
     }
 

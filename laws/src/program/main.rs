@@ -16,7 +16,7 @@ use std::time::Duration;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
-use shading_laws::{Laws, Profile, Progress, Report};
+use shading_laws::{Laws, Profile, Progress, Report, Reproduction};
 
 use example::Language;
 use piped::Piped;
@@ -69,6 +69,12 @@ struct Options {
     /// Print the report in the Test Anything Protocol
     #[arg(long)]
     tap: bool,
+    /// Write the report to this file as JUnit's XML, too
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    /// Show broken cases as calls of the example's function in this language, instead of a command
+    #[arg(long)]
+    language: Option<Language>,
     /// The laws that are known to be broken: a file with a name a line
     #[arg(long, value_name = "FILE")]
     known: Option<PathBuf>,
@@ -179,29 +185,52 @@ fn run(mut arguments: Arguments) -> Result<(String, bool), String> {
             let mut renderer = filed::Colors::new(run.profile()?, &text)?;
             let report = unasked(&run.options)?.run(&mut renderer)?;
             renderer.finish()?;
-            return printed(&report, &run.options);
+            return printed(report, &run.options);
         }
         None => {}
     }
     if arguments.list {
         return Ok((list(), true));
     }
-    let report = report(&arguments)?;
-    printed(&report, &arguments.options)
+    let mut report = report(&arguments)?;
+    if arguments.options.language.is_none() {
+        let words = arguments
+            .command
+            .iter()
+            .map(|word| quoted(&word.to_string_lossy()));
+        report.reproduction = Reproduction::Command(words.collect::<Vec<_>>().join(" "));
+    }
+    printed(report, &arguments.options)
 }
 
 /// The report in the form that was asked for, and whether all is well.
-fn printed(report: &Report, options: &Options) -> Result<(String, bool), String> {
-    if let Some(file) = &options.save {
-        let written = std::fs::write(file, report.cases());
-        written.map_err(|why| format!("cannot write {}: {why}", file.display()))?;
+fn printed(mut report: Report, options: &Options) -> Result<(String, bool), String> {
+    if let Some(language) = options.language {
+        report.reproduction = language.reproduction();
     }
+    let write = |file: &Option<PathBuf>, text: &dyn Fn() -> String| match file {
+        Some(file) => std::fs::write(file, text())
+            .map_err(|why| format!("cannot write {}: {why}", file.display())),
+        None => Ok(()),
+    };
+    write(&options.save, &|| report.cases())?;
+    write(&options.junit, &|| report.to_junit())?;
     let text = match () {
         () if options.json => report.to_json(),
         () if options.tap => report.to_tap(),
         () => report.to_string(),
     };
     Ok((text.trim_end().to_owned() + "\n", report.passes()))
+}
+
+/// A word for a shell.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "_-./=:,+@%".contains(c);
+    if !word.is_empty() && word.chars().all(is_plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
+    }
 }
 
 fn read(file: &Path) -> Result<String, String> {

@@ -1,8 +1,9 @@
 //! What a claim says about its results.
 
+use super::graph::{Graph, Test};
 use super::known::Known;
 use super::range::Range;
-use super::term::{Graph, Term, Test};
+use super::term::Term;
 
 /// How many open selections a goal may try both ways, one inside the other.
 const SPLITS: u32 = 8;
@@ -48,7 +49,10 @@ impl Goal {
                 }
             }
             Self::Same(a, b) => known.same(g, a.0, b.0),
-            Self::AtMost(a, b) => known.answer(g, Test::AtMost(a.0, b.0)) == Some(true),
+            Self::AtMost(a, b) => {
+                let [a, b] = [a.0, b.0].map(|id| known.resolved(g, id));
+                known.answer(g, Test::AtMost(a, b)) == Some(true)
+            }
             Self::Never => false,
         };
         if is_proved || splits == 0 {

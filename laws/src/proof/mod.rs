@@ -4,24 +4,36 @@
 //! The formula runs with [`Term`], a number that records. An analysis of ranges, which knows of
 //! rounding, overflow, NaN and −0, then shows what values the result can have. See [`prove`](crate::prove).
 
-mod goal;
-mod known;
+// the floats, and sets of them
+mod format;
 mod range;
-mod sample;
+
+// a formula, and what is known of it
+mod graph;
+mod known;
+
+// a run of a formula, and the number that it runs with
+mod run;
 mod term;
+
+// what is claimed, and the search for what refutes it
+mod goal;
+mod sample;
 
 use std::fmt;
 
 use shading::{Rgb, UnitVec3, Vec3};
 
+pub use format::Format;
 pub use goal::Goal;
+#[doc(hidden)]
+pub use graph::{Graph, Node, Test};
 #[doc(hidden)]
 pub use known::Known;
 pub use range::Range;
-use term::explore;
-pub use term::{Format, Term};
 #[doc(hidden)]
-pub use term::{Graph, Node, Test, with};
+pub use run::{Run, with};
+pub use term::Term;
 
 /// What a claim is about: its variables, and what it assumes of them.
 #[derive(Clone, Copy, Debug)]
@@ -84,17 +96,17 @@ impl Given {
     /// One of `n` cases, each of which is proved apart.
     #[must_use]
     pub fn one_of(self, n: u32) -> u32 {
-        (1..n).find(|_| term::case()).unwrap_or(0)
+        (1..n).find(|_| run::case()).unwrap_or(0)
     }
 
     /// Assumes a ≤ b.
     pub fn assume_at_most(self, a: Term, b: Term) {
-        term::assume(Test::AtMost(a.0, b.0));
+        run::assume(Test::AtMost(a.0, b.0));
     }
 
     /// Assumes a > b.
     pub fn assume_above(self, a: Term, b: Term) {
-        term::assume(Test::Above(a.0, b.0));
+        run::assume(Test::Above(a.0, b.0));
     }
 }
 
@@ -125,28 +137,23 @@ impl fmt::Display for Verdict {
     }
 }
 
-/// Runs a formula along every path; `each` sees the graph with its result.
+/// Runs a formula along every path; `each` sees the run with its result.
 #[doc(hidden)]
-pub fn paths<R>(
-    format: Format,
-    formula: impl Fn(Given) -> R,
-    each: impl FnMut(&mut Graph, R),
-) -> usize {
-    explore(format, &|| formula(Given(format)), each)
+pub fn paths<R>(format: Format, formula: impl Fn(Given) -> R, each: impl FnMut(&Run, R)) -> usize {
+    run::explore(format, &|| formula(Given(format)), each)
 }
 
 /// Tries to prove a claim, then to refute it with `runs` inputs.
 pub fn judge(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Verdict {
     let formula = || claim(Given(format));
     let mut open = None;
-    explore(format, &formula, |g, goals| {
-        let known = g.known.clone();
-        let unproved = goals.into_iter().find(|goal| !goal.is_proved(g, &known));
+    run::explore(format, &formula, |Run { graph, known, .. }, goals| {
+        let unproved = goals.into_iter().find(|goal| !goal.is_proved(graph, known));
         if let (None, Some(goal)) = (&open, unproved) {
             let ranges = goal
                 .nodes()
                 .into_iter()
-                .map(|id| known.clone().range(g, id));
+                .map(|id| known.clone().range(graph, id));
             open = Some(format!("{goal:?} has {:?}", ranges.collect::<Vec<_>>()));
         }
     });
@@ -163,12 +170,13 @@ pub fn refute(
     runs: u64,
 ) -> Option<Vec<(String, f64)>> {
     let mut input = None;
-    sample::try_out(format, &|| claim(Given(format)), runs, |g, goals| {
-        let holds = goals.iter().all(|goal| goal.holds(g));
+    let formula = || claim(Given(format));
+    sample::try_out(format, &formula, runs, |Run { graph, .. }, goals| {
+        let holds = goals.iter().all(|goal| goal.holds(graph));
         if !holds {
-            let variables = g.nodes.iter().zip(&g.values);
+            let variables = graph.nodes.iter().zip(&graph.values);
             let named = variables.filter_map(|(node, x)| match node {
-                Node::Var(index) => Some((g.names[*index as usize].0.clone(), *x)),
+                Node::Var(index) => Some((graph.names[*index as usize].0.clone(), *x)),
                 _ => None,
             });
             input = Some(named.collect());
@@ -176,6 +184,17 @@ pub fn refute(
         holds
     });
     input
+}
+
+/// Runs a claim with random numbers; `each` sees the run with its values, and says whether to go on.
+#[doc(hidden)]
+pub fn try_out(
+    format: Format,
+    claim: impl Fn(Given) -> Vec<Goal>,
+    runs: u64,
+    each: impl FnMut(&Run, Vec<Goal>) -> bool,
+) {
+    sample::try_out(format, &|| claim(Given(format)), runs, each);
 }
 
 /// Tests the prover itself: with numbers, the value of each node must lie in the range derived for it.
@@ -191,18 +210,19 @@ pub fn check_ranges(
     runs: u64,
 ) -> Result<u64, String> {
     let (mut compared, mut wrong) = (0, None);
-    sample::try_out(format, &|| claim(Given(format)), runs, |g, _| {
+    let formula = || claim(Given(format));
+    sample::try_out(format, &formula, runs, |Run { graph, path, .. }, _| {
         let mut known = Known::default();
-        for &(test, answer) in &g.path {
-            known.refine(g, test, answer);
+        for &(test, answer) in path {
+            known.refine(graph, test, answer);
         }
         if known.impossible {
-            wrong = Some(format!("the path {:?} is not impossible", g.path));
+            wrong = Some(format!("the path {path:?} is not impossible"));
             return false;
         }
-        for (id, (node, x)) in (0..).zip(g.nodes.iter().zip(&g.values)) {
+        for (id, (node, x)) in (0..).zip(graph.nodes.iter().zip(&graph.values)) {
             compared += 1;
-            let range = known.range(g, id);
+            let range = known.range(graph, id);
             if !range.contains(*x) {
                 wrong = Some(format!("{node:?} is {x:e}, not in {range:?}"));
             }

@@ -3,7 +3,7 @@
 //! Rounding is monotone. So the rounded operation on the ends of two intervals gives the ends of the
 //! result, and nothing is widened.
 
-use super::term::Format;
+use super::format::Format;
 
 /// The numbers from `low` to `high`, and whether a value may be NaN, −0 or finite. For the two ends, −0
 /// counts as 0. There are no numbers if `low` > `high`.
@@ -318,7 +318,9 @@ impl Range {
                 }
             }
         }
-        Self::of(&candidates, self.nan || b.nan || nan, minus, self.finite)
+        let is_by_zero = b.low == 0.0 && b.high == 0.0;
+        let finite = self.finite && !is_by_zero;
+        Self::of(&candidates, self.nan || b.nan || nan, minus, finite)
     }
 
     #[doc(hidden)]

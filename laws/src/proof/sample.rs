@@ -1,8 +1,9 @@
 //! Runs of a formula with numbers: random ones, and those at which formulas break.
 
+use super::format::Format;
 use super::goal::Goal;
 use super::range::Range;
-use super::term::{Format, Graph, with};
+use super::run::{Run, calculate};
 
 /// A generator of random bits (xorshift), the same on every machine.
 pub(super) struct Random(u64);
@@ -54,14 +55,12 @@ pub(super) fn try_out(
     format: Format,
     formula: &impl Fn() -> Vec<Goal>,
     runs: u64,
-    mut each: impl FnMut(&mut Graph, Vec<Goal>) -> bool,
+    mut each: impl FnMut(&Run, Vec<Goal>) -> bool,
 ) {
     for seed in 1..=runs {
         let mut random = Random::new(seed);
         let sampler = move |range: Range, others: &[f64]| random.sample(range, others, format);
-        with(|g| g.restart(format, Some(Box::new(sampler))));
-        let goals = formula();
-        if !with(|g| g.is_void || each(g, goals)) {
+        if calculate(format, Box::new(sampler), formula, &mut each) == Some(false) {
             return;
         }
     }

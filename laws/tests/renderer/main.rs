@@ -10,3 +10,4 @@ mod found;
 mod holds;
 mod profiles;
 mod report;
+mod textbook;

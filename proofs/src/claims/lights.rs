@@ -39,8 +39,10 @@ claims! {
     point_light_of_any: "`PointLight::at`, positions of any bits: intensity and distance are in [0, MAX]" |given| {
         arrives(given, lamp(given, any_vector(given, "position")).at(any_vector(given, "p")))
     }
-    ranged_light_of_any: "`PointLight::at` with `Ranged`, positions of any bits: intensity and distance are in [0, MAX]" |given| {
-        arrives(given, ranged_lamp(given).at(any_vector(given, "p")))
+    ranged_light_of_any: "`PointLight::at` with `Ranged`, unsquared or not, positions of any bits: intensity and distance are in [0, MAX]" |given| {
+        let (lamp, p) = (ranged_lamp(given), any_vector(given, "p"));
+        let unsquared = PointLight { attenuation: lamp.attenuation.unsquared(), ..lamp };
+        [arrives(given, lamp.at(p)), arrives(given, unsquared.at(p))].concat()
     }
     spot_light_of_any: "`SpotLight::at` with `SoftCone`, positions and axis of any bits: intensity and distance are in [0, MAX]" |given| {
         arrives(given, spot(given, any_vector(given, "position")).at(any_vector(given, "p")))

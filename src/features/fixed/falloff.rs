@@ -235,11 +235,11 @@ impl Wide {
     }
 }
 
-/// (1 − (q/r)⁴)², where q is the length of a vector; 0 from r on.
+/// 1 − (q/r)⁴ or its square, where q is the length of a vector; 0 from r on.
 ///
-/// With e = r² − q², which is exact, it is (e(2r² − e)/r⁴)².
+/// With e = r² − q², which is exact, 1 − (q/r)⁴ is e(2r² − e)/r⁴.
 #[inline(never)]
-pub(super) fn window(v: &[Fixed; 3], r: Fixed) -> Wide {
+pub(super) fn window(v: &[Fixed; 3], r: Fixed, is_squared: bool) -> Wide {
     let square = |c: Fixed| product64(c.0, c.0) as u64;
     let range = square(r);
     let rest = range.saturating_sub(square(v[0]) + square(v[1]) + square(v[2]));
@@ -256,7 +256,7 @@ pub(super) fn window(v: &[Fixed; 3], r: Fixed) -> Wide {
         1 + shift as i32 - rest_shift as i32,
     );
     let root = product.times(precise_reciprocal(upper(range << 1, range << 1)));
-    root.times(root)
+    if is_squared { root.times(root) } else { root }
 }
 
 /// 1/x, cut off, by Newton's method; x is from 2³⁰ on.

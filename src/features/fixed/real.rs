@@ -83,11 +83,11 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn window(q: Self, r: Self) -> Self {
+    fn window(q: Self, r: Self, is_squared: bool) -> Self {
         if r == Self::MAX {
             return Self(ONE);
         }
-        let share = falloff::window(&[q, Self(0), Self(0)], r);
+        let share = falloff::window(&[q, Self(0), Self(0)], r, is_squared);
         let mut window = [Self(ONE); 3];
         Factor::ONE.within(share).scale(&mut window);
         window[0]
@@ -107,7 +107,7 @@ impl Real for Fixed {
 
     #[inline]
     fn attenuated_within(
-        r: Self,
+        (r, is_squared): (Self, bool),
         mut v: [Self; 3],
         [a, b, c]: [Self; 3],
         [_, q]: [Self; 2],
@@ -116,7 +116,7 @@ impl Real for Fixed {
     ) -> [Self; 3] {
         let mut factor = Factor::of(a, b, c, q).clamped(limit() == Self(ONE));
         if r != Self::MAX {
-            factor = factor.within(falloff::window(&to_light(), r));
+            factor = factor.within(falloff::window(&to_light(), r, is_squared));
         }
         factor.scale(&mut v);
         v

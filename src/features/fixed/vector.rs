@@ -65,8 +65,8 @@ const fn is_short([x, y, z]: &[Fixed; 3]) -> bool {
 #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
 pub(super) fn scaled(&[x, y, z]: &[Fixed; 3], factor: Fixed) -> [Fixed; 3] {
     if (factor.0 as u32) < ONE as u32 {
-        let share = factor.0 as u16;
-        [x, y, z].map(|c| Fixed(short_part(c.0, share)))
+        let part = |c: Fixed| Fixed(short_part(c.0, factor.0 as u16)); // a loop would take more stack
+        [part(x), part(y), part(z)]
     } else {
         [x * factor, y * factor, z * factor]
     }

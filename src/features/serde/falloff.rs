@@ -32,15 +32,23 @@ fn attenuation<T: Number, E: Error>(
 #[derive(Clone, Copy)]
 struct Range<T>(T);
 
+/// The names of the fields of an attenuation with a range.
+const FIELDS: &[&str] = &["coefficients", "clamped", "range", "unsquared"];
+
 impl<T: Number> Range<T> {
     fn none() -> Self {
         Self(T::ONE / T::ZERO)
     }
 
     /// The attenuation that ends at this range.
-    fn limit<E: Error>(self, attenuation: Attenuation<T>) -> Result<Ranged<T>, E> {
+    fn limit<E: Error>(self, attenuation: Attenuation<T>, unsquared: bool) -> Result<Ranged<T>, E> {
         // the range was checked, so this cannot fail
-        required(Ranged::of(attenuation, self.0), "range")
+        let ranged = required(Ranged::of(attenuation, self.0), "range")?;
+        Ok(if unsquared {
+            ranged.unsquared()
+        } else {
+            ranged
+        })
     }
 }
 
@@ -81,19 +89,21 @@ where
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
         match First::of(&mut list, self.has_names)? {
-            First::Number(a) => Range::none().limit(attenuation(a.and(list)?, false)?),
+            First::Number(a) => Range::none().limit(attenuation(a.and(list)?, false)?, false),
             First::Coefficients(abc) => {
                 let attenuation = attenuation(abc, next(&mut list, "clamped")?)?;
-                next::<Range<T>, _>(&mut list, "range")?.limit(attenuation)
+                let range = next::<Range<T>, _>(&mut list, "range")?;
+                range.limit(attenuation, next(&mut list, "unsquared")?)
             }
         }
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
-        entries!(map: coefficients, clamped, range);
+        entries!(map: coefficients, clamped, range, unsquared);
         let coefficients = required(coefficients, "coefficients")?;
         let attenuation = attenuation(coefficients, clamped.unwrap_or(false))?;
-        range.unwrap_or_else(Range::none).limit(attenuation)
+        let range = range.unwrap_or_else(Range::none);
+        range.limit(attenuation, unsquared.unwrap_or(false))
     }
 }
 
@@ -145,19 +155,29 @@ macro_rules! falloff {
         impl Serialize for Ranged<$float> {
             fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
                 let (attenuation, range) = (self.attenuation(), self.range());
-                let has_names = to.is_human_readable();
-                if has_names && range == <$float>::INFINITY {
+                // with names, what a reader would assume is left out
+                let is_full = !to.is_human_readable();
+                let has_clamped = is_full || attenuation.is_clamped();
+                let has_range = is_full || range != <$float>::INFINITY;
+                let has_unsquared = is_full || self.is_unsquared();
+                if !has_range && !has_unsquared {
                     return attenuation.serialize(to);
                 }
                 Range(range).check("range").map_err(S::Error::custom)?;
-                let has_clamped = !has_names || attenuation.is_clamped();
-                let mut record = to.serialize_struct("Ranged", 2 + usize::from(has_clamped))?;
+                let entries = [true, has_clamped, has_range, has_unsquared];
+                let count = entries.into_iter().filter(|has_entry| *has_entry).count();
+                let mut record = to.serialize_struct("Ranged", count)?;
                 record
                     .serialize_field("coefficients", &Coefficients(attenuation.coefficients()))?;
                 if has_clamped {
                     record.serialize_field("clamped", &attenuation.is_clamped())?;
                 }
-                record.serialize_field("range", &range)?;
+                if has_range {
+                    record.serialize_field("range", &range)?;
+                }
+                if has_unsquared {
+                    record.serialize_field("unsquared", &self.is_unsquared())?;
+                }
                 record.end()
             }
         }
@@ -168,7 +188,7 @@ macro_rules! falloff {
                 if form.has_names {
                     return from.deserialize_any(form);
                 }
-                from.deserialize_struct("Ranged", &["coefficients", "clamped", "range"], form)
+                from.deserialize_struct("Ranged", FIELDS, form)
             }
         }
     };

@@ -4,15 +4,19 @@
 //! Maximum and minimum are comparisons. Those of `wide` choose between zeros, and between a number
 //! and NaN, as the processor does.
 
+mod arriving;
+mod gather;
 mod pack;
 mod sum;
+
+pub use arriving::InLanes;
 
 use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x4, f64x8, i32x4, i32x8, i32x16};
 
 use crate::exponent::Exponent;
 use crate::exponent::power::{Binary32, EXPONENT, LEAST, power};
-use crate::real::Real;
+use crate::real::{Real, Several};
 
 // x87 rounds a number in a register differently from a number in memory
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
@@ -20,6 +24,9 @@ compile_error!(
     "the feature `wide` needs SSE2: without it, a SIMD lane would not have the bits of the scalar. \
      Enable SSE2, or compute with `f32` and `f64`; lanes would be no faster here"
 );
+
+/// The most lanes that there are.
+const MOST: usize = 16;
 
 /// Whether lanes are SSE2 registers. The maximum and minimum of SSE2 return the second operand
 /// unless the first is greater or less. That is exactly a comparison and a selection.
@@ -66,7 +73,7 @@ const HAS_ROOT: bool = cfg!(any(
 /// assert_eq!(splat::<f32x8>(2.0), f32x8::splat(2.0));
 /// assert_eq!(splat::<f32x8>(2.0).sum(), 16.0);
 /// ```
-pub trait Lanes: Real {
+pub trait Lanes: Several<<Self as Lanes>::Lane> {
     /// The number in one lane.
     type Lane: Real;
 
@@ -113,6 +120,18 @@ macro_rules! real {
                     }
                 }
                 lanes[0]
+            }
+        }
+
+        impl Several<$float> for $lanes {
+            #[inline(always)]
+            fn in_each(x: $float) -> Self {
+                Self::splat(x)
+            }
+
+            #[inline(always)]
+            fn added_to(self, sum: $float) -> $float {
+                self.to_array().into_iter().fold(sum, |sum, x| sum + x)
             }
         }
 

@@ -2,15 +2,12 @@
 
 use core::iter;
 
-use super::Lanes;
+use super::{Lanes, MOST};
 use crate::attenuation::Falloff;
 use crate::cone::Beam;
 use crate::light::{DirectionalLight, Light, PointLight, SpotLight};
 use crate::real::Real;
 use crate::rgb::Rgb;
-
-/// The most lanes that a pack has.
-const MOST: usize = 16;
 
 /// A light, whatever its kind.
 trait Pack<T: Real>: Copy {

@@ -152,6 +152,8 @@ macro_rules! every_type {
             tried!("Ranged": attenuation.within(0.5).unwrap());
             tried!("Ranged": Ranged::from(attenuation));
             tried!("Ranged": Ranged::from(clamped));
+            tried!("Ranged": ranged.unsquared());
+            tried!("Ranged": Ranged::from(attenuation).unsquared());
             tried!("Cone": cone);
             tried!("SoftCone": soft);
             tried!("SoftCone": soft.smoothstep());

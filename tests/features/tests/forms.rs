@@ -97,6 +97,21 @@ fn range_is_one_more_entry() {
         r#"{"coefficients":[1.0,0.0,0.25],"clamped":true,"range":8.0}"#,
         "(coefficients:(1.0,0.0,0.25),clamped:true,range:8.0)",
     );
+    is(
+        &LAMP.attenuation.within(8.0).unwrap().unsquared(),
+        r#"{"coefficients":[1.0,0.0,0.25],"range":8.0,"unsquared":true}"#,
+        "(coefficients:(1.0,0.0,0.25),range:8.0,unsquared:true)",
+    );
+    is(
+        &Ranged::from(LAMP.attenuation).unsquared(),
+        r#"{"coefficients":[1.0,0.0,0.25],"unsquared":true}"#,
+        "(coefficients:(1.0,0.0,0.25),unsquared:true)",
+    );
+    reads(
+        r#"{"unsquared": false, "range": 8, "coefficients": [1, 0, 0.25]}"#,
+        "(unsquared: false, range: 8, coefficients: (1, 0, 0.25))",
+        &LAMP.attenuation.within(8.0).unwrap(),
+    );
 }
 
 #[test]
@@ -272,10 +287,12 @@ fn binary_forms_hold_all_fields() {
         cone: shading::f32::Cone::from_cosine(0.875).unwrap().into(),
     });
     let numbers = [2.0, -1.5, 0.5, 1.0, 0.8, 0.6, 1.0, 0.0, 0.25].map(f32::to_le_bytes);
-    let rest = [f32::INFINITY, 0.0, 0.0, -1.0, 0.875, 0.875].map(f32::to_le_bytes);
+    let rest = [0.0, 0.0, -1.0, 0.875, 0.875].map(f32::to_le_bytes);
     let bytes = [
         &[2],
         numbers.as_flattened(),
+        &[0],
+        &f32::INFINITY.to_le_bytes(),
         &[0],
         rest.as_flattened(),
         &[0],

@@ -109,6 +109,7 @@ fn spoiled(value: &Value) -> Vec<String> {
             let optional = [
                 "clamped",
                 "range",
+                "unsquared",
                 "smoothstep",
                 "inner_half_angle",
                 "inner_cosine",
@@ -222,9 +223,11 @@ fn parts_refuse_what_the_page_says() {
         r#"{"coefficients": [1, 0, 2], "range": 0}"#,
         r#"{"coefficients": [1, 0, 2], "range": -1}"#,
     ];
+    let of_gltf = r#"{"coefficients": [0, 0, 1], "range": 3, "unsquared": true}"#;
+    refuses::<Attenuation<f32>>(r#"{"coefficients": [0, 0, 1], "unsquared": true}"#);
     check::<Ranged<f32>>(
         "Ranged",
-        &[list, clamped, ranged],
+        &[list, clamped, ranged, of_gltf],
         &[("a range of 0 or below", short)],
     );
     for (_, bad) in [negative, zero] {

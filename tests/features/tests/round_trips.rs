@@ -72,7 +72,12 @@ macro_rules! round_trips {
             fn ranged(random: &mut fastrand::Rng) -> Ranged<$float> {
                 let attenuation = attenuation(random);
                 let ranged = attenuation.within(finite(random));
-                ranged.unwrap_or(attenuation.into())
+                let ranged = ranged.unwrap_or(attenuation.into());
+                if random.bool() {
+                    ranged.unsquared()
+                } else {
+                    ranged
+                }
             }
 
             fn soft_cone(random: &mut fastrand::Rng) -> SoftCone<$float> {

@@ -43,6 +43,7 @@ macro_rules! for_each_function {
             is_clamped "Attenuation::is_clamped" |g| g.lamps.map(|lamp| lamp.attenuation.is_clamped()) => nothing;
             clamped_attenuation "Attenuation::clamped" |g| g.attenuation.clamped().at(g.x.abs()) => nothing;
             range "Ranged::range" |g| g.soft_spot.point.attenuation.range() => not_negative;
+            is_unsquared "Ranged::is_unsquared" |g| { let ranged = g.soft_spot.point.attenuation; [ranged, ranged.unsquared()].map(Ranged::is_unsquared) } => nothing;
             ranged_attenuation "Ranged::attenuation" |g| g.soft_spot.point.attenuation.attenuation().at(g.x.abs()) => nothing;
             reaches "Falloff::reaches" |g| g.soft_spot.point.attenuation.reaches(g.x) => nothing;
             dim "Falloff::dim" |g| g.soft_spot.point.attenuation.dim(&g.rgb, g.x) => nothing;
@@ -65,6 +66,8 @@ macro_rules! for_each_function {
             dual_directions "Vec3::unit_or, of dual numbers" |g| { let v = Vec3::new(g.f, g.h, Dual::constant(g.x)); [*v.unit_or(UnitVec3::X), v.cross(v)] } => nothing;
             dual_factors "term::blinn, of dual numbers" |g| { let [n, h] = [g.n, g.l].map(|u| u.cast(Dual::constant)); [term::lambert(n, h), term::phong(n, h, g.integer.m), term::blinn(n, h, g.integer.m)] } => nothing;
             beam_factor "Beam::factor" |g| Beam::factor(g.soft_spot.cone, g.n, g.l) => share;
+            unsquared "Ranged::unsquared" |g| { let ranged = g.soft_spot.point.attenuation.unsquared(); [ranged.at(g.x.abs()), ranged.at(g.y.abs())] } => not_negative;
+            unsquared_lamp "PointLight::at, unsquared" |g| { let mut lamp = g.soft_spot.point; lamp.attenuation = lamp.attenuation.unsquared(); lamp.at(g.p) } => arriving;
             smooth_factor "SoftCone::smoothstep" |g| g.soft_spot.cone.smoothstep().factor(g.n, g.l) => share;
             every_lamp "PointLight::at, every lamp" |g| g.lamps.map(|lamp| lamp.at(g.p)) => nothing;
             every_light "Light::at, every light" |g| g.lights.map(|light| light.at(g.p)) => nothing;

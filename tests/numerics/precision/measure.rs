@@ -263,17 +263,23 @@ pub fn soft_cone<T: Float>(is_smooth: bool) -> impl Fn(&mut Numbers) -> f64 {
 }
 
 /// The attenuation up to the range, where the light ends.
-pub fn ranged<T: Float>(numbers: &mut Numbers) -> f64 {
-    let [a, b, c] = coefficients::<T>(numbers);
-    let free = Attenuation::of(a, b, c).expect("positive");
-    let r = T::of(numbers.within(0.1, 100.0));
-    let q = r * T::of(numbers.within(0.0, 1.0));
-    let share = number(q.to_f64()) / number(r.to_f64());
-    let window = exact::clamped(number(1.0) - share.powi(4.into()));
-    let free_factor = exact::attenuation(&vector([a, b, c]), &number(q.to_f64()));
-    let expected = &free_factor * &window * &window;
-    let ranged = Ranged::of(free, r).expect("a range");
-    error(ranged.at(q), &expected, &free_factor)
+pub fn ranged<T: Float>(is_squared: bool) -> impl Fn(&mut Numbers) -> f64 {
+    move |numbers| {
+        let [a, b, c] = coefficients::<T>(numbers);
+        let free = Attenuation::of(a, b, c).expect("positive");
+        let r = T::of(numbers.within(0.1, 100.0));
+        let q = r * T::of(numbers.within(0.0, 1.0));
+        let share = number(q.to_f64()) / number(r.to_f64());
+        let window = exact::clamped(number(1.0) - share.powi(4.into()));
+        let free_factor = exact::attenuation(&vector([a, b, c]), &number(q.to_f64()));
+        let ranged = Ranged::of(free, r).expect("a range");
+        let (ranged, expected) = if is_squared {
+            (ranged, &free_factor * &window * &window)
+        } else {
+            (ranged.unsquared(), &free_factor * &window)
+        };
+        error(ranged.at(q), &expected, &free_factor)
+    }
 }
 
 /// A lamp, the vector to it, and the light that arrives; `None` at the lamp.

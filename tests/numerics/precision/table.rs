@@ -144,7 +144,13 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
             "`Ranged::at`",
             "of the attenuation without a range",
             23.0,
-            &ranged::<T>,
+            &ranged::<T>(true),
+        ),
+        row(
+            "`Ranged::at`, unsquared",
+            "of the attenuation without a range",
+            7.0,
+            &ranged::<T>(false),
         ),
         row(
             "`SoftCone::factor`",

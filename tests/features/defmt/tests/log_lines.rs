@@ -88,8 +88,9 @@ fn each_type_has_a_line() {
         log(Light::Spot(spot)),
         format!("SpotLight({lamp_line}, axis: UnitVec3(0.0, -1.0, 0.0), cone: Cone(cosine: 0.75))")
     );
-    let ranged = LAMP.attenuation.within(8.0).unwrap();
-    let ranged_line = "Ranged(Attenuation([1.0, 0.0, 0.25], clamped: false), range: 8.0)";
+    let ranged = LAMP.attenuation.within(8.0).unwrap().unsquared();
+    let ranged_line =
+        "Ranged(Attenuation([1.0, 0.0, 0.25], clamped: false), range: 8.0, unsquared: true)";
     assert_eq!(log(ranged), ranged_line);
     let soft = SoftCone::from_cosines(0.875, 0.75).unwrap().smoothstep();
     let soft_line = "SoftCone(cosines: [0.875, 0.75], smoothstep: true)";

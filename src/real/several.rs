@@ -1,0 +1,26 @@
+//! One number, or lanes with a number for each of several lights.
+
+use super::Real;
+
+/// The numbers of one light, `T`, or of several at the same point: SIMD lanes of `T`.
+pub trait Several<T>: Real {
+    /// The same number in each lane.
+    #[must_use]
+    fn in_each(x: T) -> Self;
+
+    /// sum + a + b + …, from the left.
+    #[must_use]
+    fn added_to(self, sum: T) -> T;
+}
+
+impl<T: Real> Several<T> for T {
+    #[inline(always)]
+    fn in_each(x: T) -> T {
+        x
+    }
+
+    #[inline(always)]
+    fn added_to(self, sum: T) -> T {
+        sum + self
+    }
+}
