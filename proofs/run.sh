@@ -15,6 +15,7 @@ copy=${CARGO_TARGET_DIR:-target}/planted
 rm -rf "$copy/src" && mkdir -p "$copy/docs"
 cp -r src laws proofs "$copy"
 cp docs/*.md README.md "$copy" && cp docs/*.md "$copy/docs"
+cp -r --parents tests/bits/interface.rs tests/public-api/interface.txt "$copy"
 "$prover" plant "$copy"
 cat >"$copy/Cargo.toml" <<'END'
 [package]

@@ -36,7 +36,8 @@ static inline void shade_by_hand(size_t count, const float *points, const float 
                 factor = 1.0f / (a[0] + a[1] * q + a[2] * q * q);
                 if (isfinite(light->range)) {
                     float share = q / light->range, window = 1.0f - share * share * share * share;
-                    factor *= window > 0.0f ? window * window : 0.0f;
+                    window = window > 0.0f ? window : 0.0f;
+                    factor *= light->unsquared ? window : window * window;
                 }
             }
             if (light->kind == SHADING_SPOT) {

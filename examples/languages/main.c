@@ -11,6 +11,8 @@
 
 static float points[3 * POINTS], normals[3 * POINTS], expected[3 * POINTS], ours[3 * POINTS], theirs[3 * POINTS];
 
+_Static_assert(sizeof(shading_light) == 68 && sizeof(shading_material) == 40, "the sizes that the library has");
+
 static void demand(int holds, const char *what) {
     if (holds) return;
     fprintf(stderr, "C: %s\n", what);
@@ -47,6 +49,8 @@ static void try_every_error(void) {
     demand(shade_with(&dark, lights, LIGHTS) == SHADING_MATERIAL, "m of NaN");
     bad.range = 0;
     demand(shade_with(&material, &bad, 1) == SHADING_LIGHT, "a range of 0");
+    bad = lights[1], bad.unsquared = 2;
+    demand(shade_with(&material, &bad, 1) == SHADING_LIGHT, "unsquared is 2");
     bad = lights[3], bad.inner = 1;
     demand(shade_with(&material, &bad, 1) == SHADING_LIGHT, "inner beyond outer");
     bad.kind = 3;

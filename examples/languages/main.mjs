@@ -8,8 +8,8 @@ const NONE = [0, 0, 0];
 const LIGHTS = [
     { kind: DIRECTIONAL, direction: [-1, 2, 2], intensity: [0.25, 0.25, 0.375] },
     { kind: POINT, position: [2, 1, 2], intensity: [1, 0.75, 0.5], attenuation: [1, 0, 0.25] },
-    { kind: POINT, position: [-4, -2, 4], intensity: [2, 4, 8], attenuation: [0, 0, 1], range: 8 },
-    { kind: SPOT, position: [0, 3, 3], direction: [0, -1, -1], intensity: [3, 1, 1], attenuation: [1, 0.5, 0], inner: 0.25, outer: 0.375 },
+    { kind: POINT, position: [-4, -2, 4], intensity: [2, 4, 8], attenuation: [0, 0, 1], range: 8, unsquared: 1 },
+    { kind: SPOT, position: [0, 3, 3], direction: [0, -1, -1], intensity: [3, 1, 1], attenuation: [1, 0.5, 0], range: 8, inner: 0.25, outer: 0.375 },
 ];
 const CLAY = { k_a: [0.125, 0.125, 0.125], k_d: [0.5, 0.375, 0.25], k_s: [0.5, 0.5, 0.5], m: 32 };
 const EYE = [0, 0, 5];
@@ -32,12 +32,13 @@ class Shading {
     }
 
     #packed(lights) {
-        const words = new ArrayBuffer(64 * lights.length);
+        const words = new ArrayBuffer(68 * lights.length);
         lights.forEach((light, i) => {
             const { position = NONE, direction = NONE, attenuation = [1, 0, 0], range = Infinity, inner = 0, outer = 0 } = light;
-            new Uint32Array(words, 64 * i, 1)[0] = light.kind;
-            new Float32Array(words, 64 * i + 4, 15)
+            new Uint32Array(words, 68 * i, 1)[0] = light.kind;
+            new Float32Array(words, 68 * i + 4, 15)
                 .set([...position, ...direction, ...light.intensity, ...attenuation, range, inner, outer]);
+            new Uint32Array(words, 68 * i + 64, 1)[0] = light.unsquared ?? 0;
         });
         return new Float32Array(words);
     }
@@ -93,7 +94,7 @@ function byHand(points, normals, eye, material, ambient, lights) {
                 l = scaled(way, 1 / q);
                 const [a, b, c] = light.attenuation;
                 factor = 1 / (a + b * q + c * q * q);
-                if (light.range) factor *= clamped(1 - (q / light.range) ** 4) ** 2;
+                if (light.range) factor *= clamped(1 - (q / light.range) ** 4) ** (light.unsquared ? 1 : 2);
             }
             if (light.kind === SPOT) {
                 const [inner, outer] = [Math.cos(light.inner), Math.cos(light.outer)];

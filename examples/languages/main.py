@@ -12,15 +12,16 @@ BLINN_PHONG = 2
 DIRECTIONAL, POINT, SPOT = range(3)
 VECTOR = ("<f4", 3)
 LIGHT = np.dtype([("kind", "<u4"), ("position", *VECTOR), ("direction", *VECTOR), ("intensity", *VECTOR),
-                  ("attenuation", *VECTOR), ("range", "<f4"), ("inner", "<f4"), ("outer", "<f4")])
+                  ("attenuation", *VECTOR), ("range", "<f4"), ("inner", "<f4"), ("outer", "<f4"),
+                  ("unsquared", "<u4")])
 MATERIAL = np.dtype([("k_a", *VECTOR), ("k_d", *VECTOR), ("k_s", *VECTOR), ("m", "<f4")])
 
 NONE = (0, 0, 0)
 LIGHTS = np.array([
-    (DIRECTIONAL, NONE, (-1, 2, 2), (0.25, 0.25, 0.375), NONE, 0, 0, 0),
-    (POINT, (2, 1, 2), NONE, (1, 0.75, 0.5), (1, 0, 0.25), np.inf, 0, 0),
-    (POINT, (-4, -2, 4), NONE, (2, 4, 8), (0, 0, 1), 8, 0, 0),
-    (SPOT, (0, 3, 3), (0, -1, -1), (3, 1, 1), (1, 0.5, 0), np.inf, 0.25, 0.375),
+    (DIRECTIONAL, NONE, (-1, 2, 2), (0.25, 0.25, 0.375), NONE, 0, 0, 0, 0),
+    (POINT, (2, 1, 2), NONE, (1, 0.75, 0.5), (1, 0, 0.25), np.inf, 0, 0, 0),
+    (POINT, (-4, -2, 4), NONE, (2, 4, 8), (0, 0, 1), 8, 0, 0, 1),
+    (SPOT, (0, 3, 3), (0, -1, -1), (3, 1, 1), (1, 0.5, 0), 8, 0.25, 0.375, 0),
 ], LIGHT)
 CLAY = np.array(((0.125,) * 3, (0.5, 0.375, 0.25), (0.5,) * 3, 32), MATERIAL)
 EYE = np.array([0, 0, 5], "<f4")
@@ -83,7 +84,8 @@ def by_hand(points, normals, eye, material, ambient, lights):
             way = light["position"] - points
             q = np.sqrt(dot(way, way))
             l, (a, b, c) = way / q, light["attenuation"]
-            factor = np.maximum(0, 1 - (q / light["range"]) ** 4) ** 2 / (a + b * q + c * q * q)
+            window = np.maximum(0, 1 - (q / light["range"]) ** 4) ** (1 if light["unsquared"] else 2)
+            factor = window / (a + b * q + c * q * q)
         if light["kind"] == SPOT:
             inner, outer = np.cos(light["inner"]), np.cos(light["outer"])
             factor = factor * np.clip((-dot(l, unit(light["direction"])) - outer) / (inner - outer), 0, 1) ** 2

@@ -89,6 +89,65 @@ pub const FAULTS: &[Fault] = &[
         "incident.intensity * (T::ONE - self.cone.factor(self.axis, incident.l) - T::ONE)",
         "spot_light_of_any",
     ),
+    // what a constructor lets through
+    ("attenuation", "a + T::ZERO", "a", "attenuation_of_any"),
+    ("range", "(r > T::ZERO)", "(r >= T::ZERO)", "ranged_of_invalid"),
+    ("cone", "Self::with_slack(cosine + T::ZERO)", "Self::with_slack(cosine)", "cone_of_any_cosine"),
+    ("cone", "(cosine >= T::NEG_ONE && cosine <= T::ONE)", "(cosine >= T::NEG_ONE)", "cone_of_invalid_cosine"),
+    ("soft_cone", "(inner >= outer)", "(inner >= outer || outer >= inner)", "soft_cone_out_of_order"),
+    ("unit", "excess.abs() <= two * two * T::epsilon()", "excess <= two * two * T::epsilon()", "direction_of_broken"),
+    ("normal/tangent", "t.unit().filter(|_| d.abs() > T::ZERO)", "t.unit()", "tangent_of_broken"),
+    // a derivative is another
+    ("dual/real", "self.gradient / (root + root)", "self.gradient", "dual_root_at_zero"),
+    ("dual/real", "(-self.value).if_positive(ln, T::ONE / self.value)", "T::ONE / self.value", "dual_below_zero"),
+    (
+        "dual/mod",
+        "self.gradient * other.value + other.gradient * self.value",
+        "self.gradient / other.value",
+        "dual_sums_and_products",
+    ),
+    ("dual/mod", "self.value / other.value", "self.value / other.value + T::ONE", "dual_values"),
+];
+
+/// A file of the prover, an expression that occurs in it once, and a wrong rule in its place: the tests of the prover
+/// must fail.
+pub const RULES: &[(&str, &str, &str)] = &[
+    // NaN is forgotten
+    ("range", "self.nan || b.nan || opposite(self, b) || opposite(b, self)", "self.nan || b.nan"),
+    ("range", "self.has(0.0) && b.is_infinite() || b.has(0.0) && self.is_infinite()", "false"),
+    ("range", "self.has(0.0) && b.has(0.0) || self.is_infinite() && b.is_infinite()", "false"),
+    ("range", "self.nan || self.low < 0.0", "self.nan"),
+    ("known", "a.nan || a.low == -INF || a.high == INF", "a.nan"),
+    ("known", "self.learn(g, a, at_most(of_b.high).or_nan())", "self.learn(g, a, at_most(of_b.high))"),
+    ("known", "self.learn(g, b, at_least(of_a.low).or_nan())", "self.learn(g, b, at_least(of_a.low))"),
+    // −0 is forgotten
+    ("range", "self.minus_zero && b.has(0.0)", "false"),
+    ("range", "if b.minus_zero { &[1.0, -1.0] } else { &[1.0] }", "&[1.0]"),
+    ("known", "is_maximum && x.low >= 0.0 && !x.minus_zero && !x.nan", "is_maximum && x.low >= 0.0 && !x.nan"),
+    ("known", "is_zero(self.range(g, c)) && !self.range(g, d).minus_zero", "is_zero(self.range(g, c))"),
+    // an end is too near
+    ("range", "or(self.high * b.high, 0.0, f)", "or(self.low * b.high, 0.0, f)"),
+    ("range", "b.low.max(f.tiny())", "b.low.max(1.0)"),
+    ("known", "Range::within(f.next_up(x), INF)", "Range::within(f.next_up(f.next_up(x)), INF)"),
+    ("known", "f.next_up(f.round(f.next_up(now.high) + of_b.high))", "f.round(now.high)"),
+    ("known", "f.next_up(f.round(f.next_up(now.high).sqrt()))", "f.next_down(f.round(now.high.sqrt()))"),
+    ("known", "if both { now.high } else { INF }", "now.high"),
+    // a relation that does not hold
+    ("known", "found && self.range(g, root).low > 0.0", "self.range(g, root).low > 0.0"),
+    (
+        "known",
+        "y.low > 0.0 && self.answer(g, Test::AtMost(b, a)) == Some(true)",
+        "self.answer(g, Test::AtMost(a, b)) == Some(true)",
+    ),
+    (
+        "known",
+        "(squares[0].sqrt() * squares[1].sqrt()) * (1.0 + 16.0 * f.u())",
+        "(squares[0].sqrt() * squares[1].sqrt()) * 0.9",
+    ),
+    ("known", "is_always && !x.nan && !y.nan", "is_always"),
+    // the number that records is another
+    ("graph", "Node::Mul(a.min(b), a.max(b))", "Node::Mul(a.min(b), a.min(b))"),
+    ("term", "Test::Above(self.0, threshold.0)", "Test::Above(threshold.0, self.0)"),
 ];
 
 const SWITCH: &str = "
@@ -101,30 +160,47 @@ pub(crate) fn planted(number: usize) -> bool {
 }
 ";
 
-/// Plants all faults in a copy of the source.
+/// Plants all faults and all wrong rules in a copy of the source.
 pub fn plant(folder: &Path) -> Result<(), String> {
-    let at = |file: &str| folder.join("src").join(file).with_extension("rs");
-    let mut files: Vec<&str> = FAULTS.iter().map(|fault| fault.0).collect();
+    let faults = FAULTS.iter().enumerate().map(|(number, &(file, old, new, _))| (number, file, old, new));
+    plant_in(&folder.join("src"), &faults.collect::<Vec<_>>())?;
+    let number_of = |rule: usize| FAULTS.len() + rule;
+    let rules = RULES.iter().enumerate().map(|(rule, &(file, old, new))| (number_of(rule), file, old, new));
+    plant_in(&folder.join("laws/src/proof"), &rules.collect::<Vec<_>>())?;
+    for root in ["src/lib.rs", "laws/src/lib.rs"] {
+        let root = folder.join(root);
+        let text = fs::read_to_string(&root).map_err(|e| e.to_string())?;
+        fs::write(&root, text + SWITCH).map_err(|e| e.to_string())?;
+    }
+    Ok(())
+}
+
+/// A number, a file, an expression and what stands in its place.
+type Change = (usize, &'static str, &'static str, &'static str);
+
+fn plant_in(folder: &Path, changes: &[Change]) -> Result<(), String> {
+    let at = |file: &str| folder.join(file).with_extension("rs");
+    let mut files: Vec<&str> = changes.iter().map(|change| change.1).collect();
     files.sort_unstable();
     files.dedup();
     for file in files {
         let original = fs::read_to_string(at(file)).map_err(|e| format!("{file}: {e}"))?;
         let mut text = original.clone();
-        let mut expressions: Vec<&str> = FAULTS.iter().filter(|fault| fault.0 == file).map(|fault| fault.1).collect();
+        let mut expressions: Vec<&str> =
+            changes.iter().filter(|change| change.1 == file).map(|change| change.2).collect();
         expressions.sort_by_key(|old| (usize::MAX - old.len(), *old)); // one may lie within another
         expressions.dedup();
         for old in expressions {
             if original.matches(old).count() != 1 {
                 return Err(format!("{file} has not exactly one {old}"));
             }
-            let of_it = FAULTS.iter().enumerate().filter(|(_, fault)| fault.0 == file && fault.1 == old);
-            let choice = of_it.fold(String::new(), |choice, (number, (_, _, new, _))| {
+            let of_it = changes.iter().filter(|change| change.1 == file && change.2 == old);
+            let choice = of_it.fold(String::new(), |choice, (number, _, _, new)| {
                 format!("{choice}if crate::planted({number}) {{ {new} }} else ")
             });
             text = text.replace(old, &format!("({choice}{{ {old} }})"));
         }
         fs::write(at(file), text).map_err(|e| format!("{file}: {e}"))?;
     }
-    let root = fs::read_to_string(at("lib")).map_err(|e| e.to_string())?;
-    fs::write(at("lib"), root + SWITCH).map_err(|e| e.to_string())
+    Ok(())
 }

@@ -3,6 +3,7 @@
 mod claims;
 mod faults;
 mod gappa;
+mod random;
 mod table;
 
 use std::path::Path;
@@ -61,38 +62,51 @@ fn prove(names: &[&str]) -> bool {
     open == 0 && complaints.is_empty()
 }
 
-/// Tests the prover: with numbers, each value must lie in the range that it derived.
+/// Tests the prover: with numbers, each value must lie in the range that it derived. The formulas are
+/// random ones, and those of the claims.
 fn check(runs: u64) -> bool {
-    let (mut compared, mut is_sound) = (0, true);
-    for claim in claims::all() {
-        for format in [Format::F32, Format::F64] {
-            match check_ranges(format, claim.formula, runs) {
-                Ok(number) => compared += number,
-                Err(wrong) => {
-                    is_sound = false;
-                    println!("{format:?} {}: {wrong}", claim.name);
-                }
+    let formats = [Format::F32, Format::F64];
+    let of_random = (1..=50 * runs).flat_map(|seed| formats.map(|format| random::check(seed, format, 20)));
+    let of_claims = claims::all().flat_map(|claim| formats.map(|format| check_ranges(format, claim.formula, runs)));
+    let mut compared = 0;
+    for result in of_random.chain(of_claims) {
+        match result {
+            Ok(number) => compared += number,
+            Err(wrong) => {
+                println!("{wrong}");
+                return false;
             }
         }
     }
     println!("prover: {compared} values compared with their ranges");
-    is_sound
+    true
 }
 
-/// Whether the prover with planted faults finds each of them, and proves the same claim without it.
+/// Whether the prover with planted faults finds each of them, and proves the same claim without it; and
+/// whether its tests find each wrong rule.
 fn find(prover: &str) -> bool {
-    let proves = |number: &str, claim: &str| {
-        let output = Command::new(prover).env("PLANTED", number).args(["prove", claim]).output();
+    let succeeds = |number: Option<usize>, arguments: [&str; 2]| {
+        let planted = number.map_or(String::new(), |number| number.to_string());
+        let output = Command::new(prover).env("PLANTED", planted).args(arguments).output();
         output.is_ok_and(|output| output.status.success())
     };
     let mut found = 0;
     for (number, (file, old, new, claim)) in faults::FAULTS.iter().enumerate() {
-        if proves("", claim) && !proves(&number.to_string(), claim) {
+        if succeeds(None, ["prove", claim]) && !succeeds(Some(number), ["prove", claim]) {
             found += 1;
         } else {
             println!("{claim} does not find the fault {number} in {file}: {new} instead of {old}");
         }
     }
-    println!("faults: {found} of {} found", faults::FAULTS.len());
-    found == faults::FAULTS.len()
+    let mut refuted = 0;
+    for (rule, (file, old, new)) in faults::RULES.iter().enumerate() {
+        if succeeds(Some(faults::FAULTS.len() + rule), ["check", "20"]) {
+            println!("the prover's tests do not find the wrong rule in {file}: {new} instead of {old}");
+        } else {
+            refuted += 1;
+        }
+    }
+    let (faults, rules) = (faults::FAULTS.len(), faults::RULES.len());
+    println!("faults: {found} of {faults} found; wrong rules: {refuted} of {rules} found");
+    found == faults && refuted == rules
 }

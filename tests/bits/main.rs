@@ -9,6 +9,7 @@
 //! the same code and must produce the same bits.
 
 mod coverage;
+mod interface;
 #[cfg(feature = "wide")]
 mod lanes;
 

@@ -1,5 +1,7 @@
 //! The picture, one point at a time, for browsers without SIMD.
 
+use shading::Shaded;
+
 use crate::scene::{Part, Scene};
 use crate::surface::Point;
 
@@ -10,6 +12,12 @@ impl Prepared {
     #[must_use]
     pub fn new(_points: &[Point]) -> Self {
         Self
+    }
+
+    /// The light from a point.
+    #[must_use]
+    pub fn shaded(&Point { p, n, v, .. }: &Point, scene: &Scene) -> Shaded {
+        scene.shaded(p, n, v)
     }
 
     /// Writes the pixels of the points.

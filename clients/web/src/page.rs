@@ -150,23 +150,29 @@ impl View {
 }
 
 /// Each letter of the formula at a point.
-fn numbers(scene: &Scene, &Point { p, n, v, .. }: &Point) -> [f32; PROBE] {
-    let shaded = scene.shaded(p, n, v);
+fn numbers(scene: &Scene, point: &Point) -> [f32; PROBE] {
+    let Point { p, n, v, .. } = *point;
+    let shaded = Prepared::shaded(point, scene);
     let total = shaded.total();
-    let mut numbers = vec![1.0];
-    let mut triples = |list: &[[f32; 3]]| numbers.extend(list.iter().flatten());
-    triples(&[
+    let mut numbers = [0.0; PROBE];
+    let mut places = numbers.iter_mut();
+    let mut put = |list: &[f32]| {
+        list.iter()
+            .zip(&mut places)
+            .for_each(|(x, place)| *place = *x);
+    };
+    put(&[1.0]);
+    put([
         p.into(),
         n.into(),
         v.into(),
         shaded.ambient.into(),
         shaded.diffuse.into(),
-    ]);
-    triples(&[
         shaded.specular.into(),
         total.into(),
         total.to_srgb8().map(f32::from),
-    ]);
+    ]
+    .as_flattened());
     if let Some(lamp) = scene.lamp {
         let incident = lamp.at(p);
         let (l, q) = (incident.l, incident.distance);
@@ -178,10 +184,9 @@ fn numbers(scene: &Scene, &Point { p, n, v, .. }: &Point) -> [f32; PROBE] {
             Model::Phong => term::phong(r, v, scene.material.m),
             Model::BlinnPhong => term::blinn(n, h, scene.material.m),
         };
-        triples(&[l.into(), r.into(), h.into()]);
-        let factors = [lamp.point.attenuation.at(q), lamp.cone.factor(lamp.axis, l)];
-        numbers.extend([q, n.dot(l), r_dot_v, n_dot_h, highlight]);
-        numbers.extend(factors);
+        put([l.into(), r.into(), h.into()].as_flattened());
+        put(&[q, n.dot(l), r_dot_v, n_dot_h, highlight]);
+        put(&[lamp.point.attenuation.at(q), lamp.cone.factor(lamp.axis, l)]);
     }
-    std::array::from_fn(|i| numbers.get(i).copied().unwrap_or(0.0))
+    numbers
 }

@@ -107,9 +107,9 @@ impl Patch {
     /// The outward normal: v comes before u. At a pole, where all v are one point, it is taken slightly
     /// inside the patch.
     fn normal(&self, u: f32, v: f32) -> Option<UnitVec3> {
-        let inside = |t: f32| t.clamp(1e-3, 1.0 - 1e-3);
-        let normal = |u, v| normal::parametric(|v, u| self.at(u, v), v, u);
-        normal(u, v).or_else(|| normal(inside(u), inside(v)))
+        let inside = [u, v].map(|t| t.clamp(1e-3, 1.0 - 1e-3));
+        let mut places = [[u, v], inside].into_iter(); // one call, which is inlined once
+        places.find_map(|[u, v]| normal::parametric(|v, u| self.at(u, v), v, u))
     }
 }
 

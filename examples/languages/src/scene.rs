@@ -44,7 +44,11 @@ pub struct Light {
     range: f32,
     inner: f32,
     outer: f32,
+    unsquared: u32,
 }
+
+// as in the callers
+const _: () = assert!(size_of::<Light>() == 68 && size_of::<Material>() == 40);
 
 pub type AnyLight = shading::Light<f32, SoftCone, Ranged>;
 
@@ -90,8 +94,16 @@ impl Light {
         Some(PointLight {
             position: self.position.into(),
             intensity: color(self.intensity)?,
-            attenuation: Attenuation::new(a, b, c)?.within(self.range)?,
+            attenuation: self.window(Attenuation::new(a, b, c)?.within(self.range)?)?,
         })
+    }
+
+    fn window(&self, ranged: Ranged) -> Option<Ranged> {
+        match self.unsquared {
+            0 => Some(ranged),
+            1 => Some(ranged.unsquared()),
+            _ => None,
+        }
     }
 
     fn spot(&self) -> Option<SpotLight<SoftCone, Ranged>> {

@@ -49,7 +49,10 @@ impl Goal {
                 }
             }
             Self::Same(a, b) => known.same(g, a.0, b.0),
-            Self::AtMost(a, b) => known.answer(g, Test::AtMost(a.0, b.0)) == Some(true),
+            Self::AtMost(a, b) => {
+                let [a, b] = [a.0, b.0].map(|id| known.resolved(g, id));
+                known.answer(g, Test::AtMost(a, b)) == Some(true)
+            }
             Self::Never => false,
         };
         if is_proved || splits == 0 {

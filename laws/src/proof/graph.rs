@@ -20,9 +20,20 @@ pub enum Node {
     Mul(u32, u32),
     Div(u32, u32),
     Select(Test, u32, u32),
+    /// A function of `libm`, of which only the signs, the ends and NaN are known.
+    Call(Function, u32),
     /// A cosine to a real power, of which only the contract is known: within [0, 1]; 0 for a cosine that
     /// is not above 0; otherwise 1 for an m that is not above 0, and at least c − 2⁻²⁰ for m ≤ 1.
     Power(u32, u32),
+}
+
+#[doc(hidden)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Function {
+    Sin,
+    Cos,
+    Exp,
+    Ln,
 }
 
 #[doc(hidden)]
@@ -199,6 +210,10 @@ impl Graph {
             Node::Mul(a, b) => v(a) * v(b),
             Node::Div(a, b) => v(a) / v(b),
             Node::Select(test, a, b) => v(if self.holds(test) { a } else { b }),
+            Node::Call(Function::Sin, a) => v(a).sin(),
+            Node::Call(Function::Cos, a) => v(a).cos(),
+            Node::Call(Function::Exp, a) => v(a).exp(),
+            Node::Call(Function::Ln, a) => v(a).ln(),
             Node::Power(c, m) => raised(v(c), v(m)),
         };
         self.format.round(exact)

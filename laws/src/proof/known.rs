@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::format::Format;
-use super::graph::{Graph, Node, Test};
+use super::graph::{Function, Graph, Node, Test};
 use super::range::Range;
 
 const INF: f64 = f64::INFINITY;
@@ -93,6 +93,7 @@ impl Known {
             Node::Neg(a) => Node::Neg(of(a)),
             Node::Abs(a) => Node::Abs(of(a)),
             Node::Sqrt(a) => Node::Sqrt(of(a)),
+            Node::Call(function, a) => Node::Call(function, of(a)),
             Node::Add(a, b) => Node::Add(of(a), of(b)),
             Node::Sub(a, b) => Node::Sub(of(a), of(b)),
             Node::Mul(a, b) => Node::Mul(of(a), of(b)),
@@ -210,6 +211,7 @@ impl Known {
             }
             Node::Div(a, b) => self.quotient(g, a, b),
             Node::Select(test, then, otherwise) => self.selected(g, test, then, otherwise),
+            Node::Call(function, a) => called(function, self.range(g, a)),
             Node::Power(cosine, m) => {
                 let (cosine, m) = (self.range(g, cosine), self.range(g, m));
                 let is_lit = cosine.low > 0.0 && !cosine.nan;
@@ -331,6 +333,14 @@ impl Known {
         if let Some((_, answer)) = self.facts.iter().find(|(known, _)| *known == test) {
             return Some(*answer);
         }
+        if let Test::AtMost(a, b) = test {
+            if self.facts.contains(&(Test::Above(a, b), true)) {
+                return Some(false);
+            }
+            if self.facts.contains(&(Test::Above(b, a), true)) {
+                return Some(true);
+            }
+        }
         match test {
             Test::Above(a, b) => {
                 let (x, y) = (self.range(g, a), self.range(g, b));
@@ -344,6 +354,7 @@ impl Known {
                 let (x, y) = (self.range(g, a), self.range(g, b));
                 let is_always = x.high <= y.low
                     || a == b
+                    || self.facts.contains(&(Test::Above(a, b), false))
                     || self.is_below_root(g, a, b)
                     || self.is_less_of_the_same(g, a, b);
                 if is_always && !x.nan && !y.nan {
@@ -494,11 +505,11 @@ impl Known {
                 let within = Range::within(-now.high, now.high);
                 self.learn(g, a, Range { nan, ..within });
             }
-            Node::Sqrt(a) => {
-                let low = if now.low > 0.0 { f.tiny() } else { -INF };
+            // the root of a negative number is NaN, too
+            Node::Sqrt(a) if !nan => {
+                let low = if now.low > 0.0 { f.tiny() } else { 0.0 };
                 let high = if now.high < INF { f.max() } else { INF };
-                let within = Range::within(low, high);
-                self.learn(g, a, Range { nan, ..within });
+                self.learn(g, a, Range::within(low, high));
             }
             Node::Select(test, then, otherwise) => {
                 let [a, b] = [then, otherwise].map(|id| self.range(g, id).meet(now).is_empty());
@@ -515,11 +526,19 @@ impl Known {
                     self.learn(g, id, at_most(high));
                 }
             }
-            // x − y is positive only if x > y
-            Node::Sub(a, b) if now.low > 0.0 && !nan => {
+            Node::Sub(a, b) if !nan => {
                 let (of_a, of_b) = (self.range(g, a), self.range(g, b));
-                self.learn(g, a, above(of_b.low, f));
-                self.learn(g, b, below(of_a.high, f));
+                // x − y is positive only if x > y
+                if now.low > 0.0 {
+                    self.learn(g, a, above(of_b.low, f));
+                    self.learn(g, b, below(of_a.high, f));
+                }
+                // x is the difference and y, each rounded away from x
+                let low = f.next_down(f.round(f.next_down(now.low) + of_b.low));
+                let high = f.next_up(f.round(f.next_up(now.high) + of_b.high));
+                if low > -INF || high < INF {
+                    self.learn(g, a, Range::within(low, high));
+                }
             }
             Node::Mul(a, b) if a == b && now.high < INF => {
                 // the next number also covers half of the smallest one, which rounding may take away
@@ -569,7 +588,7 @@ impl Known {
                         }
                     }
                 }
-                Node::Neg(a) | Node::Abs(a) | Node::Sqrt(a) => stack.push(a),
+                Node::Neg(a) | Node::Abs(a) | Node::Sqrt(a) | Node::Call(_, a) => stack.push(a),
                 Node::Add(a, b)
                 | Node::Sub(a, b)
                 | Node::Mul(a, b)
@@ -580,6 +599,41 @@ impl Known {
         }
         first.map(|(_, test)| test)
     }
+}
+
+/// The sine and the cosine of a finite number lie within [−1, 1]. The exponential is not negative. The
+/// logarithm is −∞ at 0 and NaN below.
+fn called(function: Function, of: Range) -> Range {
+    let nan = of.nan;
+    let range = match function {
+        Function::Sin | Function::Cos => {
+            let nan = nan || of.low == -INF || of.high == INF;
+            let wave = Range::within(-1.0, 1.0);
+            return Range {
+                nan,
+                ..if of.finite { wave } else { Range::NONE }
+            };
+        }
+        Function::Exp if of.has_numbers() => Range::unsigned(0.0, INF),
+        Function::Ln if of.has_numbers() && of.high >= 0.0 => {
+            let nan = nan || of.low < 0.0;
+            let least = if of.low > 0.0 { -1000.0 } else { -INF };
+            let most = if of.high == 0.0 {
+                -INF
+            } else if of.high < INF {
+                1000.0
+            } else {
+                INF
+            };
+            return Range {
+                nan,
+                ..Range::within(least, most)
+            };
+        }
+        Function::Exp => Range::NONE,
+        Function::Ln => return Range::NAN,
+    };
+    Range { nan, ..range }
 }
 
 /// The factors of a sum of three products, or of their opposites.

@@ -186,6 +186,17 @@ pub fn refute(
     input
 }
 
+/// Runs a claim with random numbers; `each` sees the run with its values, and says whether to go on.
+#[doc(hidden)]
+pub fn try_out(
+    format: Format,
+    claim: impl Fn(Given) -> Vec<Goal>,
+    runs: u64,
+    each: impl FnMut(&Run, Vec<Goal>) -> bool,
+) {
+    sample::try_out(format, &|| claim(Given(format)), runs, each);
+}
+
 /// Tests the prover itself: with numbers, the value of each node must lie in the range derived for it.
 /// Returns how many values were compared.
 ///

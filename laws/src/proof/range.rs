@@ -318,7 +318,9 @@ impl Range {
                 }
             }
         }
-        Self::of(&candidates, self.nan || b.nan || nan, minus, self.finite)
+        let is_by_zero = b.low == 0.0 && b.high == 0.0;
+        let finite = self.finite && !is_by_zero;
+        Self::of(&candidates, self.nan || b.nan || nan, minus, finite)
     }
 
     #[doc(hidden)]

@@ -5,9 +5,9 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use shading::{Exponent, Real};
+use shading::{Elementary, Exponent, Real};
 
-use super::graph::{Node, ONE, Test, ZERO};
+use super::graph::{Function, Node, ONE, Test, ZERO};
 use super::range::Range;
 use super::run::{decide, node, with};
 
@@ -129,6 +129,21 @@ impl Real for Term {
     }
     fn any_outside(self, low: Self, high: Self) -> bool {
         decide(Test::Outside(self.0, low.0, high.0))
+    }
+}
+
+impl Elementary for Term {
+    fn sin(self) -> Self {
+        Self(node(Node::Call(Function::Sin, self.0)))
+    }
+    fn cos(self) -> Self {
+        Self(node(Node::Call(Function::Cos, self.0)))
+    }
+    fn exp(self) -> Self {
+        Self(node(Node::Call(Function::Exp, self.0)))
+    }
+    fn ln(self) -> Self {
+        Self(node(Node::Call(Function::Ln, self.0)))
     }
 }
 

@@ -2,6 +2,8 @@
 
 #![allow(clippy::wildcard_imports)] // each table of claims uses nearly all that is here
 
+mod constructors;
+mod duals;
 mod lights;
 mod normals;
 mod sums;
@@ -19,7 +21,9 @@ pub struct Claim {
 }
 
 pub fn all() -> impl Iterator<Item = &'static Claim> {
-    [vectors::CLAIMS, normals::CLAIMS, terms::CLAIMS, lights::CLAIMS, sums::CLAIMS].into_iter().flatten()
+    [vectors::CLAIMS, constructors::CLAIMS, duals::CLAIMS, normals::CLAIMS, terms::CLAIMS, lights::CLAIMS, sums::CLAIMS]
+        .into_iter()
+        .flatten()
 }
 
 macro_rules! claims {

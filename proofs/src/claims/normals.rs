@@ -19,6 +19,14 @@ fn implicit(given: Given, gradient: Vec3<Term>) -> Option<UnitVec3<Term>> {
     normal::implicit(|_| Dual { value, gradient }, any_vector(given, "p"))
 }
 
+/// A vector of any bits, but for its square between 1/p and p.
+fn tame(given: Given, name: &str) -> Vec3<Term> {
+    let v = any_vector(given, name);
+    given.assume_above(v.dot(v), Term::ONE / Term::EXTREME);
+    given.assume_above(Term::EXTREME, v.dot(v));
+    v
+}
+
 claims! {
     triangle_of_any: "`normal::triangle` of any bits is `None` or finite" |given| {
         let [a, b, c] = ["v1", "v2", "v3"].map(|name| any_vector(given, name));
@@ -92,6 +100,32 @@ claims! {
     transformed_to_point: "`normal::transformed` is `None` if all columns are 0" |given| {
         let n = any_direction(given, "n");
         none(normal::transformed(n, ["a", "b", "c"].map(|name| zero(given, name))))
+    }
+    transformed_of_any: "`normal::transformed` is `None` or finite, N of any bits, and each column of any bits whose |v|² is between 1/p and p" |given| {
+        let columns = ["a", "b", "c"].map(|name| tame(given, name));
+        none_or_finite(given, normal::transformed(any_direction(given, "n"), columns))
+    }
+    transformed_of_broken: "`normal::transformed` is `None` if N is infinite or NaN and the columns are as above" |given| {
+        let columns = ["a", "b", "c"].map(|name| tame(given, name));
+        none(normal::transformed(broken_direction(given, "n"), columns))
+    }
+    tangent_of_any: "`normal::tangent` of any bits is `None`, or finite with a handedness of 1 or −1" |given| {
+        let vertices = ["a", "b", "c"].map(|name| any_vector(given, name));
+        let map = ["1", "2", "3"].map(|i| ["x", "y"].map(|axis| given.any(&format!("{axis}{i}"))));
+        normal::tangent(vertices, map).map_or(vec![], |(t, h)| [components(t, finite(given)), within([h], Range::within(-1.0, 1.0))].concat())
+    }
+    tangent_of_broken: "`normal::tangent` is `None` if a texture coordinate is NaN, or one is infinite and the others are finite" |given| {
+        let vertices = ["a", "b", "c"].map(|name| any_vector(given, name));
+        let is_nan = given.one_of(2) == 1;
+        let (broken, others) = if is_nan { (Range::NAN, Range::ANY) } else { (Range { nan: false, ..Range::NOT_FINITE }, finite(given)) };
+        let mut map = ["1", "2", "3"].map(|i| ["x", "y"].map(|axis| given.number(&format!("{axis}{i}"), others)));
+        map[given.one_of(3) as usize][given.one_of(2) as usize] = given.number("broken", broken);
+        none(normal::tangent(vertices, map))
+    }
+    tangent_of_one_point: "`normal::tangent` is `None` if two vertices have the same texture coordinates" |given| {
+        let vertices = ["a", "b", "c"].map(|name| any_vector(given, name));
+        let [p, q] = ["1", "2"].map(|i| ["x", "y"].map(|axis| given.any(&format!("{axis}{i}"))));
+        none(normal::tangent(vertices, [[p, p, q], [p, q, p], [q, p, p]][given.one_of(3) as usize]))
     }
     corner_of_two_points: "`normal::corner` is 0 if two vertices are equal" |given| {
         let (a, b) = (any_vector(given, "a"), any_vector(given, "b"));

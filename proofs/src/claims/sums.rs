@@ -1,6 +1,8 @@
 //! The reflected light.
 
-use shading::{DirectionalLight, IncidentLight, Material, Real, Rgb, Shaded, shade};
+use shading::{
+    DirectionalLight, IncidentLight, Light, Material, Ranged, Real, Rgb, Shaded, SoftCone, SpotLight, shade,
+};
 use shading_laws::proof::{Goal, Node, Range, Test, with};
 
 use super::*;
@@ -65,8 +67,15 @@ fn added(channel: Term) -> Vec<Term> {
     })
 }
 
+/// A spot with a soft edge and a range.
+fn any_spot(given: Given) -> SpotLight<Term, SoftCone<Term>, Ranged<Term>> {
+    let position = any_vector(given, "position");
+    let point = PointLight { position, intensity: given.rgb("I"), attenuation: any_ranged(given) };
+    SpotLight { point, axis: any_direction(given, "axis"), cone: soft_cone(given) }
+}
+
 claims! {
-    lambert: "`shade::lambert`, two lights: no channel is negative or NaN" |given| {
+    lambert: "`shade::lambert`, two lights: no channel is negative or NaN, nor of `Shaded::total`" |given| {
         of_sum(scene(given, 1).lambert([incident(given, "l1"), incident(given, "l2")]))
     }
     phong: "`shade::phong`, two lights, m = 32: no channel is negative or NaN" |given| {
@@ -132,7 +141,7 @@ claims! {
         let (d, s) = (limit(scene.material.k_d), limit(scene.material.k_s));
         sums.into_iter().flat_map(|sum| [at_most(sum.diffuse, d), at_most(sum.specular, s)].concat()).collect()
     }
-    sun_in_front: "a `DirectionalLight` that `in_front` leaves out adds nothing, to the bit; directions of any bits" |given| {
+    sun_in_front: "a light that `DirectionalLight::in_front` leaves out adds nothing, to the bit; directions of any bits" |given| {
         let sun = DirectionalLight { l: any_direction(given, "l"), intensity: given.rgb("I") };
         let (scene, p) = (of_any_directions(given, 32), any_vector(given, "p"));
         if sun.in_front(p, scene.n).is_some() {
@@ -140,18 +149,32 @@ claims! {
         }
         adds_nothing(&scene, sun.at(p))
     }
-    sun_kept_in_front: "a `DirectionalLight` that `in_front` keeps is that of `at`, to the bit" |given| {
+    sun_kept_in_front: "a light that `DirectionalLight::in_front` keeps is that of `at`, to the bit" |given| {
         let sun = DirectionalLight { l: any_direction(given, "l"), intensity: given.rgb("I") };
         let (n, p) = (any_direction(given, "n"), any_vector(given, "p"));
         let (kept, at) = (sun.in_front(p, n), sun.at(p));
         kept.map_or(vec![], |kept| [same(*kept.l, *at.l), same(kept.intensity, at.intensity)].concat())
     }
-    lamp_kept_in_front: "a `PointLight` that `in_front` keeps is that of `at`, to the bit; positions of any bits" |given| {
+    lamp_kept_in_front: "a light that `PointLight::in_front` keeps is that of `at`, to the bit; positions of any bits" |given| {
         let (lamp, n, p) = (lamp(given, any_vector(given, "position")), any_direction(given, "n"), any_vector(given, "p"));
         let (kept, at) = (lamp.in_front(p, n), lamp.at(p));
         kept.map_or(vec![], |kept| [same(*kept.l, *at.l), same(kept.intensity, at.intensity)].concat())
     }
-    lamp_out_of_range: "a `PointLight` with `Ranged` that `in_front` leaves out for its range adds nothing, to the bit" |given| {
+    spot_kept_in_front: "what `SpotLight::in_front` keeps is that of `at`, to the bit; positions, axis and N of any bits" |given| {
+        let (spot, n, p) = (any_spot(given), any_direction(given, "n"), any_vector(given, "p"));
+        let (kept, at) = (spot.in_front(p, n), spot.at(p));
+        kept.map_or(vec![], |kept| [same(*kept.l, *at.l), same(kept.intensity, at.intensity)].concat())
+    }
+    light_in_front: "`Light::in_front` is `in_front` of its kind, to the bit; positions, axis and N of any bits" |given| {
+        let (spot, n, p) = (any_spot(given), any_direction(given, "n"), any_vector(given, "p"));
+        let kind = Light::<Term, SoftCone<Term>, Ranged<Term>>::from(spot);
+        match (kind.in_front(p, n), spot.in_front(p, n)) {
+            (Some(a), Some(b)) => [same(*a.l, *b.l), same(a.intensity, b.intensity)].concat(),
+            (None, None) => vec![],
+            _ => vec![Goal::Never],
+        }
+    }
+    lamp_out_of_range: "a light with `Ranged` that `PointLight::in_front` leaves out for its range adds nothing, to the bit" |given| {
         let falloff = any_ranged(given);
         let (scene, square) = (scene(given, 32), given.number("square", light()));
         if shading::Falloff::reaches(&falloff, square) {
@@ -161,7 +184,7 @@ claims! {
         within([dark], Range::within(0.0, 0.0)).into_iter()
             .chain(adds_nothing(&scene, IncidentLight { intensity: Rgb::gray(dark), ..incident(given, "light") })).collect()
     }
-    spot_out_of_its_cone: "a `SpotLight` that `in_front` leaves out for its cone adds nothing, to the bit" |given| {
+    spot_out_of_its_cone: "a light that `SpotLight::in_front` leaves out for its cone adds nothing, to the bit" |given| {
         let scene = scene(given, 32);
         let light = incident(given, "light");
         let factor = soft_cone(given).factor(any_direction(given, "axis"), light.l);

@@ -30,6 +30,12 @@ fn octave(given: Given) -> Range {
 }
 
 claims! {
+    limits: "`Real::at_least` of any bits is at least its limit, which is not NaN, and `Real::at_most` of any number is at most its limit" |given| {
+        let (x, nan) = (given.any("x"), given.number("nan", Range::NAN));
+        let number = |name| given.number(name, Range::within(-INF, INF));
+        let (y, limit) = (number("y"), number("limit"));
+        vec![Goal::AtMost(limit, x.at_least(limit)), Goal::AtMost(y.at_most(limit), limit), Goal::Same(nan.at_least(limit), limit)]
+    }
     ambient: "`term::ambient` is in [0, ∞]" |given| {
         channels(term::ambient(given.rgb("k_a"), given.rgb("I_a")), light())
     }
@@ -106,7 +112,7 @@ claims! {
     attenuation_at: "`Attenuation::at` of any q ≥ 0, ∞ too, is in [0, MAX]" |given| {
         within([attenuation(given).at(given.number("q", light()))], not_negative(given))
     }
-    attenuation_clamped: "a clamped `Attenuation::at` of any bits is in [0, 1]" |given| {
+    attenuation_clamped: "`Attenuation::clamped`: `Attenuation::at` of any bits is in [0, 1]" |given| {
         within([attenuation(given).clamped().at(given.any("q"))], UP_TO_ONE)
     }
     attenuation_at_no_denominator: "`Attenuation::at` is the largest number, and 1 if clamped, where a + bq + cq² = 0" |given| {
@@ -120,7 +126,7 @@ claims! {
         let at = falloff.at(q);
         same(Falloff::dim(&falloff, &i, q), i.map(|i| (i * at).at_most(Term::MAX)))
     }
-    ranged_at: "`Ranged::at` of any bits, unsquared or not, is in [0, MAX]" |given| {
+    ranged_at: "`Ranged::at` of any bits, also of `Ranged::unsquared`, is in [0, MAX]" |given| {
         let (falloff, q) = (any_ranged(given), given.any("q"));
         within([falloff.at(q), falloff.unsquared().at(q)], not_negative(given))
     }
@@ -136,7 +142,7 @@ claims! {
         let free = falloff.attenuation().at(q);
         vec![Goal::Same(falloff.at(q), free), Goal::Same(falloff.unsquared().at(q), free)]
     }
-    ranged_reaches: "a light that `Ranged` leaves out by its squared distance has q ≥ r" |given| {
+    ranged_reaches: "a light that `Falloff::reaches` of `Ranged` leaves out by its squared distance has q ≥ r" |given| {
         let (falloff, square) = (any_ranged(given), given.number("square", light()));
         if Falloff::reaches(&falloff, square) {
             return vec![];
@@ -162,11 +168,11 @@ claims! {
         let soft = soft_cone(given);
         within([soft.factor(axis, l), soft.smoothstep().factor(axis, l)], UP_TO_ONE)
     }
-    soft_cone_of_one_angle: "`SoftCone::factor` with inner = outer is `Cone::factor`, to the bit, axis and L of any bits" |given| {
+    soft_cone_of_one_angle: "`SoftCone::factor` with inner = outer is `Cone::factor` and `Beam::factor`, to the bit, axis and L of any bits" |given| {
         let cosine = given.number("cosine", Range::within(-1.0 - slack(given), 1.0));
         let (axis, l) = (any_direction(given, "axis"), any_direction(given, "l"));
         let hard = cone(cosine).factor(axis, l);
         let soft = soft_cone_of(cosine, cosine);
-        vec![Goal::Same(soft.factor(axis, l), hard), Goal::Same(soft.smoothstep().factor(axis, l), hard)]
+        vec![Goal::Same(shading::Beam::factor(soft, axis, l), hard), Goal::Same(soft.factor(axis, l), hard), Goal::Same(soft.smoothstep().factor(axis, l), hard)]
     }
 }

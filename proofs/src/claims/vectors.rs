@@ -1,6 +1,6 @@
 //! Numbers, vectors and directions.
 
-use shading::{Real, Rgb, UnitVec3, half_vector, reflection};
+use shading::{Elementary, Real, Rgb, UnitVec3, half_vector, reflection};
 use shading_laws::proof::{Goal, Range, Term};
 
 use super::*;
@@ -9,6 +9,10 @@ claims! {
     root_below_zero: "`Real::sqrt` of a number below 0 is NaN" |given| {
         let below = Range { minus_zero: false, ..Range::within(-INF, -given.format().tiny()) };
         within([given.number("x", below).sqrt()], Range::NAN)
+    }
+    logarithm_below_zero: "`Elementary::ln` of a number below 0 is NaN, given that `libm::log` is" |given| {
+        let below = Range { minus_zero: false, ..Range::within(-INF, -given.format().tiny()) };
+        within([given.number("x", below).ln()], Range::NAN)
     }
     small_products: "`Vec3::dot` and `Vec3::cross` of components up to 2⁶² are finite" |given| {
         let size = Range::within(-2.0_f64.powi(62), 2.0_f64.powi(62));

@@ -43,14 +43,10 @@ fn lights() -> Option<[Light<f32, SoftCone, Ranged>; 4]> {
         [1.0, 0.0, 0.25],
         f32::INFINITY,
     )?;
-    let far = lamp([-4.0, -2.0, 4.0], [2.0, 4.0, 8.0], [0.0, 0.0, 1.0], 8.0)?;
+    let mut far = lamp([-4.0, -2.0, 4.0], [2.0, 4.0, 8.0], [0.0, 0.0, 1.0], 8.0)?;
+    far.attenuation = far.attenuation.unsquared();
     let spot = SpotLight {
-        point: lamp(
-            [0.0, 3.0, 3.0],
-            [3.0, 1.0, 1.0],
-            [1.0, 0.5, 0.0],
-            f32::INFINITY,
-        )?,
+        point: lamp([0.0, 3.0, 3.0], [3.0, 1.0, 1.0], [1.0, 0.5, 0.0], 8.0)?,
         axis: Vec3::new(0.0, -1.0, -1.0).unit()?,
         cone: SoftCone::from_half_angles(0.25, 0.375)?,
     };
