@@ -38,8 +38,11 @@ fn worst_direction<T: Number>(longest: bool) -> impl Strategy<Value = [UnitVec3<
 /// The narrowest cones: a hard one, and soft ones with a hard and with a soft edge.
 fn narrow<T: Number>() -> (Cone<T>, [SoftCone<T>; 2]) {
     let [zero, angle] = [T::ZERO, T::of(0.01)];
-    let hard = Cone::of_half_angle(zero).expect("an angle");
-    let soft = [zero, angle].map(|outer| SoftCone::of_half_angles(zero, outer).expect("angles"));
+    let hard = Cone::of_half_angle(zero).expect("the property expects an angle, and there is none");
+    let soft = [zero, angle].map(|outer| {
+        SoftCone::of_half_angles(zero, outer)
+            .expect("the property expects angles, and there is none")
+    });
     (hard, soft)
 }
 
@@ -70,13 +73,16 @@ fn cast_cone_of_every_direction_lights_every_direction<T: Number>() {
         (direction(), direction(), any::<bool>()),
         |(axis, l, is_opposite)| {
             let l = if is_opposite { axis } else { l };
-            let hard = Cone::<f64>::from_half_angle(PI).expect("an angle");
-            let soft = SoftCone::<f64>::from_half_angles(PI, PI).expect("angles");
+            let hard = Cone::<f64>::from_half_angle(PI)
+                .expect("the property expects an angle, and there is none");
+            let soft = SoftCone::<f64>::from_half_angles(PI, PI)
+                .expect("the property expects angles, and there is none");
             let [axis_in_t, l_in_t] = [axis, l].map(|[wide, _]| wide.cast(T::of));
             same([hard.cast(T::of).factor(axis_in_t, l_in_t); 3], [T::ONE; 3])?;
             same([soft.cast(T::of).factor(axis_in_t, l_in_t); 3], [T::ONE; 3])?;
 
-            let hard = Cone::of_cosine(T::NEG_ONE).expect("a cosine");
+            let hard = Cone::of_cosine(T::NEG_ONE)
+                .expect("the property expects a cosine, and there is none");
             let soft = SoftCone::from(hard);
             let [[_, axis], [_, l]] = [axis, l];
             prop_assert_eq!(hard.cast(T::to_f64).factor(axis, l), 1.0);

@@ -32,6 +32,27 @@ pub fn by_spacing<T: Number>(float: f64, even: f64) -> f64 {
     if T::EVENLY_SPACED { even } else { float }
 }
 
+/// Whether numbers that are scaled down by a power of two lose bits soon: in an evenly spaced type, and in a float whose
+/// range is short, such as an IEEE half, whose normal numbers begin at 2⁻¹⁴. What is exact at any scale in other floats
+/// has a tolerance there.
+#[must_use]
+pub fn is_short_of_range<T: Number>() -> bool {
+    T::EVENLY_SPACED || octaves_below_one::<T>() < 64.0
+}
+
+/// The size to which an evenly spaced type can scale vectors and still hold their cross products: 16 with 16 bits before
+/// the point, and 1 with 8.
+#[must_use]
+pub fn scaled_size<T: Number>() -> f64 {
+    (T::MAX.to_f64() / 128.0).sqrt()
+}
+
+/// How many times 1 may be halved until it loses bits.
+#[must_use]
+pub fn octaves_below_one<T: Number>() -> f64 {
+    (2.0 * T::U / T::TINY.to_f64()).log2()
+}
+
 pub fn to_f64<T: Number>(components: impl Into<[T; 3]>) -> [f64; 3] {
     components.into().map(T::to_f64)
 }
@@ -55,10 +76,13 @@ pub fn equal<T: Number, V: Into<[T; 3]>>(a: V, b: V) -> TestCaseResult {
     Ok(())
 }
 
-/// Compares floats bit for bit, and evenly spaced numbers within `k` times u.
+/// Compares floats bit for bit, and evenly spaced numbers within `k` times u. A float of a short range loses bits of what
+/// is below its normal numbers: it is compared within 16u, and within `k` times u.
 pub fn same_or_near<T: Number, V: Into<[T; 3]>>(a: V, b: V, k: f64) -> TestCaseResult {
     if T::EVENLY_SPACED {
         near(a, b, k * T::U)
+    } else if is_short_of_range::<T>() {
+        near(a, b, k.max(16.0) * T::U)
     } else {
         same(a, b)
     }
@@ -69,6 +93,8 @@ pub fn same_or_near<T: Number, V: Into<[T; 3]>>(a: V, b: V, k: f64) -> TestCaseR
 pub fn equal_but_for_ties<T: Number, V: Into<[T; 3]>>(a: V, b: V) -> TestCaseResult {
     if T::EVENLY_SPACED {
         near(a, b, 2.0 * T::U)
+    } else if is_short_of_range::<T>() {
+        near(a, b, 16.0 * T::U)
     } else {
         equal(a, b)
     }

@@ -8,7 +8,10 @@ use proptest::sample::select;
 use shading::{UnitVec3, Vec3, normal};
 
 use super::Number;
-use super::check::{by_spacing, check, equal, near, same, same_or_near, to_f64, within};
+use super::check::{
+    by_spacing, check, equal, is_short_of_range, near, octaves_below_one, same, same_or_near,
+    scaled_size, to_f64, within,
+};
 use super::exact::{cross, dot, length, square_excess};
 use super::generators::{
     adversarial_vector, direction, dyadic_point, exponent, octaves, pair, point, rounded, unit,
@@ -35,7 +38,7 @@ fn facing_normals_face_the_viewer<T: Number>() {
 fn matrix<T: Number>() -> impl Strategy<Value = Matrix<T>> {
     let usual = [point(), point(), point()];
     let grid = [dyadic_point(), dyadic_point(), dyadic_point()];
-    let size = || if T::EVENLY_SPACED { 0..4 } else { -20..20 };
+    let size = || exponent::<T>(20, 3);
     // the columns have different sizes
     let stretched =
         (usual, [size(), size(), size()]).prop_map(|(columns, k): (Matrix<T>, [i32; 3])| {
@@ -52,7 +55,7 @@ fn times<T: Number>(columns: Matrix<T>, v: [f64; 3]) -> [f64; 3] {
 }
 
 /// cof(M) N, and the conditioning of its sum. An evenly spaced type is off by u at any size, so there it is
-/// the reciprocal of the sum for columns that are scaled until the largest coordinate is 16 or more.
+/// the reciprocal of the sum for columns that are scaled until the largest coordinate is as large as the range allows.
 fn cofactors<T: Number>(columns: Matrix<T>, n: UnitVec3<T>) -> ([f64; 3], f64) {
     let ([a, b, c], n) = (columns.map(to_f64), to_f64(n));
     let terms = [cross(b, c), cross(c, a), cross(a, b)];
@@ -64,7 +67,10 @@ fn cofactors<T: Number>(columns: Matrix<T>, n: UnitVec3<T>) -> ([f64; 3], f64) {
     ];
     let largest = [a, b, c].into_iter().flatten();
     let largest = largest.fold(0.0, |largest: f64, c| largest.max(c.abs()));
-    let size = by_spacing::<T>(dot(n.map(f64::abs), sizes), (largest / 16.0).powi(2));
+    let size = by_spacing::<T>(
+        dot(n.map(f64::abs), sizes),
+        (largest / scaled_size::<T>()).powi(2),
+    );
     (sum, size / length(sum))
 }
 
@@ -85,7 +91,10 @@ fn transformed_normal_is_perpendicular_to_transformed_tangents<T: Number>() {
         let n = rounded::<T>(n);
         let (expected, conditioning) = cofactors(columns, n);
         prop_assume!(conditioning < 0.01 / T::U);
-        let transformed = to_f64(normal::transformed(n, columns).expect("a normal"));
+        let transformed = to_f64(
+            normal::transformed(n, columns)
+                .expect("the property expects a normal, and there is none"),
+        );
         let tolerance = transformed_tolerance::<T>(conditioning);
         let size = length(expected);
         for (c, expected) in transformed.into_iter().zip(expected) {
@@ -112,8 +121,9 @@ fn transformed_normal_is_perpendicular_to_transformed_tangents<T: Number>() {
 fn transformed_normal_is_that_of_the_transformed_triangle<T: Number>() {
     let grid = || [dyadic_point::<T>(), dyadic_point(), dyadic_point()];
     check((grid(), grid()), |(vertices, columns)| {
-        // to integers up to 16; the transformed vertices go up to 768
-        let scale = T::of(by_spacing::<T>(8.0, 2.0));
+        // to integers up to 16, or up to 4; the transformed vertices go up to 768
+        let is_short = is_short_of_range::<T>();
+        let scale = T::of(if is_short { 2.0 } else { 8.0 });
         let coarse = |v: Vec3<T>| v.map(|c| T::of((c * scale).to_f64().trunc()));
         let (vertices, columns) = (vertices.map(coarse), columns.map(coarse));
         let moved = vertices.map(|v| Vec3::from(times(columns, to_f64(v)).map(T::of)));
@@ -123,7 +133,7 @@ fn transformed_normal_is_that_of_the_transformed_triangle<T: Number>() {
         };
         // the plane of the triangle in integers, without rounding
         let plane = cross(to_f64(b - a), to_f64(c - a));
-        let to_one = by_spacing::<T>(1.0, 1.0 / 128.0); // in an evenly spaced type, within the cube of side 2
+        let to_one = if is_short { 1.0 / 128.0 } else { 1.0 }; // within the cube of side 2
         let plane = plane.map(|c| T::of(c * to_one));
         let plane = UnitVec3::assume_unit(Vec3::from(plane));
         let (_, conditioning) = cofactors(columns, plane);
@@ -141,7 +151,8 @@ fn transformed_normal_is_that_of_the_transformed_triangle<T: Number>() {
                 let exact = 2.0 * 1.77 * T::U; // two unit vectors
                 let tolerance = by_spacing::<T>(tolerance, exact);
                 near(by_matrix, by_vertices, tolerance)?;
-                let by_unit = normal::transformed(n, columns).expect("a normal");
+                let by_unit = normal::transformed(n, columns)
+                    .expect("the property expects a normal, and there is none");
                 // n itself is off by 4u, or in an evenly spaced type by u in each component
                 let [x, y, z] = columns.map(to_f64).map(self::length);
                 let (moved, of_unit) = cofactors(columns, n);
@@ -170,7 +181,10 @@ fn rotation_transforms_a_normal_like_a_vector<T: Number>() {
         let columns = [x, cross(z, x), z].map(|column| *rounded::<T>(column));
         let n = rounded::<T>(n);
         let expected = times(columns, to_f64(n));
-        let transformed = to_f64(normal::transformed(n, columns).expect("a rotation"));
+        let transformed = to_f64(
+            normal::transformed(n, columns)
+                .expect("the property expects a rotation, and there is none"),
+        );
         for (c, expected) in transformed.into_iter().zip(expected) {
             within(c - expected, 24.0 * T::U)?;
         }
@@ -185,12 +199,13 @@ fn scaling_the_matrix_by_a_power_of_two_is_exact<T: Number>() {
     check(inputs, |(columns, n, k)| {
         let scale = T::of(f64::from(k).exp2());
         let transformed = |factor: T| normal::transformed(n, columns.map(|c| c * factor));
-        if T::EVENLY_SPACED {
+        if is_short_of_range::<T>() {
             let (_, conditioning) = cofactors(columns, n);
             prop_assume!(conditioning < 0.01 / T::U);
-            let n = transformed(T::ONE).expect("a normal");
+            let n = transformed(T::ONE).expect("the property expects a normal, and there is none");
             for factor in [scale, -scale] {
-                let scaled = transformed(factor).expect("a normal");
+                let scaled =
+                    transformed(factor).expect("the property expects a normal, and there is none");
                 near(scaled, n, 2.0 * transformed_tolerance::<T>(conditioning))?;
             }
             return Ok(());
@@ -220,9 +235,13 @@ fn only_a_plane_flattened_to_a_line_has_no_transformed_normal<T: Number>() {
             // line
             let axes = [UnitVec3::<T>::X, UnitVec3::Y, UnitVec3::Z];
             prop_assert!(normal::transformed(axes[i], columns).is_none());
-            let expected = a.cross(b).unit().expect("not parallel");
+            let expected = a
+                .cross(b)
+                .unit()
+                .expect("the property expects vectors that are not parallel, and there is none");
             near(
-                normal::transformed(axes[l], columns).expect("a plane"),
+                normal::transformed(axes[l], columns)
+                    .expect("the property expects a plane, and there is none"),
                 expected,
                 transformed_tolerance::<T>(conditioning),
             )?;
@@ -265,7 +284,8 @@ fn shares_are_angles<T: Number>() {
         let [ab, ac] = [b - a, c - a].map(to_f64);
         let sine = length(cross(ab, ac)) / (length(ab) * length(ac));
         prop_assume!(sine > 1e-2);
-        let n = normal::triangle(a, b, c).expect("a triangle");
+        let n =
+            normal::triangle(a, b, c).expect("the property expects a triangle, and there is none");
         let shares = [[a, b, c], [b, c, a], [c, a, b]].map(|[a, b, c]| normal::corner(a, b, c));
         let angles = shares.map(|share| length(to_f64(share)));
         near(shares[0], *n * T::of(angles[0]), 40.0 * T::U / sine)?;
@@ -316,11 +336,11 @@ fn splitting_a_flat_polygon_differently_changes_nothing<T: Number>() {
 
 /// (59) The corners of a cube get its diagonals, however its faces are split.
 fn corner_of_a_cube_gets_its_diagonal<T: Number>() {
-    let (tiny, huge) = if T::EVENLY_SPACED {
-        (T::TINY.to_f64(), 1e4)
-    } else {
-        (1e-20, 1e20)
-    };
+    // the smallest normal number, or the smallest
+    let normal = by_spacing::<T>((-octaves_below_one::<T>()).exp2(), T::TINY.to_f64());
+    let tiny = f64::max(normal, 1e-20);
+    let huge = if T::EVENLY_SPACED { 1e4 } else { 1e20 };
+    let huge = (T::MAX.to_f64() / 4.0).min(huge);
     let side = select(vec![1.0, 3.0, tiny, huge]);
     check(
         (side, [any::<bool>(); 3], dyadic_point::<T>()),
@@ -341,7 +361,9 @@ fn corner_of_a_cube_gets_its_diagonal<T: Number>() {
                     around.push(faces[i]);
                 }
             }
-            let n = vertex_normal(corner, &around).unit().expect("a normal");
+            let n = vertex_normal(corner, &around)
+                .unit()
+                .expect("the property expects a normal, and there is none");
             let expected = UnitVec3::assume_unit(Vec3::from([T::of(1.0 / 3.0_f64.sqrt()); 3]));
             near(n, expected, 40.0 * T::U)
         },
@@ -362,7 +384,7 @@ fn size_of_a_triangle_does_not_matter_for_its_share<T: Number>() {
             let [ab, ac] = [triangle[1] - triangle[0], triangle[2] - triangle[0]].map(to_f64);
             let sine = length(cross(ab, ac)) / (length(ab) * length(ac));
             prop_assume!(sine > 1e-2);
-            if !T::EVENLY_SPACED {
+            if !is_short_of_range::<T>() {
                 same(share(T::of(0.125)), share(T::ONE))?;
             }
             // the smallest size is that at which the coordinates lose bits
@@ -399,7 +421,10 @@ fn mapped_normal_has_the_coordinates_of_the_sample<T: Number>() {
         (frame::<T>(), unit::<T>(), any::<bool>()),
         |((n, tangent), sample, right)| {
             let h = if right { T::ONE } else { -T::ONE };
-            let mapped = to_f64(normal::mapped(n, tangent, h, *sample).expect("a frame"));
+            let mapped = to_f64(
+                normal::mapped(n, tangent, h, *sample)
+                    .expect("the property expects a frame, and there is none"),
+            );
             let (n, tangent, sample) = (to_f64(n), to_f64(tangent), to_f64(sample));
             let side = cross(n, tangent);
             let along = [dot(mapped, cross(side, n)), h.to_f64() * dot(mapped, side)]
@@ -422,7 +447,8 @@ fn length_of_sample_and_tangent_do_not_matter<T: Number>() {
         let scale = T::of(f64::from(k).exp2());
         let (h, up) = (T::of(h), Vec3::new(T::ZERO, T::ZERO, scale));
         near(
-            normal::mapped(n, tangent, h, up).expect("a frame"),
+            normal::mapped(n, tangent, h, up)
+                .expect("the property expects a frame, and there is none"),
             n,
             4.0 * T::U,
         )?;

@@ -17,7 +17,8 @@ fn phong<T: Number>(l: UnitVec3<T>, v: UnitVec3<T>, m: Shine) -> T {
 }
 
 fn blinn<T: RealPowers>(l: UnitVec3<T>, v: UnitVec3<T>, m: Shine) -> T {
-    let h = half_vector(l, v).expect("both above the surface");
+    let h =
+        half_vector(l, v).expect("the property expects both above the surface, and there is none");
     term::blinn_normalization(T::of(m.m)) * term::blinn(UnitVec3::Z, h, m)
 }
 

@@ -16,6 +16,7 @@ use shading::{
 };
 
 use super::Number;
+use super::check::is_short_of_range;
 use super::exact;
 
 /// Axes, a Pythagorean direction and a diagonal.
@@ -413,19 +414,25 @@ pub fn dyadic_point<T: Number>() -> impl Strategy<Value = Vec3<T>> {
 /// type they are only larger, because smaller ones lose bits.
 pub fn octaves<T: Number>() -> impl Strategy<Value = f64> {
     // coordinates up to 6 stay in the range
-    let shares = if T::EVENLY_SPACED {
+    let shares = if is_short_of_range::<T>() {
         0.0..0.75
     } else {
         -0.9..0.9
     };
-    shares.prop_map(|share| f64::floor(share * T::MAX.to_f64().log2()))
+    let range = T::MAX.to_f64().log2();
+    shares.prop_map(move |share: f64| f64::floor((share * range).min(range - 3.5)))
 }
 
-/// k from −`most` to `most`, for numbers 2^k times as large. In an evenly spaced type it is from 0 to
-/// `most_even`: smaller numbers lose bits, and larger ones leave the range.
+/// k from −`most` to `most`, for numbers 2^k times as large. In an evenly spaced type of 15 bits before the point it is
+/// from 0 to `most_even`: smaller numbers lose bits, and larger ones leave the range. With fewer bits, k is as far from the
+/// end of the range. In a float of a short range, it is up to a quarter of it, as products of several numbers are scaled.
+#[allow(clippy::cast_possible_truncation)] // up to 128
 pub fn exponent<T: Number>(most: i32, most_even: i32) -> impl Strategy<Value = i32> {
+    let range = T::MAX.to_f64().log2().round() as i32;
     if T::EVENLY_SPACED {
-        0..=most_even
+        0..=(most_even * range / 15).min(1.max(most_even - 15 + range))
+    } else if is_short_of_range::<T>() {
+        0..=most.min(range / 4)
     } else {
         -most..=most
     }
@@ -459,7 +466,7 @@ pub fn coefficients_of<T: Number>(abc: [f64; 3]) -> Option<Attenuation<T>> {
 
 /// A cone from its cosine.
 pub fn cone<T: Number>(cosine: f64) -> Cone<T> {
-    Cone::of_cosine(T::of(cosine)).expect("a cosine")
+    Cone::of_cosine(T::of(cosine)).expect("the property expects a cosine, and there is none")
 }
 
 /// A light of any kind, at one of the given places.

@@ -4,7 +4,10 @@ use proptest::prelude::*;
 use shading::{UnitVec3, Vec3, normal};
 
 use super::Number;
-use super::check::{by_spacing, check, equal_but_for_ties, near, same, to_f64, within};
+use super::check::{
+    by_spacing, check, equal_but_for_ties, is_short_of_range, near, same, scaled_size, to_f64,
+    within,
+};
 use super::exact::{cross, dot, length, square_excess, subtract};
 use super::generators::{adversarial_vector, dyadic_point, exponent, octaves, point, unit};
 
@@ -39,10 +42,13 @@ fn conditioning<T: Number>(triangle: Triangle<T>) -> f64 {
 /// The error of a normal: the edges are off by 1u each, and the products of the cross product and
 /// their difference by 2u, relative to the lengths of the edges; the unit vector is off by 3u.
 ///
-/// In an evenly spaced type, the edges are exact. They are made 16 or more long, so that the 2√3u of the
-/// cross product are relative to 16²; the unit vector is off by √3u.
+/// In an evenly spaced type, the edges are exact. They are made as long as its range allows, so that the 2√3u of the
+/// cross product are relative to the square of that; the unit vector is off by √3u.
 fn tolerance<T: Number>(conditioning: f64) -> f64 {
-    T::U * by_spacing::<T>(4.0 * conditioning + 3.0, 0.014 * conditioning + 1.77)
+    T::U * by_spacing::<T>(
+        4.0 * conditioning + 3.0,
+        3.58 / scaled_size::<T>().powi(2) * conditioning + 1.77,
+    )
 }
 
 /// A triangle that has a normal, and its conditioning.
@@ -55,9 +61,10 @@ fn well_conditioned<T: Number>() -> impl Strategy<Value = (Triangle<T>, f64)> {
 /// (41) A cyclic shift of the vertices changes little: each of the two normals has its own error.
 fn cyclic_shift_changes_little<T: Number>() {
     check(well_conditioned::<T>(), |([a, b, c], conditioning)| {
-        let n = normal([a, b, c]).expect("a triangle");
+        let n = normal([a, b, c]).expect("the property expects a triangle, and there is none");
         for shifted in [[b, c, a], [c, a, b]] {
-            let shifted = normal(shifted).expect("the same triangle");
+            let shifted =
+                normal(shifted).expect("the property expects the same triangle, and there is none");
             near(n, shifted, 2.0 * tolerance::<T>(conditioning))?;
         }
         Ok(())
@@ -67,10 +74,14 @@ fn cyclic_shift_changes_little<T: Number>() {
 /// (42) Swapping two vertices negates the normal, exactly if the first vertex stays.
 fn swapping_two_vertices_negates<T: Number>() {
     check(well_conditioned::<T>(), |([a, b, c], conditioning)| {
-        let n = -normal([a, b, c]).expect("a triangle");
-        equal_but_for_ties(normal([a, c, b]).expect("the same triangle"), n)?;
+        let n = -normal([a, b, c]).expect("the property expects a triangle, and there is none");
+        equal_but_for_ties(
+            normal([a, c, b]).expect("the property expects the same triangle, and there is none"),
+            n,
+        )?;
         for swapped in [[b, a, c], [c, b, a]] {
-            let swapped = normal(swapped).expect("the same triangle");
+            let swapped =
+                normal(swapped).expect("the property expects the same triangle, and there is none");
             near(swapped, n, 2.0 * tolerance::<T>(conditioning))?;
         }
         Ok(())
@@ -80,7 +91,8 @@ fn swapping_two_vertices_negates<T: Number>() {
 /// (43) The normal is perpendicular to each edge, and the vertices appear counter-clockwise.
 fn normal_is_perpendicular_to_each_edge<T: Number>() {
     check(well_conditioned::<T>(), |(triangle, conditioning)| {
-        let n = to_f64(normal(triangle).expect("a triangle"));
+        let n =
+            to_f64(normal(triangle).expect("the property expects a triangle, and there is none"));
         let [a, b, c] = triangle.map(to_f64);
         for edge in [subtract(b, a), subtract(c, a), subtract(c, b)] {
             within(dot(n, edge), tolerance::<T>(conditioning) * length(edge))?;
@@ -105,13 +117,17 @@ fn scaling_a_triangle_by_a_power_of_two_is_exact<T: Number>() {
     check((triangle::<T>(), exponent::<T>(16, 11)), |(triangle, k)| {
         let scale = T::of(f64::from(k).exp2());
         let scaled = normal(triangle.map(|p| p * scale));
-        if T::EVENLY_SPACED {
+        if is_short_of_range::<T>() {
             let conditioning = conditioning(triangle);
             prop_assume!(conditioning < 0.01 / T::U);
-            let n = normal(triangle).expect("a triangle");
+            let n = normal(triangle).expect("the property expects a triangle, and there is none");
             for other in [scaled, normal(triangle.map(|p| -p))] {
                 let tolerance = 2.0 * tolerance::<T>(conditioning);
-                near(other.expect("a triangle"), n, tolerance)?;
+                near(
+                    other.expect("the property expects a triangle, and there is none"),
+                    n,
+                    tolerance,
+                )?;
             }
             return Ok(());
         }
@@ -127,10 +143,11 @@ fn size_of_a_triangle_does_not_matter<T: Number>() {
         (well_conditioned::<T>(), octaves::<T>()),
         |((triangle, conditioning), k)| {
             let scale = T::of(k.exp2());
-            let scaled = normal(triangle.map(|p| p * scale)).expect("a triangle of any size");
+            let scaled = normal(triangle.map(|p| p * scale))
+                .expect("the property expects a triangle of any size, and there is none");
             near(
                 scaled,
-                normal(triangle).expect("a triangle"),
+                normal(triangle).expect("the property expects a triangle, and there is none"),
                 2.0 * tolerance::<T>(conditioning),
             )
         },
@@ -205,7 +222,9 @@ fn planes_and_spheres_point_outward<T: Number>() {
             let on_sphere = center + *n * T::of(2.0);
             // the point is off by 4u for a radius of 2, and the unit vectors by 4u
             near(
-                normal::sphere(center, on_sphere).expect("not the center"),
+                normal::sphere(center, on_sphere).expect(
+                    "the property expects a point that is not the center, and there is none",
+                ),
                 n,
                 6.0 * T::U,
             )
