@@ -71,7 +71,7 @@ use core::iter::Sum;
 use core::ops::{Add, Mul};
 
 use crate::exponent::Exponent;
-use crate::exponent::batch::Powers;
+use crate::exponent::batch::{NoHighlight, Powers};
 use crate::light::{IncidentLight, Lights};
 use crate::material::Material;
 use crate::real::{Real, Several};
@@ -189,8 +189,9 @@ pub fn lambert<T: Real, M>(
     i_a: Rgb<T>,
     lights: impl Lights<T>,
 ) -> Shaded<T> {
-    // a cosine of 0 gives no highlight, whatever m is
-    sum(n, material, i_a, lights.arriving(), 0_u32, |_| Real::ZERO)
+    sum(n, material, i_a, lights.arriving(), NoHighlight, |_| {
+        Real::ZERO
+    })
 }
 
 /// Shades a shiny surface with Phong's highlight.

@@ -183,9 +183,9 @@ fn a_sample_of_any_length_is_the_same_normal<T: Float>() {
 /// with 12 bits may matter, and up to 1/`EXTREME`, where products lose bits. From there on it is left
 /// out.
 fn a_light_is_left_out_where_rounding_cannot_matter<T: Float>() {
-    let is_kept = |x: T, z: T| {
+    let is_kept = |x: T, y: T, z: T| {
         let lamp = PointLight {
-            position: Vec3::new(x, T::ZERO, z),
+            position: Vec3::new(x, y, z),
             intensity: Rgb::WHITE,
             attenuation: Attenuation::NONE,
         };
@@ -193,11 +193,71 @@ fn a_light_is_left_out_where_rounding_cannot_matter<T: Float>() {
     };
     // the height h is kept for h ≤ (1 + h)/512, that is, h ≤ 1/511
     for (height, kept) in [(1.0 / 511.5, true), (1.0 / 510.5, false), (0.5, false)] {
-        assert_eq!(is_kept(T::ONE, -T::of(height)), kept, "{height}");
+        let z = -T::of(height);
+        assert_eq!(is_kept(T::ONE, T::ZERO, z), kept, "{height}");
+        assert_eq!(is_kept(T::ZERO, T::ONE, z), kept, "{height}");
     }
     // straight below, h is kept for h ≤ h/512 + 1/EXTREME
     let least = T::ONE / T::EXTREME;
     for (height, kept) in [(1.0, true), (1.001, true), (1.003, false), (2.0, false)] {
-        assert_eq!(is_kept(T::ZERO, -T::of(height) * least), kept, "{height}");
+        assert_eq!(
+            is_kept(T::ZERO, T::ZERO, -T::of(height) * least),
+            kept,
+            "{height}"
+        );
+    }
+}
+
+/// A scale of each axis by a power of two multiplies each component by the other two, which double
+/// precision does without leaving its range. The conditioning is √3 at most. No product rounds here but
+/// those with n; with these and 3.5u for the unit vector, 5u is enough.
+#[test]
+fn scales_of_any_size_transform_a_normal() {
+    let n = UnitVec3::<f32>::new(0.48, 0.6, 0.64).expect("length 1");
+    let exponents = || (-120..=120).step_by(12);
+    for i in exponents() {
+        for (j, k) in exponents().flat_map(|j| exponents().map(move |k| (j, k))) {
+            let [a, b, c] = [i, j, k].map(|exponent| 2_f64.powi(exponent));
+            let [x, y, z] = [n.x, n.y, n.z].map(f64::from);
+            let expected = Vec3::new(x * b * c, y * c * a, z * a * b).unit();
+            let columns = [*UnitVec3::X * a, *UnitVec3::Y * b, *UnitVec3::Z * c];
+            #[allow(clippy::cast_possible_truncation)] // powers of two, which `f32` has
+            let columns = columns.map(|column| column.map(|x| x as f32));
+            let computed = normal::transformed(n, columns).expect("regular");
+            let pairs = <[f32; 3]>::from(computed).into_iter();
+            for (c, exact) in pairs.zip(<[f64; 3]>::from(expected.expect("regular"))) {
+                let error = (f64::from(c) - exact).abs();
+                assert!(error <= 5.0 * 2_f64.powi(-24), "{error:e} {columns:?}");
+            }
+        }
+    }
+}
+
+/// Rounding swaps the cosines of some neighboring half-angles, such as 0.78597474 and 0.7859748.
+#[test]
+fn edges_of_neighboring_angles_are_in_order() {
+    for bits in 0.785_f32.to_bits()..0.787_f32.to_bits() {
+        let [inner, outer] = [bits, bits + 1].map(f32::from_bits);
+        let [in_constants, generic] = [SoftCone::<f32>::from_half_angles, SoftCone::of_half_angles]
+            .map(|of| of(inner, outer).expect("half-angles"));
+        let cosines = in_constants.cosines();
+        assert!(cosines[0] >= cosines[1], "{inner:?} {outer:?}");
+        assert_eq!(in_constants, generic);
+    }
+}
+
+/// As above, for the constructor that works in constants.
+#[test]
+fn a_constant_soft_edge_between_two_zeros_is_hard() {
+    let zeros = [0.0_f32, -0.0];
+    for (inner, outer) in zeros.into_iter().flat_map(|a| zeros.map(|b| (a, b))) {
+        let cone = SoftCone::<f32>::from_cosines(inner, outer).expect("an edge");
+        for (cosine, factor) in [(-1e-45, 0.0), (0.0, 1.0), (1e-45, 1.0)] {
+            let l = UnitVec3::assume_unit(Vec3::new(cosine, 0.0, 1.0));
+            assert_eq!(
+                cone.factor(UnitVec3::NEG_X, l).to_bits(),
+                f32::to_bits(factor)
+            );
+        }
     }
 }

@@ -509,3 +509,40 @@ macro_rules! plain_number_before_a_dual_number {
 }
 
 plain_number_before_a_dual_number!(f32_before_a_dual_one: f32, f64_before_a_dual_one: f64);
+
+/// Where Foley's limit holds, the light is constant. Elsewhere, 1/q² changes by −2/q³.
+#[test]
+fn a_limited_lamp_has_no_gradient() {
+    let inverse_square = Attenuation::<f64>::new(0.0, 0.0, 1.0).expect("positive");
+    let lamp = |attenuation| PointLight {
+        position: Vec3::ZERO,
+        intensity: Rgb::WHITE,
+        attenuation,
+    };
+    let [free, limited] = [inverse_square, inverse_square.clamped()]
+        .map(|attenuation| lamp(attenuation).cast(Dual::constant));
+    for (q, slope, limited_slope) in [(0.5, -16.0, 0.0), (2.0, -0.25, -0.25)] {
+        let p = Dual::point(Vec3::new(0.0, 0.0, q));
+        for (lamp, slope) in [(free, slope), (limited, limited_slope)] {
+            let gradient = lamp.at(p).intensity.r.gradient;
+            assert_eq!(gradient, Vec3::new(0.0, 0.0, slope));
+        }
+    }
+}
+
+#[test]
+fn an_edge_says_whether_it_is_a_smoothstep() {
+    let squared = SoftCone::<f32>::from_cosines(1.0, 0.0).expect("cosines");
+    assert!(!squared.is_smoothstep());
+    assert!(squared.smoothstep().is_smoothstep());
+}
+
+/// (cᵐ)′ = m cᵐ⁻¹, which is m at c = 1, also for an m of more than 16 bits.
+#[test]
+fn slope_of_a_large_power_is_its_exponent() {
+    let cosine = Dual::point(Vec3::new(1.0_f64, 0.0, 0.0)).x;
+    for m in [65_535_u32, 65_536, 100_001, u32::MAX] {
+        let slope = Vec3::new(f64::from(m), 0.0, 0.0);
+        assert_eq!(m.raise(cosine).gradient, slope);
+    }
+}

@@ -184,7 +184,7 @@ fn of_terms(directions: &[Data<Vectors>]) -> usize {
         )
         .against(
             "powf",
-            limit(2.1, 2.1),
+            limit(2.0, 2.0),
             twice!(|Vectors {
                         glam: [n, h, _], ..
                     }| {

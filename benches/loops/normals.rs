@@ -59,7 +59,7 @@ fn mapped(
 /// As fast as on `glam`; by a call, the wider result counts.
 const LIKE: Limit = limit(1.3, 1.4);
 /// The compiler vectorizes the rival.
-const VECTORIZED: Limit = limit(2.9, f64::INFINITY);
+const VECTORIZED: Limit = limit(2.5, f64::INFINITY);
 
 pub fn race() -> usize {
     let (triangles, directions) = (triangles(), directions());
@@ -79,7 +79,7 @@ fn of_points(triangles: &[Data<Vectors>]) -> usize {
     )
     .against(
         "plain",
-        VECTORIZED,
+        limit(2.8, f64::INFINITY),
         twice!(|Vectors { glam: [a, ..], .. }| plain(*a)),
     )
     .run(triangles)
@@ -110,7 +110,7 @@ fn of_points(triangles: &[Data<Vectors>]) -> usize {
                         ours: [a, b, c], ..
                     }: &Vectors| { normal::corner(*a, *b, *c) }),
         )
-        .against("glam, acos", limit(2.1, 2.1), twice!(corner))
+        .against("glam, acos", limit(2.0, 2.0), twice!(corner))
         .run(triangles)
         + Race::of(
             "normal::sphere",
@@ -148,7 +148,7 @@ fn of_functions(triangles: &[Data<Vectors>]) -> usize {
     )
     .against(
         "plain",
-        limit(4.2, f64::INFINITY),
+        limit(3.9, f64::INFINITY),
         twice!(|Vectors { glam: [a, ..], .. }| plain(torus_gradient(*a))),
     )
     .run(triangles)
@@ -160,12 +160,12 @@ fn of_functions(triangles: &[Data<Vectors>]) -> usize {
         )
         .against(
             "glam",
-            limit(1.8, 2.1),
+            limit(1.7, 1.9),
             twice!(|Vectors { glam: [a, ..], .. }| { saddle_cross(a.x, a.y).try_normalize() }),
         )
         .against(
             "plain",
-            limit(5.5, f64::INFINITY),
+            limit(4.9, f64::INFINITY),
             twice!(|Vectors { glam: [a, ..], .. }| plain(saddle_cross(a.x, a.y))),
         )
         .run(triangles)

@@ -162,9 +162,10 @@ fn script(g: &Graph, mut known: Known, result: Term, bound: f64, of: Of) -> Stri
                 let (name, range) = &g.names[index as usize];
                 let _ = writeln!(text, "n{id} = rnd({});", name.replace('.', "_"));
                 let is_limited = range.low >= 0.0 || range.high <= 1.0;
-                facts.push(match is_limited {
-                    true => format!("n{id} in [{},{}]", range.low, range.high),
-                    false => format!("|n{id}| in [1b-40,1b40]"),
+                facts.push(if is_limited {
+                    format!("n{id} in [{},{}]", range.low, range.high)
+                } else {
+                    format!("|n{id}| in [1b-40,1b40]")
                 });
                 if is_cosine(index) {
                     facts.push(format!("N{id} in [0,1] /\\ |n{id} - N{id}| <= 3b-{u}"));
@@ -238,7 +239,7 @@ fn script(g: &Graph, mut known: Known, result: Term, bound: f64, of: Of) -> Stri
 
 fn is_constant(g: &Graph, known: &mut Known, id: u32) -> bool {
     let range = known.range(g, id);
-    range.low == range.high
+    range.low >= range.high
 }
 
 const ATTENUATION: &str = "$ S in 8;

@@ -53,7 +53,10 @@ fn formula<T: Real + PartialOrd>(mut random: Random, variables: [T; VARIABLES]) 
             6 | 7 => x / y,
             8 => x.sqrt(),
             9 => x.if_above(y, a, b),
-            10 => [x.abs(), -x, x * x, x - x][random.below(4)],
+            10 => {
+                let same = x;
+                [x.abs(), -x, x * x, x - same][random.below(4)]
+            }
             11 => [x.at_least(T::ZERO), x.at_most(T::ONE), x.at_most(T::MAX)][random.below(3)],
             12 => random.vector(&values).dot(random.vector(&values)),
             13 => random.vector(&values).cross(random.vector(&values)).x,

@@ -1,5 +1,8 @@
 //! The powers of a sum's cosines, computed one by one or four at a time.
 
+use super::Exponent;
+use crate::real::Real;
+
 /// Takes items with their cosines. It may compute the powers later.
 pub trait Powers<I, T> {
     fn take(&mut self, item: I, cosine: T);
@@ -16,6 +19,30 @@ impl<I, T, P: Fn(T) -> T, F: FnMut(I, T)> Powers<I, T> for OneByOne<P, F> {
     fn take(&mut self, item: I, cosine: T) {
         (self.each)(item, (self.power)(cosine));
     }
+
+    #[inline(always)]
+    fn finish(self) {}
+}
+
+/// The shininess of a surface without a highlight: nothing is added up.
+#[derive(Clone, Copy)]
+pub(crate) struct NoHighlight;
+
+impl<T: Real> Exponent<T> for NoHighlight {
+    #[inline(always)]
+    fn raise(self, _cosine: T) -> T {
+        T::ZERO
+    }
+
+    #[inline(always)]
+    fn powers<I: Copy>(self, _none: I, _each: impl FnMut(I, T)) -> impl Powers<I, T> {
+        Self
+    }
+}
+
+impl<I, T> Powers<I, T> for NoHighlight {
+    #[inline(always)]
+    fn take(&mut self, _item: I, _cosine: T) {}
 
     #[inline(always)]
     fn finish(self) {}

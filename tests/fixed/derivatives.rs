@@ -2,7 +2,7 @@
 //! the roundings by half a step (0.51 for a direction) and is derived beside it. Exact results are computed
 //! in `f64`, whose roundings are a billionth of a step.
 
-use shading::fixed::{Dual, Fixed, Vec3};
+use shading::fixed::{Attenuation, Dual, Fixed, Vec3};
 use shading::{Elementary, Real, normal};
 
 use crate::{Random, exact, steps};
@@ -349,5 +349,17 @@ fn derivatives_are_scaled_with_their_vectors() {
                 "{power}: {slopes:?}"
             );
         }
+    }
+}
+
+/// The window of a range is computed in one rounding, which the value of a dual number keeps.
+#[test]
+fn a_range_of_dual_numbers_has_the_values_of_plain_ones() {
+    let ranged = Attenuation::NONE
+        .within(Fixed::from_bits(7 << 15))
+        .expect("a range");
+    let dual = ranged.cast(Dual::constant);
+    for q in (0..8 << 15).step_by(7).map(Fixed::from_bits) {
+        assert_eq!(dual.at(Dual::constant(q)).value, ranged.at(q), "{q:?}");
     }
 }

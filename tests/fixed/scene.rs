@@ -185,3 +185,34 @@ fn a_cone_of_zero_lights_its_axis_and_one_of_pi_everything() {
         assert_eq!(SoftCone::from(wide).factor(d, d), Fixed::ONE, "{d:?}");
     }
 }
+
+/// Toward the axis, the square of t never falls, and t²(3 − 2t) by one step at most. With edges one apart,
+/// t is every number from 0 to 1; that of another cone is one of these, and rises with the cosine, because
+/// quotients are rounded once.
+#[test]
+fn toward_the_axis_a_smoothstep_falls_by_one_step_at_most() {
+    let half = 1 << 15;
+    let [inner, outer] = [half, -half].map(Fixed::from_bits);
+    let cone = SoftCone::from_cosines(inner, outer).expect("cosines");
+    for (cone, expected) in [(cone, 0), (cone.smoothstep(), 1)] {
+        let (mut brightest, mut fall) = (0, 0);
+        for cosine in -half..=half {
+            let l = Vec3::new(Fixed::from_bits(cosine), Fixed::ZERO, Fixed::ZERO);
+            let factor = cone.factor(-UnitVec3::X, UnitVec3::assume_unit(l));
+            let factor = factor.to_bits();
+            fall = fall.max(brightest - factor);
+            brightest = brightest.max(factor);
+        }
+        assert_eq!(fall, expected);
+        assert_eq!(brightest, Fixed::ONE.to_bits());
+    }
+}
+
+#[test]
+fn a_range_is_kept_in_a_type_with_infinities() {
+    let range = Fixed::from_bits(5 << 16);
+    let ranged = Attenuation::NONE.within(range).expect("a range");
+    assert!((ranged.cast(Fixed::to_f32).range() - 5.0).abs() < f32::EPSILON);
+    let endless = Ranged::from(Attenuation::NONE);
+    assert!(endless.cast(Fixed::to_f32).range().is_infinite());
+}
