@@ -75,7 +75,7 @@ pub const FAULTS: &[Fault] = &[
         "(T::ONE / (q * (a + q * (b + c * q))))",
         "attenuation_over_overflow",
     ),
-    ("shade", "n_dot_l.if_positive(cosine(l), T::ZERO)", "T::ONE", "opposite"),
+    ("shade", "n_dot_l.if_positive(cosine(l), L::ZERO)", "L::ONE", "opposite"),
     (
         "direction",
         "triple::reflection(n.into(), l.into())",
