@@ -70,8 +70,6 @@ impl<T: Real> Rgb<T> {
         self.map(|channel| channel.if_positive(channel.at_most(T::ONE), T::ZERO))
     }
 
-    /// The product with a reflectance. A channel that overflowed to infinity counts as the largest
-    /// finite number, so its product with a reflectance of 0 is 0.
     /// `sum` and the light of each lane, in order.
     #[inline(always)]
     pub(crate) fn added_to<U: Real>(self, sum: Rgb<U>) -> Rgb<U>
@@ -85,6 +83,8 @@ impl<T: Real> Rgb<T> {
         )
     }
 
+    /// The product with a reflectance. A channel that overflowed to infinity counts as the largest
+    /// finite number, so its product with a reflectance of 0 is 0.
     #[inline]
     pub(crate) fn reflected(self, k: Self) -> Self {
         self.map(|channel| channel.at_most(T::MAX)) * k

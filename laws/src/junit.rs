@@ -46,18 +46,21 @@ impl Report {
              <testsuite name=\"{name}, seed {seed}\" {counts}>\n"
         );
         for (name, mark) in cases {
-            let _ = write!(xml, "<testcase classname=\"shading-laws\" name=\"{name}\"");
-            xml += &match mark {
-                Mark::Passed => "/>\n".to_owned(),
+            let result = match mark {
+                Mark::Passed => "/>".to_owned(),
                 Mark::Skipped(why) => {
-                    format!("><skipped message=\"{}\"/></testcase>\n", escaped(&why))
+                    format!("><skipped message=\"{}\"/></testcase>", escaped(&why))
                 }
                 Mark::Failed(why, text) => format!(
-                    "><failure message=\"{}\">{}</failure></testcase>\n",
+                    "><failure message=\"{}\">{}</failure></testcase>",
                     escaped(&why),
                     escaped(&text)
                 ),
             };
+            let _ = writeln!(
+                xml,
+                "<testcase classname=\"shading-laws\" name=\"{name}\"{result}"
+            );
         }
         xml + "</testsuite>\n</testsuites>\n"
     }

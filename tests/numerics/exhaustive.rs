@@ -1,7 +1,7 @@
 //! Checks every `f32` of a domain.
 //!
-//! Checking all of them takes minutes: `cargo test --release -p numerics -- --ignored`. A plain `cargo test`
-//! takes every 2039th, or every n-th with `SHADING_STRIDE=n`. An odd stride reaches every pattern of
+//! Checking all of them takes minutes: `cargo test --release -p numerics -- --ignored`. Without `--ignored`, the
+//! tests take every 2039th, or every n-th with `SHADING_STRIDE=n`. An odd stride reaches every pattern of
 //! low-order bits.
 
 use std::env;
