@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Proves what docs/proofs.md lists, tests the prover, and plants faults in a copy of the source, each of which must make a
-# claim fail. With `--all` the prover is tested with a hundred times as many numbers. The last line says how many claims were proved, by which means, and how many are open.
+# claim fail, and wrong rules in the prover, each of which its tests must find. With `--all` the prover is tested with a hundred times as many numbers. The last line says how many claims were proved, by which means, and how many are open.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
