@@ -241,7 +241,7 @@ for (const query of ["", "?scalar"]) {
 
 for (const name of ["simd.wasm", "scalar.wasm"]) {
   const { size } = await stat(join(folder, name));
-  assert.ok(size < 60_000, `${name}: ${size} bytes`);
+  assert.ok(size < 61_440, `${name}: ${size} bytes`);
 }
 
 await browser.close();

@@ -143,7 +143,7 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
         row(
             "`Ranged::at`",
             "of the attenuation without a range",
-            23.0,
+            8.5,
             &ranged::<T>(true),
         ),
         row(
