@@ -8,9 +8,16 @@ use core::ops::{Add, AddAssign, Deref, Div, Mul, MulAssign, Neg, Sub, SubAssign}
 use shading::fixed::Fixed;
 use shading::{
     Attenuation, Beam, Cone, DirectionalLight, Dual, Elementary, Exponent, Falloff, IncidentLight,
-    Light, Material, PointLight, Ranged, Real, Rgb, Scalar, Shaded, SoftCone, SpotLight, UnitVec3,
-    Vec3,
+    Light, Lights, Material, PointLight, Ranged, Real, Rgb, Scalar, Shaded, SoftCone, SpotLight,
+    UnitVec3, Vec3,
 };
+#[cfg(feature = "wide")]
+use shading::{InLanes, Lanes};
+
+// named as the parameters of the implementations that they stand for
+type I = core::iter::Empty<IncidentLight>;
+#[cfg(feature = "wide")]
+type L = wide::f32x4;
 
 /// Fails to compile unless each type implements each trait.
 macro_rules! implemented {
@@ -44,6 +51,7 @@ implemented! {
         Cone: Copy, Clone, Debug, PartialEq, Beam<f32>;
         SoftCone: Copy, Clone, Debug, PartialEq, Beam<f32>, From<Cone>;
         IncidentLight: Copy, Clone, Debug, PartialEq, From<DirectionalLight>;
+        I: Lights<f32>;
         DirectionalLight: Copy, Clone, Debug, PartialEq;
         PointLight: Copy, Clone, Debug, PartialEq;
         SpotLight: Copy, Clone, Debug, PartialEq;
@@ -99,11 +107,13 @@ implemented! {
         Fixed: defmt::Format;
     }
     #[cfg(feature = "wide")] {
-        wide::f32x4: Real, shading::Lanes;
-        wide::f32x8: Real, shading::Lanes;
-        wide::f32x16: Real, shading::Lanes;
-        wide::f64x4: Real, shading::Lanes;
-        wide::f64x8: Real, shading::Lanes;
+        wide::f32x4: Real, Lanes;
+        wide::f32x8: Real, Lanes;
+        wide::f32x16: Real, Lanes;
+        wide::f64x4: Real, Lanes;
+        wide::f64x8: Real, Lanes;
+        InLanes<()>: Copy, Clone, Debug;
+        InLanes<core::iter::Empty<IncidentLight<L>>>: Lights<<L as Lanes>::Lane>;
         f32: Exponent<wide::f32x4>, Exponent<wide::f32x8>, Exponent<wide::f32x16>;
         f64: Exponent<wide::f64x4>, Exponent<wide::f64x8>;
     }
