@@ -133,17 +133,18 @@ pub const RULES: &[(&str, &str, &str)] = &[
     ("known", "f.next_up(f.round(f.next_up(now.high).sqrt()))", "f.next_down(f.round(now.high.sqrt()))"),
     ("known", "if both { now.high } else { INF }", "now.high"),
     // a relation that does not hold
-    ("known", "found && self.range(g, root).low > 0.0", "self.range(g, root).low > 0.0"),
     (
-        "known",
-        "y.low > 0.0 && self.answer(g, Test::AtMost(b, a)) == Some(true)",
+        "relation",
+        "self.answer(g, Test::AtMost(b, a)) == Some(true)",
         "self.answer(g, Test::AtMost(a, b)) == Some(true)",
     ),
-    (
-        "known",
-        "(squares[0].sqrt() * squares[1].sqrt()) * (1.0 + 16.0 * f.u())",
-        "(squares[0].sqrt() * squares[1].sqrt()) * 0.9",
-    ),
+    ("relation", "(a.sqrt() * b.sqrt()) * (1.0 + 16.0 * f.u())", "(a.sqrt() * b.sqrt()) * 0.9"),
+    ("relation", "(1.0 + f.tiny() / (2.0 * least)).sqrt() * (1.0 + 16.0 * f.u())", "1.0"),
+    ("relation", "!pairs.iter().any(of_vectors)", "false"),
+    ("relation", "straight.min(of(a, q) * of(b, p)) * (1.0 + lost)", "0.9"),
+    ("relation", "0.9 * (-c - 32.0 * u) > 16.0 * tiny * (lost * r.high + 1.0)", "true"),
+    ("relation", "grow * (shrink * length * (1.0 - 16.0 * u) - 2.0 * tiny) - 2.0 * tiny", "grow * length"),
+    ("relation", "k * self.step(g, other, depth - 1)", "k * k * self.step(g, other, depth - 1)"),
     ("known", "is_always && !x.nan && !y.nan", "is_always"),
     // the number that records is another
     ("graph", "Node::Mul(a.min(b), a.max(b))", "Node::Mul(a.min(b), a.min(b))"),
