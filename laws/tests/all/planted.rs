@@ -153,9 +153,10 @@ fn judge(plan: &Plan, report: &Report, tally: &mut Tally) {
 
 fn measure(name: &str, profile: &Profile, seed: u64) {
     let mut tally = Tally::default();
+    let laws = Laws::new().seed(seed).shrinking(0, Duration::ZERO);
+    let prepared = laws.cases(64).prepared(profile);
     for plan in plans(profile) {
-        let laws = Laws::new().seed(seed).shrinking(0, Duration::ZERO);
-        let report = laws.cases(64).run(&mut renderer(profile, plan.clone()));
+        let report = prepared.run(&mut renderer(profile, plan.clone()));
         judge(&plan, &report.expect("colors"), &mut tally);
     }
     let Tally {
