@@ -37,8 +37,8 @@ pub const FAULTS: &[Fault] = &[
     ("real/triple", "reciprocal * (T::MAX - reciprocal)", "reciprocal", "point_light_of_finite"),
     (
         "normal/corner",
-        "sine.if_positive(angle(sine / lengths, e1.dot(e2) / lengths), T::ZERO)",
-        "angle(sine / lengths, e1.dot(e2) / lengths)",
+        "angle(product.length(), e1.dot(e2)).at_least(T::ZERO)",
+        "angle(product.length(), e1.dot(e2))",
         "corner_of_two_points",
     ),
     ("normal/surface", "(largest(s_u), largest(s_v))", "(largest(s_u), largest(s_u))", "parametric_of_noise"),

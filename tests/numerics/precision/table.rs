@@ -72,7 +72,7 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
         row(
             "`normal::corner`",
             "of its angle, times the conditioning",
-            49.2,
+            25.9,
             &corner::<T>,
         ),
         row(
