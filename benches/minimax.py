@@ -1,4 +1,5 @@
-"""Finds the coefficients of src/exponent/power.rs and prints them with their errors.
+"""Finds the coefficients of src/exponent/power.rs and prints them with their errors; then those of the
+arctangent in src/normal/corner.rs.
 
     log2 z    = s P(s^2),              s = (z - 1)/(z + 1),   z in [sqrt(1/2), sqrt(2)],  P of degree 2
     2^(1 + r) = 2 + 4r/(Q(r^2) - r),                          r in [-1/2, 1/2],           Q of degree 2
@@ -8,6 +9,8 @@ by its error until the error is level. Its coefficients are then rounded to f32 
 fitted anew after each, both neighbours tried. Of these candidates the one is kept whose error, when
 computed in f32 with every rounding, is least. Needs numpy alone; takes a few seconds.
 """
+from decimal import Decimal, getcontext
+
 import numpy as np
 
 F = np.float32
@@ -95,7 +98,28 @@ def exponential(degree):
     search("exp2, absolute", r * r, y, weight, degree, computed)
 
 
+def arctangent(terms):
+    """The coefficients of t, t^3, ... in the first terms of 2 sum (-1)^k tau^(2k + 1)/(2k + 1) T_(2k + 1)(t/s),
+    where s = tan(pi/8) and tau = tan(pi/16)."""
+    getcontext().prec = 60
+    s = Decimal(2).sqrt() - 1
+    tau = ((1 + s * s).sqrt() - 1) / s
+    sums = [Decimal(0)] * (2 * terms)
+    before, polynomial = [1], [0, 1]  # T_0 and T_1, constant first
+    for n in range(1, 2 * terms):
+        if n % 2 == 1:
+            weight = 2 * (-1) ** (n // 2) * tau**n / n
+            sums = [a + weight * b / s**i for i, (a, b) in enumerate(zip(sums, polynomial + [0] * (2 * terms)))]
+        doubled = [0] + [2 * c for c in polynomial]
+        following = [a - b for a, b in zip(doubled, before + [0, 0])]
+        before, polynomial = polynomial, following
+    print(f"arctan, {terms} terms:")
+    for c in sums[1::2]:
+        print(f"    {float(c)!r}")
+
+
 for d in (2, 3):
     logarithm(d)
 for d in (1, 2):
     exponential(d)
+arctangent(12)

@@ -140,3 +140,22 @@ fn casts_from_single_precision_to_fixed_point_keep_what_was_proved() {
         assert_eq!(all.factor(axis, axis), Fixed::ONE, "{axis:?}");
     }
 }
+
+/// A soft cone of equal angles is the hard cone, to the bit: before a cast and after it.
+#[test]
+#[allow(clippy::cast_possible_truncation)] // as a cast does
+fn a_cast_keeps_the_hard_cone_among_soft_ones() {
+    use std::f64::consts::PI;
+
+    let mut numbers = Numbers(8);
+    for i in 0..100_000 {
+        let near = numbers.share() * f64::from(i % 50).exp2().recip();
+        let half_angle = [near, PI - near, PI * near][i as usize % 3];
+        let hard = Cone::<f64>::from_half_angle(half_angle.clamp(0.0, PI)).expect("an angle");
+        let soft = SoftCone::from(hard);
+        let single = |x| x as f32;
+        assert_eq!(soft.cast(single), SoftCone::from(hard.cast(single)));
+        #[cfg(feature = "fixed")]
+        assert_eq!(soft.cast(Fixed::new), SoftCone::from(hard.cast(Fixed::new)));
+    }
+}

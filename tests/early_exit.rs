@@ -3,8 +3,8 @@
 use proptest::collection::vec;
 use proptest::prelude::*;
 use shading::{
-    Attenuation, Cone, DirectionalLight, Light, Material, PointLight, Rgb, SpotLight, UnitVec3,
-    Vec3, shade,
+    Attenuation, Cone, DirectionalLight, IncidentLight, Light, Material, PointLight, Ranged, Rgb,
+    SpotLight, UnitVec3, Vec3, shade,
 };
 
 fn vector() -> impl Strategy<Value = Vec3<f32>> {
@@ -79,5 +79,32 @@ proptest! {
                 ),
             }
         }
+    }
+
+    /// The light stands within a few units in the last place of the end of its range. What would
+    /// still arrive there, however faint, passes the early exit.
+    #[test]
+    fn end_of_a_range(
+        (n, way) in (vector(), vector()),
+        (size, share) in (size(), 1.0_f32..2.0),
+        steps in prop::array::uniform3(-4..4_i32),
+        is_squared: bool,
+    ) {
+        let [n, way] = [n, way].map(|direction| direction.unit_or(UnitVec3::Z));
+        let range = size * share;
+        let mut position: [f32; 3] = (*way * range).into();
+        for (x, steps) in position.iter_mut().zip(steps) {
+            *x = f32::from_bits(x.to_bits().saturating_add_signed(steps));
+        }
+        let attenuation = Ranged::of(Attenuation::NONE, range).unwrap();
+        let light = PointLight {
+            position: position.into(),
+            intensity: Rgb::gray(f32::MAX),
+            attenuation: if is_squared { attenuation } else { attenuation.unsquared() },
+        };
+        let adds = |light: &IncidentLight| light.intensity != Rgb::BLACK;
+        let arriving = light.at(Vec3::ZERO).in_front(n);
+        let lit = light.in_front(Vec3::ZERO, n).and_then(|light| light.in_front(n));
+        prop_assert_eq!(lit.filter(adds), arriving.filter(adds));
     }
 }

@@ -110,7 +110,7 @@ fn of_points(triangles: &[Data<Vectors>]) -> usize {
                         ours: [a, b, c], ..
                     }: &Vectors| { normal::corner(*a, *b, *c) }),
         )
-        .against("glam, acos", limit(2.0, 2.0), twice!(corner))
+        .against("glam, acos", limit(1.2, 1.2), twice!(corner))
         .run(triangles)
         + Race::of(
             "normal::sphere",

@@ -6,7 +6,7 @@ cd "$(dirname "$0")/../.."
 . tests/firmware/toolchain.sh
 command -v g++ >/dev/null || install_packages g++
 command -v node >/dev/null || install_packages nodejs
-rustup --quiet target add wasm32-unknown-unknown
+installer rustup --quiet target add wasm32-unknown-unknown
 
 cargo build --quiet --release -p languages
 cargo build --quiet --release -p languages --lib --target wasm32-unknown-unknown

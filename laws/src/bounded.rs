@@ -165,7 +165,9 @@ impl Bounded {
         } else {
             (otherwise, then)
         };
-        let gap = if self.value.abs() <= self.error && self.error > 0.0 {
+        let gap = if self.value.is_nan() {
+            f64::INFINITY
+        } else if self.value.abs() <= self.error && self.error > 0.0 {
             (taken.value - other.value).abs() + other.error
         } else {
             0.0

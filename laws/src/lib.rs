@@ -91,6 +91,7 @@ mod reply;
 mod textbook;
 
 // scenes, and what must hold between their colors
+mod batch;
 mod case;
 mod claim;
 mod corpus;
@@ -118,6 +119,8 @@ pub use proof::prove;
 pub use renderer::{Renderer, from_fn};
 pub use report::{Counterexample, Finding, LawReport, Report, Verdict};
 pub use reproduction::Reproduction;
+#[doc(hidden)]
+pub use run::Prepared;
 pub use run::{Laws, Progress, check};
 pub use scene::{Light, Material, Model, Scene, Triple};
 #[doc(hidden)]

@@ -1,11 +1,15 @@
 //! Puts a renderer to the laws.
 
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use crate::batch::{Batch, Batches};
 use crate::cause::Cause;
+use crate::corpus;
 use crate::generator::Base;
 use crate::law::{LAWS, Law};
 use crate::mistake::{Fault, Mistake};
+use crate::profile::Profile;
 use crate::random::Random;
 use crate::renderer::Renderer;
 use crate::report::{Finding, LawReport, Report, Verdict};
@@ -155,6 +159,15 @@ impl Laws {
         renderer: &mut impl Renderer,
         progress: &mut dyn FnMut(Progress),
     ) -> Result<Report, String> {
+        self.run_over(renderer, progress, None)
+    }
+
+    fn run_over(
+        &self,
+        renderer: &mut dyn Renderer,
+        progress: &mut dyn FnMut(Progress),
+        prepared: Option<&Prepared>,
+    ) -> Result<Report, String> {
         let profile = renderer.profile();
         if let Some(complaint) = profile.complaint() {
             return Err(format!("the profile of {}: {complaint}", profile.name));
@@ -178,9 +191,14 @@ impl Laws {
             return Err(format!("there is no law {name}"));
         }
 
+        let edges = if prepared.is_some() {
+            Vec::new()
+        } else {
+            corpus::edges(&profile)
+        };
+        let of = profile.clone();
         let mut trial = Trial::new(renderer, profile);
         let budget = Budget {
-            cases: self.cases,
             shrinks: self.shrinks,
             shrinking: self.shrinking,
             deadline: self.time.map(|time| Instant::now() + time),
@@ -196,7 +214,12 @@ impl Laws {
                 });
             };
             report(0);
-            let verdict = trial.of(self.tried(law), budget, &mut report)?;
+            let tried = self.tried(law);
+            let batches: Box<dyn Iterator<Item = Arc<Batch>>> = match prepared {
+                Some(prepared) => Box::new(prepared.batches[tried.index].iter().cloned()),
+                None => Box::new(self.batches(law, &of, &edges).map(Arc::new)),
+            };
+            let verdict = trial.of(&tried, batches, budget, &mut report)?;
             reports.push(LawReport {
                 name: law.name,
                 says: law.says,
@@ -225,21 +248,56 @@ impl Laws {
     }
 
     fn tried<'l>(&self, law: &'l Law) -> Tried<'l> {
-        let replayed = self.replayed.iter().filter(|(name, _)| name == law.name);
         Tried {
             law,
             index: law.index(),
-            replayed: replayed.map(|(_, base)| base.clone()).collect(),
-            // every law has scenes of its own, whichever others are tried
-            random: Random::new(self.seed, law.name),
             seed: self.seed,
         }
     }
 
+    /// The fixed cases of a law, those of another run, and random ones.
+    fn batches<'a>(
+        &'a self,
+        law: &'a Law,
+        profile: &'a Profile,
+        edges: &'a [Base],
+    ) -> impl Iterator<Item = Batch> + 'a {
+        // what is said of one scene is tried on every edge; other laws share them
+        let step = if law.is_of_one_scene() { 1 } else { 8 };
+        let edges = edges.iter().skip(law.index() % step).step_by(step);
+        let replayed = self
+            .replayed
+            .iter()
+            .filter(move |(name, _)| name == law.name);
+        let fixed = edges.chain(replayed.map(|(_, base)| base)).cloned();
+        // every law has scenes of its own, whichever others are tried
+        let random = Random::new(self.seed, law.name);
+        Batches::new(law, profile, fixed, random, self.cases)
+    }
+
+    /// The scenes of a run and what is known of their colors, for several renderers of one profile. They take some
+    /// kilobytes for each case.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn prepared(&self, profile: &Profile) -> Prepared {
+        let edges = corpus::edges(profile);
+        let batches = LAWS.iter().map(|law| {
+            if law.lacks(profile).is_some() {
+                return Vec::new();
+            }
+            let batches = self.batches(law, profile, &edges);
+            batches.map(Arc::new).collect()
+        });
+        Prepared {
+            batches: batches.collect(),
+            laws: self.clone(),
+        }
+    }
+
     /// The broken laws, together with those that the same cause breaks.
-    fn findings<R: Renderer>(
+    fn findings(
         &self,
-        trial: &mut Trial<R>,
+        trial: &mut Trial,
         reports: &mut [LawReport],
     ) -> Result<Vec<Finding>, String> {
         let mut broken: Vec<&'static str> = reports
@@ -305,11 +363,7 @@ impl Laws {
     }
 
     /// Whether colors depend on what was asked before, or on nothing that is known.
-    fn state<R: Renderer>(
-        &self,
-        trial: &mut Trial<R>,
-        reports: &[LawReport],
-    ) -> Result<Option<Mistake>, String> {
+    fn state(&self, trial: &mut Trial, reports: &[LawReport]) -> Result<Option<Mistake>, String> {
         let of_state = |law: &&LawReport| ["repeatable", "no_memory"].contains(&law.name);
         let broken = reports
             .iter()
@@ -321,13 +375,9 @@ impl Laws {
         let (Some(case), Some(law)) = (broken, LAWS.first()) else {
             return Ok(None);
         };
-        if self.shrinks == 0 {
-            // nothing more may be asked for; of what leaks, only the first scene of a batch differs
-            let often = reports.iter().any(|law| {
-                matches!(law.verdict, Verdict::Broken { cases, failures, .. }
-                    if law.name == "repeatable" && failures * 10 > cases)
-            });
-            return Ok(Some(if often {
+        if trial.is_fickle || self.shrinks == 0 {
+            // nothing more need be asked for, or may
+            return Ok(Some(if trial.is_fickle {
                 Mistake::NotRepeatable
             } else {
                 Mistake::Leak
@@ -354,6 +404,25 @@ impl Laws {
         } else {
             Mistake::NotRepeatable
         }))
+    }
+}
+
+/// A run of the laws over scenes that are there already.
+#[doc(hidden)]
+pub struct Prepared {
+    laws: Laws,
+    /// The cases of each law.
+    batches: Vec<Vec<Arc<Batch>>>,
+}
+
+impl Prepared {
+    /// The report of [`Laws::run`] about a renderer of the profile.
+    ///
+    /// # Errors
+    ///
+    /// As [`Laws::run`].
+    pub fn run(&self, renderer: &mut impl Renderer) -> Result<Report, String> {
+        self.laws.run_over(renderer, &mut |_| {}, Some(self))
     }
 }
 

@@ -1,32 +1,31 @@
 //! A renderer on trial: tries laws, and makes failing cases smaller.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use crate::batch::Batch;
 use crate::cause::Evidence;
 use crate::claim::{Broken, Group, Seen};
-use crate::corpus;
 use crate::coverage::Coverage;
-use crate::generator::{self, Base};
+use crate::generator::Base;
 use crate::law::Law;
 use crate::profile::Profile;
-use crate::random::Random;
 use crate::renderer::Renderer;
 use crate::report::{Counterexample, Verdict};
 use crate::scene::{Light, Scene, Triple};
 use crate::smaller;
 use crate::textbook::Textbook;
 
-/// The cases that are asked for at once.
-const BATCH: usize = 256;
 /// The simpler cases that are asked for at once.
 const SIMPLER: usize = 32;
+
+/// The scenes of a batch after which those before the batch no longer leak into a color.
+const SETTLED: usize = 32;
 
 /// How much a run may ask for.
 #[derive(Clone, Copy, Debug)]
 pub struct Budget {
-    /// The random cases of each law.
-    pub cases: usize,
     /// The batches of a law in which its smallest case is looked for, and the time.
     pub shrinks: usize,
     pub shrinking: Duration,
@@ -38,23 +37,23 @@ pub struct Budget {
 pub struct Tried<'a> {
     pub law: &'a Law,
     pub index: usize,
-    /// Cases that are tried beside the fixed and the random ones.
-    pub replayed: Vec<Base>,
-    pub random: Random,
     pub seed: u64,
 }
 
 /// A renderer on trial, and a sample of what it answered.
-pub struct Trial<'a, R> {
-    renderer: &'a mut R,
+pub struct Trial<'a> {
+    renderer: &'a mut dyn Renderer,
     pub profile: Profile,
     pub evidence: Evidence,
     pub coverage: Coverage,
-    edges: Vec<Base>,
+    /// Whether a scene had another color when it was asked again, long after what was asked before the batch.
+    pub is_fickle: bool,
 }
 
 /// A case in which a law does not hold.
 struct Failure {
+    /// What there is to read in it.
+    cost: u32,
     base: Base,
     group: Group,
     broken: Broken,
@@ -64,36 +63,29 @@ struct Failure {
 /// For a group the claim that does not hold, and the colors.
 type Judged = Option<(Broken, Vec<Triple>)>;
 
-impl<'a, R: Renderer> Trial<'a, R> {
-    pub fn new(renderer: &'a mut R, profile: Profile) -> Self {
+impl<'a> Trial<'a> {
+    pub fn new(renderer: &'a mut dyn Renderer, profile: Profile) -> Self {
         Self {
             renderer,
-            edges: corpus::edges(&profile),
             profile,
             evidence: Evidence::new(),
             coverage: Coverage::default(),
+            is_fickle: false,
         }
     }
 
     /// Puts the renderer to one law, and calls `shrinking` with the number of batches if it is broken.
     pub fn of(
         &mut self,
-        mut tried: Tried,
+        tried: &Tried,
+        mut batches: impl Iterator<Item = Arc<Batch>>,
         budget: Budget,
         shrinking: &mut dyn FnMut(usize),
     ) -> Result<Verdict, String> {
         if let Some(because) = tried.law.lacks(&self.profile) {
             return Ok(Verdict::NotTried { because });
         }
-        // what is said of one scene is tried on every edge; other laws share them
-        let step = if tried.law.is_of_one_scene() { 1 } else { 8 };
-        let edges = self.edges.iter().skip(tried.index % step).step_by(step);
-        let mut fixed = edges
-            .chain(&tried.replayed)
-            .cloned()
-            .collect::<Vec<_>>()
-            .into_iter();
-        let (mut cases, mut random_cases, mut tries, mut failures) = (0, 0, 0, 0);
+        let (mut cases, mut failures) = (0, 0);
         let mut smallest: Option<Failure> = None;
         loop {
             if budget.is_over() {
@@ -101,37 +93,22 @@ impl<'a, R: Renderer> Trial<'a, R> {
                     because: "the time is up",
                 });
             }
-            let (mut bases, mut groups) = (Vec::new(), Vec::new());
-            while groups.len() < BATCH {
-                let base = match fixed.next() {
-                    Some(base) => base,
-                    None if random_cases < budget.cases && tries < 100 * budget.cases => {
-                        tries += 1;
-                        generator::base(&self.profile, &mut tried.random)
-                    }
-                    None => break,
-                };
-                if let Some(group) = tried.law.group(base.clone(), &self.profile) {
-                    random_cases += usize::from(tries > 0);
-                    bases.push(base);
-                    groups.push(group);
-                }
-            }
-            if groups.is_empty() {
+            let Some(batch) = batches.next() else {
                 break;
-            }
-            cases += groups.len();
-            let judged = self.judge(&tried, &groups, true)?;
-            for ((judged, base), group) in judged.into_iter().zip(bases).zip(groups) {
+            };
+            cases += batch.groups.len();
+            for (i, judged) in self.judge(tried, &batch, true)?.into_iter().enumerate() {
                 let Some((broken, replies)) = judged else {
                     continue;
                 };
                 failures += 1;
-                let least = smallest.as_ref().map(|least| smaller::cost(&least.base));
-                if least.is_none_or(|least| smaller::cost(&base) < least) {
+                self.is_fickle |= tried.law.asks_twice() && i >= SETTLED;
+                let cost = smaller::cost(&batch.bases[i]);
+                if smallest.as_ref().is_none_or(|least| cost < least.cost) {
                     smallest = Some(Failure {
-                        base,
-                        group,
+                        cost,
+                        base: batch.bases[i].clone(),
+                        group: batch.groups[i].clone(),
                         broken,
                         replies,
                     });
@@ -145,7 +122,7 @@ impl<'a, R: Renderer> Trial<'a, R> {
         let Some(failure) = smallest else {
             return Ok(Verdict::Holds { cases });
         };
-        let smallest = self.smaller(&tried, failure, budget, shrinking)?;
+        let smallest = self.smaller(tried, failure, budget, shrinking)?;
         Ok(Verdict::Broken {
             cases,
             failures,
@@ -154,35 +131,21 @@ impl<'a, R: Renderer> Trial<'a, R> {
     }
 
     /// For each group the claim that does not hold, and the colors.
-    fn judge(
-        &mut self,
-        tried: &Tried,
-        groups: &[Group],
-        keep: bool,
-    ) -> Result<Vec<Judged>, String> {
-        let law = tried.law;
-        let scenes = groups.iter().flat_map(|group| &group.scenes);
-        let replies = if law.asks_twice() {
-            // the scenes of a group are the same
-            let once: Vec<Scene> = groups.iter().map(|group| group.scenes[0].clone()).collect();
-            let (first, second) = (self.ask(tried, &once)?, self.ask(tried, &once)?);
-            let pairs = first.into_iter().zip(second);
-            pairs.flat_map(|(first, second)| [first, second]).collect()
-        } else {
-            let scenes: Vec<Scene> = scenes.cloned().collect();
-            self.ask(tried, &scenes)?
-        };
+    fn judge(&mut self, tried: &Tried, batch: &Batch, keep: bool) -> Result<Vec<Judged>, String> {
+        let mut replies = self.ask(tried, &batch.asked)?;
+        if tried.law.asks_twice() {
+            let again = self.ask(tried, &batch.asked)?;
+            let pairs = replies.into_iter().zip(again);
+            replies = pairs.flat_map(|(first, second)| [first, second]).collect();
+        }
         let profile = &self.profile;
         let textbook = Textbook::new(profile, &[]);
-        let mut rest = &replies[..];
-        let mut found = Vec::new();
-        for group in groups {
-            let (replies, others) = rest.split_at(group.scenes.len());
-            rest = others;
-            let mut seen = Vec::with_capacity(replies.len());
-            for (scene, reply) in group.scenes.iter().zip(replies) {
-                let linear = textbook.linear(scene);
-                let conditioning = textbook.conditioning(scene);
+        let mut colors = replies.iter().zip(&batch.known);
+        let mut found = Vec::with_capacity(batch.groups.len());
+        let mut seen = Vec::new();
+        for group in &batch.groups {
+            seen.clear();
+            for (scene, (reply, &(linear, conditioning))) in group.scenes.iter().zip(&mut colors) {
                 seen.push(Seen::new(profile, *reply, linear, conditioning));
                 if keep {
                     let is_right = textbook.fits_linear(linear, *reply) != Some(false);
@@ -191,7 +154,10 @@ impl<'a, R: Renderer> Trial<'a, R> {
                 }
             }
             let broken = group.broken(profile, &seen);
-            found.push(broken.map(|broken| (broken, replies.to_vec())));
+            found.push(broken.map(|broken| {
+                let replies = seen.iter().map(|seen| seen.reply);
+                (broken, replies.collect())
+            }));
         }
         Ok(found)
     }
@@ -287,18 +253,18 @@ impl<'a, R: Renderer> Trial<'a, R> {
                 }
                 batches += 1;
                 shrinking(batches);
-                let judged = self.judge(tried, &groups, false)?;
-                let found = judged.into_iter().zip(bases).zip(groups).find_map(
-                    |((judged, base), group)| {
-                        let (broken, replies) = judged?;
-                        Some(Failure {
-                            base,
-                            group,
-                            broken,
-                            replies,
-                        })
-                    },
-                );
+                let batch = Batch::new(tried.law, &self.profile, bases, groups);
+                let judged = self.judge(tried, &batch, false)?;
+                let found = judged.into_iter().enumerate().find_map(|(i, judged)| {
+                    let (broken, replies) = judged?;
+                    Some(Failure {
+                        cost: 0,
+                        base: batch.bases[i].clone(),
+                        group: batch.groups[i].clone(),
+                        broken,
+                        replies,
+                    })
+                });
                 if let Some(found) = found {
                     failure = found;
                     continue 'smaller;

@@ -15,11 +15,11 @@ const OUTSIDE: &str = "(let ((above (bvsub b LOW)) (range (bvsub HIGH LOW)))
   (let ((outside (COMPARED above range)))
     (and (=> outside (not (and (fp.lt low x) (fp.lt x high)))) (=> (not outside) (and (fp.leq low x) (fp.leq x high))))))";
 
-/// Writes a script for each path of each claim; a script is satisfiable if some input violates the claim.
-pub fn write(folder: &Path) -> std::io::Result<()> {
+/// Writes a script for each path of each claim, or of the one with this name; a script is satisfiable if some input violates the claim.
+pub fn write(folder: &Path, only: &str) -> std::io::Result<()> {
     fs::create_dir_all(folder)?;
     for format in [Format::F32, Format::F64] {
-        for claim in claims::solved() {
+        for claim in claims::solved().filter(|claim| only.is_empty() || only == claim.name) {
             let mut path = 0;
             let mut result = Ok(());
             paths(format, claim.formula, |run, goals| {

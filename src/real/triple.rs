@@ -66,13 +66,18 @@ fn power<T: Real>(x: T, y: T, z: T) -> T {
 #[cfg_attr(target_os = "none", inline)]
 #[cfg_attr(not(target_os = "none"), inline(always))]
 pub(super) fn unit<T: Real>(v @ [x, y, z]: Triple<T>) -> (Triple<T>, T) {
-    let v = if is_extreme(T::dot(v, v)) {
-        T::scaled(v, power(x, y, z))
+    let square = T::dot(v, v);
+    let is_extreme = is_extreme(square);
+    let (v, square) = if is_extreme {
+        let v = T::scaled(v, power(x, y, z));
+        (v, T::dot(v, v))
     } else {
-        v
+        (v, square)
     };
-    let ([x, y, z], length) = (v, T::dot(v, v).sqrt());
-    ([x / length, y / length, z / length], length)
+    let ([x, y, z], length) = (v, square.sqrt());
+    // 1 in place of the length spares the caller a comparison
+    let valid = if is_extreme { length } else { T::ONE };
+    ([x / length, y / length, z / length], valid)
 }
 
 #[cfg_attr(target_os = "none", inline)]

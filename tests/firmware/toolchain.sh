@@ -6,6 +6,9 @@
 chip_targets="thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabihf riscv32imac-unknown-none-elf"
 no_std_targets="$chip_targets wasm32-unknown-unknown"
 
+# Runs a command that installs something. Scripts may run side by side, but neither rustup nor apt-get may.
+installer() { flock "${TMPDIR:-/tmp}/shading-installer.lock" "$@"; }
+
 # Installs the given Debian packages that are missing.
 install_packages() {
     local package missing="" as_root=""
@@ -15,17 +18,17 @@ install_packages() {
     [ -n "$missing" ] || return 0
     [ "$(id -u)" = 0 ] || as_root=sudo
     echo "installing$missing" >&2
+    # shellcheck disable=SC2086 # one word per package, and none for nobody
     {
-        $as_root apt-get update
-        # shellcheck disable=SC2086 # one word per package
-        $as_root env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends $missing
+        installer $as_root apt-get update
+        installer $as_root env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends $missing
     } >/dev/null
 }
 
 # Chooses one of the two, and installs what it needs.
 prepare_cross() {
     # shellcheck disable=SC2086 # one word per target
-    if [ -z "${WITHOUT_RUSTUP-}" ] && timeout 120 rustup --quiet target add $no_std_targets; then
+    if [ -z "${WITHOUT_RUSTUP-}" ] && installer timeout 120 rustup --quiet target add $no_std_targets; then
         cross_by=rustup
     else
         cross_by=debian

@@ -8,7 +8,7 @@ mod fixed;
 #[cfg(test)]
 mod items;
 pub mod names;
-mod traits;
+pub mod traits;
 #[cfg(all(test, feature = "wide"))]
 mod wide;
 

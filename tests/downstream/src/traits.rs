@@ -15,9 +15,9 @@ use shading::{
 use shading::{InLanes, Lanes};
 
 // named as the parameters of the implementations that they stand for
-type I = core::iter::Empty<IncidentLight>;
+pub type I = core::iter::Empty<IncidentLight>;
 #[cfg(feature = "wide")]
-type L = wide::f32x4;
+pub type L = wide::f32x4;
 
 /// Fails to compile unless each type implements each trait.
 macro_rules! implemented {

@@ -141,7 +141,7 @@ fn nan_breaks_a_law_and_the_report_names_the_scene() {
 #[test]
 fn reports_come_as_json() {
     for (script, status) in [
-        (include_str!("../examples/renderer.py"), 0),
+        (include_str!("../../examples/renderer.py"), 0),
         (&python("if is_scene: say('[0,NaN,0]'); continue"), 1),
     ] {
         let (code, report, _) = try_script("python3", script, &["--json", "--cases", "16"]);
@@ -160,7 +160,7 @@ fn laws_are_listed_and_chosen() {
         .collect();
     assert!(names.len() > 2, "{list}");
 
-    let python = include_str!("../examples/renderer.py");
+    let python = include_str!("../../examples/renderer.py");
     let options = ["--law", names[0], "--law", names[1], "--cases", "16"];
     let (status, report, _) = try_script("python3", python, &options);
     assert_eq!(status, Some(0), "{report}");
@@ -332,7 +332,7 @@ fn a_renderer_that_hangs_is_killed_with_what_it_started() {
 #[test]
 fn a_renderer_that_does_not_end_is_killed() {
     let folder = temporary();
-    let endless = include_str!("../examples/renderer.py").to_owned()
+    let endless = include_str!("../../examples/renderer.py").to_owned()
         + "\n    import os, time\n"
         + "    print(os.getpid(), file=open('group', 'w'), flush=True)\n    time.sleep(1000)\n";
     let mut command = program();
@@ -379,7 +379,7 @@ fn assert_gone(file: &Path) {
 
 #[test]
 fn a_status_after_the_last_color_is_reported() {
-    let script = include_str!("../examples/renderer.py").to_owned() + "\n    sys.exit(3)\n";
+    let script = include_str!("../../examples/renderer.py").to_owned() + "\n    sys.exit(3)\n";
     let tried = try_script("python3", &script, &["--cases", "4", "--law", "finite"]);
     refused(tried, &["after its last color it ended (exit status: 3)"]);
 }
@@ -412,7 +412,7 @@ fn a_file_of_colors_is_judged() {
     let folder = temporary();
     let options = ["--cases", "8", "--profile", r#"{"roundoff":1.2e-16}"#];
     let scenes = succeed(program().arg("scenes").args(options));
-    let python = include_str!("../examples/renderer.py");
+    let python = include_str!("../../examples/renderer.py");
     fs::write(folder.path().join("renderer.py"), python).expect("a file");
     fs::write(folder.path().join("scenes"), "{}\n".to_owned() + &scenes).expect("a file");
     let answer = "python3 renderer.py <scenes | tail -n +2 >colors";
@@ -485,7 +485,7 @@ fn known_failures_and_stored_cases() {
 fn broken_cases_are_reproduced_in_the_language_of_the_example() {
     let folder = temporary();
     let path = |name: &str| folder.path().join(name);
-    let python = include_str!("../examples/renderer.py");
+    let python = include_str!("../../examples/renderer.py");
     let python = python.replace(r#"mul(scene["k_a"], scene["i_a"])"#, r#"scene["k_a"]"#);
     fs::write(path("renderer.py"), &python).expect("a file");
     let report = |options: &[&str]| {
@@ -533,13 +533,13 @@ fn broken_cases_are_reproduced_in_the_language_of_the_example() {
     .expect("a file");
     assert_eq!(numbers(&sh("python3 calls.py")), shown);
 
-    let c = include_str!("../examples/renderer.c").replace("mul(s.k_a, s.i_a)", "s.k_a");
+    let c = include_str!("../../examples/renderer.c").replace("mul(s.k_a, s.i_a)", "s.k_a");
     let calls = after(&report(&["--language", "c"]), "in C:");
     let c = c.replace("int main(", "int renderer(") + "int main(void) {\n" + &calls + "}\n";
     fs::write(path("calls.c"), c).expect("a file");
     assert_eq!(numbers(&sh("cc calls.c -o calls -lm && ./calls")), shown);
 
-    let rust = include_str!("../examples/renderer.rs");
+    let rust = include_str!("../../examples/renderer.rs");
     let rust = rust.replace("mul(k_a, triple(numbers))", "(k_a, triple(numbers)).0");
     let calls = after(&report(&["--language", "rust"]), "in Rust:");
     let rust = rust.replace("fn main(", "fn renderer(") + "fn main() {\n" + &calls + "}\n";
