@@ -12,7 +12,7 @@ prover="${CARGO_TARGET_DIR:-target}/release/shading-proofs"
 
 # faults planted in a copy of the source, which is built once with all of them
 copy=${CARGO_TARGET_DIR:-target}/planted
-rm -rf "$copy/src" && mkdir -p "$copy/docs"
+rm -rf "$copy"/{src,laws,proofs} && mkdir -p "$copy/docs"
 cp -r src laws proofs "$copy"
 cp docs/*.md README.md "$copy" && cp docs/*.md "$copy/docs"
 cp -r --parents tests/bits/interface.rs tests/public-api/interface.txt "$copy"

@@ -144,6 +144,8 @@ pub const RULES: &[(&str, &str, &str)] = &[
     ("relation", "straight.min(of(a, q) * of(b, p)) * (1.0 + lost)", "0.9"),
     ("relation", "0.9 * (-c - 32.0 * u) > 16.0 * tiny * (lost * r.high + 1.0)", "true"),
     ("relation", "grow * (shrink * length * (1.0 - 16.0 * u) - 2.0 * tiny) - 2.0 * tiny", "grow * length"),
+    ("relation", "is_added(r, by_r) && is_added(s, by_s)", "true"),
+    ("relation", "k * (1.0 + 8.0 * g.format.u()) + 1.0", "k * 0.5"),
     ("relation", "k * self.step(g, other, depth - 1)", "k * k * self.step(g, other, depth - 1)"),
     ("known", "is_always && !x.nan && !y.nan", "is_always"),
     // the number that records is another

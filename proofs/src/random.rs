@@ -46,7 +46,7 @@ fn formula<T: Real + PartialOrd>(mut random: Random, variables: [T; VARIABLES]) 
     let mut values = variables.to_vec();
     for _ in 0..random.below(22) + 3 {
         let [x, y, a, b] = [0; 4].map(|_| random.pick(&values));
-        let value = match random.below(21) {
+        let value = match random.below(22) {
             0 | 1 => x + y,
             2 | 3 => x - y,
             4 | 5 => x * y,
@@ -77,6 +77,7 @@ fn formula<T: Real + PartialOrd>(mut random: Random, variables: [T; VARIABLES]) 
                 let c = [T::of(-1.0 / 512.0), T::of(-1e-20), T::ZERO][random.below(3)];
                 seen_from_behind(n, v, c, [T::ONE / T::EXTREME, T::ZERO][random.below(2)])
             }
+            19 => slope([x, x.abs(), T::ONE][random.below(3)], y, [a, y, T::ONE][random.below(3)]),
             _ => {
                 // a decision, from which the prover learns
                 let is_decided = [x > y, x <= y, x == y, (x - y).any_positive()][random.below(4)];
@@ -97,6 +98,15 @@ fn cosine<T: Real + PartialOrd>(v: Vec3<T>, w: Vec3<T>, other: T) -> T {
     } else {
         other
     }
+}
+
+/// The quotient of two numbers or of their difference and sum, whichever the numbers allow.
+fn slope<T: Real>(s: T, c: T, other: T) -> T {
+    let sign = c.if_positive(T::ONE, T::NEG_ONE);
+    let x = (c.abs() * T::of(2.4)).if_above(s, sign, T::ZERO);
+    let y = s.if_above(c.abs() * T::of(0.4), T::ONE, T::ZERO);
+    let [x, y] = [other.if_positive(x, T::ONE), other.if_positive(y, T::ONE)];
+    (x * s - y * c) / (x * c + y * s)
 }
 
 /// N·L of a unit vector toward a light that seems to be behind: n·v < c(|x| + |y| + |z|) − t.

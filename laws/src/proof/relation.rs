@@ -58,7 +58,7 @@ impl Known {
             }
             Node::Div(a, b) => {
                 let limit = self.most(g, a, b) * (1.0 + 4.0 * g.format.u()) + g.format.tiny();
-                let limit = up(g, limit);
+                let limit = up(g, limit).min(self.slope(g, a, b));
                 // a ≥ b > 0 makes a/b ≥ 1
                 let is_above =
                     self.range(g, b).low > 0.0 && self.answer(g, Test::AtMost(b, a)) == Some(true);
@@ -106,6 +106,107 @@ impl Known {
             of_root.min(self.share(g, x, y, DEPTH))
         } else {
             of_root
+        }
+    }
+
+    /// The most that |a/b| can be, if it is not NaN, and if the path has compared the two, or if a is a
+    /// difference of which b is the sum.
+    ///
+    /// - |p − q| ≤ p + q for p, q ≥ 0, and rounding is monotone.
+    /// - From 0 ≤ a ≤ fl(|b|k) follows a ≤ |b|k(1 + u) + η/2, and |b| ≥ η, or a = b = 0 and a/b is NaN.
+    /// - From fl(|a|k) ≤ b follows |a|k ≤ (b + η/2)(1 + 2u), and b ≥ η, or |a|k is rounded to 0, and k ≥ 1 makes a = 0.
+    fn slope(&mut self, g: &Graph, a: u32, b: u32) -> f64 {
+        match (&self.combination(g, a)[..], &self.combination(g, b)[..]) {
+            (&[(p, _), (q, _)], &[(r, by_r), (s, by_s)])
+                if (p, q) == (r, s) || (p, q) == (s, r) =>
+            {
+                let mut is_added = |v, by: f64| {
+                    let range = self.range(g, v);
+                    !range.nan
+                        && if by > 0.0 {
+                            range.low >= 0.0
+                        } else {
+                            range.high <= 0.0
+                        }
+                };
+                if is_added(r, by_r) && is_added(s, by_s) {
+                    1.0
+                } else {
+                    INF
+                }
+            }
+            (&[(a, _)], &[(b, _)]) => {
+                let answers = self.facts.clone();
+                let no = answers.iter().filter_map(|fact| match *fact {
+                    (Test::Above(p, q), false) => Some((p, q)),
+                    _ => None,
+                });
+                let limits = no.map(|(p, q)| {
+                    if p == a && self.range(g, a).low >= 0.0 {
+                        self.multiple_of_size(g, q, b)
+                            .map_or(INF, |k| k * (1.0 + 8.0 * g.format.u()) + 1.0)
+                    } else if q == b && self.range(g, b).low >= 0.0 {
+                        self.multiple_of_size(g, p, a)
+                            .filter(|k| *k >= 1.0)
+                            .map_or(INF, |_| 2.0)
+                    } else {
+                        INF
+                    }
+                });
+                limits.fold(INF, f64::min)
+            }
+            _ => INF,
+        }
+    }
+
+    /// k for a node |v|k, if neither is NaN.
+    fn multiple_of_size(&mut self, g: &Graph, id: u32, v: u32) -> Option<f64> {
+        let Node::Mul(p, q) = g.nodes[id as usize] else {
+            return None;
+        };
+        let size = g.find(Node::Abs(v))?;
+        let k = if p == size { q } else { p };
+        let is_number = (p == size || q == size) && !self.range(g, v).nan;
+        self.range(g, k).only().filter(|k| is_number && *k > 0.0)
+    }
+
+    /// A sum of two terms, or one, as numbers that are added or subtracted; what is multiplied by 0 is left out.
+    fn combination(&mut self, g: &Graph, id: u32) -> Vec<(u32, f64)> {
+        let id = self.resolved(g, id);
+        let terms = match g.nodes[id as usize] {
+            Node::Add(a, b) => vec![self.signed(g, a), self.signed(g, b)],
+            Node::Sub(a, b) => {
+                let (b, sign) = self.signed(g, b);
+                vec![self.signed(g, a), (b, -sign)]
+            }
+            _ => vec![self.signed(g, id)],
+        };
+        let is_zero =
+            |known: &mut Self, v, by| by == 0.0 && known.is_finite(g, v) && !known.range(g, v).nan;
+        terms
+            .into_iter()
+            .filter(|&(v, by)| !is_zero(self, v, by))
+            .collect()
+    }
+
+    fn signed(&mut self, g: &Graph, id: u32) -> (u32, f64) {
+        let id = self.resolved(g, id);
+        match g.nodes[id as usize] {
+            Node::Neg(a) => {
+                let (v, sign) = self.signed(g, a);
+                (v, -sign)
+            }
+            Node::Mul(a, b) => {
+                for (v, k) in [(a, b), (b, a)] {
+                    let k = self.range(g, k).only();
+                    if let Some(k) = k.filter(|k| k.abs() == 1.0 || *k == 0.0) {
+                        let (v, sign) = self.signed(g, v);
+                        return (v, k * sign);
+                    }
+                }
+                (id, 1.0)
+            }
+            _ => (id, 1.0),
         }
     }
 
