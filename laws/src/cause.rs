@@ -1,5 +1,6 @@
 //! Which mistakes explain the colors of a run.
 
+use crate::bounded::Bounded;
 use crate::mistake::{Fault, Mistake};
 use crate::profile::Profile;
 use crate::random::Random;
@@ -93,16 +94,20 @@ impl Evidence {
         self.mix();
         let faults: Vec<Fault> = Fault::all().collect();
         let singles = faults.iter().map(|fault| vec![*fault]);
-        let is_rough = |fault: &&Fault| fault.mistake == Mistake::Imprecise;
+        let is_rough = |fault: &&Fault| fault.mistake.is_rough();
         let exact = singles.filter(|faults| !faults.iter().any(|fault| is_rough(&fault)));
         let best = self.best(profile, exact, NEARLY_ALL);
-        let best = best.or_else(|| {
-            let rough = faults.iter().filter(is_rough);
-            rough
-                .into_iter()
-                .find_map(|fault| self.roughness(profile, *fault))
-        });
-        best.or_else(|| self.pair(profile, &faults))
+        if let Some(cause) = best {
+            // what one mistake does not explain, another may
+            let is_all = cause.explained * 100 >= cause.of * 97;
+            let explains_more = |pair: &Cause| pair.explained * 20 > cause.explained * 21;
+            let pair = || self.pair(profile, &faults).filter(explains_more);
+            let pair = if is_all { None } else { pair() };
+            return Some(pair.unwrap_or(cause));
+        }
+        let mut rough = faults.iter().filter(is_rough);
+        let rough = rough.find_map(|fault| self.roughness(profile, *fault));
+        rough.or_else(|| self.pair(profile, &faults))
     }
 
     fn mix(&mut self) {
@@ -152,9 +157,16 @@ impl Evidence {
         #[allow(clippy::cast_sign_loss)] // a part of a small count
         let misses = |count: usize, share: f64| (count as f64 * share) as usize;
         let most = misses(self.wrong.len(), 1.0 - least);
-        let mut unexplained = 0;
+        let (mut unexplained, mut unknown) = (0, 0);
         for (i, sample) in self.wrong.iter().enumerate() {
-            if textbook.fits(&sample.scene, sample.reply) != Some(true) {
+            let fits = textbook.fits(&sample.scene, sample.reply);
+            if fits.is_none() {
+                // such as that of the eye in the surface, which has no direction
+                unknown += 1;
+                if unknown * 4 > self.wrong.len() * 3 {
+                    return None;
+                }
+            } else if fits == Some(false) {
                 unexplained += 1;
                 // what fails so often at the beginning hardly ever explains enough in the end
                 let most_so_far = misses(i, 2.0 * (1.0 - least)) + 6;
@@ -173,25 +185,41 @@ impl Evidence {
                 }
             }
         }
-        Some((self.wrong.len() - unexplained, unexplained + contradicted))
+        let explained = self.wrong.len() - unexplained - unknown;
+        Some((explained, unexplained + unknown + contradicted))
     }
 
-    /// The cause if the colors are as if they were rounded so: nearly all of them, some too bright and
-    /// some too dark.
+    /// The cause if the colors are as if they were rounded so: nearly all of them, and, where not each of them shows it,
+    /// some too bright and some too dark.
     fn roughness(&self, profile: &Profile, fault: Fault) -> Option<Cause> {
-        let (explained, _) = self.score(profile, &[fault], 0.98)?;
-        let right = Textbook::new(profile, &[]);
-        let is_brighter = |sample: &&Sample| {
+        let (faults, right) = ([fault], Textbook::new(profile, &[]));
+        let rough = Textbook::new(profile, &faults);
+        let shows = fault.mistake == Mistake::InBits;
+        let (mut explained, mut of, mut brighter) = (0, 0, 0);
+        for sample in &self.wrong {
+            let is_explained = rough.fits(&sample.scene, sample.reply);
+            let is_vague = |c: &Bounded| c.error * 2.0 > c.value;
+            // with so few bits, hardly anything is known of some colors
+            let is_known = !rough.linear(&sample.scene).iter().all(is_vague);
+            let Some(is_explained) = is_explained.filter(|fits| is_known || !fits) else {
+                continue;
+            };
+            of += 1;
+            explained += usize::from(is_explained);
+            if (of - explained) * 50 > self.wrong.len() {
+                return None;
+            }
             let expected = right.reply(right.linear(&sample.scene));
             let mut channels = expected.into_iter().zip(sample.reply);
-            channels.any(|(ends, c)| ends.is_some_and(|[_, high]| c > high))
-        };
-        let brighter = self.wrong.iter().filter(is_brighter).count();
-        let darker = self.wrong.len() - brighter;
-        (brighter.min(darker) * 8 >= self.wrong.len()).then(|| Cause {
+            let is_brighter = channels.any(|(ends, c)| ends.is_some_and(|[_, high]| c > high));
+            brighter += usize::from(is_brighter);
+        }
+        let balance = brighter.min(of - brighter) * 8;
+        let is_so = explained * 50 >= of * 49 && of * 2 >= self.wrong.len();
+        (is_so && (shows || balance >= of)).then(|| Cause {
             mistakes: vec![fault],
             explained,
-            of: self.wrong.len(),
+            of,
             alternatives: Vec::new(),
         })
     }
@@ -204,7 +232,7 @@ impl Evidence {
             let fitting = self.wrong[..first]
                 .iter()
                 .filter(|sample| textbook.fits(&sample.scene, sample.reply) == Some(true));
-            fault.mistake != Mistake::Imprecise && fitting.count() * 20 >= first
+            !fault.mistake.is_loose() && fitting.count() * 20 >= first
         };
         let some: Vec<Fault> = faults.iter().filter(gives_some).copied().collect();
         let some = &some;
@@ -229,6 +257,6 @@ impl Evidence {
 
     /// Whether a mistake gives half of the wrong colors or more, and contradicts nearly no right one.
     pub fn is_suspect(&self, profile: &Profile, fault: Fault) -> bool {
-        fault.mistake != Mistake::Imprecise && self.score(profile, &[fault], 0.5).is_some()
+        !fault.mistake.is_rough() && self.score(profile, &[fault], 0.5).is_some()
     }
 }

@@ -7,7 +7,7 @@ use crate::profile::Profile;
 use crate::scene::{Light, Material, Model, Scene, Triple};
 
 /// Changes when scenes are added, so that a report says which edges it has tried.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 
 /// The most lights that a scene of the corpus has.
 pub const MOST_LIGHTS: usize = 1024;
@@ -23,6 +23,7 @@ pub fn edges(profile: &Profile) -> Vec<Base> {
     };
     corpus.opposite();
     corpus.faces();
+    corpus.grazing();
     corpus.lamps();
     corpus.spots();
     corpus.shininess();
@@ -177,13 +178,27 @@ impl Corpus<'_> {
         self.add(&self.scene(UP, UP, vec![]));
     }
 
+    /// N·L just above 0, seen in the mirror direction, where the highlight is bright.
+    fn grazing(&mut self) {
+        for (i, height) in [0.07, 0.03, 0.008, 0.0008, 0.00008, 0.000_008]
+            .into_iter()
+            .enumerate()
+        {
+            let kinds = self.kinds([1.0, 0.0, height], [0.75, 1.0, 0.5]);
+            let light = kinds[i % kinds.len()];
+            let v = [-1.0, 0.0, height].map(|c| self.profile.rounded(c));
+            self.add(&self.scene(UP, v, vec![light]));
+        }
+    }
+
     /// Lamps near and far, attenuated by one coefficient alone, at a point away from the origin.
     fn lamps(&mut self) {
         let unattenuated = [[1.0, 0.0, 0.0]];
-        for q in [
+        let distances = [
             0.00002, 0.0001, 0.001, 0.005, 0.05, 0.5, 1.0, 2.0, 8.0, 40.0, 300.0, 1500.0, 12000.0,
             30000.0,
-        ] {
+        ];
+        for (k, q) in distances.into_iter().enumerate() {
             let square: f64 = q * q;
             let some = [
                 [1.0, 0.0, 0.0],
@@ -192,7 +207,7 @@ impl Corpus<'_> {
                 [0.5, 0.5 / q, 0.5 / square],
                 [0.0, 0.0, 0.1 / square],
                 [0.005, 0.0, 0.0],
-                [0.0, 0.0, 1000.0 / square],
+                [0.0, 0.0, [3000.0, 300.0, 30.0][k % 3] / square],
             ];
             let all = if self.profile.unattenuated {
                 &unattenuated[..]
@@ -219,6 +234,9 @@ impl Corpus<'_> {
                     };
                     let mut scene = self.scene(UP, [0.0, -0.5, 1.0], vec![light]);
                     scene.p = p;
+                    if left < 0.1 {
+                        scene.i_a = BLACK; // among light, little light is not seen
+                    }
                     move_lamp(&mut scene.lights[0], position, attenuation);
                     let model = self.profile.models[i % self.profile.models.len()];
                     self.add_as(model, &scene);

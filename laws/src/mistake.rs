@@ -45,6 +45,18 @@ macro_rules! mistakes {
     };
 }
 
+impl Mistake {
+    /// Whether it explains any color that is off by little, so that others beside it explain no more.
+    pub(crate) fn is_loose(self) -> bool {
+        self.is_rough() || self == Self::ExpandedSquares
+    }
+
+    /// Whether it explains any color that is off by so little.
+    pub(crate) fn is_rough(self) -> bool {
+        matches!(self, Self::InBits | Self::Imprecise)
+    }
+}
+
 /// A mistake with its number, if it has one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fault {
@@ -126,6 +138,14 @@ mistakes! {
     ConeReversed = "the cone opens against its axis",
     /// Spots light everything.
     ConeForgotten = "the cone of a spot is ignored",
+    /// As of a point light.
+    RightAngleForgotten = "the cone of a spot is ignored where its half-angle is 90°",
+    /// The edge is at the cosine of an angle whose cosine was not taken.
+    ConeAngleForCosine = "the angle of the cone is compared with a cosine",
+    /// The sine of the angle.
+    ConeBySine = "the edge of the cone is at the sine of its angle",
+    /// L is not normalized there.
+    ConeByWay = "the cone is tested with the way to the lamp, which is not normalized",
     /// The encoding is applied to what is already encoded.
     SrgbTwice = "sRGB is applied twice",
     /// The renderer says that its colors are sRGB, and they are linear.
@@ -136,6 +156,24 @@ mistakes! {
     Gamma22ForSrgb = "a gamma of 2.2 is applied for sRGB",
     /// ⌊255 c⌋/255.
     LevelsTruncated = "levels are truncated, not rounded",
+    /// N·L ≤ 0 does not turn the highlight of a directional light off.
+    HighlightNotGatedOfSuns = "the highlight of a directional light is not gated on N·L > 0",
+    /// N·L ≤ 0 does not turn the highlight of a point light off.
+    HighlightNotGatedOfPoints = "the highlight of a point light is not gated on N·L > 0",
+    /// N·L ≤ 0 does not turn the highlight of a spot off.
+    HighlightNotGatedOfSpots = "the highlight of a spot is not gated on N·L > 0",
+    /// V has the length that it was given, in (R·V)^m.
+    ViewNotNormalizedOfPhong = "V is not normalized in Phong's highlight",
+    /// V has the length that it was given, in H.
+    ViewNotNormalizedOfBlinn = "V is not normalized in Blinn's highlight",
+    /// N has the length that it was given, in N·L.
+    NormalNotNormalizedInDiffuse = "N is not normalized in the diffuse term",
+    /// N has the length that it was given, in the highlight.
+    NormalNotNormalizedInHighlight = "N is not normalized in the highlight",
+    /// L has the length of the way to the lamp, in N·L.
+    LightNotNormalizedInDiffuse = "L is not normalized in the diffuse term",
+    /// L has the length of the way to the lamp, in the highlight.
+    LightNotNormalizedInHighlight = "L is not normalized in the highlight",
     /// k_s k_d in place of k_s.
     HighlightTimesDiffuse = "k_s is multiplied by k_d",
     /// k_s I (N·H)^m N·L.
@@ -146,6 +184,14 @@ mistakes! {
     OtherModel = "Phong's highlight is used for Blinn's, or Blinn's for Phong's",
     /// k_a I_a for each light.
     AmbientPerLight = "the ambient term is added once for each light",
+    /// k_a I_a, and once more for each light.
+    AmbientPerLightToo = "the ambient term is added once more for each light",
+    /// k_a I_a for each light with N·L > 0.
+    AmbientPerLightInFront = "the ambient term is added once for each light with N·L > 0",
+    /// k_a I_a, and once more for each light with N·L > 0.
+    AmbientPerLightInFrontToo = "the ambient term is added once more for each light with N·L > 0",
+    /// k_a I_a for each light, as much as arrives of it.
+    AmbientArriving = "the ambient term is added for each light, attenuated and within its cone",
     /// k_a I_a/(a + bq + cq²) for each light.
     AmbientAttenuated = "the ambient term is added for each light, attenuated",
     /// k_d I_a in place of k_a I_a.
@@ -162,6 +208,12 @@ mistakes! {
     FirstLightOnly = "only the first light counts",
     /// Only the last light counts.
     LastLightOnly = "only the last light counts: = for +=",
+    /// The first light is black.
+    FirstLightForgotten = "the first light is left out",
+    /// The last light is black.
+    LastLightForgotten = "the last light is left out",
+    /// Other lights have no highlight.
+    HighlightOfFirstLightOnly = "only the first light has a highlight",
     /// N·V < 0 turns N to the other side.
     NormalTowardEye = "N is turned toward the eye, so the back of a surface is lit like its front",
     /// N·L < 0 turns N to the other side.
@@ -204,6 +256,8 @@ mistakes! {
     DiffuseTimesPi = "the diffuse term is multiplied by π",
     /// k_d (1 − k_s) I N·L.
     DiffuseMinusSpecular = "the diffuse term is multiplied by 1 - k_s",
+    /// k_d (1 − max k_s) I N·L.
+    DiffuseMinusLargest = "the diffuse term is multiplied by 1 - the largest channel of k_s",
     /// The diffuse term lacks the attenuation.
     DiffuseNotAttenuated = "the diffuse term is not attenuated",
     /// k_d N·L.
@@ -232,6 +286,16 @@ mistakes! {
     Windowed [10.0, 5.0, 8.0, 16.0, 20.0, 25.0, 32.0, 50.0, 64.0, 100.0, 200.0, 256.0, 500.0, 1000.0, 1024.0, 10000.0] = "the attenuation is windowed by (1 - (q/{})⁴)²",
     /// 1 − q/r.
     FadedTo [10.0, 5.0, 8.0, 16.0, 20.0, 25.0, 32.0, 50.0, 64.0, 100.0, 200.0, 256.0, 500.0, 1000.0, 1024.0, 10000.0] = "the attenuation fades by 1 - q/{}",
+    /// max(q, least), and L is the way divided by that.
+    LampDistanceAtLeast [0.01, 0.001, 0.1, 0.0001, 0.5, 1.0] = "the distance is at least {}, and L is the way to the lamp divided by it",
+    /// 0 below this.
+    AttenuationCutBelow [0.004, 0.01, 1.0 / 256.0, 1.0 / 255.0, 0.001, 0.005, 0.02, 0.05] = "an attenuation below {} is taken for 0",
+    /// 1/(bq + cq²) has a = 1.
+    ZeroConstantOne = "the attenuation takes 1 for a where a is 0",
+    /// Spots have no 1/(a + bq + cq²).
+    SpotsNotAttenuated = "spots are not attenuated",
+    /// Point lights have no 1/(a + bq + cq²).
+    PointsNotAttenuated = "point lights are not attenuated",
     /// 1/(bq + cq²).
     ConstantForgotten = "the attenuation lacks a",
     /// 1/(a + cq²).
@@ -258,6 +322,14 @@ mistakes! {
     ShininessTimes [4.0, 2.0, 0.5, 0.25, 3.0, 128.0] = "the shininess is multiplied by {}",
     /// min(m, limit).
     ShininessAtMost [128.0, 127.0, 100.0, 64.0, 50.0, 32.0, 96.0, 120.0, 200.0, 255.0, 256.0, 500.0, 512.0, 1000.0, 1024.0, 2048.0] = "the shininess is at most {}",
+    /// max(m, limit).
+    ShininessAtLeast [2.0, 5.0, 10.0, 4.0, 8.0, 16.0] = "the shininess is at least {}",
+    /// 2^⌊log₂ m⌋.
+    ShininessToPowerOfTwo = "the shininess is cut to a power of two",
+    /// 4m for Blinn's highlight.
+    ShininessOfBlinnTimes [4.0, 2.0, 0.25, 0.5, 3.0] = "the shininess of Blinn's highlight is multiplied by {}",
+    /// max(least, N·H)^m.
+    CosineOfHighlightAtLeast [0.00001, 0.0001, 0.001, 0.01, 0.000_001] = "the cosine of the highlight is at least {}",
     /// c/(m − mc + c).
     PowerOfSchlick = "the power is Schlick's approximation, c/(m - mc + c)",
     /// |N·H|^m.
@@ -286,6 +358,8 @@ mistakes! {
     HighlightOverCosine = "the highlight is divided by N·L",
     /// k_s I (N·H)^m/π.
     HighlightOverPi = "the highlight is divided by π",
+    /// A factor of k_s.
+    HighlightScaled [0.5, 2.0, 0.25, 4.0] = "the highlight is multiplied by {}",
     /// k_s = 1.
     HighlightWithoutMaterial = "the highlight is not multiplied by k_s",
     /// k_d in place of k_s.
@@ -332,12 +406,34 @@ mistakes! {
     PointsForgotten = "point lights are left out",
     /// Spots are black.
     SpotsForgotten = "spot lights are left out",
+    /// L = l − p.
+    SunTakenForPosition = "the direction to a directional light is taken for a position, from which p is subtracted",
+    /// min(I, 1).
+    LightClamped = "lights are clamped to 1",
+    /// min(I/(a + bq + cq²), 1).
+    ArrivingClamped = "the light that arrives is clamped to 1",
+    /// All lights are too bright, or too dark, and the ambient light is not.
+    LightScaled [FRAC_1_PI, PI, FRAC_1_PI / 4.0, 4.0 * PI, 0.5, 2.0, 0.25, 4.0] = "lights are multiplied by {}",
+    /// No light where N·L is below.
+    CosineCutBelow [0.01, 0.001, 0.0001, 0.00001, 0.05, 0.1] = "light with N·L below {} is left out",
+    /// N·V ≤ 0 turns the light off.
+    LitFromEyeOnly = "only a surface that faces the eye is lit: light needs N·V > 0",
     /// The red of a light is that of all its channels.
     LightInRed = "all channels take the red of the light",
     /// The light is taken for sRGB.
     LightDecoded = "the light, which is linear, is decoded from sRGB",
     /// The material is taken for sRGB.
     MaterialDecoded = "the reflectances, which are linear, are decoded from sRGB",
+    /// k_d is taken for sRGB.
+    DiffuseDecoded = "k_d, which is linear, is decoded from sRGB",
+    /// k_s is taken for sRGB.
+    SpecularDecoded = "k_s, which is linear, is decoded from sRGB",
+    /// k^2.2.
+    MaterialGamma22 = "the reflectances, which are linear, are raised to the power of 2.2",
+    /// k_d^2.2.
+    DiffuseGamma22 = "k_d, which is linear, is raised to the power of 2.2",
+    /// k_s^2.2.
+    SpecularGamma22 = "k_s, which is linear, is raised to the power of 2.2",
     /// min(color, 1).
     ClampedUnasked = "colors are clamped to [0, 1], which the profile does not say",
     /// Colors are not clamped.
@@ -356,6 +452,10 @@ mistakes! {
     LevelsOverflow = "levels above the largest wrap around to 0",
     /// x^(1/2.2) where linear light was promised.
     Gamma22Unasked = "a gamma of 2.2 is applied where linear light was promised",
+    /// x^(1/gamma) where linear light was promised.
+    GammaUnasked [2.0, 1.8, 2.4] = "a gamma of {} is applied where linear light was promised",
+    /// 1.055 x^(1/2.4) − 0.055 for dark colors, too.
+    SrgbWithoutToe = "sRGB is encoded without its linear part: max(0, 1.055 x^(1/2.4) - 0.055)",
     /// Decoded in place of encoded.
     SrgbDecoded = "colors are decoded from sRGB where they should be encoded",
     /// encode(light 1) + encode(light 2).
@@ -380,12 +480,70 @@ mistakes! {
     Scaled [0.5, 2.0, FRAC_1_PI, PI, 1.0 / 255.0, 255.0, 4.0, 0.25] = "all colors are multiplied by {}",
     /// The colors are black.
     Black = "all colors are black",
-    /// Colors that are given have this many levels from 0 to 1.
+    /// Reflectances and lights have this many levels from 0 to 1.
     ColorsInSteps [255.0, 256.0, 128.0, 1024.0, 65535.0, 65536.0, 64.0] = "reflectances and lights are rounded to multiples of 1/{}",
-    /// Colors that are given have 11 bits.
+    /// The fraction has this many levels, and the rest is cut off.
+    ColorsCut [256.0, 255.0, 65536.0, 4096.0] = "reflectances and lights are cut to multiples of 1/{}",
+    /// Reflectances and lights have 11 bits.
     ColorsInHalf = "reflectances and lights are rounded to half precision",
+    /// Reflectances and lights have 8 bits.
+    ColorsInBfloat = "reflectances and lights are rounded to bfloat",
+    /// Lights have this many levels from 0 to 1.
+    LightsInSteps [255.0, 256.0, 128.0, 1024.0, 65535.0, 65536.0, 64.0] = "lights are rounded to multiples of 1/{}",
+    /// The fraction has this many levels, and the rest is cut off.
+    LightsCut [256.0, 255.0, 65536.0, 4096.0] = "lights are cut to multiples of 1/{}",
+    /// Lights have 11 bits.
+    LightsInHalf = "lights are rounded to half precision",
+    /// Lights have 8 bits.
+    LightsInBfloat = "lights are rounded to bfloat",
+    /// Reflectances have this many levels from 0 to 1.
+    ReflectancesInSteps [255.0, 256.0, 128.0, 1024.0, 65535.0, 65536.0, 64.0] = "reflectances are rounded to multiples of 1/{}",
+    /// The fraction has this many levels, and the rest is cut off.
+    ReflectancesCut [256.0, 255.0, 65536.0, 4096.0] = "reflectances are cut to multiples of 1/{}",
+    /// Reflectances have 11 bits.
+    ReflectancesInHalf = "reflectances are rounded to half precision",
+    /// Reflectances have 8 bits.
+    ReflectancesInBfloat = "reflectances are rounded to bfloat",
+    /// k_d has this many levels from 0 to 1.
+    DiffuseInSteps [255.0, 256.0, 128.0, 1024.0, 65535.0, 65536.0, 64.0] = "k_d is rounded to multiples of 1/{}",
+    /// The fraction has this many levels, and the rest is cut off.
+    DiffuseCut [256.0, 255.0, 65536.0, 4096.0] = "k_d is cut to multiples of 1/{}",
+    /// k_d has 11 bits.
+    DiffuseInHalf = "k_d is rounded to half precision",
+    /// k_d has 8 bits.
+    DiffuseInBfloat = "k_d is rounded to bfloat",
+    /// k_s has this many levels from 0 to 1.
+    SpecularInSteps [255.0, 256.0, 128.0, 1024.0, 65535.0, 65536.0, 64.0] = "k_s is rounded to multiples of 1/{}",
+    /// The fraction has this many levels, and the rest is cut off.
+    SpecularCut [256.0, 255.0, 65536.0, 4096.0] = "k_s is cut to multiples of 1/{}",
+    /// k_s has 11 bits.
+    SpecularInHalf = "k_s is rounded to half precision",
+    /// k_s has 8 bits.
+    SpecularInBfloat = "k_s is rounded to bfloat",
+    /// The components of N have this many levels from 0 to 1.
+    NormalInSteps [127.0, 511.0, 127.5] = "the components of N are rounded to multiples of 1/{}",
+    /// And N is normalized after that.
+    NormalInStepsUnit [127.0, 511.0, 127.5] = "the components of N are rounded to multiples of 1/{}, and N is normalized again",
+    /// Every color has this many levels from 0 to 1.
+    ResultInSteps [256.0, 255.0, 65536.0, 65535.0, 1024.0] = "colors are rounded to multiples of 1/{}",
+    /// Every color has this many levels from 0 to 1, and the rest is cut off.
+    ResultCut [256.0, 255.0, 65536.0, 4096.0] = "colors are cut to multiples of 1/{}",
+    /// p and the positions of lamps have 11 bits.
+    PositionsInHalf = "positions are rounded to half precision",
+    /// v (y(3 − v²y²)/2 …), from a guess by the bits of v².
+    FastInverseRoot [1.0, 2.0, 3.0] = "vectors are normalized by the fast inverse root with {} steps of Newton's method",
+    /// And L = (position − p)/q.
+    FastInverseRootBesideLamps [1.0, 2.0, 3.0] = "N, V and H are normalized by the fast inverse root with {} steps of Newton's method",
+    /// v/(|v| + more).
+    LengthPlus [1e-4, 1e-3, 1e-5, 1e-6] = "{} is added to the length by which a vector is normalized",
+    /// v/max(|v|, least).
+    LengthAtLeast [0.01, 0.001, 0.0001, 0.1] = "the length by which a vector is normalized is at least {}",
+    /// |a|² − 2a·b + |b|².
+    ExpandedSquares = "the distance is computed from expanded squares, |a|² - 2a·b + |b|², which cancel",
+    /// Every color is a number of so few bits.
+    InBits [8.0, 11.0] = "colors are computed in {} bits; half precision has 11, bfloat 8",
     /// Rounding like that of 2^−k.
-    Imprecise [22.0, 20.0, 18.0, 16.0, 14.0, 13.0, 12.0, 11.0, 10.0, 9.0, 8.0, 7.0] = "it behaves like a roundoff of 2^-{}, lower than the profile says",
+    Imprecise [24.0, 22.0, 20.0, 18.0, 16.0, 14.0, 13.0, 12.0, 11.0, 10.0, 9.0, 8.0, 7.0] = "it behaves like a roundoff of 2^-{}, lower than the profile says, as half precision, bfloat, a table or a fast inverse root would",
     /// A scene changes the color of the next.
     Leak = "a scene changes the color of the scenes after it",
     /// Another color for the same scene.

@@ -375,13 +375,9 @@ impl Laws {
         let (Some(case), Some(law)) = (broken, LAWS.first()) else {
             return Ok(None);
         };
-        if self.shrinks == 0 {
-            // nothing more may be asked for; of what leaks, only the first scene of a batch differs
-            let often = reports.iter().any(|law| {
-                matches!(law.verdict, Verdict::Broken { cases, failures, .. }
-                    if law.name == "repeatable" && failures * 10 > cases)
-            });
-            return Ok(Some(if often {
+        if trial.is_fickle || self.shrinks == 0 {
+            // nothing more need be asked for, or may
+            return Ok(Some(if trial.is_fickle {
                 Mistake::NotRepeatable
             } else {
                 Mistake::Leak

@@ -27,15 +27,37 @@ pub struct Textbook<'a> {
 /// A light as it arrives at the point.
 struct Arriving {
     l: Bounded3,
+    /// L before it is normalized.
+    way: Bounded3,
+    kind: Kind,
     intensity: Bounded3,
     attenuation: Bounded,
     /// The share that the cone lets through.
     cone: Bounded,
 }
 
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Sun,
+    Point,
+    Spot,
+}
+
+/// A color that is given.
+#[derive(Clone, Copy, PartialEq)]
+enum Part {
+    Light,
+    AmbientLight,
+    Ambient,
+    Diffuse,
+    Specular,
+}
+
 /// What a scene is shaded with.
 struct Surface {
     n: Bounded3,
+    /// N before it is normalized.
+    raw_n: Bounded3,
     v: Bounded3,
     k_d: Bounded3,
     k_s: Bounded3,
@@ -45,9 +67,7 @@ struct Surface {
 
 impl<'a> Textbook<'a> {
     pub fn new(profile: &'a Profile, faults: &'a [Fault]) -> Self {
-        let imprecise = faults
-            .iter()
-            .find(|fault| fault.mistake == Mistake::Imprecise);
+        let imprecise = faults.iter().find(|fault| fault.mistake.is_rough());
         let u = imprecise.map_or(profile.roundoff, |fault| (-fault.value).exp2());
         Self { profile, faults, u }
     }
@@ -66,15 +86,83 @@ impl<'a> Textbook<'a> {
         given3(triple, self.u)
     }
 
-    /// A color that is given.
-    fn color(&self, triple: Triple) -> Bounded3 {
-        self.given(if let Some(steps) = self.value_of(Mistake::ColorsInSteps) {
-            triple.map(|c| (c * steps).round() / steps)
-        } else if self.has(Mistake::ColorsInHalf) {
-            triple.map(|c| rounded(c, (-11_f64).exp2()))
+    /// A color that is given, as it is stored.
+    fn color(&self, triple: Triple, part: Part) -> Bounded3 {
+        #[allow(clippy::enum_glob_use)] // twenty of them
+        use Mistake::*;
+        let mut triple = triple;
+        for fault in self.faults {
+            let is_stored_so = match fault.mistake {
+                ColorsInSteps | ColorsCut | ColorsInHalf | ColorsInBfloat => true,
+                LightsInSteps | LightsCut | LightsInHalf | LightsInBfloat => part == Part::Light,
+                ReflectancesInSteps | ReflectancesCut | ReflectancesInHalf
+                | ReflectancesInBfloat => {
+                    matches!(part, Part::Ambient | Part::Diffuse | Part::Specular)
+                }
+                DiffuseInSteps | DiffuseCut | DiffuseInHalf | DiffuseInBfloat => {
+                    part == Part::Diffuse
+                }
+                SpecularInSteps | SpecularCut | SpecularInHalf | SpecularInBfloat => {
+                    part == Part::Specular
+                }
+                _ => false,
+            };
+            let steps = fault.value;
+            triple = triple.map(|c| match fault.mistake {
+                _ if !is_stored_so => c,
+                ColorsInHalf | LightsInHalf | ReflectancesInHalf | DiffuseInHalf
+                | SpecularInHalf => half(c),
+                ColorsInBfloat | LightsInBfloat | ReflectancesInBfloat | DiffuseInBfloat
+                | SpecularInBfloat => rounded(c, (-8_f64).exp2()),
+                ColorsCut | LightsCut | ReflectancesCut | DiffuseCut | SpecularCut => {
+                    (c * steps).floor() / steps
+                }
+                _ => (c * steps).round() / steps,
+            });
+        }
+        self.given(triple)
+    }
+
+    /// A position that is given, as it is stored.
+    fn position(&self, triple: Triple) -> Bounded3 {
+        self.given(if self.has(Mistake::PositionsInHalf) {
+            triple.map(half)
         } else {
             triple
         })
+    }
+
+    /// A vector at length 1.
+    fn unit(&self, a: Bounded3) -> Bounded3 {
+        let beside_lamps = self.value_of(Mistake::FastInverseRootBesideLamps);
+        if let Some(steps) = beside_lamps.or(self.value_of(Mistake::FastInverseRoot)) {
+            return scale(a, self.fast_inverse_root(dot(a, a), steps));
+        }
+        if let Some(more) = self.value_of(Mistake::LengthPlus) {
+            let length = length(a) + Bounded::given(more, self.u);
+            return a.map(|c| c / length);
+        }
+        if let Some(least) = self.value_of(Mistake::LengthAtLeast) {
+            let length = length(a).at_least(least);
+            return a.map(|c| c / length);
+        }
+        unit(a)
+    }
+
+    /// 1/√x as *Quake III Arena* computes it, with some steps of Newton's method.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // in the precision of the renderer
+    fn fast_inverse_root(&self, x: Bounded, steps: f64) -> Bounded {
+        let guess = if self.u > f64::EPSILON {
+            let bits = 0x5f37_59df_u32.wrapping_sub((x.value as f32).to_bits() >> 1);
+            f64::from(f32::from_bits(bits))
+        } else {
+            f64::from_bits(0x5fe6_eb50_c7b5_37a9_u64.wrapping_sub(x.value.to_bits() >> 1))
+        };
+        let step = |y: f64, _| y * (1.5 - 0.5 * x.value * y * y);
+        let root = (0..steps as u32).fold(guess, step);
+        // the error of x moves the root by half of it
+        let off = root * x.error / x.value;
+        Bounded::computed(root, 16.0, self.u).looser(off)
     }
 
     /// The color in linear light, before the range of the renderer.
@@ -85,7 +173,7 @@ impl<'a> Textbook<'a> {
             .iter()
             .map(|light| self.arriving(light, scene))
             .collect();
-        let ambient = self.ambient(scene, &lights);
+        let ambient = self.ambient(scene, &surface, &lights);
         match self.value_of(Mistake::LightsAtMost) {
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a small count
             Some(most) => lights.truncate(most as usize),
@@ -93,13 +181,20 @@ impl<'a> Textbook<'a> {
             None if self.has(Mistake::LastLightOnly) => {
                 lights.drain(..lights.len().saturating_sub(1));
             }
+            None if self.has(Mistake::FirstLightForgotten) => {
+                lights.drain(..lights.len().min(1));
+            }
+            None if self.has(Mistake::LastLightForgotten) => drop(lights.pop()),
             None => {}
         }
 
         let black = [Bounded::ZERO; 3];
         let (mut diffuse, mut specular) = (black, black);
-        for light in &lights {
+        for (i, light) in lights.iter().enumerate() {
             let [mut matte, mut shiny] = self.reflected(light, &surface);
+            if self.has(Mistake::HighlightOfFirstLightOnly) && i > 0 {
+                shiny = black;
+            }
             let whole = |f: &dyn Fn(Bounded) -> Bounded| add(matte, shiny).map(f);
             if self.has(Mistake::LightClampedBelow) {
                 (matte, shiny) = (whole(&Bounded::at_least_zero), black);
@@ -175,11 +270,17 @@ impl<'a> Textbook<'a> {
     }
 
     fn surface(&self, scene: &Scene) -> Surface {
-        let mut n = self.given(scene.n);
+        let mut raw_n = self.given(scene.n);
+        let mut n = raw_n;
         if !self.has(Mistake::NormalNotNormalized) {
-            n = unit(n);
+            n = self.unit(n);
         }
-        let (p, mut v) = (self.given(scene.p), self.given(scene.v));
+        if let Some(steps) = self.value_of(Mistake::NormalInSteps) {
+            n = n.map(|c| c.map(|c| (c * steps).round() / steps));
+        } else if let Some(steps) = self.value_of(Mistake::NormalInStepsUnit) {
+            n = unit(n.map(|c| c.map(|c| (c * steps).round() / steps)));
+        }
+        let (p, mut v) = (self.position(scene.p), self.given(scene.v));
         if self.has(Mistake::EyeAtOrigin) {
             v = p.map(|c| -c);
         } else if self.has(Mistake::ViewTakenForEye) {
@@ -187,8 +288,11 @@ impl<'a> Textbook<'a> {
         } else if self.has(Mistake::ViewAlongZ) {
             v = [0.0, 0.0, 1.0].map(Bounded::exact);
         }
-        if !self.has(Mistake::ViewNotNormalized) {
-            v = unit(v);
+        let keeps_length = self.has(Mistake::ViewNotNormalized)
+            || self.has(Mistake::ViewNotNormalizedOfPhong) && scene.model == Model::Phong
+            || self.has(Mistake::ViewNotNormalizedOfBlinn) && scene.model == Model::BlinnPhong;
+        if !keeps_length {
+            v = self.unit(v);
         }
         if self.has(Mistake::ViewReversed) {
             v = v.map(|c| -c);
@@ -197,7 +301,7 @@ impl<'a> Textbook<'a> {
             n = n.map(|c| -c);
         }
         if self.has(Mistake::NormalTowardEye) || self.profile.normal_faces_eye {
-            n = toward(v, n);
+            (n, raw_n) = (toward(v, n), toward(v, raw_n));
         }
         let material = &scene.material;
         let model = match scene.model {
@@ -208,24 +312,34 @@ impl<'a> Textbook<'a> {
         };
         Surface {
             n,
+            raw_n,
             v,
-            k_d: self.reflectance(material.k_d),
-            k_s: self.reflectance(material.k_s),
+            k_d: self.reflectance(material.k_d, Part::Diffuse),
+            k_s: self.reflectance(material.k_s, Part::Specular),
             model,
-            m: self.shininess(material.m),
+            m: self.shininess(material.m, model),
         }
     }
 
-    fn reflectance(&self, k: Triple) -> Bounded3 {
-        let k = self.color(k);
-        if self.has(Mistake::MaterialDecoded) {
+    fn reflectance(&self, k: Triple, part: Part) -> Bounded3 {
+        let k = self.color(k, part);
+        let (is_diffuse, is_specular) = (part == Part::Diffuse, part == Part::Specular);
+        if self.has(Mistake::MaterialDecoded)
+            || self.has(Mistake::DiffuseDecoded) && is_diffuse
+            || self.has(Mistake::SpecularDecoded) && is_specular
+        {
             k.map(|c| c.map(from_srgb))
+        } else if self.has(Mistake::MaterialGamma22)
+            || self.has(Mistake::DiffuseGamma22) && is_diffuse
+            || self.has(Mistake::SpecularGamma22) && is_specular
+        {
+            k.map(|c| c.power(2.2))
         } else {
             k
         }
     }
 
-    fn shininess(&self, m: f64) -> f64 {
+    fn shininess(&self, m: f64, model: Model) -> f64 {
         let value_of = |mistake| self.value_of(mistake);
         if self.has(Mistake::ShininessTruncated) {
             m.floor()
@@ -235,6 +349,13 @@ impl<'a> Textbook<'a> {
             (m + off).max(0.0)
         } else if let Some(factor) = value_of(Mistake::ShininessTimes) {
             m * factor
+        } else if let Some(factor) = value_of(Mistake::ShininessOfBlinnTimes) {
+            let is_blinn = model == Model::BlinnPhong;
+            if is_blinn { m * factor } else { m }
+        } else if let Some(least) = value_of(Mistake::ShininessAtLeast) {
+            m.max(least)
+        } else if self.has(Mistake::ShininessToPowerOfTwo) {
+            m.log2().floor().exp2()
         } else if let Some(most) = value_of(Mistake::ShininessAtMost) {
             m.min(most)
         } else {
@@ -242,9 +363,9 @@ impl<'a> Textbook<'a> {
         }
     }
 
-    fn arriving(&self, light: &Light, scene: &Scene) -> Arriving {
-        let one = Bounded::exact(1.0);
-        let mut intensity = self.color(light.intensity());
+    /// What a light shines.
+    fn intensity(&self, light: &Light) -> Bounded3 {
+        let mut intensity = self.color(light.intensity(), Part::Light);
         if self.has(Mistake::LightInGray) {
             let mean = (intensity[0] + intensity[1] + intensity[2]) / Bounded::exact(3.0);
             intensity = [mean; 3];
@@ -252,6 +373,10 @@ impl<'a> Textbook<'a> {
             intensity = [intensity[0]; 3];
         } else if self.has(Mistake::LightDecoded) {
             intensity = intensity.map(|c| c.map(from_srgb));
+        } else if self.has(Mistake::LightClamped) {
+            intensity = intensity.map(|c| c.at_most(1.0));
+        } else if let Some(factor) = self.value_of(Mistake::LightScaled) {
+            intensity = scale(intensity, Bounded::given(factor, self.u));
         }
         let left_out = match light {
             Light::Directional { .. } => Mistake::SunsForgotten,
@@ -261,14 +386,27 @@ impl<'a> Textbook<'a> {
         if self.has(left_out) {
             intensity = [Bounded::ZERO; 3];
         }
+        intensity
+    }
+
+    fn arriving(&self, light: &Light, scene: &Scene) -> Arriving {
+        let one = Bounded::exact(1.0);
+        let mut intensity = self.intensity(light);
         let (position, coefficients) = match *light {
             Light::Directional { l, .. } => {
                 let mut l = self.given(l);
                 if self.has(Mistake::LightReversed) || self.has(Mistake::SunReversed) {
                     l = l.map(|c| -c);
+                } else if self.has(Mistake::SunTakenForPosition) {
+                    l = unit(subtract(l, self.given(scene.p)));
+                }
+                if self.has(Mistake::ArrivingClamped) {
+                    intensity = intensity.map(|c| c.at_most(1.0));
                 }
                 return Arriving {
                     l,
+                    way: l,
+                    kind: Kind::Sun,
                     intensity,
                     attenuation: one,
                     cone: one,
@@ -286,31 +424,70 @@ impl<'a> Textbook<'a> {
             } => (position, attenuation),
         };
         let mut way = self.way(position, scene);
-        let q = length(if self.has(Mistake::DistanceFromOrigin) {
+        let mut q = length(if self.has(Mistake::DistanceFromOrigin) {
             self.given(position)
         } else {
             way
         });
+        if self.has(Mistake::ExpandedSquares) {
+            let (a, b) = (self.given(position), self.given(scene.p));
+            let twice = Bounded::exact(2.0) * dot(a, b);
+            q = (dot(a, a) - twice + dot(b, b)).at_least_zero().sqrt();
+        }
         if self.has(Mistake::LightReversed) || self.has(Mistake::LampReversed) {
             way = way.map(|c| -c);
         }
         let l = if self.has(Mistake::LightNotNormalized) {
             way
-        } else {
+        } else if let Some(least) = self.value_of(Mistake::LampDistanceAtLeast) {
+            q = q.at_least(least);
+            way.map(|c| c / q)
+        } else if self.has(Mistake::ExpandedSquares) {
+            // the renderer may have taken the right length here
+            way.map(|c| c / q)
+        } else if self.has(Mistake::FastInverseRootBesideLamps) {
             unit(way)
+        } else {
+            // the renderer may divide by the distance, which it needs in any case
+            let (l, other) = (self.unit(way), unit(way));
+            let more = |i: usize| (l[i].value - other[i].value).abs();
+            if self.has(Mistake::LengthPlus) || self.has(Mistake::LengthAtLeast) {
+                from_fn(|i| l[i].looser(more(i)))
+            } else {
+                l
+            }
         };
+        let kind = match light {
+            Light::Spot { .. } => Kind::Spot,
+            _ => Kind::Point,
+        };
+        let is_unattenuated = match kind {
+            Kind::Spot => self.has(Mistake::SpotsNotAttenuated),
+            _ => self.has(Mistake::PointsNotAttenuated),
+        };
+        let mut attenuation = if is_unattenuated {
+            one
+        } else {
+            self.attenuation(coefficients, q)
+        };
+        if self.has(Mistake::ArrivingClamped) {
+            intensity = scale(intensity, attenuation).map(|c| c.at_most(1.0));
+            attenuation = one;
+        }
         Arriving {
             l,
+            way,
+            kind,
             intensity,
-            attenuation: self.attenuation(coefficients, q),
-            cone: self.cone(light, l),
+            attenuation,
+            cone: self.cone(light, l, way),
         }
     }
 
     /// From the point to the lamp. The renderer may take both to another frame first, such as that of
     /// the eye, and round them there.
     fn way(&self, position: Triple, scene: &Scene) -> Bounded3 {
-        let ends = (self.given(position), self.given(scene.p));
+        let ends = (self.position(position), self.position(scene.p));
         if self.has(Mistake::PointForgotten) {
             return ends.0;
         }
@@ -332,7 +509,9 @@ impl<'a> Textbook<'a> {
             coefficients[1] = Bounded::ZERO;
         } else if self.has(Mistake::QuadraticForgotten) {
             coefficients[2] = Bounded::ZERO;
-        } else if self.has(Mistake::ConstantOne) {
+        } else if self.has(Mistake::ConstantOne)
+            || self.has(Mistake::ZeroConstantOne) && coefficients[0].value == 0.0
+        {
             coefficients[0] = one;
         }
         let [a, b, c] = coefficients;
@@ -368,6 +547,8 @@ impl<'a> Textbook<'a> {
             left = left.at_most(most);
         } else if let Some(least) = value_of(Mistake::AttenuationAtLeast) {
             left = left.at_least(least);
+        } else if let Some(least) = value_of(Mistake::AttenuationCutBelow) {
+            left = (left - Bounded::exact(least)).if_positive(left, Bounded::ZERO);
         } else if let Some(end) = value_of(Mistake::CulledBeyond) {
             left = (Bounded::exact(end) - q).if_positive(left, Bounded::ZERO);
         } else if let Some(end) = value_of(Mistake::Windowed) {
@@ -382,7 +563,7 @@ impl<'a> Textbook<'a> {
     }
 
     /// What the cone of a light lets through.
-    fn cone(&self, light: &Light, l: Bounded3) -> Bounded {
+    fn cone(&self, light: &Light, l: Bounded3, way: Bounded3) -> Bounded {
         let one = Bounded::exact(1.0);
         let Light::Spot {
             axis, half_angle, ..
@@ -390,7 +571,8 @@ impl<'a> Textbook<'a> {
         else {
             return one;
         };
-        let mut against = -dot(self.given(axis), l);
+        let by_way = self.has(Mistake::ConeByWay);
+        let mut against = -dot(self.given(axis), if by_way { way } else { l });
         if self.has(Mistake::ConeReversed) {
             against = -against;
         }
@@ -399,17 +581,20 @@ impl<'a> Textbook<'a> {
             () if self.has(Mistake::DegreesForRadians) => half_angle.to_radians(),
             () if self.has(Mistake::HalfAngleHalved) => half_angle / 2.0,
             () if self.has(Mistake::WholeAngleForHalf) => half_angle * 2.0,
-            // rounding decides to which side a whole number of degrees is cut
-            () if self.has(Mistake::AngleTruncated)
-                && (degrees - degrees.round()).abs() < 1e3 * self.u * degrees =>
-            {
-                return Bounded::between(0.0, 1.0, self.u);
-            }
+            () if self.has(Mistake::ConeBySine) => PI / 2.0 - half_angle,
             () if self.has(Mistake::AngleTruncated) => degrees.floor().to_radians(),
             () if self.has(Mistake::AngleRounded) => degrees.round().to_radians(),
             () => half_angle,
         };
-        let edge = Bounded::given(angle, self.u).cos();
+        let mut edge = Bounded::given(angle, self.u).cos();
+        let whole = degrees.round();
+        if self.has(Mistake::AngleTruncated) && (degrees - whole).abs() < 1e3 * self.u * degrees {
+            // rounding decides to which side a whole number of degrees is cut
+            let [wide, narrow] = [whole, whole - 1.0].map(|degrees| degrees.to_radians().cos());
+            edge = Bounded::between(wide, narrow, self.u);
+        } else if self.has(Mistake::ConeAngleForCosine) {
+            edge = Bounded::given(half_angle, self.u);
+        }
         let mut within = one;
         let exponent = self.value_of(Mistake::ConeExponent);
         let exponent = exponent.unwrap_or(self.profile.spot_exponent);
@@ -422,7 +607,8 @@ impl<'a> Textbook<'a> {
                 within = within * within * (Bounded::exact(3.0) - within - within);
             }
         }
-        if self.has(Mistake::ConeForgotten) {
+        let is_right = degrees >= 89.99;
+        if self.has(Mistake::ConeForgotten) || is_right && self.has(Mistake::RightAngleForgotten) {
             return within;
         }
         // the edge itself is lit
@@ -430,9 +616,18 @@ impl<'a> Textbook<'a> {
     }
 
     #[allow(clippy::cast_precision_loss)] // the count of lights
-    fn ambient(&self, scene: &Scene, lights: &[Arriving]) -> Bounded3 {
-        let [k_a, k_d] = [scene.material.k_a, scene.material.k_d].map(|k| self.reflectance(k));
-        let i_a = self.color(scene.i_a);
+    fn ambient(&self, scene: &Scene, surface: &Surface, lights: &[Arriving]) -> Bounded3 {
+        let (k_a, k_d) = (
+            self.reflectance(scene.material.k_a, Part::Ambient),
+            surface.k_d,
+        );
+        let i_a = self.color(scene.i_a, Part::AmbientLight);
+        let (one, count) = (Bounded::exact(1.0), Bounded::exact(lights.len() as f64));
+        let sum = |share: &dyn Fn(&Arriving) -> Bounded| {
+            let shares = lights.iter().map(share);
+            shares.fold(Bounded::ZERO, |sum, share| sum + share)
+        };
+        let in_front = || sum(&|light| dot(surface.n, light.l).if_positive(one, Bounded::ZERO));
         let mut ambient = match () {
             () if self.has(Mistake::AmbientByDiffuse) => multiply(k_d, i_a),
             () if self.has(Mistake::AmbientWithoutMaterial) => i_a,
@@ -446,14 +641,21 @@ impl<'a> Textbook<'a> {
         let factor = if self.has(Mistake::AmbientForgotten) || is_black && lights.is_empty() {
             Bounded::ZERO
         } else if self.has(Mistake::AmbientPerLight) {
-            Bounded::exact(lights.len() as f64)
+            count
+        } else if self.has(Mistake::AmbientPerLightToo) {
+            one + count
+        } else if self.has(Mistake::AmbientPerLightInFront) {
+            in_front()
+        } else if self.has(Mistake::AmbientPerLightInFrontToo) {
+            one + in_front()
+        } else if self.has(Mistake::AmbientArriving) {
+            sum(&|light| light.attenuation * light.cone)
         } else if self.has(Mistake::AmbientAttenuated) || self.profile.attenuated_ambient {
-            let arriving = lights.iter().map(|light| light.attenuation);
-            arriving.fold(Bounded::ZERO, |sum, light| sum + light)
+            sum(&|light| light.attenuation)
         } else if self.has(Mistake::AmbientTwice) {
             Bounded::exact(2.0)
         } else {
-            Bounded::exact(1.0)
+            one
         };
         let is_unlit = self.has(Mistake::UnlitWithoutLights) || self.profile.unlit_without_lights;
         let unlit = if is_unlit && lights.is_empty() {
@@ -466,16 +668,41 @@ impl<'a> Textbook<'a> {
 
     /// Diffuse and specular light.
     fn reflected(&self, light: &Arriving, surface: &Surface) -> [Bounded3; 2] {
-        let one = Bounded::exact(1.0);
-        let Surface { v, k_d, k_s, .. } = *surface;
         let n = if self.has(Mistake::NormalTowardLight) {
             toward(light.l, surface.n)
         } else {
             surface.n
         };
+        let mut shiny = [Bounded::ZERO; 3];
+        if surface.model != Model::Lambert {
+            shiny = self.shiny(light, n, surface);
+        }
+        [self.matte(light, n, surface), shiny]
+    }
+
+    /// The factor of a term, and 0 where a mistake leaves the whole light out.
+    fn left_in(&self, factor: Bounded, light: &Arriving, n: Bounded3, v: Bounded3) -> Bounded {
+        if let Some(least) = self.value_of(Mistake::CosineCutBelow) {
+            let above = dot(n, light.l) - Bounded::given(least, self.u);
+            above.if_positive(factor, Bounded::ZERO)
+        } else if self.has(Mistake::LitFromEyeOnly) {
+            dot(n, v).if_positive(factor, Bounded::ZERO)
+        } else {
+            factor
+        }
+    }
+
+    fn matte(&self, light: &Arriving, n: Bounded3, surface: &Surface) -> Bounded3 {
+        let one = Bounded::exact(1.0);
+        let Surface { v, k_d, k_s, .. } = *surface;
         let cosine = dot(n, light.l);
-        let arriving = scale(light.intensity, light.cone);
-        let without_light = [light.cone; 3];
+        let of_diffuse = if self.has(Mistake::NormalNotNormalizedInDiffuse) {
+            dot(surface.raw_n, light.l)
+        } else if self.has(Mistake::LightNotNormalizedInDiffuse) {
+            dot(n, light.way)
+        } else {
+            cosine
+        };
 
         let is_signed = [
             Mistake::DiffuseNotClamped,
@@ -495,7 +722,7 @@ impl<'a> Textbook<'a> {
             None if self.has(Mistake::HalfLambert) => half(),
             None if self.has(Mistake::HalfLambertSquared) => half() * half(),
             None if self.has(Mistake::CosineForgotten) => cosine.if_positive(one, Bounded::ZERO),
-            None => cosine.at_least_zero(),
+            None => of_diffuse.at_least_zero(),
         };
         if self.has(Mistake::DiffuseOverPi) {
             lambert = lambert / Bounded::given(PI, self.u);
@@ -510,22 +737,42 @@ impl<'a> Textbook<'a> {
             lambert = lambert * light.attenuation;
         }
         let of_light = match () {
-            () if self.has(Mistake::DiffuseWithoutLight) => without_light,
+            () if self.has(Mistake::DiffuseWithoutLight) => [light.cone; 3],
             () if self.has(Mistake::ConeNotOfDiffuse) => light.intensity,
-            () => arriving,
+            () => scale(light.intensity, light.cone),
         };
         let k = if self.has(Mistake::DiffuseMinusSpecular) {
             multiply(k_d, k_s.map(|c| one - c))
+        } else if self.has(Mistake::DiffuseMinusLargest) {
+            scale(k_d, one - k_s[0].max(k_s[1]).max(k_s[2]))
         } else {
             k_d
         };
-        let diffuse = scale(multiply(k, of_light), lambert);
-        if surface.model == Model::Lambert {
-            return [diffuse, [Bounded::ZERO; 3]];
-        }
+        scale(multiply(k, of_light), self.left_in(lambert, light, n, v))
+    }
 
-        let mut factor = self.highlight(light.l, n, surface);
+    fn shiny(&self, light: &Arriving, n: Bounded3, surface: &Surface) -> Bounded3 {
+        let v = surface.v;
+        let cosine = dot(n, light.l);
+        let of_n = if self.has(Mistake::NormalNotNormalizedInHighlight) {
+            surface.raw_n
+        } else {
+            n
+        };
+        let of_l = if self.has(Mistake::LightNotNormalizedInHighlight) {
+            light.way
+        } else {
+            light.l
+        };
+        let mut factor = self.highlight(of_l, of_n, surface);
+        factor = self.left_in(factor, light, n, v);
+        let of_kind = match light.kind {
+            Kind::Sun => Mistake::HighlightNotGatedOfSuns,
+            Kind::Point => Mistake::HighlightNotGatedOfPoints,
+            Kind::Spot => Mistake::HighlightNotGatedOfSpots,
+        };
         let is_gated = !(self.has(Mistake::HighlightNotGated)
+            || self.has(of_kind)
             || self.has(Mistake::LightClampedBelow)
             || self.profile.highlight_on_the_dark_side);
         if is_gated {
@@ -540,6 +787,8 @@ impl<'a> Textbook<'a> {
             factor = cosine.if_positive(factor / cosine, Bounded::ZERO);
         } else if self.has(Mistake::HighlightOverPi) {
             factor = factor / Bounded::given(PI, self.u);
+        } else if let Some(times) = self.value_of(Mistake::HighlightScaled) {
+            factor = factor * Bounded::given(times, self.u);
         }
         if self.has(Mistake::HighlightAttenuatedTwice) {
             factor = factor * light.attenuation;
@@ -550,12 +799,12 @@ impl<'a> Textbook<'a> {
             factor = factor * light.attenuation;
         }
         let of_light = match () {
-            () if self.has(Mistake::HighlightWithoutLight) => without_light,
+            () if self.has(Mistake::HighlightWithoutLight) => [light.cone; 3],
             () if self.has(Mistake::ConeNotOfHighlight) => light.intensity,
-            () => arriving,
+            () => scale(light.intensity, light.cone),
         };
         let k = self.specular(light.l, n, surface);
-        [diffuse, scale(multiply(k, of_light), factor)]
+        scale(multiply(k, of_light), factor)
     }
 
     /// What the surface reflects in its highlight.
@@ -616,7 +865,7 @@ impl<'a> Textbook<'a> {
                     Bounded::UNKNOWN
                 };
             } else {
-                dot(n, unit(sum))
+                dot(n, self.unit(sum))
             }
         };
         let is_whole = m.fract() == 0.0;
@@ -625,6 +874,8 @@ impl<'a> Textbook<'a> {
         } else if self.has(Mistake::PowerOfSchlick) {
             let (c, m) = (cosine.at_least_zero(), Bounded::given(m, self.u));
             c / (m - m * c + c)
+        } else if let Some(least) = self.value_of(Mistake::CosineOfHighlightAtLeast) {
+            cosine.at_least_zero().at_least(least).power(m)
         } else if !self.has(Mistake::PowerNotClamped) {
             cosine.at_least_zero().power(m)
         } else if cosine.value < cosine.error && !is_whole {
@@ -714,6 +965,14 @@ impl<'a> Textbook<'a> {
 
     /// The same, where the color in linear light is known.
     pub fn fits_linear(&self, linear: Bounded3, reply: Triple) -> Option<bool> {
+        if let Some(bits) = self.value_of(Mistake::InBits) {
+            let off = |c: f64| (rounded(c, (-bits).exp2()) - c).abs();
+            // a decimal fraction may be cut off
+            let is_one = |c: f64| !c.is_finite() || off(c) <= self.profile.roundoff * c.abs();
+            if !reply.into_iter().all(is_one) {
+                return Some(false);
+            }
+        }
         let expected = self.reply(linear);
         let mut is_known = false;
         for (ends, c) in expected.into_iter().zip(reply) {
@@ -776,11 +1035,24 @@ impl<'a> Textbook<'a> {
             () if self.has(Mistake::Gamma22Unasked) && !self.profile.srgb => {
                 x.max(0.0).powf(1.0 / 2.2)
             }
+            () if !self.profile.srgb && self.has(Mistake::GammaUnasked) => x
+                .max(0.0)
+                .powf(1.0 / self.value_of(Mistake::GammaUnasked).unwrap_or(1.0)),
             () if self.has(Mistake::SrgbDecoded) => from_srgb(x),
+            () if is_encoded && self.has(Mistake::SrgbWithoutToe) => {
+                (1.055 * x.max(0.0).powf(1.0 / 2.4) - 0.055).max(0.0)
+            }
             () if is_encoded && gamma.is_some() => x.max(0.0).powf(1.0 / gamma.unwrap_or(1.0)),
             () if is_encoded && self.has(Mistake::SrgbTwice) => to_srgb(to_srgb(x)),
             () if is_encoded => to_srgb(x),
             () => x,
+        };
+        let x = if let Some(steps) = self.value_of(Mistake::ResultInSteps) {
+            (x * steps).round() / steps
+        } else if let Some(steps) = self.value_of(Mistake::ResultCut) {
+            (x * steps).floor() / steps
+        } else {
+            x
         };
         let x = clamp(x);
         match self.profile.level() {
@@ -799,6 +1071,11 @@ impl<'a> Textbook<'a> {
             None => x,
         }
     }
+}
+
+/// With 11 bits, as a number of half precision has.
+fn half(x: f64) -> f64 {
+    rounded(x, (-11_f64).exp2())
 }
 
 /// A vector on the side of another; on either side where they are perpendicular.

@@ -20,6 +20,9 @@ use crate::textbook::Textbook;
 /// The simpler cases that are asked for at once.
 const SIMPLER: usize = 32;
 
+/// The scenes of a batch after which those before the batch no longer leak into a color.
+const SETTLED: usize = 32;
+
 /// How much a run may ask for.
 #[derive(Clone, Copy, Debug)]
 pub struct Budget {
@@ -43,6 +46,8 @@ pub struct Trial<'a> {
     pub profile: Profile,
     pub evidence: Evidence,
     pub coverage: Coverage,
+    /// Whether a scene had another color when it was asked again, long after what was asked before the batch.
+    pub is_fickle: bool,
 }
 
 /// A case in which a law does not hold.
@@ -65,6 +70,7 @@ impl<'a> Trial<'a> {
             profile,
             evidence: Evidence::new(),
             coverage: Coverage::default(),
+            is_fickle: false,
         }
     }
 
@@ -96,6 +102,7 @@ impl<'a> Trial<'a> {
                     continue;
                 };
                 failures += 1;
+                self.is_fickle |= tried.law.asks_twice() && i >= SETTLED;
                 let cost = smaller::cost(&batch.bases[i]);
                 if smallest.as_ref().is_none_or(|least| cost < least.cost) {
                     smallest = Some(Failure {

@@ -150,6 +150,18 @@ pub const RULES: &[(&str, &str, &str)] = &[
     ("term", "Test::Above(self.0, threshold.0)", "Test::Above(threshold.0, self.0)"),
 ];
 
+/// A file, an expression that occurs in it once, the same with a rounding more, and the error bound that must fail.
+pub const ROUNDINGS: &[Fault] = &[
+    ("real/triple", "[x / length, y / length, z / length]", "T::scaled([x, y, z], T::ONE / length)", "unit"),
+    ("term", "(valid(m) + T::of_f32(2.0))", "(valid(m) + T::of_f32(2.0)) * T::of_f32(3.0)", "phong_normalization"),
+    (
+        "attenuation",
+        "T::ONE / (a + q * (b + c * q))",
+        "(T::of_f32(3.0) / (T::of_f32(3.0) * (a + q * (b + c * q))))",
+        "attenuation",
+    ),
+];
+
 const SWITCH: &str = "
 extern crate std;
 /// Whether this fault was chosen.
@@ -160,9 +172,16 @@ pub(crate) fn planted(number: usize) -> bool {
 }
 ";
 
+/// The numbers of the faults that are roundings, each with its bound.
+pub fn roundings() -> impl Iterator<Item = (usize, &'static str)> {
+    (FAULTS.len() + RULES.len()..).zip(ROUNDINGS.iter().map(|fault| fault.3))
+}
+
 /// Plants all faults and all wrong rules in a copy of the source.
 pub fn plant(folder: &Path) -> Result<(), String> {
-    let faults = FAULTS.iter().enumerate().map(|(number, &(file, old, new, _))| (number, file, old, new));
+    let first = FAULTS.len() + RULES.len();
+    let numbered = FAULTS.iter().enumerate().chain((first..).zip(ROUNDINGS));
+    let faults = numbered.map(|(number, &(file, old, new, _))| (number, file, old, new));
     plant_in(&folder.join("src"), &faults.collect::<Vec<_>>())?;
     let number_of = |rule: usize| FAULTS.len() + rule;
     let rules = RULES.iter().enumerate().map(|(rule, &(file, old, new))| (number_of(rule), file, old, new));

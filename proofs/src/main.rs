@@ -12,7 +12,8 @@ use std::time::Instant;
 
 use shading_laws::proof::{Format, Verdict, check_ranges, judge};
 
-const USAGE: &str = "prove [CLAIM]… | check RUNS | rows | bounds FOLDER | plant FOLDER | faults PROVER";
+const USAGE: &str =
+    "prove [CLAIM]… | check RUNS | rows | bounds FOLDER [SHARE] | roundings | plant FOLDER | faults PROVER";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -20,7 +21,12 @@ fn main() -> ExitCode {
     let is_right = match arguments[..] {
         ["prove", ref names @ ..] => prove(names),
         ["check", runs] => runs.parse().is_ok_and(check),
-        ["bounds", folder] => gappa::write(Path::new(folder)).map_err(|e| println!("{e}")).is_ok(),
+        ["bounds", folder] => bounds(folder, "1"),
+        ["bounds", folder, share] => bounds(folder, share),
+        ["roundings"] => {
+            faults::roundings().for_each(|(number, bound)| println!("{number} {bound}"));
+            true
+        }
         ["plant", folder] => faults::plant(Path::new(folder)).map_err(|e| println!("{e}")).is_ok(),
         ["faults", prover] => find(prover),
         ["rows"] => {
@@ -33,6 +39,11 @@ fn main() -> ExitCode {
         }
     };
     if is_right { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// Writes the error bounds, or a share of each, as scripts for Gappa.
+fn bounds(folder: &str, share: &str) -> bool {
+    share.parse().is_ok_and(|share| gappa::write(Path::new(folder), share).map_err(|e| println!("{e}")).is_ok())
 }
 
 /// Proves the claims with these names, or all of them.

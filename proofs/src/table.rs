@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use crate::claims;
+use crate::{claims, gappa};
 
 #[path = "../../tests/bits/interface.rs"]
 mod interface;
@@ -31,6 +31,7 @@ pub fn rows() -> String {
 pub fn complaints() -> Vec<String> {
     let (claims, page) = (read("docs/proofs.md"), read("docs/totality.md"));
     let mut complaints = of_functions(&claims);
+    complaints.extend(gappa::complaints(&read("docs/precision.md")));
     if !claims.contains(&format!("{BEGIN}{}\n", rows())) {
         complaints.push("docs/proofs.md lists other claims; `shading-proofs rows` prints them".into());
     }

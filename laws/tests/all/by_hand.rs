@@ -28,10 +28,12 @@ pub trait Float:
     fn max(self, other: Self) -> Self;
     fn min(self, other: Self) -> Self;
     fn abs(self) -> Self;
+    /// About 1/√x, by its bits.
+    fn guess_of_inverse_root(self) -> Self;
 }
 
 macro_rules! float {
-    ($float:ident) => {
+    ($float:ident, $magic:literal) => {
         impl Float for $float {
             fn of(x: f64) -> Self {
                 x as $float
@@ -69,12 +71,15 @@ macro_rules! float {
             fn abs(self) -> Self {
                 self.abs()
             }
+            fn guess_of_inverse_root(self) -> Self {
+                Self::from_bits($magic.wrapping_sub(self.to_bits() >> 1))
+            }
         }
     };
 }
 
-float!(f32);
-float!(f64);
+float!(f32, 0x5f37_59df_u32);
+float!(f64, 0x5fe6_eb50_c7b5_37a9_u64);
 
 pub type Vec3<T> = [T; 3];
 
@@ -151,12 +156,32 @@ pub enum Odd {
     Hue(f64),
     /// All lights after the first are dimmer.
     Later(f64),
-    /// q² from |a|² − 2a·b + |b|².
-    ExpandedSquares,
     /// Everything is rounded to so many bits after each light.
     Rounded(f64),
     /// N·L is rounded to multiples of 1/x.
     Banded(f64),
+    /// N·L is at least this in front.
+    CosineAtLeast(f64),
+    /// The highlight has the square of the light's color.
+    LightSquared,
+    /// The highlight has the mean of the light's color.
+    GrayHighlight,
+    /// The distance of a spot is that along its axis.
+    DistanceAlongAxis,
+    /// k_d and k_s are divided by their largest sum, if it is above 1.
+    NoMoreThanOne,
+    /// A light whose red is black is left out.
+    RedDecides,
+    /// The ambient light comes with the first light in front.
+    AmbientIfLit,
+    /// The power by the bits of a float.
+    PowerByBits,
+    /// The sum is cut to so many bits after each light.
+    SumCut(f64),
+    /// It fades with the distance of the eye.
+    Fog(f64),
+    /// N·V in place of N·H.
+    EyeForHalf,
 }
 
 /// What is wrong with a renderer.
@@ -195,22 +220,57 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
     let odd = plan.odd;
     let (zero, one, pi) = (T::of(0.0), T::of(1.0), T::of(std::f64::consts::PI));
 
-    let color = |c: [f64; 3]| {
-        let c = match value(ColorsInSteps) {
-            Some(steps) => c.map(|c| (c * steps).round() / steps),
-            None if is(ColorsInHalf) => c.map(|c| bits(c, 11.0)),
-            None => c,
-        };
-        of::<T>(c)
+    let stored = |c: [f64; 3], so: [Mistake; 4]| {
+        let [in_steps, cut, in_half, in_bfloat] = so;
+        c.map(|c| match (value(in_steps), value(cut)) {
+            (Some(steps), _) => (c * steps).round() / steps,
+            (_, Some(steps)) => (c * steps).floor() / steps,
+            _ if is(in_half) => bits(c, 11.0),
+            _ if is(in_bfloat) => bits(c, 8.0),
+            _ => c,
+        })
     };
+    let color = |c| stored(c, [ColorsInSteps, ColorsCut, ColorsInHalf, ColorsInBfloat]);
     let reflectance = |k: [f64; 3]| {
+        let so = [
+            ReflectancesInSteps,
+            ReflectancesCut,
+            ReflectancesInHalf,
+            ReflectancesInBfloat,
+        ];
+        let k: Vec3<T> = of(stored(color(k), so));
         if is(MaterialDecoded) {
-            of(color(k).map(|c| from_srgb(c.get())))
+            of(k.map(|c| from_srgb(c.get())))
+        } else if is(MaterialGamma22) {
+            k.map(|c| c.powf(T::of(2.2)))
         } else {
-            color(k)
+            k
         }
     };
-    let (p, mut n, mut v) = (of::<T>(scene.p), of::<T>(scene.n), of::<T>(scene.v));
+    let unit = |a: Vec3<T>| {
+        let square = dot(a, a);
+        if let Some(steps) = value(FastInverseRoot).or(value(FastInverseRootBesideLamps)) {
+            let mut y = square.guess_of_inverse_root();
+            for _ in 0..steps as u32 {
+                y = y * (T::of(1.5) - T::of(0.5) * square * y * y);
+            }
+            return scale(a, y);
+        }
+        match (value(LengthPlus), value(LengthAtLeast)) {
+            (Some(more), _) => scale(a, one / (square.sqrt() + T::of(more))),
+            (_, Some(least)) => scale(a, one / square.sqrt().max(T::of(least))),
+            _ => normalize(a),
+        }
+    };
+    let place = |p: [f64; 3]| {
+        of::<T>(if is(PositionsInHalf) {
+            p.map(|c| bits(c, 11.0))
+        } else {
+            p
+        })
+    };
+    let (p, mut n, mut v) = (place(scene.p), of::<T>(scene.n), of::<T>(scene.v));
+    let mut long_n = n;
     if is(EyeAtOrigin) {
         v = scale(p, -one);
     }
@@ -221,10 +281,21 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
         v = [zero, zero, one];
     }
     if !is(NormalNotNormalized) {
+        n = unit(n);
+    }
+    if let Some(steps) = value(NormalInSteps).or(value(NormalInStepsUnit)) {
+        n = n.map(|c| T::of((c.get() * steps).round() / steps));
+    }
+    if is(NormalInStepsUnit) {
         n = normalize(n);
     }
-    if !is(ViewNotNormalized) {
-        v = normalize(v);
+    let keeps_length = match scene.model {
+        Model::Lambert => false,
+        Model::Phong => is(ViewNotNormalizedOfPhong),
+        Model::BlinnPhong => is(ViewNotNormalizedOfBlinn),
+    };
+    if !is(ViewNotNormalized) && !keeps_length {
+        v = unit(v);
     }
     if is(ViewReversed) {
         v = scale(v, -one);
@@ -234,6 +305,7 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
     }
     if (is(NormalTowardEye) || profile.normal_faces_eye) && dot(n, v) < zero {
         n = scale(n, -one);
+        long_n = scale(long_n, -one);
     }
     match odd {
         Some(Odd::Normals(of)) => n = n.map(|c| T::of(bits(c.get(), of))),
@@ -241,8 +313,30 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
         _ => {}
     }
     let material = &scene.material;
-    let (k_a, k_d) = (reflectance(material.k_a), reflectance(material.k_d));
-    let mut k_s = reflectance(material.k_s);
+    let so = [DiffuseInSteps, DiffuseCut, DiffuseInHalf, DiffuseInBfloat];
+    let (k_a, mut k_d) = (
+        reflectance(material.k_a),
+        reflectance(stored(material.k_d, so)),
+    );
+    let so = [
+        SpecularInSteps,
+        SpecularCut,
+        SpecularInHalf,
+        SpecularInBfloat,
+    ];
+    let mut k_s = reflectance(stored(material.k_s, so));
+    if is(DiffuseDecoded) {
+        k_d = of(k_d.map(|c| from_srgb(c.get())));
+    }
+    if is(DiffuseGamma22) {
+        k_d = k_d.map(|c| c.powf(T::of(2.2)));
+    }
+    if is(SpecularGamma22) {
+        k_s = k_s.map(|c| c.powf(T::of(2.2)));
+    }
+    if is(SpecularDecoded) {
+        k_s = of(k_s.map(|c| from_srgb(c.get())));
+    }
     if is(HighlightTimesDiffuse) {
         k_s = mul(k_s, k_d);
     }
@@ -258,7 +352,12 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
     if is(HighlightForgotten) {
         k_s = [zero; 3];
     }
-    let i_a = color(scene.i_a);
+    if odd == Some(Odd::NoMoreThanOne) {
+        let sum = add(k_d, k_s);
+        let most = sum[0].max(sum[1]).max(sum[2]).max(one);
+        (k_d, k_s) = (scale(k_d, one / most), scale(k_s, one / most));
+    }
+    let i_a = of::<T>(color(scene.i_a));
     let mut ambient = mul(if is(AmbientByDiffuse) { k_d } else { k_a }, i_a);
     if is(AmbientWithoutMaterial) {
         ambient = i_a;
@@ -280,8 +379,12 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
     if (is(UnlitWithoutLights) || profile.unlit_without_lights) && scene.lights.is_empty() {
         ambient = add(ambient, k_d);
     }
-    let by_light = is(AmbientPerLight) || is(AmbientAttenuated) || profile.attenuated_ambient;
-    let base = if by_light || is(AmbientAtLeast) {
+    let by_light = is(AmbientPerLight)
+        || is(AmbientPerLightInFront)
+        || is(AmbientArriving)
+        || is(AmbientAttenuated)
+        || profile.attenuated_ambient;
+    let base = if by_light || is(AmbientAtLeast) || odd == Some(Odd::AmbientIfLit) {
         [zero; 3]
     } else {
         ambient
@@ -295,6 +398,12 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
     };
     let m = (m + value(ShininessOff).unwrap_or(0.0)).max(0.0);
     let m = m * value(ShininessTimes).unwrap_or(1.0);
+    let m = m.max(value(ShininessAtLeast).unwrap_or(0.0));
+    let m = match value(ShininessOfBlinnTimes) {
+        Some(times) if scene.model == Model::BlinnPhong => m * times,
+        _ if is(ShininessToPowerOfTwo) => m.log2().floor().exp2(),
+        _ => m,
+    };
     let mut m = m.min(value(ShininessAtMost).unwrap_or(f64::INFINITY));
     if let Some(Odd::ShininessTo(power)) = odd {
         m = m.powf(power);
@@ -305,12 +414,24 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
     let clamp = |c: T| c.max(T::of(low)).min(T::of(high));
     let most = value(LightsAtMost).unwrap_or(1e9) as usize;
     let (mut diffuse, mut specular) = ([zero; 3], [zero; 3]);
+    let mut any_in_front = false;
     let mut brightest = [zero; 3];
     for (i, light) in scene.lights.iter().enumerate() {
         if i >= most || is(FirstLightOnly) && i > 0 {
             break;
         }
-        let mut intensity = color(light.intensity());
+        let is_last = i + 1 == scene.lights.len();
+        if is(FirstLightForgotten) && i == 0 || is(LastLightForgotten) && is_last {
+            continue;
+        }
+        let so = [LightsInSteps, LightsCut, LightsInHalf, LightsInBfloat];
+        let mut intensity = of::<T>(stored(color(light.intensity()), so));
+        if is(LightClamped) {
+            intensity = intensity.map(|c| c.min(one));
+        }
+        if let Some(times) = value(LightScaled) {
+            intensity = scale(intensity, T::of(times));
+        }
         if is(LightInGray) {
             intensity = [(intensity[0] + intensity[1] + intensity[2]) / T::of(3.0); 3];
         }
@@ -321,6 +442,7 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
             intensity = of(intensity.map(|c| from_srgb(c.get())));
         }
         match odd {
+            Some(Odd::RedDecides) if intensity[0] <= zero => continue,
             Some(Odd::Hue(by)) => intensity[i % 3] = intensity[i % 3] * T::of(1.0 + by),
             Some(Odd::Later(by)) if i > 0 => intensity = scale(intensity, T::of(1.0 - by)),
             _ => {}
@@ -336,9 +458,12 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
         }
         let mut q = one;
         let mut way = match light {
+            Light::Directional { l, .. } if is(SunTakenForPosition) => {
+                normalize(sub(of::<T>(*l), p))
+            }
             Light::Directional { l, .. } => of::<T>(*l),
             Light::Point { position, .. } | Light::Spot { position, .. } => {
-                let position = of::<T>(*position);
+                let position = place(*position);
                 let way = if is(PointForgotten) {
                     position
                 } else {
@@ -348,7 +473,7 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
                 if is(DistanceFromOrigin) {
                     q = dot(position, position).sqrt();
                 }
-                if odd == Some(Odd::ExpandedSquares) {
+                if is(ExpandedSquares) {
                     let twice = T::of(2.0) * dot(position, p);
                     q = (dot(position, position) - twice + dot(p, p))
                         .max(zero)
@@ -362,9 +487,17 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
         }
         let l = if is_sun || is(LightNotNormalized) {
             way
+        } else if let Some(least) = value(LampDistanceAtLeast) {
+            q = q.max(T::of(least));
+            scale(way, one / q)
+        } else if is(FastInverseRootBesideLamps) {
+            scale(way, one / q)
         } else {
-            normalize(way)
+            unit(way)
         };
+        if let (Light::Spot { axis, .. }, Some(Odd::DistanceAlongAxis)) = (light, odd) {
+            q = (q * -dot(of::<T>(*axis), l)).max(T::of(1e-6));
+        }
         let mut attenuation = match light {
             Light::Directional { .. } => one,
             Light::Point { attenuation, .. } | Light::Spot { attenuation, .. } => {
@@ -384,7 +517,7 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
                 if is(QuadraticForgotten) {
                     c = zero;
                 }
-                if is(ConstantOne) {
+                if is(ConstantOne) || is(ZeroConstantOne) && a == zero {
                     a = one;
                 }
                 if is(SquaredDistance) {
@@ -407,7 +540,14 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
                 }
             }
         };
+        let is_spot = matches!(light, Light::Spot { .. });
+        if is_spot && is(SpotsNotAttenuated) || !is_spot && is(PointsNotAttenuated) {
+            attenuation = one;
+        }
         if !is_sun {
+            if value(AttenuationCutBelow).is_some_and(|least| attenuation.get() < least) {
+                attenuation = zero;
+            }
             if let Some(most) = value(AttenuationAtMost) {
                 attenuation = attenuation.min(T::of(most));
             }
@@ -429,12 +569,16 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
                 attenuation = attenuation.powf(T::of(power));
             }
         }
+        if is(ArrivingClamped) {
+            intensity = scale(intensity, attenuation).map(|c| c.min(one));
+            attenuation = one;
+        }
         let mut cone = one;
         if let Light::Spot {
             axis, half_angle, ..
         } = light
         {
-            let mut toward = -dot(of::<T>(*axis), l);
+            let mut toward = -dot(of::<T>(*axis), if is(ConeByWay) { way } else { l });
             if is(ConeReversed) {
                 toward = -toward;
             }
@@ -449,9 +593,15 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
                 () if is(WholeAngleForHalf) => 2.0 * half_angle,
                 () if is(AngleTruncated) => half_angle.to_degrees().floor().to_radians(),
                 () if is(AngleRounded) => half_angle.to_degrees().round().to_radians(),
+                () if is(ConeBySine) => std::f64::consts::FRAC_PI_2 - half_angle,
                 () => half_angle,
             })
             .cos();
+            let edge = if is(ConeAngleForCosine) {
+                T::of(half_angle)
+            } else {
+                edge
+            };
             let exponent = value(ConeExponent).unwrap_or(profile.spot_exponent);
             if exponent > 0.0 {
                 cone = toward.max(zero).powf(T::of(exponent));
@@ -466,7 +616,10 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
             }
             if let Some(Odd::SoftEdge(width)) = odd {
                 cone = ((toward - edge) / T::of(width)).max(zero).min(one);
-            } else if toward < edge && !is(ConeForgotten) {
+            } else if toward < edge
+                && !is(ConeForgotten)
+                && !(is(RightAngleForgotten) && half_angle.to_degrees() > 89.99)
+            {
                 cone = zero;
             }
         }
@@ -493,8 +646,15 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
                     zero
                 }
             }
+            () if is(NormalNotNormalizedInDiffuse) => dot(long_n, l).max(zero),
+            () if is(LightNotNormalizedInDiffuse) => dot(n, way).max(zero),
             () => n_dot_l.max(zero),
         };
+        let is_lit = n_dot_l.get() > value(CosineCutBelow).unwrap_or(f64::NEG_INFINITY)
+            && (!is(LitFromEyeOnly) || dot(n, v) > zero);
+        if !is_lit {
+            lambert = zero;
+        }
         let wrap = match odd {
             Some(Odd::Wrap(by)) => Some(by),
             _ => value(Wrapped),
@@ -512,6 +672,9 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
         match odd {
             Some(Odd::DiffuseTimes(by)) => lambert = lambert * T::of(by),
             Some(Odd::CosineTo(power)) => lambert = lambert.powf(T::of(power)),
+            Some(Odd::CosineAtLeast(least)) if n_dot_l > zero => {
+                lambert = lambert.max(T::of(least));
+            }
             Some(Odd::Banded(by)) => lambert = T::of((lambert.get() * by).round() / by),
             _ => {}
         }
@@ -525,15 +688,26 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
         };
         let k = if is(DiffuseMinusSpecular) {
             mul(k_d, k_s.map(|c| one - c))
+        } else if is(DiffuseMinusLargest) {
+            scale(k_d, one - k_s[0].max(k_s[1]).max(k_s[2]))
         } else {
             k_d
         };
         let mut matte = scale(mul(k, of_light), lambert);
         let mut shiny = [zero; 3];
-        let is_gated =
-            !(is(HighlightNotGated) || is(LightClampedBelow) || profile.highlight_on_the_dark_side);
+        let of_kind = match light {
+            Light::Directional { .. } => HighlightNotGatedOfSuns,
+            Light::Point { .. } => HighlightNotGatedOfPoints,
+            Light::Spot { .. } => HighlightNotGatedOfSpots,
+        };
+        let is_gated = !(is(of_kind)
+            || is(HighlightNotGated)
+            || is(LightClampedBelow)
+            || profile.highlight_on_the_dark_side);
         let has_model = scene.model != Model::Lambert || is(HighlightOnLambert);
         let has_highlight = has_model
+            && is_lit
+            && !(is(HighlightOfFirstLightOnly) && i > 0)
             && (n_dot_l > zero || !is_gated)
             && (!is(HighlightGatedOnEye) || dot(n, v) > zero);
         if has_highlight {
@@ -542,6 +716,14 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
                 Model::Phong => !is(OtherModel),
                 Model::BlinnPhong => is(OtherModel),
             };
+            let l = if is(LightNotNormalizedInHighlight) {
+                way
+            } else {
+                l
+            };
+            let long = is(NormalNotNormalizedInHighlight);
+            let n = if long { long_n } else { n };
+            let n_dot_l = dot(n, l);
             let sum = add(l, v);
             // opposite directions have no half vector
             let has_half = dot(sum, sum) > zero || is(HalfVectorUnguarded);
@@ -552,12 +734,14 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
                     r = scale(r, -one);
                 }
                 dot(r, v)
+            } else if odd == Some(Odd::EyeForHalf) {
+                dot(n, v)
             } else if is(HalfVectorHalved) {
                 dot(n, scale(sum, T::of(0.5)))
             } else if is(HalfVectorNotNormalized) {
                 dot(n, sum)
             } else if has_half {
-                dot(n, normalize(sum))
+                dot(n, unit(sum))
             } else {
                 zero
             };
@@ -568,6 +752,10 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
                 () if cosine < zero => zero,
                 () => cosine,
             };
+            let cosine = match value(CosineOfHighlightAtLeast) {
+                Some(least) => cosine.max(T::of(least)),
+                None => cosine,
+            };
             let of_m = T::of(m);
             let mut factor = cosine.powf(of_m);
             if is(PowerOfSchlick) {
@@ -576,6 +764,11 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
             if let Some(Odd::PowerTable(entries)) = odd {
                 let entry = (cosine.get().clamp(0.0, 1.0) * entries).round() / entries;
                 factor = T::of(entry.powf(m));
+            }
+            if let (Some(Odd::PowerByBits), true) = (odd, cosine > zero) {
+                let of_one = 1_064_866_805.0;
+                let bits = m * (f64::from((cosine.get() as f32).to_bits()) - of_one) + of_one;
+                factor = T::of(f64::from(f32::from_bits(bits.max(0.0) as u32)));
             }
             let eight_pi = T::of(8.0) * pi;
             let (two, eight) = (T::of(2.0), T::of(8.0));
@@ -598,10 +791,17 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
                 () if is(HighlightOverPi) => factor * attenuation / pi,
                 () => factor * attenuation,
             };
+            factor = factor * T::of(value(HighlightScaled).unwrap_or(1.0));
             let of_light = match () {
                 () if is(HighlightWithoutLight) => [cone; 3],
                 () if is(ConeNotOfHighlight) => whole_light,
                 () => intensity,
+            };
+            let mean = (intensity[0] + intensity[1] + intensity[2]) / T::of(3.0);
+            let of_light = match odd {
+                Some(Odd::LightSquared) => mul(of_light, intensity),
+                Some(Odd::GrayHighlight) => [mean; 3],
+                _ => of_light,
             };
             let grazing = if is(Fresnel) {
                 Some(one - dot(v, normalize(sum)))
@@ -637,11 +837,32 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
             diffuse = add(diffuse, matte);
             specular = add(specular, shiny);
         }
-        if is(AmbientPerLight) {
+        if odd == Some(Odd::AmbientIfLit) && n_dot_l > zero && !any_in_front {
+            any_in_front = true;
             specular = add(specular, ambient);
+        }
+        let in_front = is(AmbientPerLightInFront) || is(AmbientPerLightInFrontToo);
+        if is(AmbientPerLight) || is(AmbientPerLightToo) || in_front && n_dot_l > zero {
+            specular = add(specular, ambient);
+        }
+        if is(AmbientArriving) && cone > zero {
+            specular = add(specular, scale(ambient, attenuation));
         }
         if is(AmbientAttenuated) || profile.attenuated_ambient {
             specular = add(specular, scale(ambient, attenuation));
+        }
+        if let Some(Odd::SumCut(of_bits)) = odd {
+            let cut = |c: T| {
+                let unit = (c.get().abs().log2().floor() + 1.0 - of_bits).exp2();
+                T::of(if c > zero {
+                    (c.get() / unit).floor() * unit
+                } else {
+                    0.0
+                })
+            };
+            let first = if i == 0 { base } else { [zero; 3] };
+            diffuse = add(add(diffuse, specular), first).map(cut);
+            specular = [zero; 3];
         }
         if let Some(Odd::Rounded(of_bits)) = odd {
             diffuse = diffuse.map(|c| T::of(bits(c.get(), of_bits)));
@@ -662,7 +883,12 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
     } else {
         base
     };
-    let mut sum = add(base, diffuse);
+    let is_summed = matches!(odd, Some(Odd::SumCut(_))) && !scene.lights.is_empty();
+    let mut sum = if is_summed {
+        diffuse
+    } else {
+        add(base, diffuse)
+    };
     if is(DiffuseClamped) {
         sum = sum.map(clamp);
     }
@@ -673,8 +899,15 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
     if is(TotalClampedBelow) {
         sum = sum.map(|c| c.max(zero));
     }
+    if let Some(of_bits) = value(InBits) {
+        sum = sum.map(|c| T::of(bits(c.get(), of_bits)));
+    }
     match odd {
         Some(Odd::Red(by)) => sum[0] = sum[0] * T::of(by),
+        Some(Odd::Fog(by)) => {
+            let far = dot(of::<T>(scene.v), of(scene.v)).sqrt();
+            sum = scale(sum, (-far * T::of(by)).exp());
+        }
         Some(Odd::Plus(by)) => sum = sum.map(|c| c + T::of(by)),
         _ => {}
     }
@@ -725,13 +958,22 @@ fn encoded<T: Float>(sum: Vec3<T>, profile: &Profile, plan: &Plan) -> [f64; 3] {
             () if is(EachLightEncoded) => c,
             () if is(Gamma22ForSrgb) && profile.srgb => c.max(0.0).powf(1.0 / 2.2),
             () if is(Gamma22Unasked) && !profile.srgb => c.max(0.0).powf(1.0 / 2.2),
+            () if !profile.srgb && is(GammaUnasked) => {
+                c.max(0.0).powf(1.0 / value(GammaUnasked).unwrap_or(1.0))
+            }
             () if is(SrgbDecoded) => from_srgb(c),
+            () if is_encoded && is(SrgbWithoutToe) => (1.055 * c.powf(1.0 / 2.4) - 0.055).max(0.0),
             () if is_encoded => match value(GammaForSrgb) {
                 Some(gamma) => c.powf(1.0 / gamma),
                 None if is(SrgbTwice) => srgb(srgb(c)),
                 None => srgb(c),
             },
             () => c,
+        };
+        let c = match (value(ResultInSteps), value(ResultCut)) {
+            (Some(steps), _) => (c * steps).round() / steps,
+            (_, Some(steps)) => (c * steps).floor() / steps,
+            _ => c,
         };
         // in the precision of the renderer
         let c = T::of(clamp(c)).get();

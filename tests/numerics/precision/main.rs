@@ -47,8 +47,12 @@ fn no_error_exceeds_its_bound() {
     let measured: Vec<String> = single.iter().zip(&double).map(line).collect();
     let measured = measured.join("\n");
     println!("{measured}");
+    // what proves a bound is no measurement: the last column is checked where the bounds are proved
     let lines = PAGE.lines().filter(|line| line.starts_with("| `"));
-    let documented = lines.collect::<Vec<_>>().join("\n");
+    let rows = lines
+        .filter_map(|line| line.strip_suffix(" |")?.rsplit_once("| "))
+        .map(|(row, _)| row.to_owned() + "|");
+    let documented = rows.collect::<Vec<_>>().join("\n");
     if is_all {
         assert!(
             documented == measured,

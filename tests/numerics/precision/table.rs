@@ -155,13 +155,13 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
         row(
             "`SoftCone::factor`",
             "of 1, over the width of the edge",
-            6.5,
+            5.95,
             &soft_cone::<T>(false),
         ),
         row(
             "`SoftCone::factor`, a smoothstep",
             "of 1, over the width of the edge",
-            6.0,
+            4.3,
             &soft_cone::<T>(true),
         ),
         of_result("`PointLight::at`, direction", 6.5, &lamp_direction::<T>),
