@@ -77,7 +77,7 @@ fn formula<T: Real + PartialOrd>(mut random: Random, variables: [T; VARIABLES]) 
                 let c = [T::of(-1.0 / 512.0), T::of(-1e-20), T::ZERO][random.below(3)];
                 seen_from_behind(n, v, c, [T::ONE / T::EXTREME, T::ZERO][random.below(2)])
             }
-            19 => slope([x, x.abs(), T::ONE][random.below(3)], y, [a, y, T::ONE][random.below(3)]),
+            19 => slope([x, x.abs(), T::ONE][random.below(3)], y),
             _ => {
                 // a decision, from which the prover learns
                 let is_decided = [x > y, x <= y, x == y, (x - y).any_positive()][random.below(4)];
@@ -100,13 +100,13 @@ fn cosine<T: Real + PartialOrd>(v: Vec3<T>, w: Vec3<T>, other: T) -> T {
     }
 }
 
-/// The quotient of two numbers or of their difference and sum, whichever the numbers allow.
-fn slope<T: Real>(s: T, c: T, other: T) -> T {
-    let sign = c.if_positive(T::ONE, T::NEG_ONE);
-    let x = (c.abs() * T::of(2.4)).if_above(s, sign, T::ZERO);
-    let y = s.if_above(c.abs() * T::of(0.4), T::ONE, T::ZERO);
-    let [x, y] = [other.if_positive(x, T::ONE), other.if_positive(y, T::ONE)];
-    (x * s - y * c) / (x * c + y * s)
+/// The quotient of two numbers or of their difference and sum, whichever is small.
+fn slope<T: Real + PartialOrd>(s: T, c: T) -> T {
+    if c.abs() * T::of(2.4) > s {
+        if s > c.abs() * T::of(0.4) { (s - c.abs()) / (s + c.abs()) } else { s / c }
+    } else {
+        c / s
+    }
 }
 
 /// N·L of a unit vector toward a light that seems to be behind: n·v < c(|x| + |y| + |z|) − t.

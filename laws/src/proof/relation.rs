@@ -58,7 +58,7 @@ impl Known {
             }
             Node::Div(a, b) => {
                 let limit = self.most(g, a, b) * (1.0 + 4.0 * g.format.u()) + g.format.tiny();
-                let limit = up(g, limit).min(self.slope(g, a, b));
+                let limit = up(g, limit).min(self.slope(g, id, a, b));
                 // a ≥ b > 0 makes a/b ≥ 1
                 let is_above =
                     self.range(g, b).low > 0.0 && self.answer(g, Test::AtMost(b, a)) == Some(true);
@@ -115,7 +115,7 @@ impl Known {
     /// - |p − q| ≤ p + q for p, q ≥ 0, and rounding is monotone.
     /// - From 0 ≤ a ≤ fl(|b|k) follows a ≤ |b|k(1 + u) + η/2, and |b| ≥ η, or a = b = 0 and a/b is NaN.
     /// - From fl(|a|k) ≤ b follows |a|k ≤ (b + η/2)(1 + 2u), and b ≥ η, or |a|k is rounded to 0, and k ≥ 1 makes a = 0.
-    fn slope(&mut self, g: &Graph, a: u32, b: u32) -> f64 {
+    fn slope(&mut self, g: &Graph, id: u32, a: u32, b: u32) -> f64 {
         match (&self.combination(g, a)[..], &self.combination(g, b)[..]) {
             (&[(p, _), (q, _)], &[(r, by_r), (s, by_s)])
                 if (p, q) == (r, s) || (p, q) == (s, r) =>
@@ -138,7 +138,8 @@ impl Known {
             (&[(a, _)], &[(b, _)]) => {
                 let answers = self.facts.clone();
                 let no = answers.iter().filter_map(|fact| match *fact {
-                    (Test::Above(p, q), false) => Some((p, q)),
+                    // what lies below the node alone, so that no range asks for itself
+                    (Test::Above(p, q), false) if p.max(q) < id => Some((p, q)),
                     _ => None,
                 });
                 let limits = no.map(|(p, q)| {
