@@ -77,7 +77,8 @@ impl Bounded {
         match u {
             0.0 => 0.0,
             u if u <= f64::EPSILON / 2.0 => f64::MIN_POSITIVE,
-            u if u <= f64::from(f32::EPSILON) => f64::from(f32::MIN_POSITIVE),
+            // with more digits than half precision, there is a larger exponent, too
+            u if u < (-11_f64).exp2() => f64::from(f32::MIN_POSITIVE),
             _ => (-14_f64).exp2(),
         }
     }

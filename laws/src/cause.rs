@@ -1,5 +1,6 @@
 //! Which mistakes explain the colors of a run.
 
+use crate::bounded::Bounded;
 use crate::mistake::{Fault, Mistake};
 use crate::profile::Profile;
 use crate::random::Random;
@@ -162,7 +163,7 @@ impl Evidence {
             if fits.is_none() {
                 // such as that of the eye in the surface, which has no direction
                 unknown += 1;
-                if unknown * 2 > self.wrong.len() {
+                if unknown * 4 > self.wrong.len() * 3 {
                     return None;
                 }
             } else if fits == Some(false) {
@@ -196,8 +197,11 @@ impl Evidence {
         let shows = fault.mistake == Mistake::InBits;
         let (mut explained, mut of, mut brighter) = (0, 0, 0);
         for sample in &self.wrong {
-            // with so few bits, some colors are not known at all
-            let Some(is_explained) = rough.fits(&sample.scene, sample.reply) else {
+            let is_explained = rough.fits(&sample.scene, sample.reply);
+            let is_vague = |c: &Bounded| c.error * 2.0 > c.value;
+            // with so few bits, hardly anything is known of some colors
+            let is_known = !rough.linear(&sample.scene).iter().all(is_vague);
+            let Some(is_explained) = is_explained.filter(|fits| is_known || !fits) else {
                 continue;
             };
             of += 1;
@@ -228,7 +232,7 @@ impl Evidence {
             let fitting = self.wrong[..first]
                 .iter()
                 .filter(|sample| textbook.fits(&sample.scene, sample.reply) == Some(true));
-            !fault.mistake.is_rough() && fitting.count() * 20 >= first
+            !fault.mistake.is_loose() && fitting.count() * 20 >= first
         };
         let some: Vec<Fault> = faults.iter().filter(gives_some).copied().collect();
         let some = &some;

@@ -46,6 +46,11 @@ macro_rules! mistakes {
 }
 
 impl Mistake {
+    /// Whether it explains any color that is off by little, so that others beside it explain no more.
+    pub(crate) fn is_loose(self) -> bool {
+        self.is_rough() || self == Self::ExpandedSquares
+    }
+
     /// Whether it explains any color that is off by so little.
     pub(crate) fn is_rough(self) -> bool {
         matches!(self, Self::InBits | Self::Imprecise)
@@ -531,12 +536,14 @@ mistakes! {
     FastInverseRootBesideLamps [1.0, 2.0, 3.0] = "N, V and H are normalized by the fast inverse root with {} steps of Newton's method",
     /// v/(|v| + more).
     LengthPlus [1e-4, 1e-3, 1e-5, 1e-6] = "{} is added to the length by which a vector is normalized",
+    /// v/max(|v|, least).
+    LengthAtLeast [0.01, 0.001, 0.0001, 0.1] = "the length by which a vector is normalized is at least {}",
     /// |a|² − 2a·b + |b|².
     ExpandedSquares = "the distance is computed from expanded squares, |a|² - 2a·b + |b|², which cancel",
     /// Every color is a number of so few bits.
     InBits [8.0, 11.0] = "colors are computed in {} bits; half precision has 11, bfloat 8",
     /// Rounding like that of 2^−k.
-    Imprecise [24.0, 22.0, 20.0, 18.0, 16.0, 14.0, 13.0, 12.0, 11.0, 10.0, 9.0, 8.0, 7.0] = "it behaves like a roundoff of 2^-{}, lower than the profile says, as of half precision (2^-11), bfloat (2^-8), a table or a fast inverse root",
+    Imprecise [24.0, 22.0, 20.0, 18.0, 16.0, 14.0, 13.0, 12.0, 11.0, 10.0, 9.0, 8.0, 7.0] = "it behaves like a roundoff of 2^-{}, lower than the profile says, as half precision, bfloat, a table or a fast inverse root would",
     /// A scene changes the color of the next.
     Leak = "a scene changes the color of the scenes after it",
     /// Another color for the same scene.

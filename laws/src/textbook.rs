@@ -142,6 +142,10 @@ impl<'a> Textbook<'a> {
             let length = length(a) + Bounded::given(more, self.u);
             return a.map(|c| c / length);
         }
+        if let Some(least) = self.value_of(Mistake::LengthAtLeast) {
+            let length = length(a).at_least(least);
+            return a.map(|c| c / length);
+        }
         unit(a)
     }
 
@@ -444,7 +448,14 @@ impl<'a> Textbook<'a> {
         } else if self.has(Mistake::FastInverseRootBesideLamps) {
             unit(way)
         } else {
-            self.unit(way)
+            // the renderer may divide by the distance, which it needs in any case
+            let (l, other) = (self.unit(way), unit(way));
+            let more = |i: usize| (l[i].value - other[i].value).abs();
+            if self.has(Mistake::LengthPlus) || self.has(Mistake::LengthAtLeast) {
+                from_fn(|i| l[i].looser(more(i)))
+            } else {
+                l
+            }
         };
         let kind = match light {
             Light::Spot { .. } => Kind::Spot,
@@ -955,7 +966,9 @@ impl<'a> Textbook<'a> {
     /// The same, where the color in linear light is known.
     pub fn fits_linear(&self, linear: Bounded3, reply: Triple) -> Option<bool> {
         if let Some(bits) = self.value_of(Mistake::InBits) {
-            let is_one = |c: f64| !c.is_finite() || rounded(c, (-bits).exp2()) == c;
+            let off = |c: f64| (rounded(c, (-bits).exp2()) - c).abs();
+            // a decimal fraction may be cut off
+            let is_one = |c: f64| !c.is_finite() || off(c) <= self.profile.roundoff * c.abs();
             if !reply.into_iter().all(is_one) {
                 return Some(false);
             }

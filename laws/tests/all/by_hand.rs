@@ -160,6 +160,28 @@ pub enum Odd {
     Rounded(f64),
     /// N·L is rounded to multiples of 1/x.
     Banded(f64),
+    /// N·L is at least this in front.
+    CosineAtLeast(f64),
+    /// The highlight has the square of the light's color.
+    LightSquared,
+    /// The highlight has the mean of the light's color.
+    GrayHighlight,
+    /// The distance of a spot is that along its axis.
+    DistanceAlongAxis,
+    /// k_d and k_s are divided by their largest sum, if it is above 1.
+    NoMoreThanOne,
+    /// A light whose red is black is left out.
+    RedDecides,
+    /// The ambient light comes with the first light in front.
+    AmbientIfLit,
+    /// The power by the bits of a float.
+    PowerByBits,
+    /// The sum is cut to so many bits after each light.
+    SumCut(f64),
+    /// It fades with the distance of the eye.
+    Fog(f64),
+    /// N·V in place of N·H.
+    EyeForHalf,
 }
 
 /// What is wrong with a renderer.
@@ -234,9 +256,10 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
             }
             return scale(a, y);
         }
-        match value(LengthPlus) {
-            Some(more) => scale(a, one / (square.sqrt() + T::of(more))),
-            None => normalize(a),
+        match (value(LengthPlus), value(LengthAtLeast)) {
+            (Some(more), _) => scale(a, one / (square.sqrt() + T::of(more))),
+            (_, Some(least)) => scale(a, one / square.sqrt().max(T::of(least))),
+            _ => normalize(a),
         }
     };
     let place = |p: [f64; 3]| {
@@ -329,6 +352,11 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
     if is(HighlightForgotten) {
         k_s = [zero; 3];
     }
+    if odd == Some(Odd::NoMoreThanOne) {
+        let sum = add(k_d, k_s);
+        let most = sum[0].max(sum[1]).max(sum[2]).max(one);
+        (k_d, k_s) = (scale(k_d, one / most), scale(k_s, one / most));
+    }
     let i_a = of::<T>(color(scene.i_a));
     let mut ambient = mul(if is(AmbientByDiffuse) { k_d } else { k_a }, i_a);
     if is(AmbientWithoutMaterial) {
@@ -356,7 +384,7 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
         || is(AmbientArriving)
         || is(AmbientAttenuated)
         || profile.attenuated_ambient;
-    let base = if by_light || is(AmbientAtLeast) {
+    let base = if by_light || is(AmbientAtLeast) || odd == Some(Odd::AmbientIfLit) {
         [zero; 3]
     } else {
         ambient
@@ -386,6 +414,7 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
     let clamp = |c: T| c.max(T::of(low)).min(T::of(high));
     let most = value(LightsAtMost).unwrap_or(1e9) as usize;
     let (mut diffuse, mut specular) = ([zero; 3], [zero; 3]);
+    let mut any_in_front = false;
     let mut brightest = [zero; 3];
     for (i, light) in scene.lights.iter().enumerate() {
         if i >= most || is(FirstLightOnly) && i > 0 {
@@ -413,6 +442,7 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
             intensity = of(intensity.map(|c| from_srgb(c.get())));
         }
         match odd {
+            Some(Odd::RedDecides) if intensity[0] <= zero => continue,
             Some(Odd::Hue(by)) => intensity[i % 3] = intensity[i % 3] * T::of(1.0 + by),
             Some(Odd::Later(by)) if i > 0 => intensity = scale(intensity, T::of(1.0 - by)),
             _ => {}
@@ -465,6 +495,9 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
         } else {
             unit(way)
         };
+        if let (Light::Spot { axis, .. }, Some(Odd::DistanceAlongAxis)) = (light, odd) {
+            q = (q * -dot(of::<T>(*axis), l)).max(T::of(1e-6));
+        }
         let mut attenuation = match light {
             Light::Directional { .. } => one,
             Light::Point { attenuation, .. } | Light::Spot { attenuation, .. } => {
@@ -639,6 +672,9 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
         match odd {
             Some(Odd::DiffuseTimes(by)) => lambert = lambert * T::of(by),
             Some(Odd::CosineTo(power)) => lambert = lambert.powf(T::of(power)),
+            Some(Odd::CosineAtLeast(least)) if n_dot_l > zero => {
+                lambert = lambert.max(T::of(least));
+            }
             Some(Odd::Banded(by)) => lambert = T::of((lambert.get() * by).round() / by),
             _ => {}
         }
@@ -698,6 +734,8 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
                     r = scale(r, -one);
                 }
                 dot(r, v)
+            } else if odd == Some(Odd::EyeForHalf) {
+                dot(n, v)
             } else if is(HalfVectorHalved) {
                 dot(n, scale(sum, T::of(0.5)))
             } else if is(HalfVectorNotNormalized) {
@@ -727,6 +765,11 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
                 let entry = (cosine.get().clamp(0.0, 1.0) * entries).round() / entries;
                 factor = T::of(entry.powf(m));
             }
+            if let (Some(Odd::PowerByBits), true) = (odd, cosine > zero) {
+                let of_one = 1_064_866_805.0;
+                let bits = m * (f64::from((cosine.get() as f32).to_bits()) - of_one) + of_one;
+                factor = T::of(f64::from(f32::from_bits(bits.max(0.0) as u32)));
+            }
             let eight_pi = T::of(8.0) * pi;
             let (two, eight) = (T::of(2.0), T::of(8.0));
             match () {
@@ -753,6 +796,12 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
                 () if is(HighlightWithoutLight) => [cone; 3],
                 () if is(ConeNotOfHighlight) => whole_light,
                 () => intensity,
+            };
+            let mean = (intensity[0] + intensity[1] + intensity[2]) / T::of(3.0);
+            let of_light = match odd {
+                Some(Odd::LightSquared) => mul(of_light, intensity),
+                Some(Odd::GrayHighlight) => [mean; 3],
+                _ => of_light,
             };
             let grazing = if is(Fresnel) {
                 Some(one - dot(v, normalize(sum)))
@@ -788,6 +837,10 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
             diffuse = add(diffuse, matte);
             specular = add(specular, shiny);
         }
+        if odd == Some(Odd::AmbientIfLit) && n_dot_l > zero && !any_in_front {
+            any_in_front = true;
+            specular = add(specular, ambient);
+        }
         let in_front = is(AmbientPerLightInFront) || is(AmbientPerLightInFrontToo);
         if is(AmbientPerLight) || is(AmbientPerLightToo) || in_front && n_dot_l > zero {
             specular = add(specular, ambient);
@@ -797,6 +850,19 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
         }
         if is(AmbientAttenuated) || profile.attenuated_ambient {
             specular = add(specular, scale(ambient, attenuation));
+        }
+        if let Some(Odd::SumCut(of_bits)) = odd {
+            let cut = |c: T| {
+                let unit = (c.get().abs().log2().floor() + 1.0 - of_bits).exp2();
+                T::of(if c > zero {
+                    (c.get() / unit).floor() * unit
+                } else {
+                    0.0
+                })
+            };
+            let first = if i == 0 { base } else { [zero; 3] };
+            diffuse = add(add(diffuse, specular), first).map(cut);
+            specular = [zero; 3];
         }
         if let Some(Odd::Rounded(of_bits)) = odd {
             diffuse = diffuse.map(|c| T::of(bits(c.get(), of_bits)));
@@ -817,7 +883,12 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
     } else {
         base
     };
-    let mut sum = add(base, diffuse);
+    let is_summed = matches!(odd, Some(Odd::SumCut(_))) && !scene.lights.is_empty();
+    let mut sum = if is_summed {
+        diffuse
+    } else {
+        add(base, diffuse)
+    };
     if is(DiffuseClamped) {
         sum = sum.map(clamp);
     }
@@ -833,6 +904,10 @@ pub fn shade<T: Float>(scene: &Scene, profile: &Profile, plan: &Plan) -> [f64; 3
     }
     match odd {
         Some(Odd::Red(by)) => sum[0] = sum[0] * T::of(by),
+        Some(Odd::Fog(by)) => {
+            let far = dot(of::<T>(scene.v), of(scene.v)).sqrt();
+            sum = scale(sum, (-far * T::of(by)).exp());
+        }
         Some(Odd::Plus(by)) => sum = sum.map(|c| c + T::of(by)),
         _ => {}
     }
