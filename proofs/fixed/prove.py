@@ -102,9 +102,10 @@ class Call:
             _, width, value = re.split(r"\s+i?", line, maxsplit=2)
             value = self.value(value, width)
             self.returned = value if self.returned is None else tm.mk_term(Kind.ITE, [self.when, value, self.returned])
-        elif line.startswith(("unreachable", "call void @_ZN4core9panicking", "call void @llvm.assume")):
-            if "panicking" in line:
-                self.panics.append(self.when)
+        elif line == "unreachable":
+            self.panics.append(self.when)
+        elif "panicking" in line:
+            pass  # what follows is unreachable
         else:
             name, operation = line.split(" = ", 1)
             self.values[name] = self.operation(operation)
