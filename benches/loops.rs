@@ -18,6 +18,8 @@ mod normals;
 mod race;
 #[path = "support/rebuilt.rs"]
 mod rebuilt;
+#[path = "loops/terms.rs"]
+mod terms;
 
 use std::process::ExitCode;
 
@@ -33,10 +35,11 @@ fn main() -> ExitCode {
         .skip(1)
         .filter(|a| a != "--bench")
         .collect();
-    let all: [(&str, Races); 3] = [
+    let all: [(&str, Races); 4] = [
         ("encodings", encodings::race),
         ("lights", lights::race),
         ("normals", normals::race),
+        ("terms", terms::race),
     ];
     let chosen = |name: &str| chosen.is_empty() || chosen.iter().any(|c| c == name);
     let exceeded: usize = all

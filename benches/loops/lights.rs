@@ -1,15 +1,10 @@
-//! Lights, terms and the sum over four lights, beside the same on `glam`.
+//! Lights and the sum over four lights, beside the same on `glam`.
 
 use glam::Vec3;
-use shading::{
-    Attenuation, Cone, Exponent, Material, PointLight, Rgb, SpotLight, UnitVec3, half_vector,
-    reflection, shade, term,
-};
+use shading::{Attenuation, Cone, Exponent, Material, PointLight, Rgb, SpotLight, UnitVec3, shade};
 
 use crate::data::{Vectors, directions, triangles};
 use crate::race::{Data, Limit, Race, limit, twice};
-
-const LIKE: Limit = limit(1.3, 1.4);
 
 const LAMP: PointLight<f32> = lamp(1.0, 2.0, 3.0);
 const SPOT: SpotLight<f32> = SpotLight {
@@ -108,90 +103,7 @@ pub fn race() -> usize {
     let at_once = of_sums_at_once(directions.clone());
     #[cfg(not(feature = "wide"))]
     let at_once = 0;
-    of_terms(&directions) + of_lights(&points) + of_sums(&directions) + at_once
-}
-
-fn of_terms(directions: &[Data<Vectors>]) -> usize {
-    Race::of(
-        "reflection",
-        twice!(|Vectors {
-                    ours: [n, l, _], ..
-                }: &Vectors| reflection(unit(*n), unit(*l))),
-    )
-    .against(
-        "glam",
-        LIKE,
-        twice!(|Vectors {
-                    glam: [n, l, _], ..
-                }| (-l).reflect(*n)),
-    )
-    .run(directions)
-        + Race::of(
-            "half_vector",
-            twice!(|Vectors {
-                        ours: [l, _, v], ..
-                    }: &Vectors| half_vector(unit(*l), unit(*v))),
-        )
-        .against(
-            "glam",
-            LIKE,
-            twice!(|Vectors {
-                        glam: [l, _, v], ..
-                    }| (l + v).try_normalize()),
-        )
-        .run(directions)
-        + Race::of(
-            "term::lambert",
-            twice!(|Vectors {
-                        ours: [n, l, _], ..
-                    }: &Vectors| term::lambert(unit(*n), unit(*l))),
-        )
-        .against(
-            "glam",
-            LIKE,
-            twice!(|Vectors {
-                        glam: [n, l, _], ..
-                    }| n.dot(*l).max(0.0)),
-        )
-        .run(directions)
-        + Race::of(
-            "term::blinn, whole m",
-            twice!(|Vectors {
-                        ours: [n, h, _], ..
-                    }: &Vectors| {
-                term::blinn(unit(*n), unit(*h), std::hint::black_box(WHOLE_M))
-            }),
-        )
-        .against(
-            "powi",
-            LIKE,
-            twice!(|Vectors {
-                        glam: [n, h, _], ..
-                    }| {
-                n.dot(*h)
-                    .max(0.0)
-                    .powi(std::hint::black_box(WHOLE_M.cast_signed()))
-            }),
-        )
-        .run(directions)
-        + Race::of(
-            "term::blinn, real m",
-            twice!(|Vectors {
-                        ours: [n, h, _], ..
-                    }: &Vectors| {
-                term::blinn(unit(*n), unit(*h), std::hint::black_box(REAL_M))
-            }),
-        )
-        .against(
-            "powf",
-            limit(2.0, 2.0),
-            twice!(|Vectors {
-                        glam: [n, h, _], ..
-                    }| {
-                n.dot(*h).max(0.0).powf(std::hint::black_box(REAL_M))
-            }),
-        )
-        .run(directions)
+    of_lights(&points) + of_sums(&directions) + at_once
 }
 
 fn of_lights(points: &[Data<Vectors>]) -> usize {

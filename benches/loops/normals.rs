@@ -1,6 +1,8 @@
 //! Normals, beside the same on `glam`.
 
 use glam::{Mat3, Vec3};
+use nalgebra::SVector;
+use num_dual::{DualNum, DualSVec32};
 use shading::{Dual, Real, UnitVec3, normal};
 
 use crate::data::{Vectors, directions, triangles};
@@ -9,6 +11,16 @@ use crate::race::{Data, Limit, Race, limit, twice};
 fn torus<T: Real>(p: shading::Vec3<T>) -> T {
     let ring = (p.x * p.x + p.y * p.y).sqrt() - T::of(2.0);
     ring * ring + p.z * p.z - T::of(0.25)
+}
+
+/// The same, differentiated by `num-dual`.
+fn differentiated_torus(p: Vec3) -> Vec3 {
+    let torus = |p: SVector<DualSVec32<3>, 3>| {
+        let ring = (p[0] * p[0] + p[1] * p[1]).sqrt() - 2.0;
+        ring * ring + p[2] * p[2] - 0.25
+    };
+    let (_, slopes) = num_dual::gradient(torus, &SVector::from(p.to_array()));
+    Vec3::from_array(slopes.into())
 }
 
 /// The derivative of the torus by hand.
@@ -147,8 +159,13 @@ fn of_functions(triangles: &[Data<Vectors>]) -> usize {
         twice!(|Vectors { glam: [a, ..], .. }| { torus_gradient(*a).try_normalize() }),
     )
     .against(
+        "num-dual",
+        limit(1.0, 1.0),
+        twice!(|Vectors { glam: [a, ..], .. }| differentiated_torus(*a).try_normalize()),
+    )
+    .against(
         "plain",
-        limit(3.9, f64::INFINITY),
+        limit(3.6, f64::INFINITY),
         twice!(|Vectors { glam: [a, ..], .. }| plain(torus_gradient(*a))),
     )
     .run(triangles)
@@ -160,12 +177,12 @@ fn of_functions(triangles: &[Data<Vectors>]) -> usize {
         )
         .against(
             "glam",
-            limit(1.7, 1.9),
+            limit(1.5, 1.5),
             twice!(|Vectors { glam: [a, ..], .. }| { saddle_cross(a.x, a.y).try_normalize() }),
         )
         .against(
             "plain",
-            limit(4.9, f64::INFINITY),
+            limit(3.5, f64::INFINITY),
             twice!(|Vectors { glam: [a, ..], .. }| plain(saddle_cross(a.x, a.y))),
         )
         .run(triangles)

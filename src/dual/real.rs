@@ -203,6 +203,11 @@ impl<T: Real> Real for Dual<T> {
     }
 
     #[inline]
+    fn is_any_extreme(a: [Self; 3], b: [Self; 3]) -> bool {
+        T::is_any_extreme(values(a), values(b))
+    }
+
+    #[inline]
     fn rescaled_together([a, b, c]: [[Self; 3]; 3]) -> Option<([[Self; 3]; 3], Self)> {
         let (values, power) = T::rescaled_together([values(a), values(b), values(c)])?;
         let part = |gradient: Vec3<T>| T::rescaled_by(gradient.into(), power).into();

@@ -251,5 +251,11 @@ fn is_one_noise<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> bool {
 #[cfg_attr(not(target_os = "none"), inline(always))]
 #[must_use]
 pub fn from_tangents<T: Real + Scalar>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<UnitVec3<T>> {
-    s_u.rescaled().cross(s_v.rescaled()).unit()
+    if T::is_any_extreme(s_u.into(), s_v.into()) {
+        s_u.rescaled().cross(s_v.rescaled())
+    } else {
+        // not merged with the rescaled ones, so that what the compiler knows of them is not lost
+        s_u.cross(s_v)
+    }
+    .unit()
 }

@@ -273,6 +273,14 @@ pub trait Real:
         triple::rescaled_difference(to, from)
     }
 
+    /// Whether a product of a and b may need them [rescaled](Real::rescaled_difference).
+    #[doc(hidden)]
+    #[inline]
+    #[must_use]
+    fn is_any_extreme(a: [Self; 3], b: [Self; 3]) -> bool {
+        triple::is_any_extreme(a, b)
+    }
+
     /// Three vectors times one power of two, likewise, if there is one for all.
     #[doc(hidden)]
     #[inline]

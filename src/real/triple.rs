@@ -20,6 +20,13 @@ fn is_extreme<T: Real>(square: T) -> bool {
     square.any_outside(T::ONE / T::EXTREME, T::EXTREME)
 }
 
+/// Whether a or b is extreme. For firmware the answer is always yes: rescaling changes no result, and one
+/// way through a formula takes less flash than two.
+#[inline(always)]
+pub(super) fn is_any_extreme<T: Real>(a: Triple<T>, b: Triple<T>) -> bool {
+    cfg!(target_os = "none") || is_extreme(T::dot(a, a)) || is_extreme(T::dot(b, b))
+}
+
 /// The power of two that rescales a vector, from its |v|²: one factor of at most 1 and one of at least
 /// 1.
 #[inline(always)]

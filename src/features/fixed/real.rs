@@ -141,6 +141,11 @@ impl Real for Fixed {
     }
 
     #[inline]
+    fn is_any_extreme(_: [Self; 3], _: [Self; 3]) -> bool {
+        true
+    }
+
+    #[inline]
     fn rescaled_together(vectors: [[Self; 3]; 3]) -> Option<([[Self; 3]; 3], Self)> {
         Some(vector::rescaled(vectors))
     }
