@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Proves what docs/proofs.md lists, tests the prover, and plants faults in a copy of the source, each of which must make a
-# claim fail, and wrong rules in the prover, each of which its tests must find. With `--all` the prover is tested with a hundred times as many numbers. The last line says how many claims were proved, by which means, and how many are open.
+# claim fail, and wrong rules in the prover, each of which its tests must find. With `--all` the prover is tested with a hundred times as many numbers, and the integers of `Fixed` are proved. The last line says how many claims were proved, by which means, and how many are open.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -56,6 +56,20 @@ for script in "$scripts"/*.g; do
         cat "$scripts/log"
     fi
 done
+# the integers of `Fixed`: every input of the reciprocals, and by a solver every pair of numbers that is multiplied
+if [[ "${1:-}" == --all ]]; then
+    fixed=${CARGO_TARGET_DIR:-target}/fixed
+    mkdir -p "$fixed"
+    rustc --edition 2024 -O -C overflow-checks=on -o "$fixed/every" proofs/fixed/every.rs
+    "$fixed/every"
+    python3 -c "import bitwuzla" 2>/dev/null || pip install -q bitwuzla
+    for target in x86_64-unknown-linux-gnu thumbv6m-none-eabi; do
+        rustc --edition 2024 --target "$target" --crate-type=rlib -C opt-level=1 -C overflow-checks=on -C panic=abort \
+            -C codegen-units=1 --emit=llvm-ir -o "$fixed/$target.ll" proofs/fixed/harness.rs
+        python3 proofs/fixed/prove.py "$fixed/$target.ll"
+    done
+fi
+
 # half of a bound must not be proved, nor a bound of a formula with a rounding more
 "$prover" bounds "$scripts/half" 0.5
 "$prover" roundings >"$scripts/roundings"

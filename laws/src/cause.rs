@@ -169,7 +169,7 @@ impl Evidence {
             } else if fits == Some(false) {
                 unexplained += 1;
                 // what fails so often at the beginning hardly ever explains enough in the end
-                let most_so_far = misses(i, 2.0 * (1.0 - least)) + 6;
+                let most_so_far = misses(i, 2.0 * (1.0 - least)) + 3;
                 if unexplained > most.min(most_so_far) {
                     return None;
                 }
@@ -228,11 +228,13 @@ impl Evidence {
     fn pair(&self, profile: &Profile, faults: &[Fault]) -> Option<Cause> {
         let gives_some = |fault: &&Fault| {
             let textbook = Textbook::new(profile, std::slice::from_ref(fault));
-            let first = self.wrong.len().min(80);
-            let fitting = self.wrong[..first]
-                .iter()
-                .filter(|sample| textbook.fits(&sample.scene, sample.reply) == Some(true));
-            !fault.mistake.is_loose() && fitting.count() * 20 >= first
+            let first = &self.wrong[..self.wrong.len().min(80)];
+            let gives = |sample: &&Sample| textbook.fits(&sample.scene, sample.reply) == Some(true);
+            let (few, others) = first.split_at(first.len() / 2);
+            // what gives none of the first few hardly ever gives enough
+            let of_few = few.iter().filter(gives).count();
+            let is_some = || (of_few + others.iter().filter(gives).count()) * 20 >= first.len();
+            !fault.mistake.is_loose() && (of_few > 0 || few.len() < 40) && is_some()
         };
         let some: Vec<Fault> = faults.iter().filter(gives_some).copied().collect();
         let some = &some;

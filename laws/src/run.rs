@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use crate::batch::{Batch, Batches};
 use crate::cause::Cause;
 use crate::corpus;
+use crate::coverage::Coverage;
 use crate::generator::Base;
 use crate::law::{LAWS, Law};
 use crate::mistake::{Fault, Mistake};
@@ -197,7 +198,8 @@ impl Laws {
             corpus::edges(&profile)
         };
         let of = profile.clone();
-        let mut trial = Trial::new(renderer, profile);
+        let coverage = prepared.is_none().then(Coverage::default);
+        let mut trial = Trial::new(renderer, profile, coverage);
         let budget = Budget {
             shrinks: self.shrinks,
             shrinking: self.shrinking,
@@ -227,10 +229,11 @@ impl Laws {
             });
         }
         let findings = self.findings(&mut trial, &mut reports)?;
-        let exercised = if self.only.is_empty() {
-            trial.coverage.of(&trial.profile)
-        } else {
-            Vec::new()
+        let coverage = trial.coverage.as_ref();
+        let coverage = coverage.or(prepared.map(|prepared| &prepared.coverage));
+        let exercised = match coverage {
+            Some(coverage) if self.only.is_empty() => coverage.of(&trial.profile),
+            _ => Vec::new(),
         };
         let known = self.known.iter();
         Ok(Report {
@@ -288,9 +291,16 @@ impl Laws {
             let batches = self.batches(law, profile, &edges);
             batches.map(Arc::new).collect()
         });
+        let batches: Vec<Vec<Arc<Batch>>> = batches.collect();
+        let mut coverage = Coverage::default();
+        let groups = batches.iter().flatten().flat_map(|batch| &batch.groups);
+        for scene in groups.flat_map(|group| &group.scenes) {
+            coverage.note(scene, profile);
+        }
         Prepared {
-            batches: batches.collect(),
             laws: self.clone(),
+            batches,
+            coverage,
         }
     }
 
@@ -413,6 +423,7 @@ pub struct Prepared {
     laws: Laws,
     /// The cases of each law.
     batches: Vec<Vec<Arc<Batch>>>,
+    coverage: Coverage,
 }
 
 impl Prepared {

@@ -45,7 +45,8 @@ pub struct Trial<'a> {
     renderer: &'a mut dyn Renderer,
     pub profile: Profile,
     pub evidence: Evidence,
-    pub coverage: Coverage,
+    /// What the scenes exercise, if it is not known already.
+    pub coverage: Option<Coverage>,
     /// Whether a scene had another color when it was asked again, long after what was asked before the batch.
     pub is_fickle: bool,
 }
@@ -64,12 +65,16 @@ struct Failure {
 type Judged = Option<(Broken, Vec<Triple>)>;
 
 impl<'a> Trial<'a> {
-    pub fn new(renderer: &'a mut dyn Renderer, profile: Profile) -> Self {
+    pub fn new(
+        renderer: &'a mut dyn Renderer,
+        profile: Profile,
+        coverage: Option<Coverage>,
+    ) -> Self {
         Self {
             renderer,
             profile,
             evidence: Evidence::new(),
-            coverage: Coverage::default(),
+            coverage,
             is_fickle: false,
         }
     }
@@ -150,7 +155,9 @@ impl<'a> Trial<'a> {
                 if keep {
                     let is_right = textbook.fits_linear(linear, *reply) != Some(false);
                     self.evidence.note(tried.index, is_right, scene, *reply);
-                    self.coverage.note(scene, profile);
+                    if let Some(coverage) = &mut self.coverage {
+                        coverage.note(scene, profile);
+                    }
                 }
             }
             let broken = group.broken(profile, &seen);

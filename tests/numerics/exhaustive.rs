@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::thread;
 
-use shading::{Attenuation, Exponent, Real, Rgb, Vec3, attenuation};
+use shading::{Attenuation, Exponent, Real, Rgb, SoftCone, UnitVec3, Vec3, attenuation};
 
 #[path = "../support/srgb.rs"]
 mod srgb;
@@ -59,6 +59,11 @@ fn roots_of_some_numbers() {
 }
 
 #[test]
+fn smoothsteps_of_some_cosines() {
+    smoothstep_rises(stride());
+}
+
+#[test]
 fn levels_of_some_numbers() {
     levels_are_rounded_correctly(stride());
 }
@@ -97,6 +102,30 @@ fn roots_of_every_number() {
 #[ignore = "takes minutes"]
 fn levels_of_every_number() {
     levels_are_rounded_correctly(1);
+}
+
+#[test]
+#[ignore = "takes seconds"]
+fn smoothsteps_of_every_cosine() {
+    smoothstep_rises(1);
+}
+
+/// As the cosine rises, a smoothstep never falls by more than one unit in the last place. The edge is from 0 to ½, so that t
+/// is twice the cosine, exactly.
+fn smoothstep_rises(stride: u32) {
+    let cone = SoftCone::<f32>::from_cosines(0.5, 0.0)
+        .expect("cosines")
+        .smoothstep();
+    let mut highest = 0.0_f32;
+    for cosine in floats(0.5, stride) {
+        let l = UnitVec3::assume_unit(Vec3::new(0.0, 0.0, cosine));
+        let factor = cone.factor(UnitVec3::NEG_Z, l);
+        assert!(
+            factor.to_bits() + 1 >= highest.to_bits(),
+            "{factor} at {cosine}, after {highest}"
+        );
+        highest = highest.max(factor);
+    }
 }
 
 /// A run of consecutive bit patterns, and the level that their numbers are encoded as.

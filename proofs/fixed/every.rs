@@ -1,0 +1,46 @@
+//! Tries every input of the reciprocals of `Fixed`, from their own source, with checks for overflow.
+
+#![allow(dead_code)]
+
+#[path = "../../src/features/fixed/product.rs"]
+mod product;
+#[path = "../../src/features/fixed/reciprocal.rs"]
+mod reciprocal;
+
+use std::thread;
+
+/// 2⁴⁸ over a number from 1 to the largest. The number is rounded to 19 bits or more, in up to three steps, which takes
+/// 2⁻¹⁹ + 2⁻²³ + 2⁻²⁷ of it at most, less than 9 · 2⁻²². Then a unit is cut off. The result never rises.
+fn reciprocals(from: u64, to: u64) {
+    let mut last = u32::MAX;
+    for steps in from..to {
+        let result = reciprocal::reciprocal(steps as u32);
+        let (low, high) = (u128::from(result) * u128::from(steps), (u128::from(result) + 1) * u128::from(steps));
+        let [smaller, larger] = [(1 << 22) - 9, (1 << 22) + 9];
+        assert!(low * smaller <= 1 << 70 && high * larger >= 1 << 70, "reciprocal({steps}) = {result}");
+        assert!(result <= last, "reciprocal({steps}) rises");
+        last = result;
+    }
+}
+
+/// 2²⁷/√x for x from ¼ to 1 is off by 2⁻²⁴ of itself at most, so that its square times x is off by 2⁻²³.
+fn roots(from: u64, to: u64) {
+    for bits in from..to {
+        let result = reciprocal::reciprocal_root(bits as u32) as u128;
+        let square = result * result * u128::from(bits);
+        assert!(square.abs_diff(1 << 86) <= 1 << (86 - 23), "reciprocal_root({bits}) = {result}");
+    }
+}
+
+fn main() {
+    let in_parts = |from: u64, to: u64, each: fn(u64, u64)| {
+        thread::scope(|scope| {
+            let middle = u64::midpoint(from, to);
+            scope.spawn(move || each(from, middle + 1));
+            scope.spawn(move || each(middle, to));
+        });
+    };
+    in_parts((1 << 16) + 1, 1 << 31, reciprocals);
+    in_parts(1 << 30, 1 << 32, roots);
+    println!("reciprocals: every input tried");
+}
