@@ -66,7 +66,7 @@ fn a_factor_multiplies_each_component() {
 }
 
 /// The components are shifted up until one takes 30 or 31 bits. The reciprocal of the length is off by
-/// less than 2⁻²⁶, and so a component by less than half a step and 0.01. The length is cut off to
+/// less than 2⁻²⁵, and so a component by less than half a step and 0.01. The length is cut off to
 /// units of 32 shifted steps, which is less than 2⁻²⁴ of it.
 #[test]
 fn directions_and_lengths_are_within_their_bounds() {
