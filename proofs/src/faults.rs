@@ -65,6 +65,8 @@ pub const FAULTS: &[Fault] = &[
         "(n.dot(self.l) - T::of_f32(0.01)).any_positive()",
         "sun_in_front",
     ),
+    ("light/in_front", "T::of_f32(-1.0 / 512.0)", "T::of_f32(-1.0 / 33_554_432.0)", "lamp_behind"),
+    ("light/in_front", "T::ONE / T::EXTREME", "T::ZERO", "lamp_behind"),
     ("range", "self.range * self.range + T::ONE / T::EXTREME", "self.range", "ranged_reaches"),
     ("range", "square.if_above(reach, T::ZERO, T::ONE)", "square.if_above(reach, T::ONE, T::ZERO)", "ranged_reaches"),
     // a formula is another
