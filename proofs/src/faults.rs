@@ -133,17 +133,20 @@ pub const RULES: &[(&str, &str, &str)] = &[
     ("known", "f.next_up(f.round(f.next_up(now.high).sqrt()))", "f.next_down(f.round(now.high.sqrt()))"),
     ("known", "if both { now.high } else { INF }", "now.high"),
     // a relation that does not hold
-    ("known", "found && self.range(g, root).low > 0.0", "self.range(g, root).low > 0.0"),
     (
-        "known",
-        "y.low > 0.0 && self.answer(g, Test::AtMost(b, a)) == Some(true)",
+        "relation",
+        "self.answer(g, Test::AtMost(b, a)) == Some(true)",
         "self.answer(g, Test::AtMost(a, b)) == Some(true)",
     ),
-    (
-        "known",
-        "(squares[0].sqrt() * squares[1].sqrt()) * (1.0 + 16.0 * f.u())",
-        "(squares[0].sqrt() * squares[1].sqrt()) * 0.9",
-    ),
+    ("relation", "(a.sqrt() * b.sqrt()) * (1.0 + 16.0 * f.u())", "(a.sqrt() * b.sqrt()) * 0.9"),
+    ("relation", "(1.0 + f.tiny() / (2.0 * least)).sqrt() * (1.0 + 16.0 * f.u())", "1.0"),
+    ("relation", "!pairs.iter().any(of_vectors)", "false"),
+    ("relation", "straight.min(of(a, q) * of(b, p)) * (1.0 + lost)", "0.9"),
+    ("relation", "0.9 * (-c - 32.0 * u) > 16.0 * tiny * (lost * r.high + 1.0)", "true"),
+    ("relation", "grow * (shrink * length * (1.0 - 16.0 * u) - 2.0 * tiny) - 2.0 * tiny", "grow * length"),
+    ("relation", "is_added(r, by_r) && is_added(s, by_s)", "true"),
+    ("relation", "k * (1.0 + 8.0 * g.format.u()) + 1.0", "k * 0.5"),
+    ("relation", "k * self.step(g, other, depth - 1)", "k * k * self.step(g, other, depth - 1)"),
     ("known", "is_always && !x.nan && !y.nan", "is_always"),
     // the number that records is another
     ("graph", "Node::Mul(a.min(b), a.max(b))", "Node::Mul(a.min(b), a.min(b))"),
@@ -172,6 +175,23 @@ pub(crate) fn planted(number: usize) -> bool {
 }
 ";
 
+/// Faults in what the trait derives, each with the claim that Bitwuzla must refute.
+pub const DERIVATIONS: &[Fault] = &[
+    (
+        "real/mod",
+        "(self - threshold).if_positive(then, otherwise)",
+        "(threshold - self).if_positive(otherwise, then)",
+        "if_above_as_derived",
+    ),
+    ("real/mod", "self + -self", "self", "abs_as_derived"),
+    ("real/mod", "(self - low).if_positive(Self::ZERO, Self::ONE)", "Self::ZERO", "outside_as_derived"),
+];
+
+/// Their numbers, each with its claim.
+pub fn derivations() -> impl Iterator<Item = (usize, &'static str)> {
+    (FAULTS.len() + RULES.len() + ROUNDINGS.len()..).zip(DERIVATIONS.iter().map(|fault| fault.3))
+}
+
 /// The numbers of the faults that are roundings, each with its bound.
 pub fn roundings() -> impl Iterator<Item = (usize, &'static str)> {
     (FAULTS.len() + RULES.len()..).zip(ROUNDINGS.iter().map(|fault| fault.3))
@@ -180,7 +200,7 @@ pub fn roundings() -> impl Iterator<Item = (usize, &'static str)> {
 /// Plants all faults and all wrong rules in a copy of the source.
 pub fn plant(folder: &Path) -> Result<(), String> {
     let first = FAULTS.len() + RULES.len();
-    let numbered = FAULTS.iter().enumerate().chain((first..).zip(ROUNDINGS));
+    let numbered = FAULTS.iter().enumerate().chain((first..).zip(ROUNDINGS.iter().chain(DERIVATIONS)));
     let faults = numbered.map(|(number, &(file, old, new, _))| (number, file, old, new));
     plant_in(&folder.join("src"), &faults.collect::<Vec<_>>())?;
     let number_of = |rule: usize| FAULTS.len() + rule;

@@ -4,16 +4,17 @@ mod claims;
 mod faults;
 mod gappa;
 mod random;
+mod smt;
 mod table;
 
 use std::path::Path;
 use std::process::{Command, ExitCode};
 use std::time::Instant;
 
-use shading_laws::proof::{Format, Verdict, check_ranges, judge};
+use shading_laws::proof::{Format, Verdict, check_ranges, is_proved_by_intervals, judge};
 
-const USAGE: &str =
-    "prove [CLAIM]… | check RUNS | rows | bounds FOLDER [SHARE] | roundings | plant FOLDER | faults PROVER";
+const USAGE: &str = "prove [CLAIM]… | check RUNS | rows | bounds FOLDER [SHARE] | roundings | smt FOLDER [CLAIM] | derivations \
+                     | plant FOLDER | faults PROVER";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -25,6 +26,12 @@ fn main() -> ExitCode {
         ["bounds", folder, share] => bounds(folder, share),
         ["roundings"] => {
             faults::roundings().for_each(|(number, bound)| println!("{number} {bound}"));
+            true
+        }
+        ["smt", folder] => solved(folder, ""),
+        ["smt", folder, claim] => solved(folder, claim),
+        ["derivations"] => {
+            faults::derivations().for_each(|(number, claim)| println!("{number} {claim}"));
             true
         }
         ["plant", folder] => faults::plant(Path::new(folder)).map_err(|e| println!("{e}")).is_ok(),
@@ -46,15 +53,24 @@ fn bounds(folder: &str, share: &str) -> bool {
     share.parse().is_ok_and(|share| gappa::write(Path::new(folder), share).map_err(|e| println!("{e}")).is_ok())
 }
 
+/// Writes the claims for Bitwuzla, or one of them.
+fn solved(folder: &str, claim: &str) -> bool {
+    smt::write(Path::new(folder), claim).map_err(|e| println!("{e}")).is_ok()
+}
+
 /// Proves the claims with these names, or all of them.
 fn prove(names: &[&str]) -> bool {
-    let (mut proved, mut open) = (0, 0);
+    let (mut by_intervals, mut by_relations, mut open) = (0, 0, 0);
     for claim in claims::all().filter(|claim| names.is_empty() || names.contains(&claim.name)) {
         for format in [Format::F32, Format::F64] {
             let start = Instant::now();
+            if is_proved_by_intervals(format, claim.formula) {
+                by_intervals += 1;
+                continue;
+            }
             let verdict = judge(format, claim.formula, 20_000);
             if verdict == Verdict::Proved {
-                proved += 1;
+                by_relations += 1;
             } else {
                 open += 1;
                 println!("{format:?} {} {}: {verdict}", claim.name, claim.promise);
@@ -69,7 +85,7 @@ fn prove(names: &[&str]) -> bool {
     for complaint in &complaints {
         println!("{complaint}");
     }
-    println!("claims: {proved} proved by ranges, {open} open");
+    println!("claims: {by_intervals} proved by intervals, {by_relations} by relations, {open} open");
     open == 0 && complaints.is_empty()
 }
 

@@ -46,7 +46,7 @@ fn formula<T: Real + PartialOrd>(mut random: Random, variables: [T; VARIABLES]) 
     let mut values = variables.to_vec();
     for _ in 0..random.below(22) + 3 {
         let [x, y, a, b] = [0; 4].map(|_| random.pick(&values));
-        let value = match random.below(18) {
+        let value = match random.below(22) {
             0 | 1 => x + y,
             2 | 3 => x - y,
             4 | 5 => x * y,
@@ -65,6 +65,19 @@ fn formula<T: Real + PartialOrd>(mut random: Random, variables: [T; VARIABLES]) 
                 let v = random.vector(&values);
                 v.x / v.dot(v).sqrt()
             }
+            16 => cosine(random.vector(&values), random.vector(&values), b),
+            17 => {
+                // parallel vectors, whose cosine rounding takes beyond 1
+                let v = random.vector(&values);
+                cosine(v, v * a, b)
+            }
+            18 => {
+                let (n, v) = (random.vector(&values), random.vector(&values));
+                let v = [v, n.cross(v)][random.below(2)]; // almost at right angles
+                let c = [T::of(-1.0 / 512.0), T::of(-1e-20), T::ZERO][random.below(3)];
+                seen_from_behind(n, v, c, [T::ONE / T::EXTREME, T::ZERO][random.below(2)])
+            }
+            19 => slope([x, x.abs(), T::ONE][random.below(3)], y),
             _ => {
                 // a decision, from which the prover learns
                 let is_decided = [x > y, x <= y, x == y, (x - y).any_positive()][random.below(4)];
@@ -74,6 +87,34 @@ fn formula<T: Real + PartialOrd>(mut random: Random, variables: [T; VARIABLES]) 
         values.push(value);
     }
     values
+}
+
+/// The cosine between two vectors, or another number that is computed from the products of their components.
+fn cosine<T: Real + PartialOrd>(v: Vec3<T>, w: Vec3<T>, other: T) -> T {
+    let (a, b) = (v.dot(v), w.dot(w));
+    if a > T::ZERO && b > T::ZERO {
+        let products = other.if_positive(v.dot(w), v.cross(w).x);
+        products / (a.sqrt() * b.sqrt())
+    } else {
+        other
+    }
+}
+
+/// The quotient of two numbers or of their difference and sum, whichever is small.
+fn slope<T: Real + PartialOrd>(s: T, c: T) -> T {
+    if c.abs() * T::of(2.4) > s {
+        if s > c.abs() * T::of(0.4) { (s - c.abs()) / (s + c.abs()) } else { s / c }
+    } else {
+        c / s
+    }
+}
+
+/// N·L of a unit vector toward a light that seems to be behind: n·v < c(|x| + |y| + |z|) − t.
+fn seen_from_behind<T: Real + PartialOrd>(n: Vec3<T>, v: Vec3<T>, c: T, t: T) -> T {
+    let (Vec3 { x, y, z }, n) = (T::rescaled_difference(v.into(), [T::ZERO; 3]).0.into(), n * (T::ONE / n.length()));
+    let size = v.x.abs() + v.y.abs() + v.z.abs();
+    let l = Vec3::new(x, y, z) * (T::ONE / (x * x + y * y + z * z).sqrt());
+    if size * c - t > n.dot(v) { n.dot(l) } else { size }
 }
 
 fn goals(mut random: Random, terms: &[Term]) -> Vec<Goal> {

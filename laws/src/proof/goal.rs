@@ -64,7 +64,7 @@ impl Goal {
         [true, false].into_iter().all(|answer| {
             let mut known = known.clone();
             known.refine(g, test, answer);
-            known.impossible || self.is_proved_within(g, &known, splits - 1)
+            known.is_impossible(g) || self.is_proved_within(g, &known, splits - 1)
         })
     }
 

@@ -6,7 +6,7 @@ use super::format::Format;
 use super::graph::{Function, Graph, Node, Test};
 use super::range::Range;
 
-const INF: f64 = f64::INFINITY;
+pub(super) const INF: f64 = f64::INFINITY;
 
 /// How many selections inside one another are tried both ways with all that follows.
 const DEPTH: u32 = 3;
@@ -14,8 +14,8 @@ const DEPTH: u32 = 3;
 #[doc(hidden)]
 #[derive(Clone, Default)]
 pub struct Known {
-    shown: Vec<Option<Range>>,
-    facts: Vec<(Test, bool)>,
+    pub(super) shown: Vec<Option<Range>>,
+    pub(super) facts: Vec<(Test, bool)>,
     memo: Vec<Option<Range>>,
     depth: u32,
     pub impossible: bool,
@@ -39,15 +39,15 @@ fn below(x: f64, f: Format) -> Range {
     Range::within(-INF, f.next_down(x))
 }
 
-fn at_most(x: f64) -> Range {
+pub(super) fn at_most(x: f64) -> Range {
     Range::within(-INF, x)
 }
 
-fn at_least(x: f64) -> Range {
+pub(super) fn at_least(x: f64) -> Range {
     Range::within(x, INF)
 }
 
-fn get(list: &[Option<Range>], id: u32) -> Option<Range> {
+pub(super) fn get(list: &[Option<Range>], id: u32) -> Option<Range> {
     list.get(id as usize).copied().flatten()
 }
 
@@ -156,7 +156,8 @@ impl Known {
         if let Some(range) = get(&self.memo, id) {
             return range;
         }
-        let mut range = self.derived(g, id);
+        let derived = self.derived(g, id);
+        let mut range = self.related(g, id, derived);
         if let Some(shown) = get(&self.shown, id) {
             range = range.meet(shown);
         }
@@ -165,8 +166,19 @@ impl Known {
                 range = range.meet(shown.opposite().with_zeros());
             }
         }
+        let range = self.in_steps(g, id, range);
         set(&mut self.memo, id, range);
         range
+    }
+
+    /// Whether no values remain for a node.
+    pub(super) fn is_impossible(&mut self, g: &Graph) -> bool {
+        let shown = (0..)
+            .zip(&self.shown)
+            .filter_map(|(id, shown)| shown.map(|_| id));
+        let shown: Vec<u32> = shown.collect();
+        self.impossible |= shown.into_iter().any(|id| self.range(g, id).is_empty());
+        self.impossible
     }
 
     fn derived(&mut self, g: &Graph, id: u32) -> Range {
@@ -179,10 +191,7 @@ impl Known {
             Node::Neg(a) => self.range(g, a).opposite(),
             Node::Abs(a) => self.range(g, a).abs(),
             Node::Sqrt(a) => self.range(g, a).sqrt(f),
-            Node::Add(a, b) => {
-                let sum = self.range(g, a).add(self.range(g, b), f);
-                self.no_longer_than_its_vectors(g, id, sum)
-            }
+            Node::Add(a, b) => self.range(g, a).add(self.range(g, b), f),
             Node::Sub(a, b) if a == b => {
                 let a = self.range(g, a);
                 let is_lost = a.nan || a.low == -INF || a.high == INF;
@@ -192,24 +201,10 @@ impl Known {
                     ..zero
                 }
             }
-            Node::Sub(a, b) => {
-                let difference = self.range(g, a).sub(self.range(g, b), f);
-                self.no_longer_than_its_vectors(g, id, difference)
-            }
+            Node::Sub(a, b) => self.range(g, a).sub(self.range(g, b), f),
             Node::Mul(a, b) if a == b => self.range(g, a).square(f),
-            Node::Mul(a, b) => {
-                let product = self.range(g, a).mul(self.range(g, b), f);
-                let is_component = |known: &mut Self, a, b| {
-                    let b = known.resolved(g, b);
-                    matches!(g.nodes[b as usize], Node::Div(1, root) if known.is_part_of_root(g, a, root))
-                };
-                if is_component(self, a, b) || is_component(self, b, a) {
-                    product.meet(Range::within(-1.25, 1.25).or_nan())
-                } else {
-                    product
-                }
-            }
-            Node::Div(a, b) => self.quotient(g, a, b),
+            Node::Mul(a, b) => self.range(g, a).mul(self.range(g, b), f),
+            Node::Div(a, b) => self.range(g, a).div(self.range(g, b), f),
             Node::Select(test, then, otherwise) => self.selected(g, test, then, otherwise),
             Node::Call(function, a) => called(function, self.range(g, a)),
             Node::Power(cosine, m) => {
@@ -228,72 +223,6 @@ impl Known {
                 }
             }
         }
-    }
-
-    fn quotient(&mut self, g: &Graph, a: u32, b: u32) -> Range {
-        let (x, y) = (self.range(g, a), self.range(g, b));
-        let mut quotient = x.div(y, g.format);
-        if self.is_part_of_root(g, a, b) {
-            quotient = quotient.meet(Range::within(-1.25, 1.25).or_nan());
-        }
-        // a ≥ b > 0 makes a/b ≥ 1
-        if y.low > 0.0 && self.answer(g, Test::AtMost(b, a)) == Some(true) {
-            quotient = quotient.meet(at_least(1.0).or_nan());
-        }
-        quotient
-    }
-
-    /// Whether the divisor is the root, above 0, of a sum of a² and of numbers that are not negative.
-    /// Then |a/root| ≤ √(3/2) (1 + u)²: a² may be rounded down from almost 3/2 of the smallest number.
-    fn is_part_of_root(&mut self, g: &Graph, a: u32, root: u32) -> bool {
-        let root = self.resolved(g, root);
-        let Node::Sqrt(sum) = g.nodes[root as usize] else {
-            return false;
-        };
-        let (mut found, mut terms) = (false, vec![sum]);
-        while let Some(term) = terms.pop() {
-            match g.nodes[term as usize] {
-                Node::Mul(x, y) if x == a && y == a => found = true,
-                Node::Add(x, y) => terms.extend([x, y]),
-                _ if self.range(g, term).low >= 0.0 => {}
-                _ => return false,
-            }
-        }
-        found && self.range(g, root).low > 0.0
-    }
-
-    /// |Σ aᵢbᵢ| ≤ |a||b|, where the squares of a and b were computed and found to be small.
-    ///
-    /// With η for the smallest number, a computed square S is at least |a|²(1 − u)³ − 3η, and the
-    /// computed sum is at most |a||b|(1 + u)³ + 3η. The factor below stands for both.
-    fn no_longer_than_its_vectors(&mut self, g: &Graph, id: u32, range: Range) -> Range {
-        let Some(products) = products(g, id) else {
-            return range;
-        };
-        let f = g.format;
-        let mut squares = [1.0, 1.0];
-        for (i, square) in squares.iter_mut().enumerate() {
-            let [x, y, z] = products.map(|factors| g.find(Node::Mul(factors[i], factors[i])));
-            let (Some(x), Some(y), Some(z)) = (x, y, z) else {
-                return range;
-            };
-            let sum = |a: u32, b: u32| g.find(Node::Add(a, b));
-            let whole = |a, b, c| sum(a, b).and_then(|ab| sum(ab, c));
-            let node = whole(x, y, z).or_else(|| whole(z, y, x));
-            let Some(shown) = node.and_then(|node| get(&self.shown, node)) else {
-                return range;
-            };
-            if shown.nan {
-                return range;
-            }
-            *square = shown.high + 3.0 * f.tiny();
-        }
-        let limit = (squares[0].sqrt() * squares[1].sqrt()) * (1.0 + 16.0 * f.u()) + 3.0 * f.tiny();
-        let limit = f.next_up(f.round(limit));
-        if limit >= f.max() {
-            return range;
-        }
-        range.meet(Range::within(-limit, limit))
     }
 
     fn selected(&mut self, g: &Graph, test: Test, then: u32, otherwise: u32) -> Range {
@@ -355,8 +284,7 @@ impl Known {
                 let is_always = x.high <= y.low
                     || a == b
                     || self.facts.contains(&(Test::Above(a, b), false))
-                    || self.is_below_root(g, a, b)
-                    || self.is_less_of_the_same(g, a, b);
+                    || self.is_related(g, a, b);
                 if is_always && !x.nan && !y.nan {
                     return Some(true);
                 }
@@ -384,53 +312,18 @@ impl Known {
         }
     }
 
-    /// Whether x·k ≤ y·k, because x ≤ y and k is not negative.
-    fn is_less_of_the_same(&mut self, g: &Graph, a: u32, b: u32) -> bool {
-        let (Node::Mul(a, c), Node::Mul(b, d)) = (g.nodes[a as usize], g.nodes[b as usize]) else {
-            return false;
-        };
-        [(a, c, b, d), (c, a, b, d), (a, c, d, b), (c, a, d, b)]
-            .into_iter()
-            .any(|(x, k, y, l)| {
-                k == l
-                    && self.range(g, k).low >= 0.0
-                    && self.answer(g, Test::AtMost(x, y)) == Some(true)
-            })
-    }
-
-    /// Whether r ≤ √s, because s is known to exceed the rounded r².
-    ///
-    /// If s > fl(r²), then s > r²: otherwise the float s ≤ r² would be at most fl(r²). So √s > r, and
-    /// the rounded root of s is at least r.
-    fn is_below_root(&mut self, g: &Graph, r: u32, root: u32) -> bool {
-        let Node::Sqrt(s) = g.nodes[root as usize] else {
-            return false;
-        };
-        let Some(square) = g.find(Node::Mul(r, r)) else {
-            return false;
-        };
-        let facts = self.facts.clone();
-        facts.into_iter().any(|fact| match fact {
-            (Test::Above(a, b), true) if a == s => match g.nodes[b as usize] {
-                _ if b == square => true,
-                Node::Add(x, y) => {
-                    x == square && self.range(g, y).low >= 0.0
-                        || y == square && self.range(g, x).low >= 0.0
-                }
-                _ => false,
-            },
-            _ => false,
-        })
-    }
-
     /// Learns the answer to a test.
     pub fn refine(&mut self, g: &Graph, test: Test, answer: bool) {
-        self.memo.clear();
         if self.answer(g, test) == Some(!answer) {
             self.impossible = true;
             return;
         }
         self.facts.push((test, answer));
+        match test {
+            Test::Above(a, b) | Test::AtMost(a, b) | Test::Equal(a, b) => self.forget(a.min(b)),
+            Test::Outside(a, b, c) => self.forget(a.min(b).min(c)),
+            Test::Case(_) => {}
+        }
         let f = g.format;
         match (test, answer) {
             (Test::Above(a, b), true) => {
@@ -473,7 +366,12 @@ impl Known {
             }
             _ => {}
         }
-        self.memo.clear();
+    }
+
+    /// Forgets the ranges that may depend on a node: those of all nodes recorded later. A range that is remembered too
+    /// long is too wide, and never wrong.
+    fn forget(&mut self, id: u32) {
+        self.memo.truncate(id as usize);
     }
 
     /// Learns that a node lies in a range, and what follows for the nodes that it is made of.
@@ -485,7 +383,7 @@ impl Known {
             return;
         }
         set(&mut self.shown, id, now);
-        self.memo.clear();
+        self.forget(g.mirrors(id).fold(id, u32::min));
         self.learn_parts(g, id, now);
         if !matches!(g.nodes[id as usize], Node::Neg(_)) {
             for mirror in g.mirrors(id) {
@@ -499,6 +397,7 @@ impl Known {
         let nan = now.nan;
         let nonnegative = |known: &mut Self, id| known.range(g, id).low >= 0.0;
         let positive = at_least(f.tiny());
+        self.learn_of_operands(g, id, now);
         match g.nodes[id as usize] {
             Node::Neg(a) => self.learn(g, a, now.opposite()),
             Node::Abs(a) => {
@@ -562,6 +461,31 @@ impl Known {
                 self.learn(g, b, Range::within(low, f.max()));
             }
             _ => {}
+        }
+    }
+
+    /// What is not NaN was made of numbers, and what is finite of finite ones, but for ∞ · 0 and what is
+    /// divided by ∞.
+    fn learn_of_operands(&mut self, g: &Graph, id: u32, now: Range) {
+        let (Node::Add(a, b) | Node::Sub(a, b) | Node::Mul(a, b) | Node::Div(a, b)) =
+            g.nodes[id as usize]
+        else {
+            return;
+        };
+        if now.nan {
+            return;
+        }
+        let (numbers, max) = (Range::within(-INF, INF), g.format.max());
+        let is_finite = now.low > -INF && now.high < INF;
+        for (x, other) in [(a, b), (b, a)] {
+            let of_other = self.range(g, other);
+            let is_kept = match g.nodes[id as usize] {
+                Node::Add(..) | Node::Sub(..) => is_finite,
+                Node::Mul(..) => is_finite && (of_other.low > 0.0 || of_other.high < 0.0),
+                _ => is_finite && x == a,
+            };
+            let finite = Range::within(-max, max);
+            self.learn(g, x, if is_kept { finite } else { numbers });
         }
     }
 
@@ -634,37 +558,4 @@ fn called(function: Function, of: Range) -> Range {
         Function::Ln => return Range::NAN,
     };
     Range { nan, ..range }
-}
-
-/// The factors of a sum of three products, or of their opposites.
-fn products(g: &Graph, id: u32) -> Option<[[u32; 2]; 3]> {
-    let of = |id: u32| match g.nodes[id as usize] {
-        Node::Neg(a) => g.nodes[a as usize],
-        node => node,
-    };
-    let factors = |id: u32| match of(id) {
-        Node::Mul(a, b) => Some([a, b]),
-        _ => None,
-    };
-    let terms = |node: Node| match node {
-        Node::Add(a, b) | Node::Sub(a, b) => Some([a, b]),
-        _ => None,
-    };
-    let [a, b] = terms(of(id))?;
-    let (pair, third) = match (terms(of(a)), terms(of(b))) {
-        (Some(pair), None) => (pair, b),
-        (None, Some(pair)) => (pair, a),
-        _ => return None,
-    };
-    let [x, y, z] = [factors(pair[0])?, factors(pair[1])?, factors(third)?];
-    // which factor belongs to which vector: the nodes of one vector are recorded together
-    let nearer = |p: [u32; 2], q: [u32; 2]| {
-        let apart = |a: u32, b: u32| a.abs_diff(b);
-        let (straight, crossed) = (
-            apart(p[0], q[0]) + apart(p[1], q[1]),
-            apart(p[0], q[1]) + apart(p[1], q[0]),
-        );
-        if straight <= crossed { q } else { [q[1], q[0]] }
-    };
-    Some([x, nearer(x, y), nearer(x, z)])
 }

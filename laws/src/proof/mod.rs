@@ -11,6 +11,7 @@ mod range;
 // a formula, and what is known of it
 mod graph;
 mod known;
+mod relation;
 
 // a run of a formula, and the number that it runs with
 mod run;
@@ -141,6 +142,12 @@ impl fmt::Display for Verdict {
 #[doc(hidden)]
 pub fn paths<R>(format: Format, formula: impl Fn(Given) -> R, each: impl FnMut(&Run, R)) -> usize {
     run::explore(format, &|| formula(Given(format)), each)
+}
+
+/// Whether intervals alone prove a claim, without what is known of several nodes together.
+#[doc(hidden)]
+pub fn is_proved_by_intervals(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> bool {
+    relation::without(|| judge(format, claim, 0)) == Verdict::Proved
 }
 
 /// Tries to prove a claim, then to refute it with `runs` inputs.

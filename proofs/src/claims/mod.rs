@@ -3,6 +3,7 @@
 #![allow(clippy::wildcard_imports)] // each table of claims uses nearly all that is here
 
 mod constructors;
+mod derived;
 mod duals;
 mod lights;
 mod normals;
@@ -24,6 +25,11 @@ pub fn all() -> impl Iterator<Item = &'static Claim> {
     [vectors::CLAIMS, constructors::CLAIMS, duals::CLAIMS, normals::CLAIMS, terms::CLAIMS, lights::CLAIMS, sums::CLAIMS]
         .into_iter()
         .flatten()
+}
+
+/// The claims that intervals leave open, and Bitwuzla decides.
+pub fn solved() -> impl Iterator<Item = &'static Claim> {
+    derived::CLAIMS.iter()
 }
 
 macro_rules! claims {
@@ -96,6 +102,16 @@ fn none_or_finite(given: Given, n: Option<UnitVec3<Term>>) -> Vec<Goal> {
 }
 fn none<T>(result: Option<T>) -> Vec<Goal> {
     result.map_or(vec![], |_| vec![Goal::Never])
+}
+
+/// Divides a claim into cases, of which each is proved: whether a difference is too large or too small to be squared, and
+/// whether it vanishes. Returns it as the formulas rescale it.
+fn decide_scale(from: Vec3<Term>, to: Vec3<Term>) -> Vec3<Term> {
+    let plain = (to - from).dot(to - from);
+    let _ = [plain > Term::EXTREME, Term::ONE / Term::EXTREME > plain];
+    let (rescaled, _) = Term::rescaled_difference(to.into(), from.into());
+    let _ = Term::dot(rescaled, rescaled) > Term::ZERO;
+    rescaled.into()
 }
 
 fn coefficients(given: Given) -> [Term; 3] {

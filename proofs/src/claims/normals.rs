@@ -137,6 +137,19 @@ claims! {
         [normal::corner(a, b, c), normal::corner(b, a, c), normal::corner(b, c, a)]
             .map(|share| components(share, Range::within(0.0, 0.0))).concat()
     }
+    corner_of_any: "`normal::corner` of any bits is finite" |given| {
+        let mut vertices = ["a", "b", "c"].map(|name| given.vector(name, finite(given)));
+        if let Some(vertex) = vertices.get_mut(given.one_of(4) as usize) {
+            *vertex = broken(given, "broken");
+        } else {
+            let [a, b, c] = vertices;
+            let (e1, e2) = (decide_scale(a, b), decide_scale(a, c));
+            decide_scale(Vec3::ZERO, e1.cross(e2));
+            let _ = e1.dot(e2) > Term::ZERO;
+        }
+        let [a, b, c] = vertices;
+        components(normal::corner(a, b, c), finite(given))
+    }
     mapped_of_any: "`normal::mapped` of any bits is `None` or finite" |given| {
         let (n, t, s) = (any_direction(given, "n"), any_vector(given, "t"), any_vector(given, "s"));
         none_or_finite(given, normal::mapped(n, t, given.any("handedness"), s))

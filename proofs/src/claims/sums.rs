@@ -107,11 +107,13 @@ claims! {
         let scene = of_any_directions(given, 32);
         scene.all([]).into_iter().flat_map(|s| [channels(s.diffuse, Range::within(0.0, 0.0)), channels(s.specular, Range::within(0.0, 0.0))].concat()).collect()
     }
-    behind: "a light with N·L ≤ 0 adds nothing, to the bit; directions of any bits" |given| {
+    behind: "a light with N·L ≤ 0, or NaN, adds nothing, to the bit; directions of any bits" |given| {
         let scene = of_any_directions(given, 32);
         let light = IncidentLight { l: any_direction(given, "l"), ..incident(given, "light") };
-        given.assume_at_most(scene.n.dot(light.l), Term::ZERO);
-        adds_nothing(&scene, light)
+        if scene.n.dot(light.l) > Term::ZERO { vec![] } else { adds_nothing(&scene, light) }
+    }
+    black: "a black light adds nothing, to the bit" |given| {
+        adds_nothing(&scene(given, 32), IncidentLight { intensity: Rgb::BLACK, ..incident(given, "light") })
     }
     nan_direction: "a light whose L is NaN adds nothing, to the bit; the other directions of any bits" |given| {
         let l = nan_direction(given, "l");
@@ -173,6 +175,15 @@ claims! {
             (None, None) => vec![],
             _ => vec![Goal::Never],
         }
+    }
+    lamp_behind: "a light that `PointLight::in_front` leaves out as behind the surface is black or has an N·L that is not above 0; positions of any bits" |given| {
+        let (lamp, n, p) = (lamp(given, any_vector(given, "position")), given.unit("n"), any_vector(given, "p"));
+        if lamp.in_front(p, n).is_some() {
+            return vec![];
+        }
+        decide_scale(p, lamp.position);
+        let light = lamp.at(p);
+        if n.dot(light.l) > Term::ZERO { channels(light.intensity, Range::within(0.0, 0.0)) } else { vec![] }
     }
     lamp_out_of_range: "a light with `Ranged` that `PointLight::in_front` leaves out for its range adds nothing, to the bit" |given| {
         let falloff = any_ranged(given);
