@@ -51,7 +51,8 @@ pub fn claim_product(a: i32, b: i32) -> bool {
 #[unsafe(no_mangle)]
 pub fn claim_upper_signed(a: i32, b: i32) -> bool {
     let of_signs = if a < 0 { b as u32 as u64 } else { 0 } + if b < 0 { a as u32 as u64 } else { 0 };
-    let exact = exact_unsigned(a as u32, b as u32).wrapping_sub(of_signs << 32) as i64;
+    let by_halves = exact_unsigned(a as u32, b as u32).wrapping_sub(of_signs << 32) as i64;
+    let exact = if p::LONG_MULTIPLY { exact(a, b) } else { by_halves };
     p::upper_signed(a, b) as i64 == exact >> 32
 }
 
@@ -64,7 +65,8 @@ pub fn claim_upper(a: u32, b: u32) -> bool {
 #[unsafe(no_mangle)]
 pub fn claim_part(number: i32, share: u32) -> bool {
     let of_sign = if number < 0 { share as u64 } else { 0 };
-    let exact = exact_unsigned(number as u32, share).wrapping_sub(of_sign << 32) as i64;
+    let by_halves = exact_unsigned(number as u32, share).wrapping_sub(of_sign << 32) as i64;
+    let exact = if p::LONG_MULTIPLY { number as i64 * share as i64 } else { by_halves };
     let rounded = (exact >> 32) + (exact >> 31 & 1);
     p::part(number, share) as i64 == rounded
 }

@@ -10,8 +10,8 @@ use std::time::{Duration, Instant};
 /// The longest line that is read, so that an endless one does not fill the memory.
 const LONGEST: u64 = 65_536;
 
-/// How long a process may take to end.
-const GRACE: Duration = Duration::from_secs(1);
+/// How long a process may take to end, on a machine that is busy, too.
+const GRACE: Duration = Duration::from_secs(5);
 
 /// A process and the two ends of its pipes. Two threads write and read, because a process that
 /// waits for its output to be read does not read its input. Dropping it kills the process.
