@@ -1,8 +1,15 @@
 #!/usr/bin/env bash
-# Proves what docs/proofs.md lists, tests the prover, and plants faults in a copy of the source, each of which must make a
-# claim fail, and wrong rules in the prover, each of which its tests must find. With `--all` the prover is tested with a hundred times as many numbers, and the integers of `Fixed` are proved. The last line says how many claims were proved, by which means, and how many are open.
+# Proves what docs/proofs.md lists and tests the prover. It plants faults in a copy of the source, each of which must make a
+# claim fail, and wrong rules in the prover, each of which its tests must find. With `--all` it tests the prover with a
+# hundred times as many numbers, and proves the integers of `Fixed`. The last line says how many claims were proved, by
+# which means, and how many are open. Installs what is missing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. tests/firmware/toolchain.sh
+install_packages gappa python3-venv
+solver=${CARGO_TARGET_DIR:-target}/solver
+[[ -x "$solver/bin/pip" ]] || python3 -m venv "$solver"
+"$solver/bin/python" -c "import bitwuzla" 2>/dev/null || "$solver/bin/pip" install -q bitwuzla==0.9.1
 
 runs=20
 [[ "${1:-}" == --all ]] && runs=2000
@@ -39,7 +46,6 @@ RUSTFLAGS="--cap-lints allow" cargo build -q --release --manifest-path "$copy/pr
 "$prover" faults "$copy/target/release/shading-proofs"
 
 # the error bounds, which Gappa proves
-command -v gappa >/dev/null || (. tests/firmware/toolchain.sh && install_packages gappa)
 scripts=${CARGO_TARGET_DIR:-target}/bounds
 rm -rf "$scripts"
 "$prover" bounds "$scripts"
@@ -62,11 +68,11 @@ if [[ "${1:-}" == --all ]]; then
     mkdir -p "$fixed"
     rustc --edition 2024 -O -C overflow-checks=on -o "$fixed/every" proofs/fixed/every.rs
     "$fixed/every"
-    python3 -c "import bitwuzla" 2>/dev/null || pip install -q bitwuzla
+    installer rustup --quiet target add thumbv6m-none-eabi
     for target in x86_64-unknown-linux-gnu thumbv6m-none-eabi; do
         rustc --edition 2024 --target "$target" --crate-type=rlib -C opt-level=1 -C overflow-checks=on -C panic=abort \
             -C codegen-units=1 --emit=llvm-ir -o "$fixed/$target.ll" proofs/fixed/harness.rs
-        python3 proofs/fixed/prove.py "$fixed/$target.ll"
+        "$solver/bin/python" proofs/fixed/prove.py "$fixed/$target.ll"
     done
 fi
 
@@ -85,9 +91,6 @@ for script in "$scripts"/half/*.F32.g; do
 done
 
 # what intervals leave open, which Bitwuzla decides
-solver=${CARGO_TARGET_DIR:-target}/solver
-[[ -x "$solver/bin/python" ]] || python3 -m venv "$solver"
-"$solver/bin/python" -c "import bitwuzla" 2>/dev/null || "$solver/bin/pip" install -q bitwuzla==0.9.1
 rm -rf "$scripts/smt"
 "$prover" smt "$scripts/smt"
 solved=$("$solver/bin/python" proofs/solve.py 60 "$scripts/smt" | tee /dev/stderr | tail -n 1)
