@@ -77,6 +77,7 @@ fn formula<T: Real + PartialOrd>(mut random: Random, variables: [T; VARIABLES]) 
                 let c = [T::of(-1.0 / 512.0), T::of(-1e-20), T::ZERO][random.below(3)];
                 seen_from_behind(n, v, c, [T::ONE / T::EXTREME, T::ZERO][random.below(2)])
             }
+            19 if random.below(3) == 0 => (x - y) / (x + y),
             19 => slope([x, x.abs(), T::ONE][random.below(3)], y),
             _ => {
                 // a decision, from which the prover learns
