@@ -73,17 +73,19 @@ fn power<T: Real>(x: T, y: T, z: T) -> T {
 #[cfg_attr(target_os = "none", inline)]
 #[cfg_attr(not(target_os = "none"), inline(always))]
 pub(super) fn unit<T: Real>(v @ [x, y, z]: Triple<T>) -> (Triple<T>, T) {
-    let square = T::dot(v, v);
-    let is_extreme = is_extreme(square);
-    let (v, square) = if is_extreme {
-        let v = T::scaled(v, power(x, y, z));
-        (v, T::dot(v, v))
+    let is_extreme = is_extreme(T::dot(v, v));
+    let v = if is_extreme {
+        T::scaled(v, power(x, y, z))
     } else {
-        (v, square)
+        v
     };
-    let ([x, y, z], length) = (v, square.sqrt());
-    // 1 in place of the length spares the caller a comparison
-    let valid = if is_extreme { length } else { T::ONE };
+    let ([x, y, z], length) = (v, T::dot(v, v).sqrt());
+    // 1 in place of the length spares the caller a comparison, but takes flash
+    let valid = if cfg!(target_os = "none") || is_extreme {
+        length
+    } else {
+        T::ONE
+    };
     ([x / length, y / length, z / length], valid)
 }
 
