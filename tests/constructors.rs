@@ -148,9 +148,9 @@ fn a_cast_keeps_the_hard_cone_among_soft_ones() {
     use std::f64::consts::PI;
 
     let mut numbers = Numbers(8);
-    for i in 0..100_000 {
+    for i in 0..100_000_u32 {
         let near = numbers.share() * f64::from(i % 50).exp2().recip();
-        let half_angle = [near, PI - near, PI * near][i as usize % 3];
+        let half_angle = [near, PI - near, PI * near][(i % 3) as usize];
         let hard = Cone::<f64>::from_half_angle(half_angle.clamp(0.0, PI)).expect("an angle");
         let soft = SoftCone::from(hard);
         let single = |x| x as f32;

@@ -4,7 +4,9 @@ use glam::Vec3;
 use shading::{Attenuation, Cone, Exponent, Material, PointLight, Rgb, SpotLight, UnitVec3, shade};
 
 use crate::data::{Vectors, directions, triangles};
-use crate::race::{Data, Limit, Race, limit, twice};
+#[cfg(feature = "wide")]
+use crate::race::Limit;
+use crate::race::{Data, Race, limit, twice};
 
 const LAMP: PointLight<f32> = lamp(1.0, 2.0, 3.0);
 const SPOT: SpotLight<f32> = SpotLight {
