@@ -171,7 +171,7 @@ fn of_sums_at_once(directions: Vec<Data<Vectors>>) -> usize {
     let (smooth, others): (Vec<_>, Vec<_>) = directions
         .into_iter()
         .partition(|(kind, _)| *kind == "smooth");
-    [(smooth, limit(0.9, 0.9)), (others, limit(0.5, 0.5))]
+    [(smooth, limit(0.9, 0.9)), (others, limit(0.6, 0.6))]
         .iter()
         .map(|(directions, limit)| of_four_at_once(directions, *limit))
         .sum()
