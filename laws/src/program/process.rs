@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 const LONGEST: u64 = 65_536;
 
 /// How long a process may take to end, on a machine that is busy, too.
-const GRACE: Duration = Duration::from_secs(5);
+const GRACE: Duration = Duration::from_secs(2);
 
 /// A process and the two ends of its pipes. Two threads write and read, because a process that
 /// waits for its output to be read does not read its input. Dropping it kills the process.
