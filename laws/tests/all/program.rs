@@ -202,8 +202,10 @@ fn a_wrong_start_is_refused() {
     );
     refused(start("exec 0<&- >&-; exit 3"), &[ends]);
     refused(start("kill -SEGV $$"), &["SIGSEGV"]);
-    refused(start("sleep 60"), &["no line within 2s"]);
-    refused(start("exec >&-; sleep 60"), &["it closed its output"]);
+    std::thread::scope(|scope| {
+        scope.spawn(|| refused(start("sleep 60"), &["no line within 2s"]));
+        scope.spawn(|| refused(start("exec >&-; sleep 60"), &["it closed its output"]));
+    });
     refused(
         start("cat"),
         &[r#""shading-laws": there is no such member"#],
@@ -309,14 +311,9 @@ fn too_many_answers_are_refused() {
 
 #[test]
 fn a_renderer_that_hangs_is_killed_with_what_it_started() {
-    let folder = temporary();
     let begin = Instant::now();
-    // the second ends at once, and leaves a process that holds the pipe
-    for script in [
-        "sleep 1000; :",
-        "sleep 1000 & exit 0",
-        "cat >/dev/null; sleep 1000",
-    ] {
+    let dies = |script: &str| {
+        let folder = temporary();
         let script = format!("echo $$ >group; echo '{{}}'; {script}");
         let mut command = program();
         command
@@ -324,7 +321,13 @@ fn a_renderer_that_hangs_is_killed_with_what_it_started() {
             .current_dir(&folder);
         refused(run(&mut command), &["scene 1: no answer within 1s", SCENE]);
         assert_gone(&folder.path().join("group"));
-    }
+    };
+    std::thread::scope(|scope| {
+        scope.spawn(|| dies("sleep 1000; :"));
+        // this one ends at once, and leaves a process that holds the pipe
+        scope.spawn(|| dies("sleep 1000 & exit 0"));
+        scope.spawn(|| dies("cat >/dev/null; sleep 1000"));
+    });
     assert!(begin.elapsed() < Duration::from_secs(10));
 }
 
