@@ -2,7 +2,7 @@
 
 use std::array::from_fn;
 
-use crate::bounded::{Bounded3, add, rounded, unit};
+use crate::bounded::{Bounded, Bounded3, add, rounded, unit};
 use crate::mistake::Mistake;
 use crate::reply::{from_srgb, to_srgb};
 use crate::scene::{Light, Material, Scene, Triple};
@@ -76,10 +76,9 @@ impl Textbook<'_> {
                 return Some(false);
             }
         }
-        let expected = self.reply(linear);
         let mut is_known = false;
-        for (ends, c) in expected.into_iter().zip(reply) {
-            match ends {
+        for (linear, c) in linear.into_iter().zip(reply) {
+            match self.ends(linear) {
                 Some([low, high]) if !(low..=high).contains(&c) => return Some(false),
                 Some(_) => is_known = true,
                 // a division by 0 or the power of a negative number
@@ -94,22 +93,28 @@ impl Textbook<'_> {
     /// The least and the largest reply that the renderer may give for each channel, where the
     /// formulas have an answer.
     pub fn reply(&self, linear: Bounded3) -> [Option<[f64; 2]>; 3] {
-        linear.map(|c| {
-            let ends = [c.value - c.error, c.value + c.error];
-            let [low, high] = ends.map(|end| self.encoded(end));
-            let slack = self.profile.slack(low.abs().max(high.abs()), self.u);
-            let level = self.profile.level();
-            let below = match level {
-                Some(level) if self.has(Mistake::LevelsTruncated) => slack.max(level),
-                Some(level) if self.has(Mistake::LevelsOf256) => slack.max(level),
-                _ => slack,
-            };
-            let above = match level {
-                Some(level) if self.has(Mistake::LevelsRoundedUp) => slack.max(level),
-                _ => slack,
-            };
-            c.error.is_finite().then_some([low - below, high + above])
-        })
+        linear.map(|c| self.ends(c))
+    }
+
+    /// The same for a channel.
+    fn ends(&self, c: Bounded) -> Option<[f64; 2]> {
+        if !c.error.is_finite() {
+            return None;
+        }
+        let ends = [c.value - c.error, c.value + c.error];
+        let [low, high] = ends.map(|end| self.encoded(end));
+        let slack = self.profile.slack(low.abs().max(high.abs()), self.u);
+        let level = self.profile.level();
+        let below = match level {
+            Some(level) if self.has(Mistake::LevelsTruncated) => slack.max(level),
+            Some(level) if self.has(Mistake::LevelsOf256) => slack.max(level),
+            _ => slack,
+        };
+        let above = match level {
+            Some(level) if self.has(Mistake::LevelsRoundedUp) => slack.max(level),
+            _ => slack,
+        };
+        Some([low - below, high + above])
     }
 
     fn encoded(&self, linear: f64) -> f64 {
