@@ -53,8 +53,8 @@ impl<T: Real> Vec3<T> {
     where
         T: Scalar,
     {
-        let (unit, length) = T::unit(self.into());
-        (length > T::ZERO && length <= T::MAX).then(|| UnitVec3(unit.into()))
+        let (unit, valid) = T::unit(self.into());
+        (valid > T::ZERO).then(|| UnitVec3(unit.into()))
     }
 
     /// [`unit`](Vec3::unit), or `fallback` if that is `None`. This method does not branch on the
@@ -69,9 +69,7 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn unit_or(self, fallback: UnitVec3<T>) -> UnitVec3<T> {
-        let ([x, y, z], length) = T::unit(self.into());
-        // positive if the length is neither zero nor infinite nor NaN
-        let valid = length.if_above(T::MAX, T::ZERO, length);
+        let ([x, y, z], valid) = T::unit(self.into());
         let or = |a, b| valid.if_positive(a, b);
         UnitVec3(Self::new(
             or(x, fallback.x),

@@ -91,7 +91,7 @@ fn of_points(triangles: &[Data<Vectors>]) -> usize {
     )
     .against(
         "plain",
-        limit(2.8, f64::INFINITY),
+        VECTORIZED,
         twice!(|Vectors { glam: [a, ..], .. }| plain(*a)),
     )
     .run(triangles)
@@ -165,7 +165,7 @@ fn of_functions(triangles: &[Data<Vectors>]) -> usize {
     )
     .against(
         "plain",
-        limit(3.6, f64::INFINITY),
+        limit(3.3, f64::INFINITY),
         twice!(|Vectors { glam: [a, ..], .. }| plain(torus_gradient(*a))),
     )
     .run(triangles)
@@ -182,7 +182,7 @@ fn of_functions(triangles: &[Data<Vectors>]) -> usize {
         )
         .against(
             "plain",
-            limit(3.5, f64::INFINITY),
+            limit(3.0, f64::INFINITY),
             twice!(|Vectors { glam: [a, ..], .. }| plain(saddle_cross(a.x, a.y))),
         )
         .run(triangles)

@@ -30,9 +30,9 @@ pub const FAULTS: &[Fault] = &[
     ("real/triple", "factor.at_least(T::ZERO).at_most(limit())", "factor.at_least(T::ZERO)", "black_light"),
     ("real/whole_power", "cosine.if_above(top, T::ONE, cosine)", "cosine", "powers_of_one"),
     // a guard is missing
-    ("unit", "(length > T::ZERO && length <= T::MAX)", "(length > T::ZERO)", "unit_of_broken"),
-    ("unit", "(length > T::ZERO && length <= T::MAX)", "(length <= T::MAX)", "unit_of_zero"),
-    ("unit", "length.if_above(T::MAX, T::ZERO, length)", "length", "unit_or_of_broken"),
+    ("real/triple", "length.if_above(T::MAX, T::ZERO, length)", "length", "unit_of_broken"),
+    ("unit", "(valid > T::ZERO)", "(valid <= T::MAX)", "unit_of_zero"),
+    ("real/triple", "length.if_above(T::MAX, T::ZERO, length)", "length", "unit_or_of_broken"),
     ("real/triple", "valid.if_positive(c * reciprocal, otherwise)", "(c * reciprocal)", "point_light_of_finite"),
     ("real/triple", "reciprocal * (T::MAX - reciprocal)", "reciprocal", "point_light_of_finite"),
     (
@@ -41,7 +41,7 @@ pub const FAULTS: &[Fault] = &[
         "angle(product.length(), e1.dot(e2))",
         "corner_of_two_points",
     ),
-    ("normal/surface", "(largest(s_u), largest(s_v))", "(largest(s_u), largest(s_u))", "parametric_of_noise"),
+    ("normal/surface", "(largest(a), largest(b))", "(largest(a), largest(a))", "parametric_of_noise"),
     ("exponent/mod", "cosine.if_positive(T::ONE, T::ZERO)", "T::ONE", "powers_in_the_dark"),
     // a sign or a comparison is the wrong way round
     ("cone", "(self.cosine - (-axis).dot(l))", "((-axis).dot(l) - self.cosine)", "cone_on_its_axis"),
@@ -100,7 +100,7 @@ pub const FAULTS: &[Fault] = &[
     ("unit", "excess.abs() <= two * two * T::epsilon()", "excess <= two * two * T::epsilon()", "direction_of_broken"),
     ("normal/tangent", "t.unit().filter(|_| d.abs() > T::ZERO)", "t.unit()", "tangent_of_broken"),
     // a derivative is another
-    ("dual/real", "self.gradient / (root + root)", "self.gradient", "dual_root_at_zero"),
+    ("dual/real", "T::divided(self.gradient.into(), root + root).into()", "self.gradient", "dual_root_at_zero"),
     ("dual/real", "(-self.value).if_positive(ln, T::ONE / self.value)", "T::ONE / self.value", "dual_below_zero"),
     (
         "dual/mod",
@@ -149,6 +149,9 @@ pub const RULES: &[(&str, &str, &str)] = &[
     ("relation", "is_added(r, by_r) && is_added(s, by_s)", "true"),
     ("relation", "k * (1.0 + 8.0 * g.format.u()) + 1.0", "k * 0.5"),
     ("relation", "k * self.step(g, other, depth - 1)", "k * k * self.step(g, other, depth - 1)"),
+    ("mirror", "4.0 * n.high * (n.high - 1.0).max(0.0)", "2.0 * n.high * (n.high - 1.0).max(0.0)"),
+    ("mirror", "pairs[0] == pairs[1] && pairs[1] == pairs[2]", "pairs[0] == pairs[1]"),
+    ("relation", "(0.5 * a + 0.5 * b)", "a.min(b)"),
     ("known", "is_always && !x.nan && !y.nan", "is_always"),
     // the number that records is another
     ("graph", "Node::Mul(a.min(b), a.max(b))", "Node::Mul(a.min(b), a.min(b))"),
@@ -157,7 +160,7 @@ pub const RULES: &[(&str, &str, &str)] = &[
 
 /// A file, an expression that occurs in it once, the same with a rounding more, and the error bound that must fail.
 pub const ROUNDINGS: &[Fault] = &[
-    ("real/triple", "[x / length, y / length, z / length]", "T::scaled([x, y, z], T::ONE / length)", "unit"),
+    ("real/triple", "T::divided(v, square.sqrt())", "T::scaled(v, T::ONE / square.sqrt())", "unit"),
     ("term", "(valid(m) + T::of_f32(2.0))", "(valid(m) + T::of_f32(2.0)) * T::of_f32(3.0)", "phong_normalization"),
     (
         "attenuation",

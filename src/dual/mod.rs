@@ -181,9 +181,10 @@ impl<T: Real> Div for Dual<T> {
     #[inline]
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
+        let slopes = self.gradient - other.gradient * value;
         Self {
             value,
-            gradient: (self.gradient - other.gradient * value).map(|slope| slope / other.value),
+            gradient: T::divided(slopes.into(), other.value).into(),
         }
     }
 }
@@ -224,7 +225,7 @@ impl<T: Real> Div<T> for Dual<T> {
     fn div(self, number: T) -> Self {
         Self {
             value: self.value / number,
-            gradient: self.gradient.map(|slope| slope / number),
+            gradient: T::divided(self.gradient.into(), number).into(),
         }
     }
 }

@@ -78,7 +78,7 @@ impl<T: Real> Real for Dual<T> {
         let root = self.value.sqrt();
         Self {
             value: root,
-            gradient: self.gradient / (root + root),
+            gradient: T::divided(self.gradient.into(), root + root).into(),
         }
     }
 
@@ -111,6 +111,17 @@ impl<T: Real> Real for Dual<T> {
             value: T::dot(values(a), values(b)),
             gradient: gradient_of_dot(a, b),
         }
+    }
+
+    #[inline]
+    fn divided(numbers: [Self; 3], divisor: Self) -> [Self; 3] {
+        let quotients = T::divided(values(numbers), divisor.value);
+        let ([x, y, z], [dx, dy, dz]) = (quotients, gradients(numbers));
+        let part = |gradient: Vec3<T>, quotient| {
+            let slopes = gradient - divisor.gradient * quotient;
+            T::divided(slopes.into(), divisor.value).into()
+        };
+        with_values(quotients, [part(dx, x), part(dy, y), part(dz, z)])
     }
 
     #[inline]
@@ -203,8 +214,8 @@ impl<T: Real> Real for Dual<T> {
     }
 
     #[inline]
-    fn is_any_extreme(a: [Self; 3], b: [Self; 3]) -> bool {
-        T::is_any_extreme(values(a), values(b))
+    fn is_any_extreme([less, more]: [Self; 2]) -> bool {
+        T::is_any_extreme([less.value, more.value])
     }
 
     #[inline]

@@ -203,26 +203,31 @@ pub fn parametric<T: Real + Scalar>(
     let parameters = Dual::point(Vec3::new(u, v, T::ZERO));
     let s = s(parameters.x, parameters.y);
     let (s_u, s_v) = (s.map(|s| s.gradient.x), s.map(|s| s.gradient.y));
-    if is_one_noise(s_u, s_v) {
+    let sizes @ [less, more] = sizes(s_u, s_v);
+    if less <= more * noise() {
         None
     } else {
-        from_tangents(s_u, s_v)
+        unit_product(s_u, s_v, sizes)
     }
 }
 
-/// Whether one tangent is so short compared with the other that it may be rounding noise. The
-/// threshold allows two roundings for each of the 16 control points of a bicubic patch. On the
-/// teapot, the noise reaches 14u.
+/// The sizes of the largest components of two vectors, the smaller one first.
+#[inline(always)]
+fn sizes<T: Real>(a: Vec3<T>, b: Vec3<T>) -> [T; 2] {
+    let largest = |v: Vec3<T>| v.x.abs().at_least(v.y.abs()).at_least(v.z.abs());
+    let (a, b) = (largest(a), largest(b));
+    [a.at_most(b), a.at_least(b)]
+}
+
+/// The share of the longer tangent below which the other may be rounding noise. It allows two
+/// roundings for each of the 16 control points of a bicubic patch. On the teapot, the noise reaches
+/// 14u.
 #[inline]
-fn is_one_noise<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> bool {
+fn noise<T: Real>() -> T {
     // in any binary float, 4/3 is rounded by a third of ε, which is 2u (Kahan)
     let three = T::ONE + T::ONE + T::ONE;
     let epsilon = (three * ((T::ONE + three) / three - T::ONE) - T::ONE).abs();
-    let noise = (T::ONE + three) * (T::ONE + three) * epsilon;
-
-    let largest = |t: Vec3<T>| t.x.abs().at_least(t.y.abs()).at_least(t.z.abs());
-    let (u, v) = (largest(s_u), largest(s_v));
-    u.at_most(v) <= u.at_least(v) * noise
+    (T::ONE + three) * (T::ONE + three) * epsilon
 }
 
 /// The normal of a parametric surface, from its two tangents.
@@ -251,11 +256,31 @@ fn is_one_noise<T: Real + PartialOrd>(s_u: Vec3<T>, s_v: Vec3<T>) -> bool {
 #[cfg_attr(not(target_os = "none"), inline(always))]
 #[must_use]
 pub fn from_tangents<T: Real + Scalar>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<UnitVec3<T>> {
-    if T::is_any_extreme(s_u.into(), s_v.into()) {
-        s_u.rescaled().cross(s_v.rescaled())
+    unit_product(s_u, s_v, sizes(s_u, s_v))
+}
+
+/// The direction of a × b, given the [`sizes`] of a and b.
+#[inline(always)]
+fn unit_product<T: Real + Scalar>(a: Vec3<T>, b: Vec3<T>, sizes: [T; 2]) -> Option<UnitVec3<T>> {
+    if T::is_any_extreme(sizes) {
+        // taken apart, so that the result of the other branch need not lie in memory
+        let [x, y, z] = unit_product_of_any_size(a.x, a.y, a.z, b.x, b.y, b.z)?.into();
+        Some(UnitVec3::assume_unit(Vec3::new(x, y, z)))
     } else {
-        // not merged with the rescaled ones, so that what the compiler knows of them is not lost
-        s_u.cross(s_v)
+        a.cross(b).unit()
     }
-    .unit()
+}
+
+#[cfg_attr(target_os = "none", inline(always))]
+#[cfg_attr(not(target_os = "none"), cold, inline(never))]
+fn unit_product_of_any_size<T: Real + Scalar>(
+    ax: T,
+    ay: T,
+    az: T,
+    bx: T,
+    by: T,
+    bz: T,
+) -> Option<UnitVec3<T>> {
+    let (a, b) = (Vec3::new(ax, ay, az), Vec3::new(bx, by, bz));
+    a.rescaled().cross(b.rescaled()).unit()
 }

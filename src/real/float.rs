@@ -3,7 +3,7 @@
 use super::{Real, root};
 
 macro_rules! float {
-    ($float:ident, $extreme:expr, $sqrt:path) => {
+    ($float:ident, $extreme:expr, $sqrt:path, $divided:path) => {
         #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Real for $float {
             const ZERO: Self = 0.0;
@@ -27,6 +27,11 @@ macro_rules! float {
             #[inline]
             fn sqrt(self) -> Self {
                 $sqrt(self)
+            }
+
+            #[inline(always)]
+            fn divided(numbers: [Self; 3], divisor: Self) -> [Self; 3] {
+                $divided(numbers, divisor)
             }
 
             #[inline]
@@ -74,5 +79,15 @@ macro_rules! float {
 }
 
 // 2^100 and 2^720, as their bits
-float!(f32, f32::from_bits((127 + 100) << 23), root::sqrtf);
-float!(f64, f64::from_bits((1023 + 720) << 52), root::sqrt);
+float!(
+    f32,
+    f32::from_bits((127 + 100) << 23),
+    root::sqrtf,
+    root::dividedf
+);
+float!(
+    f64,
+    f64::from_bits((1023 + 720) << 52),
+    root::sqrt,
+    root::divided
+);

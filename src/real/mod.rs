@@ -179,6 +179,14 @@ pub trait Real:
         [x * factor, y * factor, z * factor]
     }
 
+    /// Each number divided by a divisor.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn divided(numbers: [Self; 3], divisor: Self) -> [Self; 3] {
+        root::divided(numbers, divisor)
+    }
+
     /// self/whole, where `whole` may be infinite; in a type without infinities, `MAX` counts as infinite.
     #[doc(hidden)]
     #[inline]
@@ -256,7 +264,7 @@ pub trait Real:
         triple::length(v)
     }
 
-    /// v/|v|, and a number that is positive and finite exactly if v has a direction.
+    /// v/|v|, and a number that is positive exactly if v has a direction.
     #[doc(hidden)]
     #[inline]
     #[must_use]
@@ -273,12 +281,13 @@ pub trait Real:
         triple::rescaled_difference(to, from)
     }
 
-    /// Whether a product of a and b may need them [rescaled](Real::rescaled_difference).
+    /// Whether the product of two vectors may need them [rescaled](Real::rescaled_difference), given the sizes
+    /// of their largest components, the smaller one first.
     #[doc(hidden)]
     #[inline]
     #[must_use]
-    fn is_any_extreme(a: [Self; 3], b: [Self; 3]) -> bool {
-        triple::is_any_extreme(a, b)
+    fn is_any_extreme(sizes: [Self; 2]) -> bool {
+        triple::is_any_extreme(sizes)
     }
 
     /// Three vectors times one power of two, likewise, if there is one for all.

@@ -1,4 +1,4 @@
-//! Square roots. This is the only file with unsafe code, apart from the `bytemuck` feature.
+//! Square roots and quotients. This is the only file with unsafe code, apart from the `bytemuck` feature.
 //!
 //! IEEE 754 requires a correctly rounded root, so an instruction and a software routine give the
 //! same bits. `libm`'s roots are the best choice except on two kinds of processors:
@@ -8,14 +8,17 @@
 //!   Intel processor. The compiler turns the intrinsic into the instruction that fits the build.
 //! - **Arm with an FPU.** `libm` computes the root in software, in 55 instructions.
 
+use core::ops::Div;
+
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-pub(crate) use x86_64::{sqrt, sqrtf};
+pub(crate) use x86_64::{dividedf, sqrt, sqrtf};
 
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 #[allow(unsafe_code)]
 mod x86_64 {
     use core::arch::x86_64::{
-        _mm_cvtsd_f64, _mm_cvtss_f32, _mm_set_sd, _mm_set_ss, _mm_sqrt_sd, _mm_sqrt_ss,
+        _mm_cvtsd_f64, _mm_cvtss_f32, _mm_div_ps, _mm_set_sd, _mm_set_ss, _mm_set1_ps, _mm_setr_ps,
+        _mm_sqrt_sd, _mm_sqrt_ss,
     };
 
     #[inline]
@@ -32,10 +35,31 @@ mod x86_64 {
             _mm_cvtsd_f64(_mm_sqrt_sd(x, x))
         }
     }
+
+    /// Three quotients by one instruction, where the compiler would take two. The order of the lanes
+    /// lets it keep x and y side by side, as it loads them.
+    #[inline(always)]
+    pub(crate) fn dividedf([x, y, z]: [f32; 3], divisor: f32) -> [f32; 3] {
+        // SAFETY: This is compiled only for processors with SSE2. Four numbers in a register are four
+        // numbers in an array.
+        let [z, _, x, y]: [f32; 4] = unsafe {
+            let quotients = _mm_div_ps(_mm_setr_ps(z, 1.0, x, y), _mm_set1_ps(divisor));
+            core::mem::transmute(quotients)
+        };
+        [x, y, z]
+    }
 }
 
 #[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
+pub(crate) use divided as dividedf;
+#[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
 pub(crate) use libm::sqrt;
+
+/// Three numbers divided by one.
+#[inline(always)]
+pub(crate) fn divided<T: Copy + Div<Output = T>>([x, y, z]: [T; 3], divisor: T) -> [T; 3] {
+    [x / divisor, y / divisor, z / divisor]
+}
 
 #[cfg(not(any(
     all(target_arch = "x86_64", target_feature = "sse2"),

@@ -20,11 +20,18 @@ fn is_extreme<T: Real>(square: T) -> bool {
     square.any_outside(T::ONE / T::EXTREME, T::EXTREME)
 }
 
-/// Whether a or b is extreme. For firmware the answer is always yes: rescaling changes no result, and one
-/// way through a formula takes less flash than two.
+/// Whether a vector may be extreme, given the sizes of the largest components of two. For firmware the
+/// answer is always yes: rescaling changes no result, and one way through a formula takes less flash than
+/// two.
 #[inline(always)]
-pub(super) fn is_any_extreme<T: Real>(a: Triple<T>, b: Triple<T>) -> bool {
-    cfg!(target_os = "none") || is_extreme(T::dot(a, a)) || is_extreme(T::dot(b, b))
+pub(super) fn is_any_extreme<T: Real>([less, more]: [T; 2]) -> bool {
+    // 2⁴⁸, or less if EXTREME is below 2¹⁰⁰: its square is far below EXTREME, and that of its reciprocal
+    // far above 1/EXTREME
+    let limit = (T::EXTREME * T::of_f32(1.0 / 4_503_599_627_370_496.0))
+        .at_most(T::of_f32(281_474_976_710_656.0));
+    cfg!(target_os = "none")
+        || less.any_outside(T::ONE / limit, T::MAX)
+        || more.any_outside(T::ZERO, limit)
 }
 
 /// The power of two that rescales a vector, from its |v|²: one factor of at most 1 and one of at least
@@ -70,23 +77,29 @@ fn power<T: Real>(x: T, y: T, z: T) -> T {
     shrink * grow
 }
 
-#[cfg_attr(target_os = "none", inline)]
-#[cfg_attr(not(target_os = "none"), inline(always))]
+#[inline(always)]
 pub(super) fn unit<T: Real>(v @ [x, y, z]: Triple<T>) -> (Triple<T>, T) {
-    let is_extreme = is_extreme(T::dot(v, v));
-    let v = if is_extreme {
+    let square = T::dot(v, v);
+    // for firmware, one way takes less flash than two
+    if cfg!(target_os = "none") || is_extreme(square) {
+        unit_of_any_size(x, y, z)
+    } else {
+        (T::divided(v, square.sqrt()), T::ONE)
+    }
+}
+
+#[cfg_attr(target_os = "none", inline(always))]
+#[cfg_attr(not(target_os = "none"), cold, inline(never))]
+fn unit_of_any_size<T: Real>(x: T, y: T, z: T) -> (Triple<T>, T) {
+    let v = [x, y, z];
+    let v = if is_extreme(T::dot(v, v)) {
         T::scaled(v, power(x, y, z))
     } else {
         v
     };
-    let ([x, y, z], length) = (v, T::dot(v, v).sqrt());
-    // 1 in place of the length spares the caller a comparison, but takes flash
-    let valid = if cfg!(target_os = "none") || is_extreme {
-        length
-    } else {
-        T::ONE
-    };
-    ([x / length, y / length, z / length], valid)
+    let length = T::dot(v, v).sqrt();
+    let valid = length.if_above(T::MAX, T::ZERO, length);
+    (T::divided(v, length), valid)
 }
 
 #[cfg_attr(target_os = "none", inline)]

@@ -284,15 +284,12 @@ fn unasked(options: &Options) -> Result<Laws, String> {
 
 fn report(arguments: &Arguments) -> Result<Report, String> {
     let laws = laws(&arguments.options)?;
-    let mut renderer = Piped::start(&arguments.command, arguments.timeout, |process| {
-        let kill = process.killer();
-        let handler = move || {
-            INTERRUPTED.store(true, Ordering::SeqCst);
-            kill();
-            std::process::exit(INTERRUPT.into());
-        };
-        ctrlc::set_handler(handler).map_err(|error| error.to_string())
-    })?;
+    ctrlc::set_handler(|| {
+        INTERRUPTED.store(true, Ordering::SeqCst);
+        process::interrupt(INTERRUPT);
+    })
+    .map_err(|error| error.to_string())?;
+    let mut renderer = Piped::start(&arguments.command, arguments.timeout)?;
     let bar = ProgressBar::new(0); // on a terminal only
     if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {wide_msg}") {
         bar.set_style(style);

@@ -19,13 +19,8 @@ pub struct Piped {
 
 impl Piped {
     /// Starts the program, and asks what it is.
-    pub fn start(
-        command: &[OsString],
-        timeout: Duration,
-        started: impl FnOnce(&Process) -> Result<(), String>,
-    ) -> Result<Self, String> {
+    pub fn start(command: &[OsString], timeout: Duration) -> Result<Self, String> {
         let mut process = Process::start(command)?;
-        started(&process)?;
         process.write(format!("{}\n", format::VERSION));
         let name: Vec<_> = command.iter().map(|word| word.to_string_lossy()).collect();
         let profile = match process.line(timeout) {

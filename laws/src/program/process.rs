@@ -3,6 +3,7 @@
 use std::ffi::OsString;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -12,6 +13,18 @@ const LONGEST: u64 = 65_536;
 
 /// How long a process may take to end, on a machine that is busy, too.
 const GRACE: Duration = Duration::from_secs(2);
+
+/// The process to kill at an interrupt. It is locked while one starts, so that none escapes.
+static STARTED: Mutex<Option<u32>> = Mutex::new(None);
+
+/// Kills the process, if one was started, and ends the program.
+pub fn interrupt(status: u8) -> ! {
+    let started = STARTED.lock();
+    if let Ok(Some(id)) = started.as_deref() {
+        kill_group(*id);
+    }
+    std::process::exit(status.into()) // still locked
+}
 
 /// A process and the two ends of its pipes. Two threads write and read, because a process that
 /// waits for its output to be read does not read its input. Dropping it kills the process.
@@ -49,6 +62,7 @@ impl Process {
         // a group of its own, so that what it starts can be killed with it
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        let mut started = STARTED.lock().map_err(|error| error.to_string())?;
         let mut child = command.spawn().map_err(|error| {
             let name = program.to_string_lossy();
             let hint = match error.kind() {
@@ -60,6 +74,7 @@ impl Process {
             };
             format!("cannot start {name}: {error}{hint}")
         })?;
+        *started = Some(child.id());
         let (input, to_write) = channel();
         let (read, lines) = sync_channel(1024);
         if let Some(stdin) = child.stdin.take() {
@@ -74,12 +89,6 @@ impl Process {
             input: Some(input),
             lines,
         })
-    }
-
-    /// Kills the process when it is called, from any thread.
-    pub fn killer(&self) -> impl Fn() + Send + 'static {
-        let id = self.child.id();
-        move || kill_group(id)
     }
 
     /// Writes a text, without waiting until it is read. That the process no longer reads becomes

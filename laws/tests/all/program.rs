@@ -65,10 +65,11 @@ fn try_script(interpreter: &str, script: &str, options: &[&str]) -> (Option<i32>
 fn refused((status, stdout, stderr): (Option<i32>, String, String), parts: &[&str]) {
     assert_eq!(status, Some(2), "{stdout}{stderr}");
     assert_eq!(stdout, "");
+    // the others are the renderer's own; one that is killed may leave half a line before this one
     let lines = stderr
         .lines()
-        .filter(|line| line.starts_with("shading-laws: "));
-    assert_eq!(lines.count(), 1, "{stderr}"); // the others are the renderer's own
+        .filter(|line| line.contains("shading-laws: "));
+    assert_eq!(lines.count(), 1, "{stderr}");
     for part in parts {
         assert!(stderr.contains(part), "no {part:?} in: {stderr}");
     }
@@ -194,7 +195,7 @@ fn a_wrong_command_is_refused() {
 
 #[test]
 fn a_wrong_start_is_refused() {
-    let start = |script| try_script("sh", script, &["--timeout", "2"]);
+    let start = |script| try_script("sh", script, &[]);
     let ends = "exit status: 3";
     refused(
         start("exit 3"),
@@ -202,10 +203,6 @@ fn a_wrong_start_is_refused() {
     );
     refused(start("exec 0<&- >&-; exit 3"), &[ends]);
     refused(start("kill -SEGV $$"), &["SIGSEGV"]);
-    std::thread::scope(|scope| {
-        scope.spawn(|| refused(start("sleep 60"), &["no line within 2s"]));
-        scope.spawn(|| refused(start("exec >&-; sleep 60"), &["it closed its output"]));
-    });
     refused(
         start("cat"),
         &[r#""shading-laws": there is no such member"#],
@@ -279,21 +276,6 @@ fn a_wrong_answer_is_refused_with_its_scene() {
 }
 
 #[test]
-fn too_few_answers_are_refused() {
-    let script = python("if n == 3: continue");
-    let tried = try_script("python3", &script, &["--timeout", "2"]);
-    refused(
-        tried,
-        &[
-            "scene ",
-            "no answer within 2s",
-            "1 scene of the batch left",
-            SCENE,
-        ],
-    );
-}
-
-#[test]
 fn too_many_answers_are_refused() {
     let hint = "the empty line has no answer";
     for answer in ["[0,0,0]", "", "done"] {
@@ -309,30 +291,47 @@ fn too_many_answers_are_refused() {
     assert_eq!(status, Some(2));
 }
 
+/// The program waits for each of these renderers until its time is over, and kills what it started. All wait at once. A
+/// limit of time leaves a busy machine enough to start a script.
 #[test]
 fn a_renderer_that_hangs_is_killed_with_what_it_started() {
     let begin = Instant::now();
-    let dies = |script: &str| {
+    let late = |script: &str, parts: &[&str]| {
         let folder = temporary();
-        let script = format!("echo $$ >group; echo '{{}}'; {script}");
+        let script = format!("echo $$ >group; {script}");
         let mut command = program();
         command
-            .args(["--timeout", "1", "sh", "-c", &script])
+            .args(["--timeout", "4", "sh", "-c", &script])
             .current_dir(&folder);
-        refused(run(&mut command), &["scene 1: no answer within 1s", SCENE]);
+        refused(run(&mut command), parts);
         assert_gone(&folder.path().join("group"));
     };
+    let start = |script: &str, part: &str| late(script, &[part]);
+    let first = |script: &str| {
+        let script = format!("echo '{{}}'; {script}");
+        late(&script, &["scene 1: no answer within 4s", SCENE]);
+    };
     std::thread::scope(|scope| {
-        scope.spawn(|| dies("sleep 1000; :"));
+        scope.spawn(|| start("sleep 1000; :", "no line within 4s"));
+        scope.spawn(|| start("exec >&-; sleep 1000; :", "it closed its output"));
+        scope.spawn(|| first("sleep 1000; :"));
         // this one ends at once, and leaves a process that holds the pipe
-        scope.spawn(|| dies("sleep 1000 & exit 0"));
-        scope.spawn(|| dies("cat >/dev/null; sleep 1000"));
+        scope.spawn(|| first("sleep 1000 & exit 0"));
+        scope.spawn(|| first("cat >/dev/null; sleep 1000"));
+        scope.spawn(too_few_answers_are_refused);
+        scope.spawn(a_renderer_that_does_not_end_is_killed);
     });
-    assert!(begin.elapsed() < Duration::from_secs(10));
+    assert!(begin.elapsed() < Duration::from_secs(100)); // 1000 is how long they sleep
 }
 
-/// A renderer that keeps the laws and does not end by itself.
-#[test]
+fn too_few_answers_are_refused() {
+    let script = python("if n == 3: continue");
+    let tried = try_script("python3", &script, &["--timeout", "4"]);
+    let left = "1 scene of the batch left";
+    refused(tried, &["scene ", "no answer within 4s", left, SCENE]);
+}
+
+/// This one keeps the laws, and does not end by itself.
 fn a_renderer_that_does_not_end_is_killed() {
     let folder = temporary();
     let endless = include_str!("../../examples/renderer.py").to_owned()

@@ -51,8 +51,8 @@ claims! {
         let l = nan_direction(given, "l");
         within([term::lambert(any_direction(given, "n"), l)], Range::unsigned(0.0, 0.0))
     }
-    lambert_of_units: "`term::lambert` of directions is at most 1 + 32 u" |given| {
-        within([term::lambert(given.unit("n"), given.unit("l"))], Range::within(0.0, 1.0 + 32.0 * given.format().u()))
+    lambert_of_units: "`term::lambert` of directions is at most 1 + 18 u" |given| {
+        within([term::lambert(given.unit("n"), given.unit("l"))], Range::within(0.0, 1.0 + 18.0 * given.format().u()))
     }
     powers_of_any: "`term::phong`, `term::blinn` and `Exponent::raise` of any bits are in [0, 1], every m up to 1024 and 2³² − 1" |given| {
         let (n, h) = (any_direction(given, "n"), any_direction(given, "h"));
@@ -148,6 +148,11 @@ claims! {
             return vec![];
         }
         vec![Goal::AtMost(falloff.range(), square.sqrt())]
+    }
+    ranged_reaches_far: "`Falloff::reaches` of `Ranged` leaves out no light if r² overflows, as with r = ∞; squared distances of any bits" |given| {
+        let (falloff, square) = (any_ranged(given), given.any("square"));
+        given.assume_above(falloff.range() * falloff.range(), Term::MAX);
+        if Falloff::reaches(&falloff, square) { vec![] } else { vec![Goal::Never] }
     }
     cone_of_any: "`Cone::factor` of any bits is in [0, 1]" |given| {
         let cone = cone(given.any("cosine"));

@@ -141,7 +141,7 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn is_any_extreme(_: [Self; 3], _: [Self; 3]) -> bool {
+    fn is_any_extreme(_: [Self; 2]) -> bool {
         true
     }
 
