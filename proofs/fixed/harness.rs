@@ -187,11 +187,11 @@ pub fn claim_dot_of_long(a: i32, b: i32, c: i32, d: i32, e: i32, f: i32) -> bool
     is_short(&v) && is_short(&w) || is_dot(v, w, p::product64)
 }
 
-/// What a direction is made of: the components, shifted up so that the largest is 2²⁹ or more, the upper half of their square, and
-/// the reciprocal of its root, which is 2⁴³/√square.
+/// What a direction is made of: the components, shifted up so that the largest is 2²⁹ or more, the upper half of their
+/// square, and the reciprocal of its root, which is 2⁴³/√square.
 #[cfg(not(target_arch = "arm"))]
 #[inline(always)]
-fn parts(v: [i32; 3]) -> Option<([i32; 3], i32)> {
+fn parts(v: [i32; 3]) -> Option<([i32; 3], i64, i32, u32)> {
     let [x, y, z] = v.map(|c| (c ^ c >> 31) as u32);
     let shift = (x | y | z | 1).leading_zeros() - 1 & !1;
     let [a, b, c] = [v[0] << shift, v[1] << shift, v[2] << shift];
@@ -203,7 +203,7 @@ fn parts(v: [i32; 3]) -> Option<([i32; 3], i32)> {
     let root = reciprocal::reciprocal_root((square as u32) << 2 * pairs);
     let is_exact = (root << pairs) >> pairs == root && (square as u32) << 2 * pairs >= 1 << 30;
     let is_right = is_whole && is_exact && (is_large(a) || is_large(b) || is_large(c)) && square <= 3 << 30;
-    is_right.then_some(([a, b, c], root << pairs))
+    is_right.then_some(([a, b, c], square, root << pairs, shift))
 }
 
 /// A component of a direction is the product of these, rounded down and then to the nearest step. That of the zero vector is z.
@@ -214,7 +214,26 @@ pub fn claim_direction(x: i32, y: i32, z: i32) -> bool {
     if x | y | z == 0 {
         return u.0 == 0 && v.0 == 0 && w.0 == ONE && length.0 == 0;
     }
-    let Some(([a, b, c], root)) = parts([x, y, z]) else { return false };
+    let Some(([a, b, c], _, root, _)) = parts([x, y, z]) else { return false };
     let component = |c: i32| (c as i64 * root as i64 >> 32) + (1 << 10) >> 11;
     u.0 as i64 == component(a) && v.0 as i64 == component(b) && w.0 as i64 == component(c)
+}
+
+/// A length is the root of the square, in units of 2^(5 − shift) steps, rounded down and then to the nearest step, or
+/// to 2⁻¹⁵ steps if it is below 1, which its sign says. It ends near the largest number.
+#[cfg(not(target_arch = "arm"))]
+#[unsafe(no_mangle)]
+pub fn claim_length(x: i32, y: i32, z: i32) -> bool {
+    let (_, length) = v::unit_and_fine_length(&[Fixed(x), Fixed(y), Fixed(z)]);
+    if x | y | z == 0 {
+        return length.0 == 0;
+    }
+    let Some((_, square, root, shift)) = parts([x, y, z]) else { return false };
+    let units = p::upper(square as u32, root as u32) as u64;
+    let is_short = units << 5 >> shift < 1 << 16;
+    let finer = units << if is_short { 20 } else { 5 };
+    let rounded = (finer + (1 << shift >> 1)) >> shift;
+    let end = i32::MAX as u64 >> 5 << 5;
+    let magnitude = if length.0 < 0 { -(length.0 as i64) } else { length.0 as i64 } as u64;
+    (length.0 < 0) == is_short && (magnitude == rounded || !is_short && rounded > end && magnitude >= end)
 }

@@ -181,6 +181,10 @@ def is_large(number, digits):
     return any_of([tm.mk_term(kind, [number, bits(64, limit)]) for kind, limit in limits])
 
 
+def is_below(number, digits):
+    return tm.mk_term(Kind.BV_ULT, [number, bits(64, 2**digits)])
+
+
 def magnitude(number):
     is_negative = tm.mk_term(Kind.BV_SLT, [number, bits(number.sort().bv_size(), 0)])
     return tm.mk_term(Kind.ITE, [is_negative, tm.mk_term(Kind.BV_NEG, [number]), number])
@@ -212,7 +216,7 @@ def digits_of_quotient(run, arguments, values):
 
 
 # the claims for which long products need not be multiplied out
-ABSTRACT = ["claim_direction", "claim_dot_of_long", "claim_product"]
+ABSTRACT = ["claim_direction", "claim_dot_of_long", "claim_length", "claim_product"]
 # what stays true in a loop, by the function that it is in
 INVARIANTS = {"8quotient": digits_of_quotient}
 
@@ -353,10 +357,7 @@ class Call:
         number of its range and sign, but always the same."""
         products, width = self.run.products, a.sort().bv_size()
         if word == "mul" and self.run.is_abstract and width == 64:
-            if is_extended(a) and is_extended(b):
-                return self.long(a, b)
-            if {a.kind(), b.kind()} == {Kind.BV_ZERO_EXTEND}:
-                return self.long_unsigned(a, b)
+            return self.long(a, b) if is_extended(a) and is_extended(b) else self.long_unsigned(a, b)
         if products is None or word not in ("mul", "udiv"):
             return None
         factor = products.factor if width == 32 else longer(products.factor, 32)
@@ -392,15 +393,15 @@ class Call:
         return self.run.long[a, b]
 
     def long_unsigned(self, a, b):
-        """The same without signs."""
+        """The same without signs, if the numbers are below 2³²."""
         [product, other] = [tm.mk_term(Kind.APPLY, [self.run.product, *factors]) for factors in ((a, b), (b, a))]
         is_zero = any_of([equal(x, bits(64, 0)) for x in (a, b)])
-        has_signs = [negated(tm.mk_term(Kind.BV_ULT, [x, bits(64, 2**31)])) for x in (a, b)]
+        is_low = all_of(*[is_below(x, 32) for x in (a, b)])
         self.run.assumed += [
             equal(product, other),
             implies(is_zero, equal(product, bits(64, 0))),
-            implies(all_of(is_large(a, 26), is_large(b, 26)), tm.mk_term(Kind.BV_UGE, [product, bits(64, 2**52)])),
-            implies(negated(all_of(*has_signs)), tm.mk_term(Kind.BV_ULT, [product, bits(64, 2**63)])),
+            implies(all_of(is_low, is_large(a, 26), is_large(b, 26)), negated(is_below(product, 52))),
+            implies(all_of(is_low, any_of([is_below(x, 31) for x in (a, b)])), is_below(product, 63)),
         ]
         return product
 
