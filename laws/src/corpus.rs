@@ -179,6 +179,10 @@ impl Corpus<'_> {
                 self.add(&self.scene(UP, v, vec![light]));
             }
         }
+        // each kind of light behind the surface, with R and H near what they are compared with
+        for light in self.kinds([1.0, 0.0, -0.125], [0.75, 1.0, 0.5]) {
+            self.add(&self.scene(UP, [-1.0, 0.0, 0.375], vec![light]));
+        }
         self.add(&self.scene(UP, UP, vec![]));
     }
 
