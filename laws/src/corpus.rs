@@ -179,6 +179,10 @@ impl Corpus<'_> {
                 self.add(&self.scene(UP, v, vec![light]));
             }
         }
+        // each kind of light behind the surface, with R and H near what they are compared with
+        for light in self.kinds([1.0, 0.0, -0.125], [0.75, 1.0, 0.5]) {
+            self.add(&self.scene(UP, [-1.0, 0.0, 0.375], vec![light]));
+        }
         self.add(&self.scene(UP, UP, vec![]));
     }
 
@@ -323,14 +327,42 @@ impl Corpus<'_> {
                 self.add(&scene);
             }
         }
+        let most = if self.profile.integer_shininess {
+            most.floor()
+        } else {
+            self.profile.rounded(most).min(most)
+        };
+        // no highlight, where any floor of the cosine would show: R or H below the surface
+        for (l, v) in [
+            ([0.8, 0.0, 0.6], [0.8, 0.0, 0.6]),
+            ([0.6, 0.0, 0.8], [0.0, 0.25, -1.5]),
+        ] {
+            for light in self.kinds(l, [1.0, 0.5, 0.75]) {
+                let mut scene = self.scene(UP, v, vec![light]);
+                scene.material.m = 1.0;
+                self.add(&scene);
+            }
+        }
+        // the slope of the sharpest highlight, where N has long components
+        for (n, across) in [
+            ([0.301, -0.117, 0.946], [0.946, 0.0, -0.301]),
+            ([-0.553, 0.719, 0.421], [0.719, 0.553, 0.0]),
+        ] {
+            for off in [1.0, 2.0, -1.5] {
+                let way = from_fn(|i| n[i] + off / most.sqrt() * across[i]);
+                let way = way.map(|c| self.profile.rounded(c));
+                let n = self.profile.direction(n.map(|c| self.profile.rounded(c)));
+                let kinds = self.kinds(way, [1.0, 0.5, 0.75]);
+                let light = kinds[self.bases.len() % kinds.len()];
+                let mut scene = self.scene(n, n, vec![light]);
+                scene.material.m = most;
+                self.add(&scene);
+            }
+        }
         // in few digits, the light of a lamp may not be known well enough for so large a power
         for light in self.kinds(UP, [1.0, 0.5, 0.75]) {
             let mut scene = self.scene(UP, UP, vec![light]);
-            scene.material.m = if self.profile.integer_shininess {
-                most.floor()
-            } else {
-                self.profile.rounded(most).min(most)
-            };
+            scene.material.m = most;
             self.add(&scene);
         }
     }

@@ -330,8 +330,9 @@ impl Known {
             };
             if let (Some(a), Some(b)) = (square(a), square(b)) {
                 let product = (a.sqrt() * b.sqrt()) * (1.0 + 16.0 * f.u()) + 3.0 * f.tiny();
-                // √(ab) ≤ (a + b)/2, which rounds twice fewer
-                let mean = (0.5 * a + 0.5 * b) * (1.0 + 8.0 * f.u()) + 3.0 * f.tiny();
+                // √(ab) ≤ (a + b)/2; `up` covers what these sums round
+                let mean = 0.5 * a + 0.5 * b;
+                let mean = mean + (6.5 * f.u()) * mean + 3.0 * f.tiny();
                 limit = limit.min(up(g, product.min(mean)));
             }
         }
