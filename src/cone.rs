@@ -150,7 +150,7 @@ impl<T: Real> Cone<T> {
     }
 
     /// The cone of a cosine within [−1, 1], or of another cone's: it contains its axis, and a cone of
-    /// half-angle π every direction. The slack of another number type stays where it is larger, because
+    /// half-angle π every direction, even if both directions are as long as they may be. The slack of another number type stays where it is larger, because
     /// directions bring the roundoff of that type along.
     #[inline]
     pub(crate) fn with_slack(cosine: T) -> Self {
@@ -159,7 +159,7 @@ impl<T: Real> Cone<T> {
         let cosine = cosine.at_most(T::ONE - slack);
         let everywhere = slack - T::ONE;
         Self {
-            cosine: everywhere.if_above(cosine, cosine.at_most(T::NEG_ONE - slack), cosine),
+            cosine: everywhere.if_above(cosine, cosine.at_most(T::NEG_ONE - two * slack), cosine),
         }
     }
 
@@ -276,7 +276,7 @@ macro_rules! checked {
                     cosine: if cosine > 1.0 - SLACK {
                         1.0 - SLACK
                     } else if cosine < SLACK - 1.0 {
-                        -1.0 - SLACK
+                        -1.0 - 2.0 * SLACK // two directions may both be too long
                     } else {
                         cosine + 0.0 // −0 would turn the sign of the width of an edge
                     },

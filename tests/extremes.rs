@@ -80,12 +80,36 @@ fn a_soft_edge_between_two_zeros_is_hard<T: Float>() {
 }
 
 fn the_cone_of_pi_is_everything<T: Float>() {
+    // two directions that `UnitVec3::new` takes, with a dot product of 1 + 5ε
+    let too_long = if T::NAME == "f32" {
+        [
+            [0.747_156_8, 0.653_168_3, -0.122_997_6],
+            [0.747_156_7, 0.653_168_44, -0.122_997_58],
+        ]
+    } else {
+        [
+            [
+                -0.592_000_376_987_278,
+                0.630_671_241_983_182,
+                0.501_786_147_858_141_1,
+            ],
+            [
+                -0.592_000_376_987_278_6,
+                0.630_671_241_983_182_1,
+                0.501_786_147_858_140_5,
+            ],
+        ]
+    };
+    let [a, b] = too_long
+        .map(|d| d.map(T::of))
+        .map(|[x, y, z]| UnitVec3::of(x, y, z).expect("a direction"));
     let whole = [
         T::cone(180.0).expect("π"),
         Cone::of_cosine(-T::ONE).expect("−1"),
     ];
     for cone in whole {
         assert_eq!(cone.cosine(), -T::ONE);
+        assert_eq!(cone.factor(a, b), T::ONE);
         // opposite to the axis, even where rounding makes |d|² 1.0000002
         for x in 1..100 {
             for y in 1..100 {

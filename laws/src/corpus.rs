@@ -7,7 +7,7 @@ use crate::profile::Profile;
 use crate::scene::{Light, Material, Model, Scene, Triple};
 
 /// Changes when scenes are added, so that a report says which edges it has tried.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 
 /// The most lights that a scene of the corpus has.
 pub const MOST_LIGHTS: usize = 1024;
@@ -75,7 +75,11 @@ impl Corpus<'_> {
 
     fn add_as(&mut self, model: Model, scene: &Scene) {
         let k = self.bases.len();
-        if !self.profile.models.contains(&model) || scene.lights.len() > self.profile.most_lights {
+        let is_lost = |light| scene.has_lamp_at_the_point(light, self.profile.roundoff);
+        if !self.profile.models.contains(&model)
+            || scene.lights.len() > self.profile.most_lights
+            || scene.lights.iter().any(is_lost)
+        {
             return;
         }
         let ways: [Triple; 6] = [
@@ -175,6 +179,10 @@ impl Corpus<'_> {
                 self.add(&self.scene(UP, v, vec![light]));
             }
         }
+        // each kind of light behind the surface, with R and H near what they are compared with
+        for light in self.kinds([1.0, 0.0, -0.125], [0.75, 1.0, 0.5]) {
+            self.add(&self.scene(UP, [-1.0, 0.0, 0.375], vec![light]));
+        }
         self.add(&self.scene(UP, UP, vec![]));
     }
 
@@ -229,7 +237,7 @@ impl Corpus<'_> {
                     let kind = if i % 2 == 0 { 1 } else { 2 };
                     let light = self.light(kind, UP, intensity);
                     let light = light.or_else(|| self.light(3 - kind, UP, intensity));
-                    let Some(light) = light.filter(|_| position != p) else {
+                    let Some(light) = light else {
                         continue;
                     };
                     let mut scene = self.scene(UP, [0.0, -0.5, 1.0], vec![light]);
@@ -318,6 +326,44 @@ impl Corpus<'_> {
                 scene.material.m = m;
                 self.add(&scene);
             }
+        }
+        let most = if self.profile.integer_shininess {
+            most.floor()
+        } else {
+            self.profile.rounded(most).min(most)
+        };
+        // no highlight, where any floor of the cosine would show: R or H below the surface
+        for (l, v) in [
+            ([0.8, 0.0, 0.6], [0.8, 0.0, 0.6]),
+            ([0.6, 0.0, 0.8], [0.0, 0.25, -1.5]),
+        ] {
+            for light in self.kinds(l, [1.0, 0.5, 0.75]) {
+                let mut scene = self.scene(UP, v, vec![light]);
+                scene.material.m = 1.0;
+                self.add(&scene);
+            }
+        }
+        // the slope of the sharpest highlight, where N has long components
+        for (n, across) in [
+            ([0.301, -0.117, 0.946], [0.946, 0.0, -0.301]),
+            ([-0.553, 0.719, 0.421], [0.719, 0.553, 0.0]),
+        ] {
+            for off in [1.0, 2.0, -1.5] {
+                let way = from_fn(|i| n[i] + off / most.sqrt() * across[i]);
+                let way = way.map(|c| self.profile.rounded(c));
+                let n = self.profile.direction(n.map(|c| self.profile.rounded(c)));
+                let kinds = self.kinds(way, [1.0, 0.5, 0.75]);
+                let light = kinds[self.bases.len() % kinds.len()];
+                let mut scene = self.scene(n, n, vec![light]);
+                scene.material.m = most;
+                self.add(&scene);
+            }
+        }
+        // in few digits, the light of a lamp may not be known well enough for so large a power
+        for light in self.kinds(UP, [1.0, 0.5, 0.75]) {
+            let mut scene = self.scene(UP, UP, vec![light]);
+            scene.material.m = most;
+            self.add(&scene);
         }
     }
 

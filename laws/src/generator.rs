@@ -123,15 +123,17 @@ impl Generator<'_> {
             n_of_scene = self.tilted(n_of_scene).map(|c| profile.rounded(c * by_n));
             v = v.map(|c| profile.rounded(c * by_v));
         }
-        let scene = Scene {
+        let mut scene = Scene {
             model: self.random.one_of(&profile.models),
             p,
             n: profile.direction(n_of_scene),
             v: profile.direction(v),
             material,
             i_a,
-            lights,
+            lights: Vec::new(),
         };
+        lights.retain(|light| !scene.has_lamp_at_the_point(light, profile.roundoff));
+        scene.lights = lights;
         Base {
             scene,
             ways: [(); 3].map(|()| vector(self.way(n))),

@@ -206,7 +206,7 @@ impl Report {
     ///
     /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
     /// let json = Laws::new().cases(20).run(&mut black).unwrap().to_json();
-    /// assert!(json.starts_with(r#"{"version":2,"corpus":2,"renderer":"the renderer","passes":false,"#));
+    /// assert!(json.starts_with(r#"{"version":2,"corpus":3,"renderer":"the renderer","passes":false,"#));
     /// ```
     #[must_use]
     pub fn to_json(&self) -> String {

@@ -321,7 +321,7 @@ impl Laws {
         }
         let state = self.state(trial, reports)?;
         let cause = trial.evidence.cause(&trial.profile);
-        if let Some(mistake) = state {
+        if let Some(mistakes) = state {
             let of_state = |name: &&str| ["repeatable", "no_memory"].contains(name);
             let (laws, others) = broken
                 .into_iter()
@@ -329,10 +329,13 @@ impl Laws {
             broken = others;
             findings.push(Finding {
                 cause: Some(Cause {
-                    mistakes: vec![mistake.into()],
+                    mistakes: vec![mistakes[0].into()],
                     explained: 0,
                     of: 0,
-                    alternatives: Vec::new(),
+                    alternatives: mistakes[1..]
+                        .iter()
+                        .map(|&other| vec![other.into()])
+                        .collect(),
                 }),
                 laws,
             });
@@ -372,8 +375,12 @@ impl Laws {
         Ok(findings)
     }
 
-    /// Whether colors depend on what was asked before, or on nothing that is known.
-    fn state(&self, trial: &mut Trial, reports: &[LawReport]) -> Result<Option<Mistake>, String> {
+    /// Whether colors depend on what was asked before, or on nothing that is known: the likelier first.
+    fn state(
+        &self,
+        trial: &mut Trial,
+        reports: &[LawReport],
+    ) -> Result<Option<&'static [Mistake]>, String> {
         let of_state = |law: &&LawReport| ["repeatable", "no_memory"].contains(&law.name);
         let broken = reports
             .iter()
@@ -385,13 +392,12 @@ impl Laws {
         let (Some(case), Some(law)) = (broken, LAWS.first()) else {
             return Ok(None);
         };
-        if trial.is_fickle || self.shrinks == 0 {
-            // nothing more need be asked for, or may
-            return Ok(Some(if trial.is_fickle {
-                Mistake::NotRepeatable
-            } else {
-                Mistake::Leak
-            }));
+        if trial.is_fickle {
+            return Ok(Some(&[Mistake::NotRepeatable]));
+        }
+        if self.shrinks == 0 {
+            // nothing more may be asked; what repeats after as many scenes as there are in a batch looks the same
+            return Ok(Some(&[Mistake::Leak, Mistake::NotRepeatable]));
         }
         // the same scene again and again: the last ones follow themselves
         let scene = &case.case.scene;
@@ -410,9 +416,9 @@ impl Laws {
             !channels.any(|(a, b)| differs(*a, *b))
         });
         Ok(Some(if is_settled {
-            Mistake::Leak
+            &[Mistake::Leak]
         } else {
-            Mistake::NotRepeatable
+            &[Mistake::NotRepeatable]
         }))
     }
 }

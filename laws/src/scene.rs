@@ -154,6 +154,19 @@ impl Light {
     }
 }
 
+impl Scene {
+    /// Whether a lamp stands so near to the point that a renderer with this roundoff may find it there: in the frame of
+    /// the eye, both positions round by up to u times their size.
+    pub(crate) fn has_lamp_at_the_point(&self, light: &Light, u: f64) -> bool {
+        let (Light::Point { position, .. } | Light::Spot { position, .. }) = light else {
+            return false;
+        };
+        let size = |triple: Triple| triple.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+        let way = std::array::from_fn(|i| position[i] - self.p[i]);
+        size(way) <= 4.0 * u * (size(*position) + size(self.p) + size(self.v))
+    }
+}
+
 /// The scene as Rust.
 impl fmt::Display for Scene {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {

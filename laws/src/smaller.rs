@@ -113,17 +113,16 @@ pub fn is_valid(scene: &Scene, profile: &Profile) -> bool {
     let is_lit = |light: &Light| match *light {
         Light::Directional { l, .. } => has(l) && profile.directional_lights,
         Light::Point {
-            position,
             attenuation: [a, b, c],
             ..
-        } => position != scene.p && a + b + c > 0.0 && profile.point_lights,
+        } => a + b + c > 0.0 && profile.point_lights,
         Light::Spot {
-            position,
             attenuation: [a, b, c],
             axis,
             ..
-        } => position != scene.p && a + b + c > 0.0 && has(axis) && profile.spot_lights,
+        } => a + b + c > 0.0 && has(axis) && profile.spot_lights,
     };
+    let is_lost = |light| scene.has_lamp_at_the_point(light, profile.roundoff);
     has(scene.n)
         && has(scene.v)
         && profile.models.contains(&scene.model)
@@ -131,6 +130,7 @@ pub fn is_valid(scene: &Scene, profile: &Profile) -> bool {
         && (1.0..=profile.most_shiny.min(MOST_SHINY)).contains(&scene.material.m)
         && (!profile.integer_shininess || scene.material.m.fract() == 0.0)
         && scene.lights.iter().all(is_lit)
+        && !scene.lights.iter().any(is_lost)
 }
 
 struct Edits<'a> {

@@ -1,13 +1,36 @@
-//! Tries every input of the reciprocals of `Fixed`, from their own source, with checks for overflow.
+//! Tries every input of the reciprocals and of the root of `Fixed`, from their own source, with checks for overflow.
 
 #![allow(dead_code)]
 
+#[path = "../../src/features/fixed/arithmetic.rs"]
+mod arithmetic;
 #[path = "../../src/features/fixed/product.rs"]
 mod product;
 #[path = "../../src/features/fixed/reciprocal.rs"]
 mod reciprocal;
 
 use std::thread;
+
+#[derive(Clone, Copy)]
+pub struct Fixed(i32);
+const ONE: i32 = 1 << 16;
+
+/// What the files name of the rest of the crate.
+macro_rules! stand_in {
+    ($module:ident: $type:ident) => {
+        mod $module {
+            pub struct $type<T>(T);
+            impl std::ops::Mul<crate::Fixed> for $type<crate::Fixed> {
+                type Output = Self;
+                fn mul(self, _: crate::Fixed) -> Self {
+                    self
+                }
+            }
+        }
+    };
+}
+stand_in!(vector: Vec3);
+stand_in!(rgb: Rgb);
 
 /// 2⁴⁸ over a number from 1 to the largest. The number is rounded to 19 bits or more, in up to three steps, which takes
 /// 2⁻¹⁹ + 2⁻²³ + 2⁻²⁷ of it at most, less than 9 · 2⁻²². Then a unit is cut off. The result never rises.
@@ -20,6 +43,17 @@ fn reciprocals(from: u64, to: u64) {
         assert!(low * smaller <= 1 << 70 && high * larger >= 1 << 70, "reciprocal({steps}) = {result}");
         assert!(result <= last, "reciprocal({steps}) rises");
         last = result;
+    }
+}
+
+/// √x is rounded to the nearest step: the square of the step below by half is less, and of that above by half more. The root
+/// of a number below 0 is that of 0.
+fn square_roots(from: u64, to: u64) {
+    for steps in from..to {
+        let root = Fixed(steps as u32 as i32).root().0 as u64;
+        // (root ± ½)² = root² ± root + ¼, and the number is whole
+        let exact = if steps >> 31 == 1 { 0 } else { steps << 16 };
+        assert!((root == 0 || root * root < exact + root) && exact <= root * root + root, "√{steps} = {root}");
     }
 }
 
@@ -42,5 +76,6 @@ fn main() {
     };
     in_parts((1 << 16) + 1, 1 << 31, reciprocals);
     in_parts(1 << 30, 1 << 32, roots);
-    println!("reciprocals: every input tried");
+    in_parts(0, 1 << 32, square_roots);
+    println!("reciprocals and roots: every input tried");
 }

@@ -1,7 +1,8 @@
 """Proves the claims of harness.rs: that each returns true for every input, and that nothing in it panics.
 
 The claims are translated from LLVM's code, as rustc writes it, to formulas over bit-vectors, which Bitwuzla decides. A
-call of a function is put in its place; a loop must have been unrolled; an overflow is a call of a function that panics.
+call of a function is put in its place; a loop that is not unrolled needs an invariant, which must be true when it begins and
+stay true; an overflow is a call of a function that panics.
 
     prove.py HARNESS.ll [CLAIM]…
 """
@@ -28,7 +29,9 @@ OVERFLOWS = {
     "smul": (Kind.BV_MUL, Kind.BV_SMUL_OVERFLOW), "umul": (Kind.BV_MUL, Kind.BV_UMUL_OVERFLOW),
 }
 # what LLVM adds to an operation; none changes its value, if LLVM is right
-FLAGS = r"\b(nuw|nsw|nneg|exact|disjoint|samesign|noundef|zeroext|signext|inreg|tail|fastcc|range\(i\d+ -?\d+, -?\d+\)) "
+ATTRIBUTES = r"noalias|nonnull|readonly|writeonly|writable|dead_on_unwind|noundef|zeroext|signext|align \d+"
+OF_POINTERS = r"captures\([\w, ]+\)|dereferenceable\(\d+\)|sret\(\[\d+ x i8\]\)"
+FLAGS = rf"\b({ATTRIBUTES}|{OF_POINTERS}|nuw|nsw|nneg|exact|disjoint|samesign|inreg|tail|fastcc|range\(i\d+ -?\d+, -?\d+\)) "
 
 
 def unflagged(line):
@@ -52,8 +55,11 @@ def functions(text):
     found = {}
     for head, body in re.findall(r"^define (.*?) \{\n(.*?)^\}", text, re.M | re.S):
         head = unflagged(head)
-        name, parameters = re.search(r"@([\w.$]+)\((.*?)\)(?: unnamed_addr| local_unnamed_addr| #|$)", head).groups()
-        parameters = re.findall(r"i(\d+)[^,%]*(%[\w.]+)", parameters)
+        named = re.search(r"@([\w.$]+)\((.*?)\)(?: unnamed_addr| local_unnamed_addr| #|$)", head)
+        if not named:
+            continue  # of the standard library, and inlined
+        name, parameters = named.groups()
+        parameters = re.findall(r"(?:^|, )(?:i(\d+)|ptr)[^%]*?(%[\w.]+)", parameters)
         blocks = []
         for line in body.splitlines():
             line = unflagged(line.split(" ;")[0].split(", !")[0]).strip()
@@ -66,20 +72,192 @@ def functions(text):
     return found
 
 
-class Call:
-    """A call of a function: the value it returns, and when it panics."""
+def targets(lines):
+    return re.findall(r"label %([\w.]+)", lines[-1])
 
-    def __init__(self, program, name, arguments, reached):
-        self.program, self.panics, self.returned = program, [], None
-        parameters, blocks = program[name]
-        self.values = {name: value for (_, name), value in zip(parameters, arguments)}
+
+def in_order(blocks):
+    """The labels of blocks, each after what leads to it, but for the ends of loops."""
+    order, seen = [], set()
+
+    def visit(label):
+        seen.add(label)
+        for to in targets(blocks[label]):
+            if to not in seen:
+                visit(to)
+        order.append(label)
+
+    visit(next(iter(blocks)))
+    return order[::-1]
+
+
+class Run:
+    """What is found on the way through a claim: what must not be, and what is assumed. Pointers are a name and an offset."""
+
+    def __init__(self, program, factor=None, is_abstract=False):
+        self.program, self.wrong, self.assumed, self.memory, self.long = program, [], [], {}, {}
+        self.is_abstract = is_abstract
+        long = tm.mk_bv_sort(64)
+        self.product = tm.mk_const(tm.mk_fun_sort([long, long], long), "product")
+        self.root = tm.mk_const(tm.mk_fun_sort([tm.mk_bv_sort(32)], tm.mk_bv_sort(32)), "reciprocal_root")
+        self.products = Products(factor, self.assumed) if factor is not None else None
+
+
+class Products:
+    """The products with one factor, as a function of which is known what follows from the distributive law."""
+
+    def __init__(self, factor, assumed):
+        self.factor, self.assumed, self.known = factor, assumed, []
+        self.function = tm.mk_const(tm.mk_fun_sort([tm.mk_bv_sort(32)], tm.mk_bv_sort(64)), "product")
+
+    def of(self, number):
+        product = tm.mk_term(Kind.APPLY, [self.function, number])
+        if number not in self.known:
+            self.known.append(number)
+            for other in self.known:
+                self.relate(number, other)
+                self.relate(other, number)
+        return product
+
+    def relate(self, a, b):
+        """What is known of two numbers, which are below 2³², and their products with one of at most 2³¹."""
+        [of_a, of_b] = [tm.mk_term(Kind.APPLY, [self.function, x]) for x in (a, b)]
+        factor = longer(self.factor, 32)
+        [a, b] = [longer(x, 32) for x in (a, b)]
+        twice, of_twice = [tm.mk_term(Kind.BV_ADD, [x, x]) for x in (b, of_b)]
+        one = bits(64, 1)
+        self.assumed += [
+            implies(equal(a, twice), equal(of_a, of_twice)),
+            implies(equal(a, plus(twice, one)), equal(of_a, plus(of_twice, factor))),
+            implies(equal(a, plus(b, one)), equal(of_a, plus(of_b, factor))),
+            implies(tm.mk_term(Kind.BV_ULE, [a, b]), tm.mk_term(Kind.BV_ULE, [of_a, of_b])),
+            implies(equal(a, bits(64, 0)), equal(of_a, bits(64, 0))),
+            tm.mk_term(Kind.BV_ULT, [of_a, bits(64, 2**63)]),
+        ]
+
+
+def longer(number, by):
+    return tm.mk_term(Kind.BV_ZERO_EXTEND, [number], [by])
+
+
+def plus(a, b):
+    return tm.mk_term(Kind.BV_ADD, [a, b])
+
+
+def equal(a, b):
+    return tm.mk_term(Kind.EQUAL, [a, b])
+
+
+def implies(a, b):
+    return tm.mk_term(Kind.IMPLIES, [a, b])
+
+
+def negated(boolean):
+    return tm.mk_term(Kind.NOT, [boolean])
+
+
+def all_of(*terms):
+    return tm.mk_term(Kind.AND, list(terms))
+
+
+def is_extended(number):
+    """Whether it is one of 32 bits, with its sign."""
+    return number.kind() == Kind.BV_SIGN_EXTEND and number.children()[0].sort().bv_size() <= 32
+
+
+def zeros_above(number):
+    """How many zeros are above the highest bit."""
+    width = number.sort().bv_size()
+    count = bits(width, width)
+    for place in range(width):
+        is_set = is_true(tm.mk_term(Kind.BV_EXTRACT, [number], [place, place]))
+        count = tm.mk_term(Kind.ITE, [is_set, bits(width, width - 1 - place), count])
+    return count
+
+
+def is_large(number, digits):
+    """Whether it is 2^digits or more, or −2^digits or less."""
+    limits = [(Kind.BV_SGE, 2**digits), (Kind.BV_SLE, -(2**digits))]
+    return any_of([tm.mk_term(kind, [number, bits(64, limit)]) for kind, limit in limits])
+
+
+def is_below(number, digits):
+    return tm.mk_term(Kind.BV_ULT, [number, bits(64, 2**digits)])
+
+
+def magnitude(number):
+    is_negative = tm.mk_term(Kind.BV_SLT, [number, bits(number.sort().bv_size(), 0)])
+    return tm.mk_term(Kind.ITE, [is_negative, tm.mk_term(Kind.BV_NEG, [number]), number])
+
+
+def digits_of_quotient(run, arguments, values):
+    """The dividend without its last `count` digits is the quotient so far times the divisor, and the rest. If the divisor is 0,
+    each digit is 1."""
+    dividend, divisor = [magnitude(arguments[name]) for name in ("%dividend", "%divisor")]
+    count, quotient, rest = [values[name] for name in ("count", "quotient", "rest")]
+    done = tm.mk_term(Kind.BV_SUB, [bits(32, 48), count])
+    steps = tm.mk_term(Kind.BV_SHL, [longer(dividend, 32), bits(64, 16)])
+    so_far = tm.mk_term(Kind.BV_SHR, [steps, longer(count, 32)])
+    ones = tm.mk_term(Kind.BV_SHR, [bits(32, -1), tm.mk_term(Kind.BV_SUB, [count, bits(32, 16)])])
+    is_zero = equal(divisor, bits(32, 0))
+    # the digits that are left, which are 0 if the first 32 are divided at once
+    left = values.get("bits", values.get("dividend"))
+    most = 16 if left is None else 48
+    return all_of(
+        tm.mk_term(Kind.BV_UGE, [count, bits(32, 1)]),
+        tm.mk_term(Kind.BV_ULE, [count, bits(32, most)]),
+        tm.mk_true() if left is None else equal(left, tm.mk_term(Kind.BV_SHL, [dividend, done])),
+        implies(is_zero, all_of(tm.mk_term(Kind.BV_UGE, [count, bits(32, 16)]), equal(quotient, ones))),
+        tm.mk_term(Kind.OR, [is_zero, all_of(
+            tm.mk_term(Kind.BV_ULT, [rest, divisor]),
+            equal(so_far, plus(run.products.of(quotient), longer(rest, 32))),
+        )]),
+    )
+
+
+# the claims for which long products need not be multiplied out
+ABSTRACT = ["claim_direction", "claim_dot_of_long", "claim_length", "claim_product"]
+# what stays true in a loop, by the function that it is in
+INVARIANTS = {"8quotient": digits_of_quotient}
+
+
+class Call:
+    """A call of a function: the value it returns, and what is wrong on the way."""
+
+    def __init__(self, run, name, arguments, reached):
+        self.run, self.name, self.returned, self.ends = run, name, None, []
+        parameters, blocks = run.program[name]
+        self.arguments = {name: value for (_, name), value in zip(parameters, arguments)}
+        self.values = dict(self.arguments)
         self.edges = {}  # (from, to) → when
-        for label, lines in blocks:
+        self.loops = {}  # where a loop begins → its names
+        blocks = dict(blocks)
+        order = in_order(blocks)
+        for at, label in enumerate(order):
             into = [when for (_, to), when in self.edges.items() if to == label]
-            self.when = reached if not self.edges else any_of(into)
+            self.when = reached if at == 0 else any_of(into)
             self.label = label
+            lines = blocks[label]
+            if any(label in targets(blocks[other]) for other in order[at:]):
+                lines = self.enter_loop(lines)
             for line in lines:
                 self.step(line)
+
+    def is_kept(self, values):
+        """Whether the invariant of this loop is true of its values."""
+        [invariant] = [invariant for name, invariant in INVARIANTS.items() if name in self.name]
+        return invariant(self.run, self.arguments, {name[1:].split(".")[0]: value for name, value in values.items()})
+
+    def enter_loop(self, lines):
+        """Forgets the values of a loop but for what the invariant says of them."""
+        phis = [line.split(" = ", 1) for line in lines if " = phi " in line]
+        first = {name: self.operation(text) for name, text in phis}
+        for name, text in phis:
+            self.values[name] = tm.mk_const(first[name].sort())
+        self.loops[self.label] = phis
+        self.run.wrong.append(all_of(self.when, negated(self.is_kept(first))))
+        self.run.assumed.append(implies(self.when, self.is_kept({name: self.values[name] for name, _ in phis})))
+        return lines[len(phis):]
 
     def value(self, text, width):
         text = text.strip()
@@ -88,7 +266,16 @@ class Call:
         return bits(int(width), {"true": 1, "false": 0}.get(text) if text in ("true", "false") else int(text))
 
     def edge(self, to, when):
-        self.edges[self.label, to] = tm.mk_term(Kind.AND, [self.when, when])
+        when = tm.mk_term(Kind.AND, [self.when, when])
+        if to not in self.loops:
+            self.edges[self.label, to] = when
+            return
+        again = {}
+        for name, text in self.loops[to]:
+            width = re.match(r"phi i(\d+)", text)[1]
+            [value] = re.findall(rf"\[ (\S+), %{re.escape(self.label)} \]", text)
+            again[name] = self.value(value, width)
+        self.run.wrong.append(all_of(when, negated(self.is_kept(again))))
 
     def step(self, line):
         if line.startswith("br label"):
@@ -97,15 +284,26 @@ class Call:
             test, then, otherwise = re.fullmatch(r"br i1 (\S+), label %([\w.]+), label %([\w.]+)", line).groups()
             test = is_true(self.value(test, 1))
             self.edge(then, test)
-            self.edge(otherwise, tm.mk_term(Kind.NOT, [test]))
+            self.edge(otherwise, negated(test))
+        elif line == "ret void":
+            self.ends.append(self.when)
         elif line.startswith("ret"):
+            self.ends.append(self.when)
             _, width, value = re.split(r"\s+i?", line, maxsplit=2)
             value = self.value(value, width)
             self.returned = value if self.returned is None else tm.mk_term(Kind.ITE, [self.when, value, self.returned])
         elif line == "unreachable":
-            self.panics.append(self.when)
-        elif "panicking" in line:
-            pass  # what follows is unreachable
+            self.run.wrong.append(self.when)
+        elif line.startswith("store"):
+            width, value, to = re.match(r"store i(\d+) (\S+), ptr (\S+),", line).groups()
+            place, value = self.values[to], self.value(value, width)
+            if place in self.run.memory:
+                value = tm.mk_term(Kind.ITE, [self.when, value, self.run.memory[place]])
+            self.run.memory[place] = value
+        elif "panicking" in line or "@llvm.lifetime" in line or "@llvm.experimental" in line:
+            pass  # what follows a panic is unreachable
+        elif line.startswith("call void"):
+            self.operation(line)
         else:
             name, operation = line.split(" = ", 1)
             self.values[name] = self.operation(operation)
@@ -114,7 +312,16 @@ class Call:
         word = text.split()[0]
         if word in BINARY:
             width, a, b = re.fullmatch(r"\w+ i(\d+) (\S+), (\S+)", text).groups()
-            return tm.mk_term(BINARY[word], [self.value(a, width), self.value(b, width)])
+            [a, b] = [self.value(x, width) for x in (a, b)]
+            return self.of_factor(word, a, b) or tm.mk_term(BINARY[word], [a, b])
+        if word == "alloca":
+            return (len(self.values), id(self)), 0
+        if word == "getelementptr":
+            base, offset = re.search(r"i8, ptr (\S+), i\d+ (\d+)$", text).groups()
+            name, at = self.values[base]
+            return name, at + int(offset)
+        if word == "load":
+            return self.run.memory[self.values[re.match(r"load i\d+, ptr ([^\s,]+)", text)[1]]]
         if word == "icmp":
             test, width, a, b = re.fullmatch(r"icmp (\w+) i(\d+) (\S+), (\S+)", text).groups()
             return true(tm.mk_term(COMPARISONS[test], [self.value(a, width), self.value(b, width)]))
@@ -141,14 +348,90 @@ class Call:
             return self.value(*reversed(re.fullmatch(r"freeze i(\d+) (\S+)", text).groups()))
         if word == "call":
             called, arguments = re.search(r"@([\w.$]+)\((.*)\)", text).groups()
-            arguments = [self.value(a, width) for width, a in re.findall(r"i(\d+) ([^,]+)", arguments)]
-            return self.call(called, arguments)
+            arguments = [a.split(" ") for a in re.split(r", (?=i\d|ptr)", arguments)]
+            return self.call(called, [self.value(a[-1], a[0][1:]) for a in arguments])
         raise NotImplementedError(text)
 
+    def of_factor(self, word, a, b):
+        """A product with the factor that is known, or the quotient, or nothing. A long product of numbers with a sign is any
+        number of its range and sign, but always the same."""
+        products, width = self.run.products, a.sort().bv_size()
+        if word == "mul" and self.run.is_abstract and width == 64:
+            return self.long(a, b) if is_extended(a) and is_extended(b) else self.long_unsigned(a, b)
+        if products is None or word not in ("mul", "udiv"):
+            return None
+        factor = products.factor if width == 32 else longer(products.factor, 32)
+        if word == "udiv":
+            assert b == factor
+            quotient, rest = [tm.mk_const(tm.mk_bv_sort(32)) for _ in range(2)]
+            is_zero = equal(b, bits(32, 0))
+            whole = equal(longer(a, 32), plus(products.of(quotient), longer(rest, 32)))
+            self.run.assumed.append(tm.mk_term(Kind.OR, [is_zero, all_of(whole, tm.mk_term(Kind.BV_ULT, [rest, b]))]))
+            return quotient
+        other = a if b == factor else b
+        assert factor in (a, b)
+        if width == 32:
+            return tm.mk_term(Kind.BV_EXTRACT, [products.of(other)], [31, 0])
+        [short] = other.children()
+        assert other == longer(short, 32)
+        return products.of(short)
+
+    def long(self, a, b):
+        if (a, b) not in self.run.long:
+            [product, other] = [tm.mk_term(Kind.APPLY, [self.run.product, *factors]) for factors in ((a, b), (b, a))]
+            self.run.long[a, b] = product
+            self.run.assumed.append(equal(product, other))
+            limits = [(Kind.BV_SGE, -(2**62) + 2**31), (Kind.BV_SLE, 2**62)]
+            zero = bits(64, 0)
+            is_positive = equal(*[tm.mk_term(Kind.BV_SLT, [x, zero]) for x in (a, b)])
+            above, below = [tm.mk_term(kind, [product, zero]) for kind in (Kind.BV_SGE, Kind.BV_SLE)]
+            self.run.assumed += [tm.mk_term(kind, [product, bits(64, limit)]) for kind, limit in limits]
+            self.run.assumed += [implies(is_positive, above), implies(negated(is_positive), below)]
+            is_zero = any_of([equal(x, zero) for x in (a, b)])
+            self.run.assumed += [implies(is_zero, equal(product, zero))]
+            self.run.assumed += [implies(all_of(is_large(a, 29), is_large(b, 29)), is_large(product, 58))]
+        return self.run.long[a, b]
+
+    def long_unsigned(self, a, b):
+        """The same without signs, if the numbers are below 2³²."""
+        [product, other] = [tm.mk_term(Kind.APPLY, [self.run.product, *factors]) for factors in ((a, b), (b, a))]
+        is_zero = any_of([equal(x, bits(64, 0)) for x in (a, b)])
+        is_low = all_of(*[is_below(x, 32) for x in (a, b)])
+        self.run.assumed += [
+            equal(product, other),
+            implies(is_zero, equal(product, bits(64, 0))),
+            implies(all_of(is_low, is_large(a, 26), is_large(b, 26)), negated(is_below(product, 52))),
+            implies(all_of(is_low, any_of([is_below(x, 31) for x in (a, b)])), is_below(product, 63)),
+        ]
+        return product
+
+    def reciprocal_root(self, number):
+        """One of which is known what `every.rs` finds of it."""
+        root = tm.mk_term(Kind.APPLY, [self.run.root, number])
+        is_normal = tm.mk_term(Kind.BV_UGE, [number, bits(32, 2**30)])
+        limits = [(Kind.BV_UGE, 2**27 - 8), (Kind.BV_ULE, 2**28 + 8)]
+        self.run.assumed += [implies(is_normal, tm.mk_term(kind, [root, bits(32, limit)])) for kind, limit in limits]
+        return root
+
+    def upper(self, a, b, _round):
+        """The upper half of a product, of which is known what `claim_upper_signed` says of its range."""
+        if (a, b) not in self.run.long:
+            self.run.long[a, b] = upper = tm.mk_const(tm.mk_bv_sort(32))
+            zero = bits(32, 0)
+            of_signs = [tm.mk_term(Kind.ITE, [tm.mk_term(Kind.BV_SLT, [x, zero]), y, zero]) for x, y in ((a, b), (b, a))]
+            signed = tm.mk_term(Kind.BV_SUB, [upper, plus(*of_signs)])
+            limits = [(Kind.BV_SGE, -(2**30)), (Kind.BV_SLE, 2**30)]
+            self.run.assumed += [tm.mk_term(kind, [signed, bits(32, limit)]) for kind, limit in limits]
+        return self.run.long[a, b]
+
     def call(self, called, arguments):
+        if self.run.is_abstract and "upper_rounded" in called:
+            return self.upper(*arguments)
+        if "reciprocal_root" in called:
+            return self.reciprocal_root(*arguments)
         if not called.startswith("llvm."):
-            call = Call(self.program, called, arguments, self.when)
-            self.panics += call.panics
+            call = Call(self.run, called, arguments, self.when)
+            self.when = any_of(call.ends)  # a loop goes round once, and may not have ended
             return call.returned
         name, *rest = called.split(".")[1:]
         if name in EXTREMES:
@@ -156,9 +439,18 @@ class Call:
         if rest[:2] == ["with", "overflow"]:
             operation, overflow = OVERFLOWS[name]
             return [tm.mk_term(operation, arguments), true(tm.mk_term(overflow, arguments))]
+        if name == "ctlz":
+            return zeros_above(arguments[0])
         if name == "abs":
-            zero = bits(arguments[0].sort().bv_size(), 0)
-            return tm.mk_term(Kind.ITE, [tm.mk_term(Kind.BV_SLT, [arguments[0], zero]), tm.mk_term(Kind.BV_NEG, [arguments[0]]), arguments[0]])
+            return magnitude(arguments[0])
+        if name == "fshl":
+            high, low, by = arguments
+            width = high.sort().bv_size()
+            both = tm.mk_term(Kind.BV_SHL, [tm.mk_term(Kind.BV_CONCAT, [high, low]), longer(by, width)])
+            return tm.mk_term(Kind.BV_EXTRACT, [both], [2 * width - 1, width])
+        if called.startswith("llvm.uadd.sat"):
+            most = bits(arguments[0].sort().bv_size(), -1)
+            return tm.mk_term(Kind.ITE, [tm.mk_term(Kind.BV_UADD_OVERFLOW, arguments), most, plus(*arguments)])
         raise NotImplementedError(called)
 
 
@@ -178,10 +470,13 @@ def main(path, *names):
         start = time.time()
         function = aliases.get(claim, claim)
         inputs = [tm.mk_const(tm.mk_bv_sort(int(width)), name) for width, name in program[function][0]]
-        call = Call(program, function, inputs, tm.mk_true())
-        options = Options()
-        solver = Bitwuzla(tm, options)
-        solver.assert_formula(any_of([*call.panics, tm.mk_term(Kind.NOT, [is_true(call.returned)])]))
+        factor = magnitude(inputs[1]) if claim == "claim_quotient" else None
+        run = Run(program, factor, claim in ABSTRACT)
+        call = Call(run, function, inputs, tm.mk_true())
+        solver = Bitwuzla(tm, Options())
+        for assumption in run.assumed:
+            solver.assert_formula(assumption)
+        solver.assert_formula(any_of([*run.wrong, all_of(any_of(call.ends), negated(is_true(call.returned)))]))
         result = solver.check_sat()
         verdict = {Result.UNSAT: "proved", Result.SAT: "refuted"}.get(result, "open")
         is_proved &= verdict == "proved"

@@ -149,6 +149,8 @@ pub const RULES: &[(&str, &str, &str)] = &[
     ("relation", "is_added(r, by_r) && is_added(s, by_s)", "true"),
     ("relation", "k * (1.0 + 8.0 * g.format.u()) + 1.0", "k * 0.5"),
     ("relation", "k * self.step(g, other, depth - 1)", "k * k * self.step(g, other, depth - 1)"),
+    ("mirror", "4.0 * n.high * (n.high - 1.0).max(0.0)", "2.0 * n.high * (n.high - 1.0).max(0.0)"),
+    ("relation", "0.5 * a + 0.5 * b", "a.min(b)"),
     ("known", "is_always && !x.nan && !y.nan", "is_always"),
     // the number that records is another
     ("graph", "Node::Mul(a.min(b), a.max(b))", "Node::Mul(a.min(b), a.min(b))"),

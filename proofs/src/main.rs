@@ -19,6 +19,10 @@ const USAGE: &str = "prove [CLAIM]… | check RUNS | rows | bounds FOLDER [SHARE
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    if let Some(name) = unknown(&arguments) {
+        eprintln!("there is no claim named {name}");
+        return ExitCode::FAILURE;
+    }
     let is_right = match arguments[..] {
         ["prove", ref names @ ..] => prove(names),
         ["check", runs] => runs.parse().is_ok_and(check),
@@ -46,6 +50,17 @@ fn main() -> ExitCode {
         }
     };
     if is_right { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// A name that no claim of the command has.
+fn unknown<'a>(arguments: &[&'a str]) -> Option<&'a str> {
+    let is_claim = |name: &str| claims::all().any(|claim| claim.name == name);
+    let is_solved = |name: &str| claims::solved().any(|claim| claim.name == name);
+    match arguments {
+        ["prove", names @ ..] => names.iter().copied().find(|name| !is_claim(name)),
+        ["smt", _, name] => Some(*name).filter(|name| !is_solved(name)),
+        _ => None,
+    }
 }
 
 /// Writes the error bounds, or a share of each, as scripts for Gappa.

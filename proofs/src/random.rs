@@ -1,7 +1,7 @@
 //! Random formulas, by which the prover is tested: with numbers, each value must lie in the range that the
 //! prover derives for it, have the bits that `f32` or `f64` gives, and keep to every goal that is proved.
 
-use shading::{Real, Vec3};
+use shading::{Real, UnitVec3, Vec3, reflection};
 use shading_laws::proof::{Format, Given, Goal, Known, Node, Range, Run, Term, try_out};
 
 /// A linear congruential generator (Knuth's constants).
@@ -46,7 +46,7 @@ fn formula<T: Real + PartialOrd>(mut random: Random, variables: [T; VARIABLES]) 
     let mut values = variables.to_vec();
     for _ in 0..random.below(22) + 3 {
         let [x, y, a, b] = [0; 4].map(|_| random.pick(&values));
-        let value = match random.below(22) {
+        let value = match random.below(23) {
             0 | 1 => x + y,
             2 | 3 => x - y,
             4 | 5 => x * y,
@@ -76,6 +76,11 @@ fn formula<T: Real + PartialOrd>(mut random: Random, variables: [T; VARIABLES]) 
                 let v = [v, n.cross(v)][random.below(2)]; // almost at right angles
                 let c = [T::of(-1.0 / 512.0), T::of(-1e-20), T::ZERO][random.below(3)];
                 seen_from_behind(n, v, c, [T::ONE / T::EXTREME, T::ZERO][random.below(2)])
+            }
+            22 => {
+                let n = random.vector(&values);
+                let l = [n, random.vector(&values)][random.below(2)];
+                mirrored(n, l, x)
             }
             19 if random.below(3) == 0 => (x - y) / (x + y),
             19 => slope([x, x.abs(), T::ONE][random.below(3)], y),
@@ -116,6 +121,18 @@ fn seen_from_behind<T: Real + PartialOrd>(n: Vec3<T>, v: Vec3<T>, c: T, t: T) ->
     let size = v.x.abs() + v.y.abs() + v.z.abs();
     let l = Vec3::new(x, y, z) * (T::ONE / (x * x + y * y + z * z).sqrt());
     if size * c - t > n.dot(v) { n.dot(l) } else { size }
+}
+
+/// The mirror image of a direction, or its square, where the mirror is longer than 1.
+fn mirrored<T: Real + PartialOrd>(n: Vec3<T>, l: Vec3<T>, other: T) -> T {
+    let (n, l) = (n * (T::of(1.0001) / n.length()), l * (T::ONE / l.length()));
+    let is_near = |square: T, one: f64| square > T::of(one - 1e-6) && T::of(one + 1e-6) > square;
+    if is_near(n.dot(n), 1.000_200_01) && is_near(l.dot(l), 1.0) {
+        let r: Vec3<T> = reflection(UnitVec3::assume_unit(n), UnitVec3::assume_unit(l)).into();
+        other.if_positive(r.x, r.dot(r))
+    } else {
+        other
+    }
 }
 
 fn goals(mut random: Random, terms: &[Term]) -> Vec<Goal> {

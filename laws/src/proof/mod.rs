@@ -11,6 +11,7 @@ mod range;
 // a formula, and what is known of it
 mod graph;
 mod known;
+mod mirror;
 mod relation;
 
 // a run of a formula, and the number that it runs with

@@ -41,6 +41,7 @@ impl Known {
             Node::Add(..) => {
                 let range = self.no_longer_than_its_vectors(g, id, range);
                 let range = self.no_shorter_than_unscaled(g, id, range);
+                let range = self.square_of_mirrored(g, id, range);
                 if self.is_behind(g, id) {
                     range.meet(at_most(0.0).or_nan())
                 } else {
@@ -49,6 +50,7 @@ impl Known {
             }
             Node::Sub(..) => {
                 let range = self.no_longer_than_its_vectors(g, id, range);
+                let range = self.component_of_mirrored(g, id, range);
                 self.like_unscaled(g, id, range)
             }
             Node::Mul(a, b) if a != b => {
@@ -311,8 +313,8 @@ impl Known {
 
     /// |Σ aᵢbᵢ| ≤ |a||b|, where the squares of a and b were computed and found to be small.
     ///
-    /// A computed square S is at least |a|²(1 − u)³ − 3η, and the computed sum is at most |a||b|(1 + u)³ + 3η. The
-    /// factor below stands for both.
+    /// A computed square S is at least |a|²(1 − u)³ − 3η, and the computed sum is at most |a||b|(1 + u)³ + 3η,
+    /// together |a||b|(1 + 6u). The factors below stand for both.
     fn no_longer_than_its_vectors(&mut self, g: &Graph, id: u32, range: Range) -> Range {
         let f = g.format;
         let pairs = products(g, id).map_or(vec![], orientations);
@@ -328,7 +330,10 @@ impl Known {
             };
             if let (Some(a), Some(b)) = (square(a), square(b)) {
                 let product = (a.sqrt() * b.sqrt()) * (1.0 + 16.0 * f.u()) + 3.0 * f.tiny();
-                limit = limit.min(up(g, product));
+                // √(ab) ≤ (a + b)/2; `up` covers what these sums round
+                let mean = 0.5 * a + 0.5 * b;
+                let mean = mean + (6.5 * f.u()) * mean + 3.0 * f.tiny();
+                limit = limit.min(up(g, product.min(mean)));
             }
         }
         if limit >= f.max() {
@@ -648,7 +653,7 @@ impl Known {
 }
 
 /// A float of the format that is not below a number.
-fn up(g: &Graph, x: f64) -> f64 {
+pub(super) fn up(g: &Graph, x: f64) -> f64 {
     g.format.next_up(g.format.round(x))
 }
 
@@ -664,7 +669,7 @@ fn sorted([a, b, c]: [u32; 3]) -> [u32; 3] {
 }
 
 /// Whether three terms are added, and none is subtracted.
-fn is_sum(g: &Graph, id: u32) -> bool {
+pub(super) fn is_sum(g: &Graph, id: u32) -> bool {
     let is_add = |id: u32| matches!(g.nodes[id as usize], Node::Add(..));
     match g.nodes[id as usize] {
         Node::Add(a, b) => is_add(a) != is_add(b),
@@ -693,7 +698,7 @@ fn terms(g: &Graph, id: u32) -> Option<[u32; 3]> {
 }
 
 /// The factors of a sum of three products, or of their opposites.
-fn products(g: &Graph, id: u32) -> Option<[[u32; 2]; 3]> {
+pub(super) fn products(g: &Graph, id: u32) -> Option<[[u32; 2]; 3]> {
     let factors = |id: u32| match g.nodes[id as usize] {
         Node::Mul(a, b) => Some([a, b]),
         Node::Neg(a) => match g.nodes[a as usize] {
@@ -706,7 +711,7 @@ fn products(g: &Graph, id: u32) -> Option<[[u32; 2]; 3]> {
     Some([x?, y?, z?])
 }
 
-type Pair = ([u32; 3], [u32; 3]);
+pub(super) type Pair = ([u32; 3], [u32; 3]);
 
 /// The pairs of vectors of which three products can be the dot product, each pair once.
 fn orientations(products: [[u32; 2]; 3]) -> Vec<Pair> {
@@ -722,7 +727,7 @@ fn orientations(products: [[u32; 2]; 3]) -> Vec<Pair> {
 }
 
 /// The same with either vector first.
-fn all_orientations(products: [[u32; 2]; 3]) -> Vec<Pair> {
+pub(super) fn all_orientations(products: [[u32; 2]; 3]) -> Vec<Pair> {
     let pairs = orientations(products);
     pairs.iter().flat_map(|&(a, b)| [(a, b), (b, a)]).collect()
 }
@@ -737,7 +742,7 @@ fn is_square(g: &Graph, sum: u32, v: [u32; 3]) -> bool {
 }
 
 /// The nodes of x² + y² + z², in whichever order it was recorded.
-fn squares(g: &Graph, v: [u32; 3]) -> Vec<u32> {
+pub(super) fn squares(g: &Graph, v: [u32; 3]) -> Vec<u32> {
     let [Some(x), Some(y), Some(z)] = v.map(|c| g.find(Node::Mul(c, c))) else {
         return vec![];
     };

@@ -63,7 +63,13 @@ impl Textbook<'_> {
         if self.has(Mistake::HalfVectorUnguarded) && is_lost && self.has_no_half_vector(scene) {
             return Some(true);
         }
-        self.fits_linear(self.linear(scene), reply)
+        let fits = self.fits_linear(self.linear(scene), reply);
+        // where the right color is not known either, the mistakes explain nothing
+        let is_known = || {
+            let right = Textbook::new(self.profile, &[]).linear(scene);
+            right.iter().any(|c| c.error.is_finite())
+        };
+        fits.filter(|fits| !fits || !is_lost || is_known())
     }
 
     /// The same, where the color in linear light is known.

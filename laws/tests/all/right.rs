@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use shading_laws::{Laws, Light, Model, Profile, Scene, from_fn};
 
-use crate::by_hand::{Float, Vec3, add, dot, mul, of, scale, sub};
+use crate::by_hand::{Float, Short, Vec3, add, dot, mul, of, scale, sub};
 
 /// How a right renderer computes.
 #[derive(Clone, Copy, Debug)]
@@ -243,4 +243,28 @@ fn forty_right_renderers_hold_at_twenty_seeds() {
         alarms.len(),
         first.join("\n")
     );
+}
+
+/// Each operation is rounded to 11 bits, as in half precision, or to 8, as in bfloat.
+#[test]
+fn right_renderers_of_few_digits_hold() {
+    let profile = |bits: f64| Profile {
+        roundoff: (-bits).exp2(),
+        ..Profile::default()
+    };
+    let (half, bfloat) = (profile(11.0), profile(8.0));
+    for seed in 0..3 {
+        let laws = Laws::new().seed(seed).shrinking(20, Duration::from_secs(5));
+        let laws = laws.cases(32);
+        let [of_half, of_bfloat] = [&half, &bfloat].map(|profile| laws.prepared(profile));
+        for i in 0..40 {
+            let form = Form::number(i);
+            let mut renderer = from_fn(half.clone(), |scene| form.shade::<Short<11>>(scene));
+            let report = of_half.run(&mut renderer).expect("colors");
+            assert!(report.passes(), "{form:?}, seed {seed}\n{report}");
+            let mut renderer = from_fn(bfloat.clone(), |scene| form.shade::<Short<8>>(scene));
+            let report = of_bfloat.run(&mut renderer).expect("colors");
+            assert!(report.passes(), "{form:?}, seed {seed}\n{report}");
+        }
+    }
 }

@@ -136,9 +136,9 @@ fn any_ranged(given: Given) -> Ranged<Term> {
 fn cone(cosine: Term) -> Cone<Term> {
     Cone::<f32>::from_cosine(0.5).unwrap().cast(|_| cosine)
 }
-/// The slack of `Cone::from_cosine`.
+/// How far below −1 a cosine may be stored.
 fn slack(given: Given) -> f64 {
-    8.0 * given.format().u()
+    16.0 * given.format().u()
 }
 /// Cosines as `SoftCone` stores them: the inner one is not below the outer one.
 fn soft_cone(given: Given) -> SoftCone<Term> {

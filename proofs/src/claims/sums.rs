@@ -195,13 +195,11 @@ claims! {
         within([dark], Range::within(0.0, 0.0)).into_iter()
             .chain(adds_nothing(&scene, IncidentLight { intensity: Rgb::gray(dark), ..incident(given, "light") })).collect()
     }
-    spot_out_of_its_cone: "a light that `SpotLight::in_front` leaves out for its cone adds nothing, to the bit" |given| {
-        let scene = scene(given, 32);
-        let light = incident(given, "light");
-        let factor = soft_cone(given).factor(any_direction(given, "axis"), light.l);
-        if factor.any_positive() {
+    spot_out_of_its_cone: "a light that `SpotLight::in_front` leaves out, and its point light does not, is black; positions, axis and N of any bits" |given| {
+        let (spot, n, p) = (any_spot(given), any_direction(given, "n"), any_vector(given, "p"));
+        if spot.point.in_front(p, n).is_none() || spot.in_front(p, n).is_some() {
             return vec![];
         }
-        adds_nothing(&scene, IncidentLight { intensity: light.intensity * factor, ..light })
+        channels(spot.at(p).intensity, Range::within(0.0, 0.0))
     }
 }

@@ -51,8 +51,8 @@ claims! {
         let l = nan_direction(given, "l");
         within([term::lambert(any_direction(given, "n"), l)], Range::unsigned(0.0, 0.0))
     }
-    lambert_of_units: "`term::lambert` of directions is at most 1 + 32 u" |given| {
-        within([term::lambert(given.unit("n"), given.unit("l"))], Range::within(0.0, 1.0 + 32.0 * given.format().u()))
+    lambert_of_units: "`term::lambert` of directions is at most 1 + 16 u" |given| {
+        within([term::lambert(given.unit("n"), given.unit("l"))], Range::within(0.0, 1.0 + 16.0 * given.format().u()))
     }
     powers_of_any: "`term::phong`, `term::blinn` and `Exponent::raise` of any bits are in [0, 1], every m up to 1024 and 2³² − 1" |given| {
         let (n, h) = (any_direction(given, "n"), any_direction(given, "h"));
@@ -149,6 +149,11 @@ claims! {
         }
         vec![Goal::AtMost(falloff.range(), square.sqrt())]
     }
+    ranged_reaches_far: "`Falloff::reaches` of `Ranged` leaves out no light if r² overflows, as with r = ∞; squared distances of any bits" |given| {
+        let (falloff, square) = (any_ranged(given), given.any("square"));
+        given.assume_above(falloff.range() * falloff.range(), Term::MAX);
+        if Falloff::reaches(&falloff, square) { vec![] } else { vec![Goal::Never] }
+    }
     cone_of_any: "`Cone::factor` of any bits is in [0, 1]" |given| {
         let cone = cone(given.any("cosine"));
         within([cone.factor(any_direction(given, "axis"), any_direction(given, "l"))], UP_TO_ONE)
@@ -158,10 +163,19 @@ claims! {
         let factor = cone(given.any("cosine")).factor(any_direction(given, "axis"), l);
         within([factor], Range::within(1.0, 1.0))
     }
-    cone_on_its_axis: "`Cone::factor` and `SoftCone::factor` are 1 on the axis, whatever the angle" |given| {
-        let (axis, narrowest) = (given.unit("axis"), number(1.0 - slack(given)));
-        let soft = soft_cone_of(narrowest, narrowest);
-        within([cone(narrowest).factor(axis, -axis), soft.factor(axis, -axis)], Range::within(1.0, 1.0))
+    cone_on_its_axis: "`Cone::factor` and `SoftCone::factor` are 1 on the axis, whatever `Cone::of_cosine` and `SoftCone::of_cosines` get" |given| {
+        let (axis, one) = (given.unit("axis"), Range::within(1.0, 1.0));
+        let (inner, outer) = (given.any("inner"), given.any("outer"));
+        let hard = Cone::of_cosine(inner).map_or(vec![], |cone| within([cone.factor(axis, -axis)], one));
+        let soft = SoftCone::of_cosines(inner, outer).map_or(vec![], |cone| within([cone.factor(axis, -axis)], one));
+        [hard, soft].concat()
+    }
+    cone_of_everything: "`Cone::factor` and `SoftCone::factor` are 1 in every direction, for cosines of −1 and a half-angle of π" |given| {
+        let (axis, l, minus) = (given.unit("axis"), given.unit("l"), Term::NEG_ONE);
+        let cones = [Cone::of_cosine(minus), Cone::of_half_angle(number(std::f64::consts::PI))];
+        let factors = cones.map(|cone| cone.expect("a cone").factor(axis, l));
+        let soft = SoftCone::of_cosines(minus, minus).expect("a cone").factor(axis, l);
+        within(factors.into_iter().chain([soft]), Range::within(1.0, 1.0))
     }
     soft_cone_of_any: "`SoftCone::factor` is in [0, 1], axis and L of any bits, with a smoothstep too" |given| {
         let (axis, l) = (any_direction(given, "axis"), any_direction(given, "l"));

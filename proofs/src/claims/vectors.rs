@@ -74,8 +74,10 @@ claims! {
         let n_dot_l = n.x * l.x + n.y * l.y + n.z * l.z;
         same(reflection(n, l), *n * (n_dot_l + n_dot_l) - *l)
     }
-    reflection_of_units: "`reflection` of directions is finite" |given| {
-        components(reflection(given.unit("n"), given.unit("l")), Range::within(-4.0, 4.0))
+    reflection_of_units: "`reflection` of directions: no component is above 1 + 48 u in size, and |R|² is within 104 u of 1" |given| {
+        let (r, u) = (reflection(given.unit("n"), given.unit("l")), given.format().u());
+        let (limit, square) = (1.0 + 48.0 * u, Range::within(1.0 - 104.0 * u, 1.0 + 104.0 * u));
+        [components(r, Range::within(-limit, limit)), within([r.dot(*r)], square)].concat()
     }
     clamped: "`Rgb::clamped` of any bits is in [0, 1]" |given| {
         let [r, g, b] = ["r", "g", "b"].map(|name| given.any(name));

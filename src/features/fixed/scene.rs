@@ -157,7 +157,7 @@ impl Cone<Fixed> {
             cosine: Fixed(if steps > ONE - SLACK {
                 ONE - SLACK
             } else if steps < SLACK - ONE {
-                -ONE - SLACK
+                -ONE - 2 * SLACK
             } else {
                 steps
             }),

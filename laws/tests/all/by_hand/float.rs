@@ -77,6 +77,72 @@ macro_rules! float {
 float!(f32, 0x5f37_59df_u32);
 float!(f64, 0x5fe6_eb50_c7b5_37a9_u64);
 
+/// A float whose operations are rounded to so many bits.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+pub struct Short<const BITS: i32>(f64);
+
+macro_rules! operators {
+    ($($trait:ident $method:ident),+) => {$(
+        impl<const BITS: i32> $trait for Short<BITS> {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                Self::of(self.0.$method(other.0))
+            }
+        }
+    )+};
+}
+
+operators!(Add add, Sub sub, Mul mul, Div div);
+
+impl<const BITS: i32> Neg for Short<BITS> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl<const BITS: i32> Float for Short<BITS> {
+    fn of(x: f64) -> Self {
+        Self(bits(x, BITS.into()))
+    }
+    fn get(self) -> f64 {
+        self.0
+    }
+    fn sqrt(self) -> Self {
+        Self::of(self.0.sqrt())
+    }
+    fn powf(self, m: Self) -> Self {
+        Self::of(self.0.powf(m.0))
+    }
+    fn powi(self, m: i32) -> Self {
+        Self::of(self.0.powi(m))
+    }
+    fn cos(self) -> Self {
+        Self::of(self.0.cos())
+    }
+    fn exp(self) -> Self {
+        Self::of(self.0.exp())
+    }
+    fn ln(self) -> Self {
+        Self::of(self.0.ln())
+    }
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        Self::of(self.0 * b.0 + c.0)
+    }
+    fn max(self, other: Self) -> Self {
+        Self(self.0.max(other.0))
+    }
+    fn min(self, other: Self) -> Self {
+        Self(self.0.min(other.0))
+    }
+    fn abs(self) -> Self {
+        Self(self.0.abs())
+    }
+    fn guess_of_inverse_root(self) -> Self {
+        Self::of(1.0 / self.0.sqrt())
+    }
+}
+
 pub type Vec3<T> = [T; 3];
 
 pub fn dot<T: Float>(a: Vec3<T>, b: Vec3<T>) -> T {

@@ -7,7 +7,7 @@ mod shade;
 
 use shading_laws::{Mistake, Profile, Renderer, Scene};
 
-pub use float::{Float, Vec3, add, dot, mul, of, scale, sub};
+pub use float::{Float, Short, Vec3, add, dot, mul, of, scale, sub};
 pub use plan::{Odd, Plan};
 pub use shade::shade;
 
