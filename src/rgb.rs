@@ -76,11 +76,7 @@ impl<T: Real> Rgb<T> {
     where
         T: Several<U>,
     {
-        Rgb::new(
-            self.r.added_to(sum.r),
-            self.g.added_to(sum.g),
-            self.b.added_to(sum.b),
-        )
+        T::all_added_to(self.into(), sum.into()).into()
     }
 
     /// The product with a reflectance. A channel that overflowed to infinity counts as the largest

@@ -171,21 +171,19 @@ fn of_sums_at_once(directions: Vec<Data<Vectors>>) -> usize {
     let (smooth, others): (Vec<_>, Vec<_>) = directions
         .into_iter()
         .partition(|(kind, _)| *kind == "smooth");
-    [(smooth, limit(0.9, 0.9)), (others, limit(0.6, 0.6))]
-        .iter()
-        .map(|(directions, limit)| of_four_at_once(directions, *limit))
-        .sum()
+    of_four_at_once(&smooth, [limit(0.85, 0.85); 2])
+        + of_four_at_once(&others, [limit(0.48, 0.47), limit(0.53, 0.53)])
 }
 
 #[cfg(feature = "wide")]
-fn of_four_at_once(directions: &[Data<Vectors>], limit: Limit) -> usize {
+fn of_four_at_once(directions: &[Data<Vectors>], [whole, real]: [Limit; 2]) -> usize {
     Race::of(
         "four at once, whole m",
         twice!(|vectors: &Vectors| shaded_at_once(std::hint::black_box(&WHOLE), vectors)),
     )
     .against(
         "glam, powi",
-        limit,
+        whole,
         twice!(|Vectors { glam, .. }| {
             let m = std::hint::black_box(WHOLE_M.cast_signed());
             summed(std::hint::black_box(&LAMPS), *glam, |cosine| cosine.powi(m))
@@ -198,7 +196,7 @@ fn of_four_at_once(directions: &[Data<Vectors>], limit: Limit) -> usize {
         )
         .against(
             "glam, powf",
-            limit,
+            real,
             twice!(|Vectors { glam, .. }| {
                 let m = std::hint::black_box(REAL_M);
                 summed(std::hint::black_box(&LAMPS), *glam, |cosine| cosine.powf(m))

@@ -28,7 +28,7 @@ pub const FAULTS: &[Fault] = &[
     ("real/triple", "(q / scale).at_most(T::MAX)", "(q / scale)", "point_light_of_any"),
     ("real/triple", "factor.at_least(T::ZERO).at_most(limit())", "factor.at_most(limit())", "dimmed_is_at"),
     ("real/triple", "factor.at_least(T::ZERO).at_most(limit())", "factor.at_least(T::ZERO)", "black_light"),
-    ("real/whole_power", "cosine.if_above(top, T::ONE, cosine)", "cosine", "powers_of_one"),
+    ("real/whole_power", "cosine.at_most(T::ONE)", "cosine", "powers_of_one"),
     // a guard is missing
     ("real/triple", "length.if_above(T::MAX, T::ZERO, length)", "length", "unit_of_broken"),
     ("unit", "(valid > T::ZERO)", "(valid <= T::MAX)", "unit_of_zero"),

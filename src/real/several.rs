@@ -11,6 +11,13 @@ pub trait Several<T>: Real {
     /// sum + a + b + …, from the left.
     #[must_use]
     fn added_to(self, sum: T) -> T;
+
+    /// The same, three times.
+    #[inline(always)]
+    #[must_use]
+    fn all_added_to([a, b, c]: [Self; 3], [x, y, z]: [T; 3]) -> [T; 3] {
+        [a.added_to(x), b.added_to(y), c.added_to(z)]
+    }
 }
 
 impl<T: Real> Several<T> for T {

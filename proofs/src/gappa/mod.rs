@@ -258,6 +258,10 @@ const BOUNDS: &[Bound] = &[
     bound("sphere", "`normal::sphere`", 5.5, Of::Result, |given| {
         first(normal::sphere(vector(given, "c"), vector(given, "p")))
     }),
+    bound("paraboloid", "`normal::parametric`, a paraboloid", 5.4, Of::Result, |given| {
+        let [u, v] = ["u", "v"].map(|name| given.number(name, Range::within(-1.0, 1.0)));
+        first(normal::parametric(|u, v| Vec3::new(u, v, u * u + u * v + v * v), u, v))
+    }),
     bound("reflection", "`reflection`", 9.0, Of::One, mirrored),
     bound("half_vector", "`half_vector`", 5.5, Of::Result, |given| {
         first(half_vector(direction(given, "l"), direction(given, "v")))
@@ -309,7 +313,7 @@ const BOUNDS: &[Bound] = &[
 ];
 
 /// What is wrong with the last columns of the table of `docs/precision.md`: "Gappa" needs a bound that is proved, and
-/// "hand" a derivation.
+/// "hand" a derivation. "hand; Gappa 2.7" is a row whose derivation goes below what Gappa proves.
 pub fn complaints(page: &str) -> Vec<String> {
     let rows = page.lines().filter(|line| line.starts_with("| `"));
     let rows: Vec<Vec<&str>> = rows.map(|row| row.trim_matches(['|', ' ']).split(" | ").collect()).collect();
@@ -334,6 +338,7 @@ fn complaint(page: &str, row: &[&str]) -> Option<String> {
         ("hand", None) if is_derived => None,
         ("Gappa", Some(proved)) if proved == most => None,
         ("Gappa, hand", Some(proved)) if proved == most && is_derived => None,
+        (by, Some(proved)) if is_derived && by == format!("hand; Gappa {proved}") => None,
         (_, proved) => Some(format!("{function}: {most} by {by}, but Gappa proves {proved:?}")),
     }
 }

@@ -73,12 +73,20 @@ impl<'a> Script<'a> {
         match self.g.nodes[id as usize] {
             Node::Add(a, b) if self.is_zero(b) => self.plain(a),
             Node::Add(a, b) if self.is_zero(a) => self.plain(b),
+            Node::Sub(a, b) if self.is_zero(b) => self.plain(a),
+            Node::Mul(a, b) if self.is_one(b) => self.plain(a),
+            Node::Mul(a, b) if self.is_one(a) => self.plain(b),
             _ => id,
         }
     }
 
     fn is_zero(&mut self, id: u32) -> bool {
-        self.known.range(self.g, id).only() == Some(0.0)
+        let range = self.known.range(self.g, id);
+        range.low == 0.0 && range.high == 0.0
+    }
+
+    fn is_one(&mut self, id: u32) -> bool {
+        self.known.range(self.g, id).only() == Some(1.0)
     }
 
     fn is_constant(&mut self, id: u32) -> bool {
@@ -103,6 +111,7 @@ impl<'a> Script<'a> {
         }
         let parts = match self.g.nodes[id as usize] {
             Node::Neg(a) | Node::Sqrt(a) => vec![a],
+            Node::Sub(a, b) if self.is_zero(a) => vec![b],
             Node::Add(a, b) | Node::Sub(a, b) | Node::Mul(a, b) | Node::Div(a, b) => vec![a, b],
             _ => vec![],
         };
@@ -150,6 +159,7 @@ impl<'a> Script<'a> {
                 let _ = writeln!(text, "n{id} = n{0} + n{0};\nN{id} = {1} + {1};", parts[0], exact[0]);
             }
             Node::Add(..) => binary('+'),
+            Node::Sub(..) if parts.len() == 1 => _ = writeln!(text, "n{id} = -n{};\nN{id} = -{};", parts[0], exact[0]),
             Node::Sub(..) => binary('-'),
             Node::Mul(..) => binary('*'),
             Node::Div(..) => binary('/'),

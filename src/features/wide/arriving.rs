@@ -64,19 +64,6 @@ impl<L: Lanes, I: Iterator<Item = IncidentLight<L>>> Lights<L::Lane> for InLanes
 struct Arriving<'a, L: Lanes, K> {
     lights: &'a [K],
     p: Vec3<L::Lane>,
-    in_lanes: Vec3<L>,
-}
-
-impl<'a, L: Lanes, K: Kind<L>> Arriving<'a, L, K> {
-    #[inline(always)]
-    fn new(lights: &'a [K], p: Vec3<L::Lane>) -> Self {
-        let in_lanes = p.map(|x| L::from_fn(|_| x));
-        Self {
-            lights,
-            p,
-            in_lanes,
-        }
-    }
 }
 
 impl<L: Lanes, K: Kind<L>> Iterator for Arriving<'_, L, K> {
@@ -86,13 +73,13 @@ impl<L: Lanes, K: Kind<L>> Iterator for Arriving<'_, L, K> {
     fn next(&mut self) -> Option<IncidentLight<L>> {
         if let Some((lights, rest)) = self.lights.split_at_checked(L::COUNT) {
             self.lights = rest;
-            let together = K::all_at(|i| &lights[i], self.in_lanes);
+            let together = K::all_at(|i| &lights[i], self.p.map(L::in_each));
             Some(together.unwrap_or_else(|| one_by_one(lights, self.p)))
         } else if self.lights.is_empty() {
             None
         } else {
             let lights = core::mem::take(&mut self.lights);
-            Some(last(lights, self.p, self.in_lanes))
+            Some(last(lights, self.p))
         }
     }
 
@@ -108,11 +95,8 @@ impl<L: Lanes, K: Kind<L>> Iterator for Arriving<'_, L, K> {
 
 /// Fewer lights than there are lanes: the rest are black copies of the first.
 #[inline(never)]
-fn last<L: Lanes, K: Kind<L>>(
-    lights: &[K],
-    p: Vec3<L::Lane>,
-    in_lanes: Vec3<L>,
-) -> IncidentLight<L> {
+fn last<L: Lanes, K: Kind<L>>(lights: &[K], p: Vec3<L::Lane>) -> IncidentLight<L> {
+    let in_lanes = p.map(L::in_each);
     let together = lights
         .first()
         .and_then(|first| K::all_at(|i| lights.get(i).unwrap_or(first), in_lanes));
@@ -170,7 +154,20 @@ where
     where
         Self: 'a,
     {
-        Some(Self::gather(light)?.at(p))
+        // the position first, because lanes with the other numbers would have to wait in memory
+        let position = Vec3::gather(|i| &light(i).position)?;
+        let to_light = (position - p).into();
+        let way = L::direction_and_distance(|| [position.into(), p.into()], to_light);
+        let ((l, q, distance), light) = (way, Self::gather(light)?);
+        let intensity = light
+            .attenuation
+            .dim_along(&light.intensity, q, || to_light);
+        let l = UnitVec3::assume_unit(l.into());
+        Some(IncidentLight {
+            l,
+            intensity,
+            distance,
+        })
     }
 }
 
@@ -288,7 +285,7 @@ impl<T: Real, A> PointLight<T, A> {
     where
         A: Falloff<T> + Gather<L, Gathered: Falloff<L>>,
     {
-        InLanes(Arriving::new(lights, p))
+        InLanes(Arriving { lights, p })
     }
 }
 
@@ -317,7 +314,7 @@ impl<T: Real, C, A> SpotLight<T, C, A> {
         C: Beam<T> + Gather<L, Gathered: Beam<L>>,
         A: Falloff<T> + Gather<L, Gathered: Falloff<L>>,
     {
-        InLanes(Arriving::new(lights, p))
+        InLanes(Arriving { lights, p })
     }
 }
 
@@ -348,6 +345,6 @@ impl<T: Real, C, A> Light<T, C, A> {
         C: Beam<T> + Gather<L, Gathered: Beam<L>>,
         A: Falloff<T> + Gather<L, Gathered: Falloff<L>>,
     {
-        InLanes(Arriving::new(lights, p))
+        InLanes(Arriving { lights, p })
     }
 }

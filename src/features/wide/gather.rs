@@ -60,19 +60,22 @@ macro_rules! gather {
 
 gather! {
     [] Vec3<L::Lane> => Vec3<L>, of {
-        let [x, y, z] = [L::from_fn(|i| of(i).x), L::from_fn(|i| of(i).y), L::from_fn(|i| of(i).z)];
+        let [x, y, z, _] = L::columns(|i| [of(i).x, of(i).y, of(i).z, of(i).z]);
         Some(Vec3::new(x, y, z))
     }
     [] UnitVec3<L::Lane> => UnitVec3<L>, of {
         Some(UnitVec3::assume_unit(Vec3::gather(|i| &**of(i))?))
     }
     [] Rgb<L::Lane> => Rgb<L>, of {
-        let [r, g, b] = [L::from_fn(|i| of(i).r), L::from_fn(|i| of(i).g), L::from_fn(|i| of(i).b)];
+        let [r, g, b, _] = L::columns(|i| [of(i).r, of(i).g, of(i).b, of(i).b]);
         Some(Rgb::new(r, g, b))
     }
     [] Attenuation<L::Lane> => Attenuation<L>, of {
-        let lanes = |k: usize| L::from_fn(|i| of(i).coefficients()[k]);
-        let attenuation = Attenuation::unchecked(lanes(0), lanes(1), lanes(2));
+        let [a, b, c, _] = L::columns(|i| {
+            let [a, b, c] = of(i).coefficients();
+            [a, b, c, c]
+        });
+        let attenuation = Attenuation::unchecked(a, b, c);
         if !are_alike::<L>(|i| of(i).is_clamped()) {
             None
         } else if of(0).is_clamped() {

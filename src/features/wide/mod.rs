@@ -84,6 +84,14 @@ pub trait Lanes: Several<<Self as Lanes>::Lane> {
     #[must_use]
     fn from_fn(lane: impl FnMut(usize) -> Self::Lane) -> Self;
 
+    /// The columns of a matrix with four numbers in each row: in each lane the number of one row.
+    #[doc(hidden)]
+    #[inline(always)]
+    #[must_use]
+    fn columns(row: impl Fn(usize) -> [Self::Lane; 4]) -> [Self; 4] {
+        [0, 1, 2, 3].map(|k| Self::from_fn(|i| row(i)[k]))
+    }
+
     /// The number in the first lane.
     #[must_use]
     fn first(self) -> Self::Lane;
@@ -94,10 +102,12 @@ pub trait Lanes: Several<<Self as Lanes>::Lane> {
 }
 
 macro_rules! real {
-    ($lanes:ident of $count:literal $float:ident) => {
+    ($lanes:ident of $count:literal $float:ident $(, $columns:item, $added:item)?) => {
         impl Lanes for $lanes {
             type Lane = $float;
             const COUNT: usize = $count;
+
+            $($columns)?
 
             #[inline]
             fn from_fn(lane: impl FnMut(usize) -> $float) -> Self {
@@ -133,6 +143,8 @@ macro_rules! real {
             fn added_to(self, sum: $float) -> $float {
                 self.to_array().into_iter().fold(sum, |sum, x| sum + x)
             }
+
+            $($added)?
         }
 
         #[diagnostic::do_not_recommend] // the trait's own message names the types
@@ -215,8 +227,8 @@ macro_rules! real {
 
 /// Lanes of `f32`, with as many integer lanes for the power.
 macro_rules! single {
-    ($lanes:ident * $count:literal, $integers:ident, $from_integers:ident) => {
-        real!($lanes of $count f32);
+    ($lanes:ident * $count:literal, $integers:ident, $from_integers:ident $(, $columns:item, $added:item)?) => {
+        real!($lanes of $count f32 $(, $columns, $added)?);
 
         impl Binary32 for $lanes {
             #[inline]
@@ -272,7 +284,23 @@ macro_rules! double {
     };
 }
 
-single!(f32x4 * 4, i32x4, from_i32x4);
+single!(
+    f32x4 * 4,
+    i32x4,
+    from_i32x4,
+    // each row is loaded at once
+    #[inline(always)]
+    fn columns(row: impl Fn(usize) -> [f32; 4]) -> [f32x4; 4] {
+        f32x4::transpose(core::array::from_fn(|i| f32x4::new(row(i))))
+    },
+    #[inline(always)]
+    fn all_added_to([a, b, c]: [f32x4; 3], [x, y, z]: [f32; 3]) -> [f32; 3] {
+        let rows = f32x4::transpose([a, b, c, c]);
+        let sum = f32x4::new([x, y, z, z]);
+        let [x, y, z, _] = rows.into_iter().fold(sum, |sum, row| sum + row).to_array();
+        [x, y, z]
+    }
+);
 single!(f32x8 * 8, i32x8, from_i32x8);
 single!(f32x16 * 16, i32x16, from_i32x16);
 double!(f64x4 * 4);
