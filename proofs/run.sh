@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Proves what docs/proofs.md lists and tests the prover. It plants faults in a copy of the source, each of which must make a
 # claim fail, and wrong rules in the prover, each of which its tests must find. With `--all` it tests the prover with a
-# hundred times as many numbers, and proves the integers of `Fixed`; with `--coq`, Coq checks what Gappa proves. The last line says how many claims were proved, by
-# which means, and how many are open. Installs what is missing.
+# hundred times as many numbers, and proves the integers of `Fixed`; with `--coq`, Coq checks what Gappa proves. The last
+# line says how many claims were proved, by which means, and how many are open. Installs what is missing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/firmware/toolchain.sh
@@ -120,6 +120,8 @@ vector.rs|(1 << 10)) >> 11|(1 << 11)) >> 11|claim_direction
 vector.rs|bits.leading_zeros() - 1|bits.leading_zeros()|claim_direction
 vector.rs|length >> 11 >> shift|length >> 10 >> shift|claim_length
 vector.rs|upper_of_square(v\[2\].0 << shift);|upper_of_square(v[1].0 << shift);|claim_length
+falloff.rs|self.up.clamp(0, 31)|self.up.clamp(0, 32)|claim_arrives
+falloff.rs|self.share).saturating_add(whole)|self.share).wrapping_add(whole)|claim_arrives
 product.rs|low + 0x8000) >> 16|low + 0x7FFF) >> 16|claim_short_part
 END
 fi

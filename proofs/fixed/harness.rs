@@ -237,3 +237,16 @@ pub fn claim_length(x: i32, y: i32, z: i32) -> bool {
     let magnitude = if length.0 < 0 { -(length.0 as i64) } else { length.0 as i64 } as u64;
     (length.0 < 0) == is_short && (magnitude == rounded || !is_short && rounded > end && magnitude >= end)
 }
+
+/// What arrives from a lamp without a range is not negative, for any checked attenuation, distance and intensity.
+#[cfg(not(target_arch = "arm"))]
+#[unsafe(no_mangle)]
+pub fn claim_arrives(a: i32, b: i32, c: i32, q: i32, intensity: i32) -> bool {
+    let is_checked = (a | b | c) > 0;
+    if !is_checked || intensity < 0 || q << 1 == 0 {
+        return true;
+    }
+    let mut v = [Fixed(intensity); 3];
+    falloff::Factor::of(Fixed(a), Fixed(b), Fixed(c), Fixed(q)).scale(&mut v);
+    v[0].0 >= 0
+}

@@ -181,6 +181,12 @@ def is_large(number, digits):
     return any_of([tm.mk_term(kind, [number, bits(64, limit)]) for kind, limit in limits])
 
 
+def choice(when, value, otherwise):
+    if isinstance(value, list):
+        return [choice(when, *pair) for pair in zip(value, otherwise)]
+    return tm.mk_term(Kind.ITE, [when, value, otherwise])
+
+
 def is_below(number, digits):
     return tm.mk_term(Kind.BV_ULT, [number, bits(64, 2**digits)])
 
@@ -215,10 +221,25 @@ def digits_of_quotient(run, arguments, values):
     )
 
 
+def bits_of_denominator(run, arguments, values):
+    """Three words are shifted up by what is taken from the shift, and no bit of them is lost."""
+    before, now = [tm.mk_term(Kind.BV_CONCAT, words) for words in (
+        [arguments[name] for name in ("%0", "%1", "%2")], [values[name] for name in ("high", "middle", "low")])]
+    shift = values["shift"]
+    by = longer(tm.mk_term(Kind.BV_SUB, [arguments["%3"], shift]), 64)
+    return all_of(
+        tm.mk_term(Kind.BV_SLE, [shift, arguments["%3"]]),
+        tm.mk_term(Kind.BV_SGT, [shift, bits(32, -64)]),
+        tm.mk_term(Kind.BV_SGE, [values["high"], bits(32, 0)]),
+        equal(now, tm.mk_term(Kind.BV_SHL, [before, by])),
+        equal(before, tm.mk_term(Kind.BV_SHR, [now, by])),
+    )
+
+
 # the claims for which long products need not be multiplied out
-ABSTRACT = ["claim_direction", "claim_dot_of_long", "claim_length", "claim_product"]
+ABSTRACT = ["claim_arrives", "claim_direction", "claim_dot_of_long", "claim_length", "claim_product"]
 # what stays true in a loop, by the function that it is in
-INVARIANTS = {"8quotient": digits_of_quotient}
+INVARIANTS = {"8quotient": digits_of_quotient, "6beyond": bits_of_denominator}
 
 
 class Call:
@@ -289,9 +310,9 @@ class Call:
             self.ends.append(self.when)
         elif line.startswith("ret"):
             self.ends.append(self.when)
-            _, width, value = re.split(r"\s+i?", line, maxsplit=2)
+            width, value = re.fullmatch(r"ret (?:i(\d+)|\{.*?\}) (\S+)", line).groups()
             value = self.value(value, width)
-            self.returned = value if self.returned is None else tm.mk_term(Kind.ITE, [self.when, value, self.returned])
+            self.returned = value if self.returned is None else choice(self.when, value, self.returned)
         elif line == "unreachable":
             self.run.wrong.append(self.when)
         elif line.startswith("store"):
@@ -335,15 +356,20 @@ class Call:
                 return tm.mk_term(Kind.BV_EXTRACT, [a], [int(to) - 1, 0])
             return tm.mk_term(Kind.BV_ZERO_EXTEND if word == "zext" else Kind.BV_SIGN_EXTEND, [a], [more])
         if word == "phi":
-            width, ways = re.fullmatch(r"phi i(\d+) (.*)", text).groups()
+            width, ways = re.fullmatch(r"phi (?:i(\d+)|\{.*?\}) (.*)", text).groups()
             ways = [way for way in re.findall(r"\[ (\S+), %([\w.]+) \]", ways) if (way[1], self.label) in self.edges]
             chosen = self.value(ways[0][0], width)
             for value, label in ways[1:]:
-                chosen = tm.mk_term(Kind.ITE, [self.edges[label, self.label], self.value(value, width), chosen])
+                chosen = choice(self.edges[label, self.label], self.value(value, width), chosen)
             return chosen
         if word == "extractvalue":
             pair, index = re.fullmatch(r"extractvalue \{.*?\} (\S+), (\d)", text).groups()
             return self.values[pair][int(index)]
+        if word == "insertvalue":
+            pair, width, value, index = re.fullmatch(r"insertvalue \{.*?\} (\S+), i(\d+) (\S+), (\d)", text).groups()
+            value = self.value(value, width)
+            before = [value, value] if pair == "poison" else self.values[pair]
+            return [value if i == int(index) else old for i, old in enumerate(before)]
         if word == "freeze":
             return self.value(*reversed(re.fullmatch(r"freeze i(\d+) (\S+)", text).groups()))
         if word == "call":
@@ -397,11 +423,13 @@ class Call:
         [product, other] = [tm.mk_term(Kind.APPLY, [self.run.product, *factors]) for factors in ((a, b), (b, a))]
         is_zero = any_of([equal(x, bits(64, 0)) for x in (a, b)])
         is_low = all_of(*[is_below(x, 32) for x in (a, b)])
+        is_at_most = tm.mk_term(Kind.BV_ULE, [product, bits(64, (2**31 - 1) * (2**32 - 1))])
         self.run.assumed += [
             equal(product, other),
             implies(is_zero, equal(product, bits(64, 0))),
             implies(all_of(is_low, is_large(a, 26), is_large(b, 26)), negated(is_below(product, 52))),
-            implies(all_of(is_low, any_of([is_below(x, 31) for x in (a, b)])), is_below(product, 63)),
+            implies(all_of(is_low, any_of([is_below(x, 31) for x in (a, b)])), is_at_most),
+            implies(all_of(*[is_below(x, 31) for x in (a, b)]), is_below(product, 62)),
         ]
         return product
 
@@ -427,6 +455,12 @@ class Call:
     def call(self, called, arguments):
         if self.run.is_abstract and "upper_rounded" in called:
             return self.upper(*arguments)
+        if "10reciprocal17h" in called:
+            # every one from 2¹⁶ to 2³¹ is tried
+            [number] = arguments
+            is_tried = all_of(tm.mk_term(Kind.BV_UGT, [number, bits(32, 2**16)]), tm.mk_term(Kind.BV_SGT, [number, bits(32, 0)]))
+            self.run.wrong.append(all_of(self.when, negated(is_tried)))
+            return tm.mk_const(tm.mk_bv_sort(32))
         if "reciprocal_root" in called:
             return self.reciprocal_root(*arguments)
         if not called.startswith("llvm."):
@@ -448,6 +482,11 @@ class Call:
             width = high.sort().bv_size()
             both = tm.mk_term(Kind.BV_SHL, [tm.mk_term(Kind.BV_CONCAT, [high, low]), longer(by, width)])
             return tm.mk_term(Kind.BV_EXTRACT, [both], [2 * width - 1, width])
+        if called.startswith("llvm.sadd.sat"):
+            width = arguments[0].sort().bv_size()
+            is_low = tm.mk_term(Kind.BV_SLT, [arguments[0], bits(width, 0)])
+            end = choice(is_low, bits(width, -(2 ** (width - 1))), bits(width, 2 ** (width - 1) - 1))
+            return choice(tm.mk_term(Kind.BV_SADD_OVERFLOW, arguments), end, plus(*arguments))
         if called.startswith("llvm.uadd.sat"):
             most = bits(arguments[0].sort().bv_size(), -1)
             return tm.mk_term(Kind.ITE, [tm.mk_term(Kind.BV_UADD_OVERFLOW, arguments), most, plus(*arguments)])
