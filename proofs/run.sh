@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Proves what docs/proofs.md lists and tests the prover. It plants faults in a copy of the source, each of which must make a
 # claim fail, and wrong rules in the prover, each of which its tests must find. With `--all` it tests the prover with a
-# hundred times as many numbers, and proves the integers of `Fixed`; with `--coq`, Coq checks what Gappa proves. The last
-# line says how many claims were proved, by which means, and how many are open. Installs what is missing.
+# hundred times as many numbers, and proves the integers of `Fixed` and the power by a real m; with `--coq`, Coq checks what
+# Gappa proves. The last line says how many claims were proved, by which means, and how many are open. Installs what is missing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . tests/firmware/toolchain.sh
@@ -90,6 +90,7 @@ decide() { # the claims of a copy of the source, or one of them, for each proces
     done
 }
 if [[ "${1:-}" == --all ]]; then
+    "$prover" tried
     fixed=${CARGO_TARGET_DIR:-target}/fixed
     mkdir -p "$fixed/planted"
     rustc --edition 2024 -O -C overflow-checks=on -o "$fixed/every" proofs/fixed/every.rs
@@ -114,6 +115,8 @@ if [[ "${1:-}" == --all ]]; then
 arithmetic.rs|rest >= divisor - rest|rest > divisor - rest|claim_quotient
 arithmetic.rs|if rest >= divisor|if rest > divisor|claim_quotient
 arithmetic.rs|checked_div(divisor).unwrap_or(u32::MAX)|checked_div(divisor).unwrap_or(0)|claim_quotient
+product.rs|i64::from(steps as i32) == steps|i32::try_from((a as i64 * b as i64) >> 16).is_ok()|claim_product
+vector.rs|steps as i32 as i64 == steps|sum.wrapping_sub(0x8000) >> 16 == (sum.wrapping_sub(0x8000) >> 16) as i32 as i64|claim_dot_of_long
 vector.rs|product >> 34|product >> 32|claim_dot_of_long
 vector.rs|mut i) = (0, 0x8000,|mut i) = (0, 0x7FFF,|claim_dot_of_short
 vector.rs|(1 << 10)) >> 11|(1 << 11)) >> 11|claim_direction

@@ -67,6 +67,14 @@ pub const FAULTS: &[Fault] = &[
     ),
     ("light/in_front", "T::of_f32(-1.0 / 512.0)", "T::of_f32(-1.0 / 33_554_432.0)", "lamp_behind"),
     ("light/in_front", "T::ONE / T::EXTREME", "T::ZERO", "lamp_behind"),
+    (
+        "light/spot",
+        "self.cone.factor(self.axis, incident.l).any_positive()",
+        "(self.cone.factor(self.axis, incident.l) - T::of_f32(1.0e-30)).any_positive()",
+        "spot_out_of_its_cone",
+    ),
+    ("cone", "T::NEG_ONE - two * slack", "T::NEG_ONE - slack", "cone_of_everything"),
+    ("range", "self.range * self.range", "(self.range * self.range).at_most(T::MAX)", "ranged_reaches_far"),
     ("range", "self.range * self.range + T::ONE / T::EXTREME", "self.range", "ranged_reaches"),
     ("range", "square.if_above(reach, T::ZERO, T::ONE)", "square.if_above(reach, T::ONE, T::ZERO)", "ranged_reaches"),
     // a formula is another

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use crate::{claims, gappa};
+use crate::{claims, gappa, power};
 
 #[path = "../../tests/bits/interface.rs"]
 mod interface;
@@ -26,7 +26,9 @@ const SECTION: &str = "| the section *";
 pub fn rows() -> String {
     claims::all()
         .chain(claims::solved())
-        .fold(String::new(), |rows, claim| rows + &format!("| `{}` | {} |\n", claim.name, claim.promise))
+        .map(|claim| (claim.name, claim.promise))
+        .chain(power::CLAIMS)
+        .fold(String::new(), |rows, (name, promise)| rows + &format!("| `{name}` | {promise} |\n"))
 }
 
 /// What the tables lack, or have too much.

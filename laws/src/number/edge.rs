@@ -92,7 +92,7 @@ fn soft_cone_with_one_edge_is_the_hard_cone<T: Number>() {
 /// (55) Between the edges, the factor is t² or t²(3 − 2t) of the cosine. The cosine is off by 3u,
 /// which counts more the narrower the edge is, and 3 times in the slope; there are eight more
 /// roundings. In an evenly spaced type, the cosine is off by 1u and t by u more, which count twice at
-/// most; the square adds up to 3u, and the last product 1u. A cone of half-angle π is stored 8u wider:
+/// most; the square adds up to 3u, and the last product 1u. A cone of half-angle π is stored 16u wider:
 /// of that, up to 6t(1 − t)² ≤ 8/9, divided by the width, is left in the factor.
 fn soft_cone_follows_its_formula<T: Number>() {
     check((pair::<T>(), cosines()), |([axis, l], cosines)| {
@@ -105,7 +105,7 @@ fn soft_cone_follows_its_formula<T: Number>() {
         let wider = if outer > -1.0 {
             0.0
         } else {
-            64.0 / 9.0 / width
+            128.0 / 9.0 / width
         };
         let k = wider + by_spacing::<T>(3.0 * (3.0 / width + 2.0) + 8.0, 2.0 / width + 6.0);
         let tolerance = k * (T::U + f64::EPSILON);

@@ -23,7 +23,8 @@ pub enum Node {
     /// A function of `libm`, of which only the signs, the ends and NaN are known.
     Call(Function, u32),
     /// A cosine to a real power, of which only the contract is known: within [0, 1]; 0 for a cosine that
-    /// is not above 0; otherwise 1 for an m that is not above 0, and at least c − 2⁻²⁰ for m ≤ 1.
+    /// is not above 0; otherwise 1 for an m that is not above 0, and at least c − 2⁻²⁰ for m ≤ 1. In `f32`,
+    /// the package of proofs tries every input of it; in `f64` it is that of `libm`.
     Power(u32, u32),
 }
 

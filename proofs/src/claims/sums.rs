@@ -185,7 +185,7 @@ claims! {
         let light = lamp.at(p);
         if n.dot(light.l) > Term::ZERO { channels(light.intensity, Range::within(0.0, 0.0)) } else { vec![] }
     }
-    lamp_out_of_range: "a light with `Ranged` that `PointLight::in_front` leaves out for its range adds nothing, to the bit" |given| {
+    lamp_out_of_range: "a light whose squared distance `Falloff::reaches` of `Ranged` leaves out, as `PointLight::in_front` does, adds nothing at the root of that, to the bit" |given| {
         let falloff = any_ranged(given);
         let (scene, square) = (scene(given, 32), given.number("square", light()));
         if shading::Falloff::reaches(&falloff, square) {
