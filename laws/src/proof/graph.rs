@@ -228,7 +228,11 @@ impl Graph {
             Test::Above(a, b) => v(a) > v(b),
             Test::AtMost(a, b) => v(a) <= v(b),
             Test::Equal(a, b) => v(a) == v(b),
-            Test::Outside(x, low, high) => !(v(low) <= v(x) && v(x) <= v(high)),
+            Test::Outside(x, low, high) => {
+                // as floats decide it, a number on the upper limit is outside if the lower one is above 0
+                let is_below = v(x) < v(high) || v(x) == v(high) && v(low) <= 0.0;
+                !(v(low) <= v(x) && is_below)
+            }
             Test::Case(_) => unreachable!("a case is no property of the numbers"),
         }
     }
