@@ -13,10 +13,32 @@ for_f32_and_f64!(
     named_directions_are_the_axes,
     parts_of_a_result_add_up_and_scale,
     attenuation_returns_its_coefficients,
+    selections_take_what_is_above_zero,
 );
 
 fn rgb<T: Real>(channels: [f64; 3]) -> Rgb<T> {
     Rgb::from(channels).map(T::of)
+}
+
+/// 0, −0 and NaN are not above 0; the smallest number is.
+fn selections_take_what_is_above_zero<T: Float>() {
+    let above = [T::of(T::TINIEST), T::ONE, T::MAX, T::INFINITY];
+    let other = [T::ZERO, -T::ZERO, -T::of(T::TINIEST), -T::INFINITY, T::NAN];
+    for x in above {
+        assert!(x.any_positive());
+        assert_eq!(x.if_positive(T::ONE, T::ZERO), T::ONE);
+    }
+    for x in other {
+        assert!(!x.any_positive());
+        assert_eq!(x.if_positive(T::ZERO, T::ONE), T::ONE);
+    }
+    assert_eq!(T::of_f32(0.1), T::of(f64::from(0.1_f32)));
+}
+
+#[test]
+fn literals_are_rounded_to_the_nearest_number() {
+    assert_eq!(f32::of(0.1).to_bits(), 0x3DCC_CCCD);
+    assert_eq!(f64::of(0.1).to_bits(), 0x3FB9_9999_9999_999A);
 }
 
 fn operators_act_on_each_component<T: Float>() {
