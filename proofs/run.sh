@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Proves what docs/proofs.md lists and tests the prover. It plants faults in a copy of the source, each of which must make a
-# claim fail, and wrong rules in the prover, each of which its tests must find. With `--all` it tests the prover with a
-# hundred times as many numbers, and proves the integers of `Fixed` and the power by a real m; with `--coq`, Coq checks what
+# claim fail, and wrong rules in the prover, each of which its tests must find. With `--all` it tests the prover with
+# ten times as many numbers, and proves the integers of `Fixed` and the power by a real m; with `--coq`, Coq checks what
 # Gappa proves. The last line says how many claims were proved, by which means, and how many are open. Installs what is missing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -12,7 +12,7 @@ solver=${CARGO_TARGET_DIR:-target}/solver
 "$solver/bin/python" -c "import bitwuzla" 2>/dev/null || "$solver/bin/pip" install -q bitwuzla==0.9.1
 
 runs=20
-[[ "${1:-}" == --all ]] && runs=2000
+[[ "${1:-}" == --all ]] && runs=200
 cargo build --release -p shading-proofs
 prover="${CARGO_TARGET_DIR:-target}/release/shading-proofs"
 "$prover" check "$runs"
