@@ -305,10 +305,9 @@ fn sum<T: Real, L: Several<T>, M, E: Exponent<L>>(
             let IncidentLight { l, intensity, .. } = $light;
             let n_dot_l = term::lambert(n, l);
             if n_dot_l.any_positive() {
-                highlights.take(intensity, n_dot_l.if_positive(cosine(l), L::ZERO));
-                // this line comes last, so that LLVM packs it into SIMD registers together with
-                // the highlight
+                // after the highlight, this takes a Cortex-M0 seven instructions more
                 diffuse = (intensity * n_dot_l).added_to(diffuse);
+                highlights.take(intensity, n_dot_l.if_positive(cosine(l), L::ZERO));
             }
         };
     }

@@ -87,8 +87,8 @@ budgets() {
     within "$target instructions, real m" "$real" "$real_budget"
     within "$target instructions, real m, compared with C" "$real" $((c_real * percent / 100))
 }
-budgets $m4f 121 204 60
-budgets $m0 7500 11060 70
+budgets $m4f 121 147 60
+budgets $m0 6919 9405 70
 
 echo "== instructions of a point light in fixed point, with an integer m: C at -O2, Rust at opt-level 3"
 declare -A fixed_instructions_of
