@@ -22,6 +22,7 @@ mod edges;
 #[allow(clippy::pedantic, dead_code)]
 mod lines;
 #[path = "../../src/real/root.rs"]
+#[allow(clippy::pedantic, dead_code, unused_imports)] // its quotients
 mod root;
 
 /// u, the unit roundoff of `f32`.
