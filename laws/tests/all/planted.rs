@@ -246,23 +246,26 @@ fn measure(name: &str, profile: &Profile, seed: u64) {
     );
 }
 
+/// All seeds at once, so that each core is busy to the end.
+fn at_each_seed(name: &str, profile: &Profile) {
+    std::thread::scope(|scope| {
+        for seed in SEEDS {
+            scope.spawn(move || measure(name, profile, seed));
+        }
+    });
+}
+
 #[test]
 fn mistakes_in_f32_are_found_and_named() {
-    for seed in SEEDS {
-        measure("f32", &single(), seed);
-    }
+    at_each_seed("f32", &single());
 }
 
 #[test]
 fn mistakes_in_f64_are_found_and_named() {
-    for seed in SEEDS {
-        measure("f64", &double(), seed);
-    }
+    at_each_seed("f64", &double());
 }
 
 #[test]
 fn mistakes_in_bytes_are_found_and_named() {
-    for seed in SEEDS {
-        measure("8-bit sRGB", &bytes(), seed);
-    }
+    at_each_seed("8-bit sRGB", &bytes());
 }
