@@ -16,22 +16,24 @@ const OCTAVE: u32 = 0x0080_0000;
 #[inline]
 pub(super) fn of_cosine<T: Real>(m: u32) -> impl Fn(T) -> T {
     let is_wider = (T::MAX - T::of_f32(f32::MAX)).any_positive();
-    let (least, top, power) = if m == 0 {
-        // the first power of a cosine, where every cosine above 0 counts as 1
-        (T::ZERO, T::ZERO, 1)
-    } else if is_wider {
-        (T::ZERO, T::ONE, m)
+    let least = if m == 0 || is_wider {
+        T::ZERO
     } else {
-        (T::of_f32(least_normal_base(m)), T::ONE, m)
+        T::of_f32(least_normal_base(m))
     };
+    // the zeroth power is the first power of a cosine, where every cosine above 0 counts as 1
+    let (top, power) = if m == 0 { (T::ZERO, 1) } else { (T::ONE, m) };
     move |cosine: T| {
-        let cosine = if cfg!(target_os = "none") || m == 0 {
+        let capped = if cfg!(target_os = "none") {
+            // without a branch, which takes stack
             cosine.if_above(top, T::ONE, cosine)
+        } else if m == 0 {
+            return cosine.if_positive(T::ONE, T::ZERO);
         } else {
-            // in SIMD lanes a minimum takes less time than a choice; on chips the branch takes more
+            // in SIMD lanes a minimum takes less time than a choice
             cosine.at_most(T::ONE)
         };
-        by_squaring(cosine.if_above(least, cosine, T::ZERO), power)
+        by_squaring(capped.if_above(least, capped, T::ZERO), power)
     }
 }
 
