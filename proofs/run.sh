@@ -126,6 +126,7 @@ vector.rs|upper_of_square(v\[2\].0 << shift);|upper_of_square(v[1].0 << shift);|
 falloff.rs|self.up.clamp(0, 31)|self.up.clamp(0, 32)|claim_arrives
 falloff.rs|self.share).saturating_add(whole)|self.share).wrapping_add(whole)|claim_arrives
 product.rs|low + 0x8000) >> 16|low + 0x7FFF) >> 16|claim_short_part
+product.rs|i32::from(high as i16) == high|i32::from((high - (low >> 16)) as i16) == high - (low >> 16)|claim_product
 END
 fi
 
