@@ -147,7 +147,7 @@ done
 # what intervals leave open, which Bitwuzla decides
 rm -rf "$scripts/smt"
 "$prover" smt "$scripts/smt"
-solved=$("$solver/bin/python" proofs/solve.py 60 "$scripts/smt" | tee /dev/stderr | tail -n 1)
+solved=$("$solver/bin/python" proofs/solve.py 60 "$scripts/smt" | tee >(cat >&2) | tail -n 1)
 # a fault in what the trait derives must be refuted
 "$prover" derivations >"$scripts/derivations"
 while read -r number claim; do
@@ -159,6 +159,6 @@ while read -r number claim; do
     fi
 done <"$scripts/derivations"
 
-claims=$("$prover" prove | tee /dev/stderr | tail -n 1)
+claims=$("$prover" prove | tee >(cat >&2) | tail -n 1)
 echo "$claims; $solved; bounds: $proved proved by Gappa, $open open"
 [[ "$claims" == *" 0 open" && "$solved" == *" 0 open" && $open == 0 ]]
