@@ -122,11 +122,14 @@ fn by_cofactors_of_any_size<T: Real + PartialOrd>(
         }
     };
     let highest = power_of(x).max(power_of(y)).max(power_of(z));
+    let lower = |v: Vec3<T>| v * (T::ONE / T::EXTREME);
     let share = |(product, power): Power<T>| {
         if power == highest {
             product
         } else if power + 1 == highest {
-            product * (T::ONE / T::EXTREME)
+            lower(product)
+        } else if power + 2 == highest {
+            lower(lower(product)) // counts only if EXTREME is small, as for an IEEE half
         } else {
             Vec3::ZERO
         }
