@@ -19,6 +19,7 @@ pub fn check<S: Strategy<Value: Debug>>(inputs: S, property: impl Fn(S::Value) -
         config.cases = 1000;
     }
     config.max_global_rejects = 4 * config.cases; // assumptions may reject four out of five
+    config.max_local_rejects = 4 * config.cases.max(20_000); // so may the filters of generators
     if let Err(failure) = TestRunner::new(config).run(&inputs, property) {
         panic!("{failure}");
     }

@@ -309,16 +309,16 @@ fn only_lights_that_add_nothing_are_left_out<T: Number>() {
     });
 }
 
-/// A light is left out if it is behind the surface by more than a quarter of a degree, or if the
-/// point is outside its cone. In an evenly spaced type, it is at least 2 away: the height of a nearer one
-/// may be less than 1/`EXTREME`, and keeps the light.
+/// A light is left out if it is behind the surface, or if the point is outside its cone. A lamp is
+/// kept if its height is above −(|x| + |y| + |z|)/512 − 1/`EXTREME`, where the sum is √3q at most; the
+/// height is off by 6u of q, and in an evenly spaced type by 6u more.
 fn lights_behind_are_left_out<T: Number>() {
-    let angle = FRAC_PI_2 + 0.005..PI;
+    let angle = FRAC_PI_2..PI;
     let inputs = (
         direction(),
         angle,
         0.0..TAU,
-        by_spacing::<T>(0.01, 2.0)..100.0,
+        0.01..100.0,
         light_color::<T>(),
     );
     check(inputs, |(n, angle, azimuth, q, intensity)| {
@@ -332,6 +332,9 @@ fn lights_behind_are_left_out<T: Number>() {
             intensity,
             attenuation,
         };
+        let least = 1.0 / T::EXTREME.to_f64() + by_spacing::<T>(0.0, 6.0 * T::U);
+        let kept: f64 = 3.0_f64.sqrt() / 512.0 + 6.0 * T::U + least / q;
+        prop_assume!(angle.cos() < -kept);
         prop_assert!(lamp(*l * T::of(q)).in_front(p, n).is_none());
         let sun = DirectionalLight { l, intensity };
         prop_assert!(sun.in_front(p, n).is_none());

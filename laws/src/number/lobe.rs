@@ -161,8 +161,11 @@ fn highlight<T: Number>(cosine: T, m: Shine) -> T {
     highlight
 }
 
-/// Below this, a power would be subnormal in `f32`, and may be 0.
-const NEGLIGIBLE: f64 = f32::MIN_POSITIVE as f64;
+/// Below this, a power would be subnormal in `f32` or in the type, and may be 0.
+fn negligible<T: Number>() -> f64 {
+    let subnormal = by_spacing::<T>(T::TINY.to_f64() / (2.0 * T::U), 0.0);
+    subnormal.max(f32::MIN_POSITIVE.into())
+}
 
 /// A cosine in [0, 1], often next to an end.
 fn cosine<T: Number>() -> impl Strategy<Value = T> {
@@ -192,7 +195,7 @@ fn highlight_does_not_rise_with_the_shininess<T: Number>() {
             );
             let k = if whole { small.m + large.m } else { 2.0 };
             let roundings = by_spacing::<T>(
-                k * T::U * brighter + NEGLIGIBLE,
+                k * T::U * brighter + negligible::<T>(),
                 (small.error::<T>() + large.error::<T>()) * T::U,
             );
             at_least(brighter, darker, roundings)
@@ -247,7 +250,7 @@ fn whole_powers_add_up<T: Number>() {
         let (product, power) = (product.to_f64(), power.to_f64());
         let roundings = 2.0 * (sum.m + 1.0) * T::U * power.max(product);
         let errors: f64 = [a, b, sum].map(Shine::error::<T>).into_iter().sum();
-        let tolerance = by_spacing::<T>(roundings.max(NEGLIGIBLE), (errors + 1.0) * T::U);
+        let tolerance = by_spacing::<T>(roundings.max(negligible::<T>()), (errors + 1.0) * T::U);
         within(power - product, tolerance)
     });
 }
@@ -299,7 +302,7 @@ fn power_of_a_root_is_half_the_power<T: Number>() {
             m.raise(square.sqrt()).to_f64(),
         );
         let roundings = 3.0 * f64::from(m) * T::U * expected;
-        within(power - expected, roundings.max(NEGLIGIBLE))
+        within(power - expected, roundings.max(negligible::<T>()))
     });
 }
 
@@ -326,7 +329,7 @@ fn faint_highlights_are_kept<T: Number>() {
     check((m, octaves), |(m, octaves)| {
         let cosine = T::of((-octaves / f64::from(m)).exp2());
         let expected = cosine.to_f64().powf(m.into());
-        prop_assume!(expected >= NEGLIGIBLE);
+        prop_assume!(expected >= negligible::<T>());
         let (m, whole) = (f64::from(m), true);
         let shine = Shine { m, whole };
         let error = highlight(cosine, shine).to_f64() - expected;

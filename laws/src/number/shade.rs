@@ -248,7 +248,8 @@ fn no_lights_give_the_ambient_light<T: Number>() {
 /// (10) No more light leaves than a mirror and a white wall would send: `k_a I_a + Σ I (k_d +
 /// k_s)`, within (n + 8)u. The cosine of two rounded unit vectors exceeds 1 by 2u, and its three
 /// products and two additions add 2u. After that come the product with I, n − 1 additions, the
-/// product with k, and two additions in the total.
+/// product with k, and two additions in the total. Each of the 2n + 3 products may be off by half of
+/// the smallest number.
 ///
 /// In an evenly spaced type, the directions are longer by √3u each, and N·L is off by 1u; then come the
 /// products with I, diffuse and specular, and three with k.
@@ -266,7 +267,7 @@ fn no_more_light_than_falls_on_the_surface<T: Number>() {
                 .sum();
             let bound = k_a[i] * to_f64(scene.i_a)[i] + lights * (k_d[i] + k_s[i]);
             let slack = by_spacing::<T>(
-                (n + 8.0) * T::U * bound,
+                (n + 8.0) * T::U * bound + (n + 1.5) * T::TINY.to_f64(),
                 (4.5 * lights * k_d[i] + n * (k_d[i] + k_s[i]) + 3.0) * T::U,
             );
             at_least(bound, total[i], slack)?;
