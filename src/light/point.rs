@@ -122,6 +122,19 @@ impl<T: Real, A: Falloff<T>> PointLight<T, A> {
     fn along(&self, p: Vec3<T>, to_light: Vec3<T>) -> IncidentLight<T> {
         let (l, q, distance) =
             T::direction_and_distance(|| [self.position.into(), p.into()], to_light.into());
+        self.along_way(p, l, q, distance)
+    }
+
+    /// The light at p, given the direction, q and the distance of
+    /// [`direction_and_distance`](Real::direction_and_distance).
+    #[inline(always)]
+    pub(crate) fn along_way(
+        &self,
+        p: Vec3<T>,
+        l: [T; 3],
+        q: [T; 2],
+        distance: T,
+    ) -> IncidentLight<T> {
         let intensity = if T::is_lit(q[1]) {
             let to_light = || (self.position - p).into();
             self.attenuation.dim_along(&self.intensity, q, to_light)

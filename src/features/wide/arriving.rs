@@ -157,17 +157,8 @@ where
         // the position first, because lanes with the other numbers would have to wait in memory
         let position = Vec3::gather(|i| &light(i).position)?;
         let to_light = (position - p).into();
-        let way = L::direction_and_distance(|| [position.into(), p.into()], to_light);
-        let ((l, q, distance), light) = (way, Self::gather(light)?);
-        let intensity = light
-            .attenuation
-            .dim_along(&light.intensity, q, || to_light);
-        let l = UnitVec3::assume_unit(l.into());
-        Some(IncidentLight {
-            l,
-            intensity,
-            distance,
-        })
+        let (l, q, distance) = L::direction_and_distance(|| [position.into(), p.into()], to_light);
+        Some(Self::gather(light)?.along_way(p, l, q, distance))
     }
 }
 
