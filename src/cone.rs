@@ -150,8 +150,9 @@ impl<T: Real> Cone<T> {
     }
 
     /// The cone of a cosine within [−1, 1], or of another cone's: it contains its axis, and a cone of
-    /// half-angle π every direction, even if both directions are as long as they may be. The slack of another number type stays where it is larger, because
-    /// directions bring the roundoff of that type along.
+    /// half-angle π every direction, even if both directions are as long as they may be. The slack of
+    /// another number type stays where it is larger, because directions bring the roundoff of that
+    /// type along.
     #[inline]
     pub(crate) fn with_slack(cosine: T) -> Self {
         let two = T::ONE + T::ONE;
