@@ -3,7 +3,7 @@
 use shading::{
     Attenuation, DirectionalLight, IncidentLight, Light, PointLight, Rgb, SpotLight, UnitVec3, Vec3,
 };
-use support::number::{Float, for_f32_and_f64, vector};
+use support::number::{Float, distances, for_f32_and_f64, vector};
 
 for_f32_and_f64!(
     wall_behind_a_lamp_casts_no_shadow,
@@ -75,15 +75,7 @@ fn distance_is_that_between_the_positions<T: Float>() {
 }
 
 fn distance_is_right_at_any_size<T: Float>() {
-    for q in [
-        T::TINIEST,
-        T::MIN_POSITIVE,
-        1e-30,
-        1e-15,
-        1e15,
-        1e30,
-        T::MAX.to_f64(),
-    ] {
+    for q in distances::<T>() {
         let distance = lamp::<T>(vector([0.0, q, 0.0])).at(Vec3::ZERO).distance;
         assert_eq!(distance, T::of(q));
     }

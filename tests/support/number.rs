@@ -98,6 +98,20 @@ pub fn direction<T: Number>(xyz: [f64; 3]) -> UnitVec3<T> {
     vector::<T>(xyz).unit().expect("a direction")
 }
 
+/// Distances at the ends of the range and between, whose squares may leave it.
+pub fn distances<T: Float>() -> [f64; 7] {
+    let largest = T::MAX.to_f64();
+    [
+        T::TINIEST,
+        T::MIN_POSITIVE,
+        1e-30,
+        1e-15,
+        1e15,
+        1e30,
+        largest,
+    ]
+}
+
 /// Runs each generic test, by name, for `f32` and for `f64`.
 #[macro_export]
 macro_rules! for_f32_and_f64 {

@@ -1,7 +1,7 @@
 //! Lights.
 
 use shading::{IncidentLight, PointLight, Rgb, SpotLight, UnitVec3, Vec3, shade};
-use support::number::{Float, for_f32_and_f64};
+use support::number::{Float, distances, for_f32_and_f64};
 
 use crate::{at_x, lamp, mirror};
 
@@ -31,16 +31,7 @@ fn light_with_a_nan_coordinate_adds_nothing<T: Float>() {
 }
 
 fn light_at_extreme_distances_has_its_direction<T: Float>() {
-    let extremes = [
-        T::TINIEST,
-        T::MIN_POSITIVE,
-        1e-30,
-        1e-15,
-        1e15,
-        1e30,
-        T::MAX.to_f64(),
-    ];
-    for q in extremes.map(T::of) {
+    for q in distances::<T>().map(T::of) {
         // the square, root, reciprocal, and product are off by 2.5u; the reciprocal of the distance
         // adds 1u
         let near = |a: T, b: T| a == b || (a.to_f64() / b.to_f64() - 1.0).abs() <= 4.0 * T::U;
