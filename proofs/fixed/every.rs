@@ -11,26 +11,7 @@ mod reciprocal;
 
 use std::thread;
 
-#[derive(Clone, Copy)]
-pub struct Fixed(i32);
-const ONE: i32 = 1 << 16;
-
-/// What the files name of the rest of the crate.
-macro_rules! stand_in {
-    ($module:ident: $type:ident) => {
-        mod $module {
-            pub struct $type<T>(T);
-            impl std::ops::Mul<crate::Fixed> for $type<crate::Fixed> {
-                type Output = Self;
-                fn mul(self, _: crate::Fixed) -> Self {
-                    self
-                }
-            }
-        }
-    };
-}
-stand_in!(vector: Vec3);
-stand_in!(rgb: Rgb);
+include!("crate.rs");
 
 /// 2⁴⁸ over a number from 1 to the largest. The number is rounded to 19 bits or more, in up to three steps, which takes
 /// 2⁻¹⁹ + 2⁻²³ + 2⁻²⁷ of it at most, less than 9 · 2⁻²². Then a unit is cut off. The result never rises.
