@@ -122,17 +122,7 @@ fn coefficients([a, b, c]: Triple) -> Attenuation {
 
 /// What the attenuation leaves of a light.
 pub fn falloff(light: &Light, p: Vec3) -> f64 {
-    match *light {
-        Light::Directional { .. } => 1.0,
-        Light::Point {
-            position,
-            attenuation,
-            ..
-        }
-        | Light::Spot {
-            position,
-            attenuation,
-            ..
-        } => coefficients(attenuation).at((Vec3::from(position) - p).length()),
-    }
+    light.lamp().map_or(1.0, |(position, attenuation)| {
+        coefficients(attenuation).at((Vec3::from(position) - p).length())
+    })
 }

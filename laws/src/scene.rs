@@ -143,6 +143,29 @@ impl Light {
         self
     }
 
+    /// The position and the attenuation of a lamp.
+    pub(crate) fn lamp(mut self) -> Option<(Triple, Triple)> {
+        let (position, attenuation) = self.lamp_mut()?;
+        Some((*position, *attenuation))
+    }
+
+    /// The same, to be changed.
+    pub(crate) fn lamp_mut(&mut self) -> Option<(&mut Triple, &mut Triple)> {
+        match self {
+            Self::Directional { .. } => None,
+            Self::Point {
+                position,
+                attenuation,
+                ..
+            }
+            | Self::Spot {
+                position,
+                attenuation,
+                ..
+            } => Some((position, attenuation)),
+        }
+    }
+
     /// The name of its kind in JSON.
     #[must_use]
     pub fn kind(&self) -> &'static str {
@@ -155,16 +178,24 @@ impl Light {
 }
 
 impl Scene {
+    /// The sum of the largest coordinates of a lamp, of the point and of the way to the eye, to which a renderer that
+    /// works in a frame of its own may round the lamp and the point.
+    pub(crate) fn extent(&self, lamp: Triple) -> f64 {
+        size(lamp) + size(self.p) + size(self.v)
+    }
+
     /// Whether a lamp stands so near to the point that a renderer with this roundoff may find it there: in the frame of
     /// the eye, both positions round by up to u times their size.
     pub(crate) fn has_lamp_at_the_point(&self, light: &Light, u: f64) -> bool {
-        let (Light::Point { position, .. } | Light::Spot { position, .. }) = light else {
-            return false;
-        };
-        let size = |triple: Triple| triple.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
-        let way = std::array::from_fn(|i| position[i] - self.p[i]);
-        size(way) <= 4.0 * u * (size(*position) + size(self.p) + size(self.v))
+        light.lamp().is_some_and(|(position, _)| {
+            let way = std::array::from_fn(|i| position[i] - self.p[i]);
+            size(way) <= 4.0 * u * self.extent(position)
+        })
     }
+}
+
+fn size(triple: Triple) -> f64 {
+    triple.iter().fold(0.0, |most, c| most.max(c.abs()))
 }
 
 /// The scene as Rust.

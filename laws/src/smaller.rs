@@ -168,7 +168,7 @@ impl Edits<'_> {
         let origin = scene.p;
         self.scene(|scene| {
             for light in &mut scene.lights {
-                if let Light::Point { position, .. } | Light::Spot { position, .. } = light {
+                if let Some((position, _)) = light.lamp_mut() {
                     *position = from_fn(|i| profile.rounded(position[i] - origin[i]));
                 }
             }
@@ -292,17 +292,7 @@ impl Edits<'_> {
         let is_attenuated = !self.profile.unattenuated;
         let mut edit = |new_position: Triple, new: Triple| {
             self.scene(|scene| {
-                if let Light::Point {
-                    position,
-                    attenuation,
-                    ..
-                }
-                | Light::Spot {
-                    position,
-                    attenuation,
-                    ..
-                } = &mut scene.lights[i]
-                {
+                if let Some((position, attenuation)) = scene.lights[i].lamp_mut() {
                     (*position, *attenuation) = (new_position, new);
                 }
             });

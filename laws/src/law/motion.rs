@@ -36,7 +36,7 @@ pub fn unit_of_length(base: Base, _: &Profile) -> Option<Group> {
     let unit = (base.factors[0] - 4.0).exp2();
     let mut other = moved(&base.scene, |p| p.map(|c| c * unit), |d| d);
     for light in &mut other.lights {
-        if let Light::Point { attenuation, .. } | Light::Spot { attenuation, .. } = light {
+        if let Some((_, attenuation)) = light.lamp_mut() {
             let [a, b, c] = *attenuation;
             *attenuation = [a, b / unit, c / (unit * unit)];
         }
@@ -56,10 +56,7 @@ pub fn translation(base: Base, profile: &Profile) -> Option<Group> {
     let same = |p: Triple, moved: Triple| {
         (0..3).all(|i| moved[i] - offset[i] == p[i] && profile.rounded(moved[i]) == moved[i])
     };
-    let place = |light: &Light| match *light {
-        Light::Point { position, .. } | Light::Spot { position, .. } => Some(position),
-        Light::Directional { .. } => None,
-    };
+    let place = |light: &Light| Some(light.lamp()?.0);
     let lamps = base.scene.lights.iter().zip(&other.lights);
     let mut places = lamps.filter_map(|(light, moved)| Some((place(light)?, place(moved)?)));
     if !same(base.scene.p, other.p) || !places.all(|(p, moved)| same(p, moved)) {

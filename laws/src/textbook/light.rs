@@ -159,9 +159,8 @@ impl Textbook<'_> {
         if self.has(Mistake::PointForgotten) {
             return ends.0;
         }
-        let size = |triple: Triple| triple.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
-        let farthest = size(position) + size(scene.p) + size(scene.v);
-        subtract(ends.0, ends.1).map(|c| c.looser(self.u * farthest))
+        let off = self.u * scene.extent(position);
+        subtract(ends.0, ends.1).map(|c| c.looser(off))
     }
 
     pub(super) fn attenuation(&self, coefficients: Triple, q: Bounded) -> Bounded {

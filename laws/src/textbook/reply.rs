@@ -5,7 +5,7 @@ use std::array::from_fn;
 use crate::bounded::{Bounded, Bounded3, add, rounded, unit};
 use crate::mistake::Mistake;
 use crate::reply::{from_srgb, to_srgb};
-use crate::scene::{Light, Material, Scene, Triple};
+use crate::scene::{Material, Scene, Triple};
 
 use super::Textbook;
 
@@ -13,28 +13,16 @@ impl Textbook<'_> {
     /// How far two colors of any renderer may be apart by rounding alone, whatever mistake it makes, relative to
     /// the most light that may come back; and that light.
     pub fn conditioning(&self, scene: &Scene) -> (f64, Triple) {
-        let size = |triple: Triple| triple.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
         let Material { k_a, k_d, k_s, m } = scene.material;
         let mut most = from_fn(|i| k_a[i] * scene.i_a[i]);
         let mut condition = 1.0_f64;
         for light in &scene.lights {
             let mut left = 1.0;
-            if let Light::Point {
-                position,
-                attenuation: [a, b, c],
-                ..
-            }
-            | Light::Spot {
-                position,
-                attenuation: [a, b, c],
-                ..
-            } = *light
-            {
+            if let Some((position, [a, b, c])) = light.lamp() {
                 let way: Triple = from_fn(|i| position[i] - scene.p[i]);
                 let q = way.iter().map(|c| c * c).sum::<f64>().sqrt();
                 left = 1.0 / (a + b * q + c * q * q);
-                let farthest = size(position) + size(scene.p) + size(scene.v);
-                condition = condition.max(1.0 + farthest / q);
+                condition = condition.max(1.0 + scene.extent(position) / q);
             }
             let intensity = light.intensity();
             most = from_fn(|i| most[i] + (k_d[i] + k_s[i]) * intensity[i] * left);
