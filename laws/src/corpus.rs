@@ -27,6 +27,8 @@ pub fn edges(profile: &Profile) -> Vec<Base> {
     corpus.lamps();
     corpus.spots();
     corpus.shininess();
+    corpus.dark_highlights();
+    corpus.sharpest_highlights();
     corpus.colors();
     corpus.lengths();
     corpus.many_lights();
@@ -327,12 +329,10 @@ impl Corpus<'_> {
                 self.add(&scene);
             }
         }
-        let most = if self.profile.integer_shininess {
-            most.floor()
-        } else {
-            self.profile.rounded(most).min(most)
-        };
-        // no highlight, where any floor of the cosine would show: R or H below the surface
+    }
+
+    /// R or H below the surface, and an m with which any floor of the cosine shows.
+    fn dark_highlights(&mut self) {
         for (l, v) in [
             ([0.8, 0.0, 0.6], [0.8, 0.0, 0.6]),
             ([0.6, 0.0, 0.8], [0.0, 0.25, -1.5]),
@@ -343,7 +343,17 @@ impl Corpus<'_> {
                 self.add(&scene);
             }
         }
-        // the slope of the sharpest highlight, where N has long components
+    }
+
+    /// The largest exponent, on the slope of the highlight under an N of long components, and at its peak: in few digits,
+    /// the light of a lamp may not be known well enough for so large a power.
+    fn sharpest_highlights(&mut self) {
+        let most = self.profile.most_shiny.min(MOST_SHINY);
+        let most = if self.profile.integer_shininess {
+            most.floor()
+        } else {
+            self.profile.rounded(most).min(most)
+        };
         for (n, across) in [
             ([0.301, -0.117, 0.946], [0.946, 0.0, -0.301]),
             ([-0.553, 0.719, 0.421], [0.719, 0.553, 0.0]),
@@ -359,7 +369,6 @@ impl Corpus<'_> {
                 self.add(&scene);
             }
         }
-        // in few digits, the light of a lamp may not be known well enough for so large a power
         for light in self.kinds(UP, [1.0, 0.5, 0.75]) {
             let mut scene = self.scene(UP, UP, vec![light]);
             scene.material.m = most;
@@ -455,17 +464,7 @@ impl Corpus<'_> {
 }
 
 fn move_lamp(light: &mut Light, to: Triple, coefficients: Triple) {
-    if let Light::Point {
-        position,
-        attenuation,
-        ..
-    }
-    | Light::Spot {
-        position,
-        attenuation,
-        ..
-    } = light
-    {
+    if let Some((position, attenuation)) = light.lamp_mut() {
         (*position, *attenuation) = (to, coefficients);
     }
     if let Light::Spot { axis, .. } = light {
