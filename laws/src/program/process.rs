@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 const LONGEST: u64 = 65_536;
 
 /// How long a process may take to end, on a machine that is busy, too.
-const GRACE: Duration = Duration::from_secs(2);
+const GRACE: Duration = Duration::from_secs(5);
 
 /// The process to kill at an interrupt. It is locked while one starts, so that none escapes.
 static STARTED: Mutex<Option<u32>> = Mutex::new(None);
