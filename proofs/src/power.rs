@@ -137,7 +137,7 @@ const LACK: f32 = 1.0 / 1_048_576.0;
 /// m log₂ c ≥ log₂ c from log₂ c, which is what m ≤ 1 gives, as rounding is monotone.
 fn exponentials(from: u32, to: u32) -> bool {
     let mut largest = 0.0;
-    (from..to).rev().all(|bits| {
+    (from..=to).rev().all(|bits| {
         let power = exponential(-f32::from_bits(bits));
         let is_right = (0.0..=1.0).contains(&power) && power >= largest - FALL;
         largest = power.max(largest);
@@ -148,7 +148,7 @@ fn exponentials(from: u32, to: u32) -> bool {
 /// For a cosine from 0 to 1: the logarithm is below 0 and finite, so that its product with any m is below 0, −0 or −∞,
 /// and 2 to its power is no less than the cosine, but for what the falls leave.
 fn logarithms(from: u32, to: u32) -> bool {
-    (from..to).all(|bits| {
+    (from..=to).all(|bits| {
         let c = f32::from_bits(bits);
         let y = logarithm(c);
         y < 0.0 && y > -200.0 && exponential(y) >= c - (LACK - FALL - FALL)
@@ -157,12 +157,12 @@ fn logarithms(from: u32, to: u32) -> bool {
 
 /// For a cosine of 1 or above, and ∞: m is not used, and the power is 1.
 fn bright(from: u32, to: u32) -> bool {
-    (from..to).all(|bits| power(f32::from_bits(bits), f32::NAN) == 1.0)
+    (from..=to).all(|bits| power(f32::from_bits(bits), f32::NAN) == 1.0)
 }
 
 /// For any other cosine, which is not above 0 or NaN: 0, whatever the other half gives.
 fn dark(from: u32, to: u32) -> bool {
-    (from..to).all(|bits| {
+    (from..=to).all(|bits| {
         let product = Product { y: 0.0, logarithm: Cell::new(f32::NAN) };
         power(plain(f32::from_bits(bits)), Half { x: 1.0, product: Some(&product) }).x == 0.0
     })
@@ -170,12 +170,12 @@ fn dark(from: u32, to: u32) -> bool {
 
 /// For an m that is not above 0, or NaN: 1.
 fn flat(from: u32, to: u32) -> bool {
-    (from..to).all(|bits| f32::from_bits(bits).raise(0.5_f32) == 1.0)
+    (from..=to).all(|bits| f32::from_bits(bits).raise(0.5_f32) == 1.0)
 }
 
 /// The two halves are those of what ships.
 fn together(from: u32, to: u32) -> bool {
-    (from..to).all(|i| {
+    (from..=to).all(|i| {
         let [c, m] = [i.wrapping_mul(0x9E37_79B9), i.wrapping_mul(0x85EB_CA6B) >> 1].map(f32::from_bits);
         let y = (m * logarithm(c)).at_least(-126.0);
         !(c > 0.0 && c < 1.0 && m > 0.0) || m.raise(c).to_bits() == exponential(y).to_bits()
@@ -189,19 +189,19 @@ type Part = (fn(u32, u32) -> bool, u32, u32);
 pub fn is_proved() -> bool {
     let (one, infinity, minus) = (1.0_f32.to_bits(), f32::INFINITY.to_bits(), 1 << 31);
     let parts: [Part; 8] = [
-        (exponentials, 0, 126.0_f32.to_bits() + 1),
-        (logarithms, 1, one),
-        (bright, one, infinity + 1),
+        (exponentials, 0, 126.0_f32.to_bits()),
+        (logarithms, 1, one - 1),
+        (bright, one, infinity),
         (dark, infinity + 1, u32::MAX),
-        (dark, 0, 1),
+        (dark, 0, 0),
         (flat, minus, u32::MAX),
-        (flat, infinity + 1, minus),
+        (flat, infinity + 1, minus - 1),
         (together, 0, 1 << 24),
     ];
     parts.into_iter().all(|(each, from, to)| {
         let middle = u32::midpoint(from, to);
         thread::scope(|scope| {
-            let halves = [(from, middle), (middle, to)].map(|(from, to)| scope.spawn(move || each(from, to)));
+            let halves = [(from, middle), (middle + 1, to)].map(|(from, to)| scope.spawn(move || each(from, to)));
             halves.into_iter().all(|half| half.join().unwrap_or(false))
         })
     })
