@@ -72,11 +72,11 @@ impl<T: Real> Rgb<T> {
 
     /// `sum` and the light of each lane, in order.
     #[inline(always)]
-    pub(crate) fn added_to<U: Real>(self, sum: Rgb<U>) -> Rgb<U>
+    pub(crate) fn added_to<U: Real>(self, sum: [U; 4]) -> [U; 4]
     where
         T: Several<U>,
     {
-        T::all_added_to(self.into(), sum.into()).into()
+        T::all_added_to(self.into(), sum)
     }
 
     /// The product with a reflectance. A channel that overflowed to infinity counts as the largest

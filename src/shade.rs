@@ -296,7 +296,7 @@ fn sum<T: Real, L: Several<T>, M, E: Exponent<L>>(
         diffuse: Rgb::BLACK,
         specular: Rgb::BLACK,
     };
-    let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
+    let (mut diffuse, mut specular) = ([T::ZERO; 4], [T::ZERO; 4]);
     let mut highlights = m.powers(Rgb::BLACK, |intensity: Rgb<L>, highlight| {
         specular = (intensity * highlight).added_to(specular);
     });
@@ -322,7 +322,8 @@ fn sum<T: Real, L: Several<T>, M, E: Exponent<L>>(
         add!(light);
     }
     highlights.finish();
-    shaded.diffuse = diffuse.reflected(material.k_d);
-    shaded.specular = specular.reflected(material.k_s);
+    let color = |[r, g, b, _]: [T; 4]| Rgb::new(r, g, b);
+    shaded.diffuse = color(diffuse).reflected(material.k_d);
+    shaded.specular = color(specular).reflected(material.k_s);
     shaded
 }

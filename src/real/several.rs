@@ -12,11 +12,11 @@ pub trait Several<T>: Real {
     #[must_use]
     fn added_to(self, sum: T) -> T;
 
-    /// The same, three times.
+    /// The same, three times. The fourth number is not used: four fit a register.
     #[inline(always)]
     #[must_use]
-    fn all_added_to([a, b, c]: [Self; 3], [x, y, z]: [T; 3]) -> [T; 3] {
-        [a.added_to(x), b.added_to(y), c.added_to(z)]
+    fn all_added_to([a, b, c]: [Self; 3], [x, y, z, w]: [T; 4]) -> [T; 4] {
+        [a.added_to(x), b.added_to(y), c.added_to(z), w]
     }
 }
 

@@ -15,7 +15,7 @@ trait Kind<L: Lanes> {
     fn at(&self, p: Vec3<L::Lane>) -> IncidentLight<L::Lane>;
 
     /// What these lights give at p, or `None` if they differ in a way that lanes cannot have.
-    fn all_at<'a>(light: impl Fn(usize) -> &'a Self, p: Vec3<L>) -> Option<IncidentLight<L>>
+    fn together<'a>(light: impl Fn(usize) -> &'a Self, p: Vec3<L>) -> Option<IncidentLight<L>>
     where
         Self: 'a;
 }
@@ -73,7 +73,7 @@ impl<L: Lanes, K: Kind<L>> Iterator for Arriving<'_, L, K> {
     fn next(&mut self) -> Option<IncidentLight<L>> {
         if let Some((lights, rest)) = self.lights.split_at_checked(L::COUNT) {
             self.lights = rest;
-            let together = K::all_at(|i| &lights[i], self.p.map(L::in_each));
+            let together = K::together(|i| &lights[i], self.p.map(L::in_each));
             Some(together.unwrap_or_else(|| one_by_one(lights, self.p)))
         } else if self.lights.is_empty() {
             None
@@ -99,7 +99,7 @@ fn last<L: Lanes, K: Kind<L>>(lights: &[K], p: Vec3<L::Lane>) -> IncidentLight<L
     let in_lanes = p.map(L::in_each);
     let together = lights
         .first()
-        .and_then(|first| K::all_at(|i| lights.get(i).unwrap_or(first), in_lanes));
+        .and_then(|first| K::together(|i| lights.get(i).unwrap_or(first), in_lanes));
     let Some(arriving) = together else {
         return one_by_one(lights, p);
     };
@@ -150,15 +150,28 @@ where
     }
 
     #[inline(always)]
-    fn all_at<'a>(light: impl Fn(usize) -> &'a Self, p: Vec3<L>) -> Option<IncidentLight<L>>
+    fn together<'a>(light: impl Fn(usize) -> &'a Self, p: Vec3<L>) -> Option<IncidentLight<L>>
     where
         Self: 'a,
     {
         // the position first, because lanes with the other numbers would have to wait in memory
-        let position = Vec3::gather(|i| &light(i).position)?;
+        let [x, y, z, r] = L::columns(|i| {
+            let (at, color) = (light(i).position, light(i).intensity);
+            [at.x, at.y, at.z, color.r]
+        });
+        let position = Vec3::new(x, y, z);
         let to_light = (position - p).into();
         let (l, q, distance) = L::direction_and_distance(|| [position.into(), p.into()], to_light);
-        Some(Self::gather(light)?.along_way(p, l, q, distance))
+        let [g, b, _, _] = L::columns(|i| {
+            let color = light(i).intensity;
+            [color.g, color.b, color.g, color.b]
+        });
+        let light = PointLight {
+            position,
+            intensity: Rgb::new(r, g, b),
+            attenuation: A::gather(|i| &light(i).attenuation)?,
+        };
+        Some(light.along_way(p, l, q, distance))
     }
 }
 
@@ -173,11 +186,15 @@ where
     }
 
     #[inline(always)]
-    fn all_at<'a>(light: impl Fn(usize) -> &'a Self, p: Vec3<L>) -> Option<IncidentLight<L>>
+    fn together<'a>(light: impl Fn(usize) -> &'a Self, p: Vec3<L>) -> Option<IncidentLight<L>>
     where
         Self: 'a,
     {
-        Some(Self::gather(light)?.at(p))
+        let mut arriving = PointLight::together(|i| &light(i).point, p)?;
+        let axis = UnitVec3::gather(|i| &light(i).axis)?;
+        let cone = C::gather(|i| &light(i).cone)?;
+        arriving.intensity *= cone.factor(axis, arriving.l);
+        Some(arriving)
     }
 }
 
@@ -194,7 +211,7 @@ where
     /// What is computed of one kind is computed of every light, and used where the light is of that kind. The
     /// others take the numbers of the first light of that kind meanwhile.
     #[inline(always)]
-    fn all_at<'a>(light: impl Fn(usize) -> &'a Self, p: Vec3<L>) -> Option<IncidentLight<L>>
+    fn together<'a>(light: impl Fn(usize) -> &'a Self, p: Vec3<L>) -> Option<IncidentLight<L>>
     where
         Self: 'a,
     {
@@ -219,9 +236,9 @@ where
         };
         let mut arriving = PointLight::gather(|i| point(i).unwrap_or(first_point))?.at(p);
         if let Some(first) = first::<L, _>(spot) {
-            let axis = Vec3::gather(|i| &*spot(i).unwrap_or(first).axis)?;
+            let axis = UnitVec3::gather(|i| &spot(i).unwrap_or(first).axis)?;
             let cone = C::gather(|i| &spot(i).unwrap_or(first).cone)?;
-            let factor = cone.factor(UnitVec3::assume_unit(axis), arriving.l);
+            let factor = cone.factor(axis, arriving.l);
             let is_spot = choice::<L>(|i| spot(i).is_some());
             arriving.intensity *= is_spot.if_positive(factor, L::ONE);
         }

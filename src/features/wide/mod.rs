@@ -294,11 +294,11 @@ single!(
         f32x4::transpose(core::array::from_fn(|i| f32x4::new(row(i))))
     },
     #[inline(always)]
-    fn all_added_to([a, b, c]: [f32x4; 3], [x, y, z]: [f32; 3]) -> [f32; 3] {
+    fn all_added_to([a, b, c]: [f32x4; 3], sum: [f32; 4]) -> [f32; 4] {
         let rows = f32x4::transpose([a, b, c, c]);
-        let sum = f32x4::new([x, y, z, z]);
-        let [x, y, z, _] = rows.into_iter().fold(sum, |sum, row| sum + row).to_array();
-        [x, y, z]
+        rows.into_iter()
+            .fold(f32x4::new(sum), |sum, row| sum + row)
+            .to_array()
     }
 );
 single!(f32x8 * 8, i32x8, from_i32x8);
