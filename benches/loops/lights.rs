@@ -3,7 +3,7 @@
 use glam::Vec3;
 use shading::{Attenuation, Cone, Exponent, Material, PointLight, Rgb, SpotLight, UnitVec3, shade};
 
-use crate::data::{Vectors, directions, triangles};
+use crate::data::{MANY, Vectors, directions, triangles};
 #[cfg(feature = "wide")]
 use crate::race::Limit;
 use crate::race::{Data, Race, limit, twice};
@@ -100,7 +100,7 @@ fn shaded_at_once<M: Exponent<wide::f32x4>>(
 }
 
 pub fn race() -> usize {
-    let (points, directions) = (triangles(), directions());
+    let (points, directions) = (triangles(), directions(MANY));
     #[cfg(feature = "wide")]
     let at_once = of_sums_at_once(directions.clone());
     #[cfg(not(feature = "wide"))]
@@ -172,7 +172,7 @@ fn of_sums_at_once(directions: Vec<Data<Vectors>>) -> usize {
         .into_iter()
         .partition(|(kind, _)| *kind == "smooth");
     of_four_at_once(&smooth, [limit(0.85, 0.85); 2])
-        + of_four_at_once(&others, [limit(0.48, 0.47), limit(0.53, 0.53)])
+        + of_four_at_once(&others, [limit(0.45, 0.45); 2])
 }
 
 #[cfg(feature = "wide")]

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use num_dual::{DualNum, DualSVec32};
 use shading::{Dual, Real, UnitVec3, normal};
 
-use crate::data::{Vectors, directions, triangles};
+use crate::data::{COUNT, Vectors, directions, triangles};
 use crate::race::{Data, Limit, Race, limit, twice};
 
 fn torus<T: Real>(p: shading::Vec3<T>) -> T {
@@ -57,6 +57,11 @@ fn plain(v: Vec3) -> [f32; 3] {
     [x / length, y / length, z / length]
 }
 
+/// The same, except that a vector of length 0 has none. The compiler does not vectorize its loop.
+fn plain_option(v: Vec3) -> Option<[f32; 3]> {
+    (v.length_squared() > 0.0).then(|| plain(v))
+}
+
 fn mapped(
     Vectors {
         glam: [n, tangent, sample],
@@ -72,9 +77,10 @@ fn mapped(
 const LIKE: Limit = limit(1.3, 1.4);
 /// The compiler vectorizes the rival.
 const VECTORIZED: Limit = limit(2.5, f64::INFINITY);
+const OF_OPTION: Limit = limit(1.25, 1.4);
 
 pub fn race() -> usize {
-    let (triangles, directions) = (triangles(), directions());
+    let (triangles, directions) = (triangles(), directions(COUNT));
     of_points(&triangles) + of_functions(&triangles) + of_normals(&triangles, &directions)
 }
 
@@ -168,6 +174,11 @@ fn of_functions(triangles: &[Data<Vectors>]) -> usize {
         limit(3.3, f64::INFINITY),
         twice!(|Vectors { glam: [a, ..], .. }| plain(torus_gradient(*a))),
     )
+    .against(
+        "plain, an `Option`",
+        OF_OPTION,
+        twice!(|Vectors { glam: [a, ..], .. }| plain_option(torus_gradient(*a))),
+    )
     .run(triangles)
         + Race::of(
             "normal::parametric",
@@ -184,6 +195,11 @@ fn of_functions(triangles: &[Data<Vectors>]) -> usize {
             "plain",
             limit(3.0, f64::INFINITY),
             twice!(|Vectors { glam: [a, ..], .. }| plain(saddle_cross(a.x, a.y))),
+        )
+        .against(
+            "plain, an `Option`",
+            OF_OPTION,
+            twice!(|Vectors { glam: [a, ..], .. }| plain_option(saddle_cross(a.x, a.y))),
         )
         .run(triangles)
         + Race::of(

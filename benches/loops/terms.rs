@@ -2,7 +2,7 @@
 
 use shading::{Attenuation, UnitVec3, attenuation, half_vector, reflection, term};
 
-use crate::data::{Vectors, directions, triangles};
+use crate::data::{COUNT, Vectors, directions, triangles};
 use crate::race::{Data, Limit, Race, limit, twice};
 
 const LIKE: Limit = limit(1.3, 1.4);
@@ -19,7 +19,7 @@ fn unit(v: shading::Vec3<f32>) -> UnitVec3<f32> {
 }
 
 pub fn race() -> usize {
-    of_vectors(&directions()) + of_distances(&triangles())
+    of_vectors(&directions(COUNT)) + of_distances(&triangles())
 }
 
 fn of_vectors(directions: &[Data<Vectors>]) -> usize {
