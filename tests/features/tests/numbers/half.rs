@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use shading::{Elementary, Exponent, Real};
+use shading::{Elementary, Exponent, Real, UnitVec3, Vec3, normal};
 use shading_laws::Number;
 
 /// A half, as the `f64` that it stands for.
@@ -124,3 +124,34 @@ impl Number for Half {
 }
 
 shading_laws::number!(Half);
+
+/// The columns a = (0, 0, −0.6875), b = (0, 2.5, 0) and c = (−30.5, −58.5, 0) have
+///
+/// ```text
+/// b × c = (0, 0, 76.25), c × a = (40.21875, −20.96875, 0), a × b = (1.71875, 0, 0)
+/// ```
+///
+/// times N = (0.016876, 0.007038, −1). The square of c is above `EXTREME`, that of N's second component below
+/// 1/`EXTREME`: so the second product is two powers of `EXTREME` below the others, but a tenth as long.
+#[test]
+fn columns_of_different_sizes_transform_a_normal() {
+    let [x, y] = [0.016_876, 0.007_038];
+    let cofactors = [40.218_75 * y - 1.718_75, -20.968_75 * y, 76.25 * x];
+    let length = cofactors.iter().map(|c| c * c).sum::<f64>().sqrt();
+
+    let of = |x, y, z| Vec3::new(round(x), round(y), round(z));
+    let columns = [
+        of(0.0, 0.0, -0.6875),
+        of(0.0, 2.5, 0.0),
+        of(-30.5, -58.5, 0.0),
+    ];
+    let n = UnitVec3::assume_unit(of(x, y, -1.0));
+    let transformed: [Half; 3] = (*normal::transformed(n, columns).unwrap()).into();
+    for (c, expected) in transformed.into_iter().zip(cofactors) {
+        assert!(
+            (c.0 - expected / length).abs() < 16.0 * Half::U,
+            "{c:?} is not {}",
+            expected / length
+        );
+    }
+}
