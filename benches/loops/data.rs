@@ -7,8 +7,8 @@ use crate::race::Data;
 
 /// Fits into the caches.
 pub const COUNT: u16 = 4096;
-/// Too long for a processor to memorize its branches. A Zen 5 memorizes those of four lights at 4,096 points, if no
-/// other branches run in between, and then a rival takes a quarter less time than on noise.
+/// Too long for a Zen 5 to memorize the branches of four lights at each point, as it does with 4,096 points if no other
+/// branches run in between. A rival then takes up to a quarter less time.
 pub const MANY: u16 = 16_384;
 
 /// Three vectors, of which a function takes as many as it needs, for this crate and for `glam`.
@@ -49,11 +49,7 @@ impl Random {
     }
 }
 
-fn each<I, J: Into<I>>(kind: &'static str, of: impl FnMut(u16) -> J) -> Data<I> {
-    many(COUNT, kind, of)
-}
-
-fn many<I, J: Into<I>>(count: u16, kind: &'static str, of: impl FnMut(u16) -> J) -> Data<I> {
+fn each<I, J: Into<I>>(count: u16, kind: &'static str, of: impl FnMut(u16) -> J) -> Data<I> {
     (kind, (0..count).map(of).map(Into::into).collect())
 }
 
@@ -62,13 +58,13 @@ pub fn colors() -> Vec<Data<[f32; 3]>> {
     let mut random = Random::new();
     let mut hard = Random::new();
     vec![
-        each("random", |_| [(); 3].map(|()| random.channel())),
-        each("smooth", |i| {
+        each(COUNT, "random", |_| [(); 3].map(|()| random.channel())),
+        each(COUNT, "smooth", |i| {
             let ramp = f32::from(i) / f32::from(COUNT);
             [ramp, 0.5 * ramp, 1.0 - ramp]
         }),
         // of all magnitudes, black, too bright and invalid
-        each("hard", |_| {
+        each(COUNT, "hard", |_| {
             [(); 3].map(|()| match hard.0.u8(0..8) {
                 0 => -hard.channel(),
                 1 => 1.0 + hard.channel(),
@@ -83,8 +79,8 @@ pub fn colors() -> Vec<Data<[f32; 3]>> {
 pub fn triangles() -> Vec<Data<Vectors>> {
     let (mut random, mut hard) = (Random::new(), Random::new());
     vec![
-        each("random", |_| random.vectors()),
-        each("smooth", |i| {
+        each(COUNT, "random", |_| random.vectors()),
+        each(COUNT, "smooth", |i| {
             let corner = |column: u16, row: u16| {
                 let (x, y) = (f32::from(column) / 32.0, f32::from(row) / 32.0);
                 Vec3::new(x, y, 0.2 * (3.0 * x).sin() * (2.0 * y).cos())
@@ -97,7 +93,7 @@ pub fn triangles() -> Vec<Data<Vectors>> {
             ]
         }),
         // one in sixteen has an edge whose square is not exact
-        each("hard", |_| {
+        each(COUNT, "hard", |_| {
             let vectors = hard.vectors();
             match hard.0.u8(0..32) {
                 0 => vectors.map(|v| v * 1e-30),
@@ -112,8 +108,8 @@ pub fn triangles() -> Vec<Data<Vectors>> {
 pub fn directions(count: u16) -> Vec<Data<Vectors>> {
     let (mut random, mut hard) = (Random::new(), Random::new());
     vec![
-        many(count, "random", |_| [(); 3].map(|()| random.direction())),
-        many(count, "smooth", |i| {
+        each(count, "random", |_| [(); 3].map(|()| random.direction())),
+        each(count, "smooth", |i| {
             let angle = f32::from(i) / f32::from(count);
             let (sine, cosine) = angle.sin_cos();
             [
@@ -123,7 +119,7 @@ pub fn directions(count: u16) -> Vec<Data<Vectors>> {
             ]
         }),
         // the second is often opposite to the first or perpendicular to it
-        many(count, "hard", |_| {
+        each(count, "hard", |_| {
             let [n, l, v] = [(); 3].map(|()| hard.direction());
             [
                 n,

@@ -77,6 +77,7 @@ fn mapped(
 const LIKE: Limit = limit(1.3, 1.4);
 /// The compiler vectorizes the rival.
 const VECTORIZED: Limit = limit(2.5, f64::INFINITY);
+/// The rival thinks of no vector but that of length 0.
 const OF_OPTION: Limit = limit(1.25, 1.4);
 
 pub fn race() -> usize {

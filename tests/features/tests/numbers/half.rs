@@ -132,7 +132,7 @@ shading_laws::number!(Half);
 /// ```
 ///
 /// times N = (0.016876, 0.007038, −1). The square of c is above `EXTREME`, that of N's second component below
-/// 1/`EXTREME`: so the second product is two powers of `EXTREME` below the others, but a tenth as long.
+/// 1/`EXTREME`: so the second product is two powers of `EXTREME` below the first, but a sixth of the sum.
 #[test]
 fn columns_of_different_sizes_transform_a_normal() {
     let [x, y] = [0.016_876, 0.007_038];
