@@ -116,7 +116,7 @@ impl Real for Term {
     fn any_positive(self) -> bool {
         decide(Test::Above(self.0, ZERO))
     }
-    // Floats override these three, too, and give the same results.
+    // Floats override these two, too, and give the same results.
     fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
         if then.0 == otherwise.0 {
             return then;
@@ -126,9 +126,6 @@ impl Real for Term {
     }
     fn abs(self) -> Self {
         Self(node(Node::Abs(self.0)))
-    }
-    fn any_outside(self, low: Self, high: Self) -> bool {
-        decide(Test::Outside(self.0, low.0, high.0))
     }
 }
 
