@@ -265,15 +265,15 @@ fn a_spot_is_given_by_its_half_angle_and_includes_its_edge<T: Float>() {
     assert_eq!(cone.factor(axis, off_axis(44.0)), T::ONE);
     assert_eq!(cone.factor(axis, off_axis(46.0)), T::ZERO);
     // the edge itself: a cosine of exactly ½, and one smaller by u
-    let cone = Cone::of_cosine(T::of(0.5)).expect("a cosine");
+    let cone = Cone::of_cosines(T::of(0.5), T::of(0.5)).expect("a cosine");
     let at =
         |cosine: f64| UnitVec3::assume_unit(vector([(1.0 - cosine * cosine).sqrt(), 0.0, cosine]));
-    assert_eq!(cone.cosine(), T::of(0.5));
+    assert_eq!(cone.cosines()[0], T::of(0.5));
     assert_eq!(cone.factor(axis, at(0.5)), T::ONE);
     assert_eq!(cone.factor(axis, at(0.5 - T::U)), T::ZERO);
-    assert_eq!(Cone::of_half_angle(T::of(-0.1)), None);
-    assert_eq!(Cone::of_half_angle(T::of(3.2)), None);
-    assert_eq!(Cone::of_cosine(T::of(1.1)), None);
+    assert_eq!(T::half_angles(T::of(-0.1), T::of(-0.1)), None);
+    assert_eq!(T::half_angles(T::of(3.2), T::of(3.2)), None);
+    assert_eq!(Cone::of_cosines(T::of(1.1), T::of(1.1)), None);
 }
 
 fn colors_are_not_clamped_before_the_end<T: Float>() {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use shading::{Attenuation, Cone, PointLight, Rgb, SoftCone, UnitVec3, Vec3, normal};
+use shading::{Attenuation, Cone, PointLight, Rgb, UnitVec3, Vec3, normal};
 use support::number::{Float, for_f32_and_f64};
 
 for_f32_and_f64!(
@@ -65,7 +65,7 @@ fn a_soft_edge_between_two_zeros_is_hard<T: Float>() {
     let tiny = T::of(T::TINIEST);
     let zeros = [T::ZERO, -T::ZERO];
     for (inner, outer) in zeros.into_iter().flat_map(|a| zeros.map(|b| (a, b))) {
-        let cone = SoftCone::of_cosines(inner, outer).expect("an edge");
+        let cone = Cone::of_cosines(inner, outer).expect("an edge");
         for (cosine, factor) in [(-tiny, T::ZERO), (T::ZERO, T::ONE), (tiny, T::ONE)] {
             let l = UnitVec3::assume_unit(Vec3::new(cosine, T::ZERO, T::ONE));
             for cone in [cone, cone.smoothstep()] {
@@ -105,10 +105,10 @@ fn the_cone_of_pi_is_everything<T: Float>() {
         .map(|[x, y, z]| UnitVec3::of(x, y, z).expect("a direction"));
     let whole = [
         T::cone(180.0).expect("π"),
-        Cone::of_cosine(-T::ONE).expect("−1"),
+        Cone::of_cosines(-T::ONE, -T::ONE).expect("−1"),
     ];
     for cone in whole {
-        assert_eq!(cone.cosine(), -T::ONE);
+        assert_eq!(cone.cosines()[0], -T::ONE);
         assert_eq!(cone.factor(a, b), T::ONE);
         // opposite to the axis, even where rounding makes |d|² 1.0000002
         for x in 1..100 {
@@ -129,9 +129,9 @@ fn the_cone_of_half_pi_ends_at_the_horizon<T: Float>() {
     } else {
         6.123_233_995_736_766e-17
     };
-    assert_eq!(cone.cosine(), T::of(expected));
+    assert_eq!(cone.cosines()[0], T::of(expected));
     assert_eq!(
-        Cone::of_cosine(T::ZERO)
+        Cone::of_cosines(T::ZERO, T::ZERO)
             .expect("0")
             .factor(UnitVec3::X, UnitVec3::Y),
         T::ONE
@@ -149,7 +149,7 @@ fn angles<T: Float>() -> impl Iterator<Item = T> {
 
 fn every_half_angle_up_to_pi_is_a_cone<T: Float>() {
     for angle in angles::<T>() {
-        assert!(Cone::of_half_angle(angle).is_some(), "{angle:e}");
+        assert!(T::half_angles(angle, angle).is_some(), "{angle:e}");
     }
 }
 
@@ -163,10 +163,7 @@ fn every_half_angle_up_to_pi_is_a_cone<T: Float>() {
 /// rounds by ¼u and the difference by ½u: 2.4u. At the ends, the error may be 4ε = 8u.
 fn cosines_of_half_angles_are_right<T: Float>() {
     for angle in angles::<T>() {
-        let cosine = Cone::of_half_angle(angle)
-            .expect("a cone")
-            .cosine()
-            .to_f64();
+        let cosine = T::half_angles(angle, angle).expect("a cone").cosines()[0].to_f64();
         let expected = angle.to_f64().cos();
         let units = if expected.abs() > 1.0 - 9.0 * T::U {
             8.0
@@ -213,7 +210,7 @@ fn a_light_is_left_out_where_rounding_cannot_matter<T: Float>() {
             intensity: Rgb::WHITE,
             attenuation: Attenuation::NONE,
         };
-        lamp.in_front(Vec3::ZERO, UnitVec3::Z).is_some()
+        lamp.at(Vec3::ZERO).in_front(UnitVec3::Z).is_some()
     };
     // the height h is kept for h ≤ (1 + h)/512, that is, h ≤ 1/511
     for (height, kept) in [(1.0 / 511.5, true), (1.0 / 510.5, false), (0.5, false)] {
@@ -262,8 +259,9 @@ fn scales_of_any_size_transform_a_normal() {
 fn edges_of_neighboring_angles_are_in_order() {
     for bits in 0.785_f32.to_bits()..0.787_f32.to_bits() {
         let [inner, outer] = [bits, bits + 1].map(f32::from_bits);
-        let [in_constants, generic] = [SoftCone::<f32>::from_half_angles, SoftCone::of_half_angles]
-            .map(|of| of(inner, outer).expect("half-angles"));
+        let [in_constants, generic] =
+            [Cone::<f32>::from_half_angles, Cone::<f32>::from_half_angles]
+                .map(|of| of(inner, outer).expect("half-angles"));
         let cosines = in_constants.cosines();
         assert!(cosines[0] >= cosines[1], "{inner:?} {outer:?}");
         assert_eq!(in_constants, generic);
@@ -275,7 +273,7 @@ fn edges_of_neighboring_angles_are_in_order() {
 fn a_constant_soft_edge_between_two_zeros_is_hard() {
     let zeros = [0.0_f32, -0.0];
     for (inner, outer) in zeros.into_iter().flat_map(|a| zeros.map(|b| (a, b))) {
-        let cone = SoftCone::<f32>::from_cosines(inner, outer).expect("an edge");
+        let cone = Cone::<f32>::from_cosines(inner, outer).expect("an edge");
         for (cosine, factor) in [(-1e-45, 0.0), (0.0, 1.0), (1e-45, 1.0)] {
             let l = UnitVec3::assume_unit(Vec3::new(cosine, 0.0, 1.0));
             assert_eq!(

@@ -4,9 +4,9 @@
 use std::f64::consts::FRAC_1_PI;
 
 use shading::{
-    Attenuation, DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight, Ranged,
-    Real, Rgb, Shaded, SoftCone, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal,
-    reflection, shade, term,
+    Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, Light, Material, PointLight,
+    Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection,
+    shade, term,
 };
 use support::number::{Float, direction, for_f32_and_f64, vector};
 
@@ -166,9 +166,6 @@ fn powers_of_a_half_are_exact<T: Float>() {
     let mut expected = T::ONE;
     for m in 0..100_u32 {
         assert_eq!(m.raise(half), expected, "{m}");
-        if let Some(of_square) = Exponent::<T>::half(m) {
-            assert_eq!(of_square.raise(T::of(0.25)), expected, "{m}");
-        }
         if expected.to_f64() <= T::MIN_POSITIVE * 4.0 {
             break;
         }
@@ -283,7 +280,7 @@ fn sample_of_a_normal_map_on_a_slanted_surface<T: Float>() {
 fn soft_spot_between_its_edges<T: Float>() {
     // the cosines go from 1 (less 4ε) down to 0.6, and L is at 0.8: t = ½, t² = ¼, t²(3 − 2t) = ½;
     // L is off by 3u, and t by 2.5 times as much, which counts up to 1.5 times
-    let cone = SoftCone::of_cosines(T::ONE, T::of(0.6)).expect("cosines");
+    let cone = Cone::of_cosines(T::ONE, T::of(0.6)).expect("cosines");
     let factors = [cone, cone.smoothstep()].map(|cone| cone.factor(-UnitVec3::Z, slanted()));
     assert_near(factors, [0.25, 0.5], 40.0);
 }
@@ -293,7 +290,7 @@ fn faint_edge_of_a_soft_spot_keeps_its_digits<T: Float>() {
     // exact. The quotient is off by 1u of itself, its square by 3u; here and in f64.
     let (outer, epsilon) = (0.5, 2.0 * T::U);
     for inner in [0.7, 0.8, 0.9, 0.95] {
-        let cone = SoftCone::of_cosines(T::of(inner), T::of(outer)).expect("cosines");
+        let cone = Cone::of_cosines(T::of(inner), T::of(outer)).expect("cosines");
         let width = cone.cosines()[0].to_f64() - outer;
         for k in (0..20).map(|i| f64::exp2(f64::from(i)) + 1.0) {
             let cosine = outer + k * epsilon;
@@ -309,7 +306,7 @@ fn faint_edge_of_a_soft_spot_keeps_its_digits<T: Float>() {
 fn attenuation_halfway_to_its_range<T: Float>() {
     // 1/(1 + 4/4) (1 − (2/4)⁴)² = ½ (15/16)², without any rounding
     let free = Attenuation::of(T::ONE, T::ZERO, T::of(0.25)).expect("coefficients");
-    let ranged = Ranged::of(free, T::of(4.0)).expect("a range");
+    let ranged = free.of_range(T::of(4.0)).expect("a range");
     assert_eq!(ranged.at(T::of(2.0)), T::of(225.0 / 512.0));
     // as glTF has it, ½ (1 − (2/4)⁴) = ½ 15/16
     assert_eq!(ranged.unsquared().at(T::of(2.0)), T::of(15.0 / 32.0));
@@ -321,16 +318,12 @@ fn attenuation_halfway_to_its_range<T: Float>() {
     };
     let incident = lamp.at(Vec3::ZERO);
     assert_eq!(incident.intensity, rgb(225.0 / 512.0, 225.0 / 1024.0, 0.0));
-    assert_eq!(lamp.in_front(Vec3::ZERO, UnitVec3::Z), Some(incident));
-    assert_eq!(lamp.in_front(vector([0.0, 0.0, -2.5]), UnitVec3::Z), None);
     let gltf = PointLight {
         attenuation: ranged.unsquared(),
         ..lamp
     };
     let incident = gltf.at(Vec3::ZERO);
     assert_eq!(incident.intensity, rgb(15.0 / 32.0, 15.0 / 64.0, 0.0));
-    assert_eq!(gltf.in_front(Vec3::ZERO, UnitVec3::Z), Some(incident));
-    assert_eq!(gltf.in_front(vector([0.0, 0.0, -2.5]), UnitVec3::Z), None);
 }
 
 /// A lamp two units above the origin, where ¼ of (1, ½, 0) arrives, and the slanted sun with
@@ -528,13 +521,6 @@ fn a_limited_lamp_has_no_gradient() {
             assert_eq!(gradient, Vec3::new(0.0, 0.0, slope));
         }
     }
-}
-
-#[test]
-fn an_edge_says_whether_it_is_a_smoothstep() {
-    let squared = SoftCone::<f32>::from_cosines(1.0, 0.0).expect("cosines");
-    assert!(!squared.is_smoothstep());
-    assert!(squared.smoothstep().is_smoothstep());
 }
 
 /// (cᵐ)′ = m cᵐ⁻¹, which is m at c = 1, also for an m of more than 16 bits.

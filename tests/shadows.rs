@@ -49,7 +49,7 @@ fn wall_behind_a_lamp_casts_no_shadow<T: Float>() {
     for light in lamps(vector([3.0, 0.0, 2.0])) {
         assert!(is_blocked(p, 1.0, &light.at(p)), "{light:?}");
         assert!(!is_blocked(p, 3.0, &light.at(p)), "{light:?}");
-        let lit = light.in_front(p, UnitVec3::Z).expect("it is in front");
+        let lit = light.at(p).in_front(UnitVec3::Z).expect("it is in front");
         assert!(!is_blocked(p, 3.0, &lit), "{light:?}");
     }
 }

@@ -1,9 +1,8 @@
 //! Tests are written once, as generic functions, and run for `f32` and `f64`.
 
-use std::f64::consts::PI;
 use std::fmt::{Debug, Display, LowerExp};
 
-use shading::{Attenuation, Cone, Elementary, Exponent, SoftCone, UnitVec3, Vec3};
+use shading::{Attenuation, Cone, Elementary, Exponent, UnitVec3, Vec3};
 
 /// A number type that a test computes with: a float, or a number that carries its error bound.
 pub trait Number: Elementary + PartialOrd + Exponent<Self> + Debug {
@@ -15,19 +14,15 @@ pub trait Number: Elementary + PartialOrd + Exponent<Self> + Debug {
 
     /// The cone with a half-angle in degrees.
     fn cone(degrees: f64) -> Option<Cone<Self>> {
-        Cone::of_half_angle(radians(degrees))
+        let degrees = [degrees, degrees];
+        Self::soft_cone(degrees)
     }
 
     /// The soft cone with an inner and an outer half-angle in degrees.
-    fn soft_cone(degrees: [f64; 2]) -> Option<SoftCone<Self>> {
-        let [inner, outer] = degrees.map(radians);
-        SoftCone::of_half_angles(inner, outer)
+    fn soft_cone(degrees: [f64; 2]) -> Option<Cone<Self>> {
+        let [inner, outer] = degrees.map(f64::to_radians);
+        Cone::<f64>::from_half_angles(inner, outer).map(|cone| cone.cast(Self::of))
     }
-}
-
-/// The angle in radians, where π is in range although it may round up.
-fn radians<T: Number>(degrees: f64) -> T {
-    T::of(degrees.to_radians()).at_most(T::of(PI))
 }
 
 /// `f32` or `f64`.
@@ -44,6 +39,7 @@ pub trait Float: Number + Into<f64> + Display + LowerExp + Debug + Default + 'st
 
     fn to_f64(self) -> f64;
     fn normalized(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>>;
+    fn half_angles(inner: Self, outer: Self) -> Option<Cone<Self>>;
 
     fn is_finite(self) -> bool {
         self.to_f64().is_finite()
@@ -80,6 +76,10 @@ macro_rules! float {
 
             fn normalized(x: Self, y: Self, z: Self) -> Option<UnitVec3<Self>> {
                 UnitVec3::<$float>::normalized(x, y, z)
+            }
+
+            fn half_angles(inner: Self, outer: Self) -> Option<Cone<Self>> {
+                Cone::<$float>::from_half_angles(inner, outer)
             }
         }
     };

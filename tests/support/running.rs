@@ -10,7 +10,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use shading::{Elementary, Exponent, Real, SoftCone};
+use shading::{Elementary, Exponent, Real};
 
 use crate::number::{self, Number};
 
@@ -270,17 +270,13 @@ impl<const BITS: u32> Exponent<Self> for Running<BITS> {
         let power = Self::power(cosine.at_most(Self::ONE), self);
         cosine.if_positive(power, Self::ZERO)
     }
-
-    fn half(self) -> Option<Self> {
-        Some(self * Self::of(0.5))
-    }
 }
 
 impl<const BITS: u32> Number for Running<BITS> {
     /// The float rounds an angle of at most π by 1.6u, and its cosine is off by 3.4u.
-    fn soft_cone(degrees: [f64; 2]) -> Option<SoftCone<Self>> {
+    fn soft_cone(degrees: [f64; 2]) -> Option<shading::Cone<Self>> {
         let [inner, outer] = degrees.map(f64::to_radians);
-        let cone = SoftCone::<f64>::from_half_angles(inner, outer)?;
+        let cone = shading::Cone::<f64>::from_half_angles(inner, outer)?;
         Some(cone.cast(|value| Self {
             value,
             error: 5.0 * Self::U,

@@ -1,6 +1,6 @@
 //! Attenuation and cones.
 
-use shading::{Attenuation, Cone, PointLight, Ranged, Rgb, SoftCone, UnitVec3, Vec3, attenuation};
+use shading::{Attenuation, Cone, PointLight, Rgb, UnitVec3, Vec3, attenuation};
 use support::number::{Float, direction, for_f32_and_f64};
 
 use crate::{at_x, not_finite};
@@ -17,7 +17,7 @@ for_f32_and_f64!(
     soft_cone_of_nearly_equal_angles_is_hard,
     invalid_range_is_refused_infinity_is_none,
     ranged_attenuation_is_zero_out_of_its_range,
-    lights_out_of_range_are_left_out,
+    lights_out_of_range_are_black,
     cone_of_a_nan_direction_gives_one,
 );
 
@@ -63,16 +63,19 @@ fn checked_attenuation_is_never_infinite<T: Float>() {
 
 fn cone_of_an_invalid_angle_is_none<T: Float>() {
     for angle in [-T::of(T::TINIEST), T::of(3.2), T::INFINITY, T::NAN] {
-        assert_eq!(Cone::of_half_angle(angle), None, "{angle:e}");
+        assert_eq!(T::half_angles(angle, angle), None, "{angle:e}");
     }
     let beyond = T::of(1.0 + 2.0 * T::U);
     for cosine in [beyond, -beyond, T::INFINITY, -T::INFINITY, T::NAN] {
-        assert_eq!(Cone::of_cosine(cosine), None, "{cosine:e}");
+        assert_eq!(Cone::of_cosines(cosine, cosine), None, "{cosine:e}");
     }
 }
 
 fn cone_of_zero_lights_its_axis<T: Float>() {
-    for cone in [Cone::of_half_angle(T::ZERO), Cone::of_cosine(T::ONE)] {
+    for cone in [
+        T::half_angles(T::ZERO, T::ZERO),
+        Cone::of_cosines(T::ONE, T::ONE),
+    ] {
         let cone = cone.expect("a cone");
         for (x, y) in (1..100).flat_map(|x| (1..100).map(move |y| (x, y))) {
             let axis = direction::<T>([f64::from(x), f64::from(y), 7.0]);
@@ -86,8 +89,8 @@ fn cone_of_zero_lights_its_axis<T: Float>() {
 }
 
 fn soft_cone_of_invalid_angles_is_none<T: Float>() {
-    let cone = |inner: f64, outer: f64| SoftCone::of_half_angles(T::of(inner), T::of(outer));
-    let of_cosines = |inner: f64, outer: f64| SoftCone::of_cosines(T::of(inner), T::of(outer));
+    let cone = |inner: f64, outer: f64| T::half_angles(T::of(inner), T::of(outer));
+    let of_cosines = |inner: f64, outer: f64| Cone::of_cosines(T::of(inner), T::of(outer));
     assert!(cone(0.0, 0.5).is_some() && of_cosines(1.0, 0.5).is_some());
     for [inner, outer] in [[0.5, 0.4], [-0.1, 0.5], [0.5, 3.2], [-0.1, 3.2]] {
         assert_eq!(cone(inner, outer), None);
@@ -97,20 +100,20 @@ fn soft_cone_of_invalid_angles_is_none<T: Float>() {
     }
     for bad in not_finite::<T>() {
         let good = T::of(0.5);
-        assert_eq!(SoftCone::of_half_angles(bad, good), None);
-        assert_eq!(SoftCone::of_half_angles(good, bad), None);
-        assert_eq!(SoftCone::of_cosines(bad, good), None);
-        assert_eq!(SoftCone::of_cosines(good, bad), None);
+        assert_eq!(T::half_angles(bad, good), None);
+        assert_eq!(T::half_angles(good, bad), None);
+        assert_eq!(Cone::of_cosines(bad, good), None);
+        assert_eq!(Cone::of_cosines(good, bad), None);
     }
 }
 
 fn soft_cone_of_one_angle_is_the_hard_cone<T: Float>() {
     // every 2⁻⁸ radians of the half-circle, on the edge and next to it
     for angle in (0..=804).map(|k| T::of(f64::from(k) / 256.0)) {
-        let hard = Cone::of_half_angle(angle).expect("below π");
-        let soft = SoftCone::of_half_angles(angle, angle).expect("below π");
-        assert_eq!(soft.cosines(), [hard.cosine(); 2]);
-        let beside = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|k| hard.cosine() + T::of(k * T::U));
+        let hard = T::half_angles(angle, angle).expect("below π");
+        let soft = T::half_angles(angle, angle).expect("below π");
+        assert_eq!(soft.cosines(), [hard.cosines()[0]; 2]);
+        let beside = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|k| hard.cosines()[0] + T::of(k * T::U));
         for cosine in beside.into_iter().chain([-T::ONE, T::ZERO, T::ONE, T::NAN]) {
             let l = UnitVec3::assume_unit(Vec3::new(T::ZERO, T::ZERO, cosine));
             let factor = hard.factor(-UnitVec3::Z, l);
@@ -129,7 +132,7 @@ fn soft_cone_of_nearly_equal_angles_is_hard<T: Float>() {
     };
     for k in 0..1 << 16 {
         let [inner, outer] = [k, k + 1].map(|k| T::of(start.to_f64() + f64::from(k) * T::U));
-        let cone = SoftCone::of_half_angles(inner, outer).expect("below π");
+        let cone = T::half_angles(inner, outer).expect("below π");
         let [inner, outer] = cone.cosines();
         assert!(inner >= outer);
         let factor = cone.factor(-UnitVec3::Z, UnitVec3::Z);
@@ -139,11 +142,11 @@ fn soft_cone_of_nearly_equal_angles_is_hard<T: Float>() {
 
 fn invalid_range_is_refused_infinity_is_none<T: Float>() {
     for bad in [T::ZERO, -T::ZERO, -T::ONE, -T::INFINITY, T::NAN] {
-        assert_eq!(Ranged::of(Attenuation::NONE, bad), None);
+        assert_eq!(Attenuation::NONE.of_range(bad), None);
     }
     // a range of ∞ is no range, not even at an infinite distance, where the attenuation is 0
     let free = Attenuation::of(T::ONE, T::ZERO, T::of(0.25)).expect("coefficients");
-    let ranged = Ranged::of(free, T::INFINITY).expect("no range");
+    let ranged = free.of_range(T::INFINITY).expect("no range");
     for q in [T::ZERO, T::of(T::TINIEST), T::of(2.0), T::MAX, T::INFINITY] {
         assert_eq!(ranged.at(q), free.at(q));
         assert_eq!(ranged.unsquared().at(q), free.at(q));
@@ -153,8 +156,8 @@ fn invalid_range_is_refused_infinity_is_none<T: Float>() {
 fn ranged_attenuation_is_zero_out_of_its_range<T: Float>() {
     // also where the attenuation is infinite, at the smallest range, and for NaN
     let inverse_square = Attenuation::of(T::ZERO, T::ZERO, T::ONE).expect("coefficients");
-    for r in [T::of(T::TINIEST), T::ONE, T::MAX] {
-        let ranged = Ranged::of(inverse_square, r).expect("above 0");
+    for r in [T::of(T::TINIEST), T::ONE, T::MAX / T::of(2.0)] {
+        let ranged = inverse_square.of_range(r).expect("above 0");
         for ranged in [ranged, ranged.unsquared()] {
             for q in [r, r + r, T::INFINITY, T::NAN] {
                 assert_eq!(ranged.at(q), T::ZERO, "{q:e} of {r:e}");
@@ -165,15 +168,15 @@ fn ranged_attenuation_is_zero_out_of_its_range<T: Float>() {
     }
 }
 
-fn lights_out_of_range_are_left_out<T: Float>() {
+fn lights_out_of_range_are_black<T: Float>() {
     let lamp = |z: T, r: T| PointLight {
         position: Vec3::new(T::ZERO, T::ZERO, z),
         intensity: Rgb::gray(T::MAX),
-        attenuation: Ranged::of(Attenuation::NONE, r).expect("above 0"),
+        attenuation: Attenuation::NONE.of_range(r).expect("above 0"),
     };
-    let in_front = |lamp: PointLight<T, shading::Ranged<T>>| lamp.in_front(Vec3::ZERO, UnitVec3::Z);
+    let in_front = |lamp: PointLight<T>| lamp.at(Vec3::ZERO);
     let [small, large] = [T::MIN_POSITIVE.sqrt() / 16.0, T::MAX.to_f64().sqrt() * 16.0].map(T::of);
-    assert_eq!(in_front(lamp(T::of(2.0), T::ONE)), None);
+    assert_eq!(in_front(lamp(T::of(2.0), T::ONE)).intensity, Rgb::BLACK);
     // within the range, even if the square of the distance is 0 or infinite
     for r in [small, T::ONE, large, T::INFINITY] {
         let q = if r.is_finite() {
@@ -181,14 +184,14 @@ fn lights_out_of_range_are_left_out<T: Float>() {
         } else {
             T::ONE
         };
-        let incident = in_front(lamp(q, r)).expect("in front");
+        let incident = in_front(lamp(q, r));
         assert_eq!(incident, lamp(q, r).at(Vec3::ZERO));
         assert!(incident.intensity.r > T::ZERO);
     }
     // out of range, a light that is not left out is black
     for r in [small, large] {
         let incident = in_front(lamp(r + r, r));
-        assert!(incident.is_none_or(|light| light.intensity == Rgb::BLACK));
+        assert!(incident.intensity == Rgb::BLACK);
     }
 }
 

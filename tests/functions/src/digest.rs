@@ -69,13 +69,12 @@ impl<T: Number> Of<T> {
         Self::BYTES,
     ];
     /// Everything that every number has.
-    pub const OF_NUMBERS: [&[Function<T>]; 7] = [
+    pub const OF_NUMBERS: [&[Function<T>]; 6] = [
         Self::ARITHMETIC,
         Self::SWEEPS,
         Self::OFF_GPU,
         Self::FUNCTIONS,
         Self::BYTES,
-        Self::HALF_ANGLES,
         Self::ANGLES,
     ];
 }

@@ -1,8 +1,8 @@
 //! What the functions are called with.
 
 use shading::{
-    Attenuation, Cone, DirectionalLight, Dual, IncidentLight, Light, Material, PointLight, Ranged,
-    Rgb, Shaded, SoftCone, SpotLight, UnitVec3, Vec3,
+    Attenuation, Cone, DirectionalLight, Dual, IncidentLight, Light, Material, PointLight, Rgb,
+    Shaded, SpotLight, UnitVec3, Vec3,
 };
 
 use crate::number::Number;
@@ -65,7 +65,7 @@ pub struct Given<T> {
     /// The attenuation of the second and fourth is clamped.
     pub lamps: [PointLight<T>; 4],
     pub spot: SpotLight<T>,
-    pub soft_spot: SpotLight<T, SoftCone<T>, Ranged<T>>,
+    pub soft_spot: SpotLight<T>,
     pub lights: [Light<T>; 4],
     pub incident: IncidentLight<T>,
     pub shaded: Shaded<T>,
@@ -97,7 +97,7 @@ impl<T: Number> Given<T> {
             attenuation,
         };
         let sun = DirectionalLight { l, intensity };
-        let cone = Cone::of_cosine(edge).unwrap_or(T::CONE);
+        let cone = Cone::of_cosines(edge, edge).unwrap_or(T::CONE);
         let spot = SpotLight {
             point: lamp(c, attenuation),
             axis,
@@ -149,11 +149,10 @@ impl<T: Number> Given<T> {
                 point: PointLight {
                     position: c,
                     intensity,
-                    attenuation: Ranged::of(attenuation, input.range)
-                        .unwrap_or(Ranged::from(attenuation)),
+                    attenuation: attenuation.of_range(input.range).unwrap_or(attenuation),
                 },
                 axis,
-                cone: SoftCone::of_cosines(inner, outer).unwrap_or(SoftCone::from(cone)),
+                cone: Cone::of_cosines(inner, outer).unwrap_or(cone),
             },
             lights: [
                 Light::Directional(sun),
@@ -179,15 +178,6 @@ impl<T: Number> Given<T> {
     #[inline]
     pub fn from_lamps(&self) -> impl Iterator<Item = IncidentLight<T>> {
         self.lamps.iter().map(|lamp| lamp.at(self.p))
-    }
-
-    /// The light that arrives from each lamp in front of the surface.
-    #[inline]
-    pub fn lamps_in_front(&self) -> impl Iterator<Item = IncidentLight<T>> {
-        let Self { p, n, .. } = *self;
-        self.lamps
-            .iter()
-            .filter_map(move |lamp| lamp.in_front(p, n))
     }
 
     /// The light that arrives from a light of each kind, twice: more than four are in front of the

@@ -40,16 +40,10 @@ macro_rules! for_each_function {
             dual_chain "Dual::chain" |g| g.f.chain(g.y, g.x) => nothing;
             shaded_operators "Shaded, operators" |g| [g.shaded + g.shaded * g.x, [g.shaded, g.shaded].into_iter().sum()] => nothing;
             coefficients "Attenuation::coefficients" |g| g.attenuation.coefficients() => not_negative;
-            is_clamped "Attenuation::is_clamped" |g| g.lamps.map(|lamp| lamp.attenuation.is_clamped()) => nothing;
             clamped_attenuation "Attenuation::clamped" |g| g.attenuation.clamped().at(g.x.abs()) => nothing;
             range "Ranged::range" |g| g.soft_spot.point.attenuation.range() => not_negative;
-            is_unsquared "Ranged::is_unsquared" |g| { let ranged = g.soft_spot.point.attenuation; [ranged, ranged.unsquared()].map(Ranged::is_unsquared) } => nothing;
-            ranged_attenuation "Ranged::attenuation" |g| g.soft_spot.point.attenuation.attenuation().at(g.x.abs()) => nothing;
-            reaches "Falloff::reaches" |g| g.soft_spot.point.attenuation.reaches(g.x) => nothing;
-            dim "Falloff::dim" |g| g.soft_spot.point.attenuation.dim(&g.rgb, g.x) => nothing;
-            cone_cosine "Cone::cosine" |g| g.spot.cone.cosine() => cosines;
+            cone_cosine "Cone::cosine" |g| g.spot.cone.cosines() => cosines;
             soft_cone_cosines "SoftCone::cosines" |g| g.soft_spot.cone.cosines() => cosines;
-            is_smoothstep "SoftCone::is_smoothstep" |g| [g.soft_spot.cone, g.soft_spot.cone.smoothstep()].map(SoftCone::is_smoothstep) => nothing;
         }
         SWEEPS: Number {
             powi_sweep "Elementary::powi, several" |g| [-3, -1, 0, 1, 2, 7, 100, i32::MIN, i32::MAX].map(|i| g.x.powi(i)) => nothing;
@@ -65,13 +59,11 @@ macro_rules! for_each_function {
             cast "PointLight::cast" |g| g.lamps[0].cast(Dual::constant).at(Dual::point(g.p)) => nothing;
             dual_directions "Vec3::unit_or, of dual numbers" |g| { let v = Vec3::new(g.f, g.h, Dual::constant(g.x)); [*v.unit_or(UnitVec3::X), v.cross(v)] } => nothing;
             dual_factors "term::blinn, of dual numbers" |g| { let [n, h] = [g.n, g.l].map(|u| u.cast(Dual::constant)); [term::lambert(n, h), term::phong(n, h, g.integer.m), term::blinn(n, h, g.integer.m)] } => nothing;
-            beam_factor "Beam::factor" |g| Beam::factor(g.soft_spot.cone, g.n, g.l) => share;
             unsquared "Ranged::unsquared" |g| { let ranged = g.soft_spot.point.attenuation.unsquared(); [ranged.at(g.x.abs()), ranged.at(g.y.abs())] } => not_negative;
             unsquared_lamp "PointLight::at, unsquared" |g| { let mut lamp = g.soft_spot.point; lamp.attenuation = lamp.attenuation.unsquared(); lamp.at(g.p) } => arriving;
             smooth_factor "SoftCone::smoothstep" |g| g.soft_spot.cone.smoothstep().factor(g.n, g.l) => share;
             every_lamp "PointLight::at, every lamp" |g| g.lamps.map(|lamp| lamp.at(g.p)) => nothing;
             every_light "Light::at, every light" |g| g.lights.map(|light| light.at(g.p)) => nothing;
-            every_light_in_front "Light::in_front, every light" |g| g.lights.map(|light| light.in_front(g.p, g.n)) => nothing;
             every_lambert "shade::lambert, every light" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lights()) => light;
             every_phong "shade::phong, every light" |g| shade::phong(g.n, g.v, &g.integer, g.rgb, g.from_lights().filter_map(|light| light.in_front(g.n))) => light;
             every_blinn_phong "shade::blinn_phong, every light" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.from_lights()) => light;
@@ -110,7 +102,6 @@ macro_rules! for_each_function {
             dual_ln "Dual::ln" |g| g.f.abs().ln() => nothing;
             normalized "UnitVec3::normalized" |g| T::normalized(g.a) => unit;
             any_light "Light::at" |g| g.lights[2].at(g.p) => arriving;
-            any_light_in_front "Light::in_front" |g| g.lights[2].in_front(g.p, g.n) => arriving;
         }
         FUNCTIONS: Number {
             sqrt "Real::sqrt" |g| g.x.abs().sqrt() => nothing;
@@ -152,27 +143,22 @@ macro_rules! for_each_function {
             attenuation "attenuation" |g| shading::attenuation(g.a.x, g.a.y, g.a.z, g.x) => nothing;
             attenuation_of "Attenuation::of" |g| Attenuation::of(g.x, g.y, g.cosine).map(Attenuation::coefficients) => not_negative;
             attenuation_at "Attenuation::at" |g| g.attenuation.at(g.x.abs()) => nothing;
-            ranged_of "Ranged::of" |g| Ranged::of(g.attenuation, g.y.abs()).map(Ranged::range) => positive_or_infinite;
+            ranged_of "Ranged::of" |g| g.attenuation.of_range(g.y.abs()).map(Attenuation::range) => positive_or_infinite;
             ranged_at "Ranged::at" |g| g.soft_spot.point.attenuation.at(g.x.abs()) => not_negative;
-            cone_of_cosine "Cone::of_cosine" |g| Cone::of_cosine(g.cosine + g.cosine - T::ONE).map(Cone::cosine) => cosines;
+            cone_of_cosine "Cone::of_cosine" |g| { let c = g.cosine + g.cosine - T::ONE; Cone::of_cosines(c, c).map(Cone::cosines) } => cosines;
             cone_factor "Cone::factor" |g| g.spot.cone.factor(g.n, g.l) => share;
-            soft_cone_of_cosines "SoftCone::of_cosines" |g| SoftCone::of_cosines(g.cosine, -g.cosine).map(SoftCone::cosines) => cosines;
+            soft_cone_of_cosines "SoftCone::of_cosines" |g| Cone::of_cosines(g.cosine, -g.cosine).map(Cone::cosines) => cosines;
             soft_cone_factor "SoftCone::factor" |g| g.soft_spot.cone.factor(g.n, g.l) => share;
 
             directional_light "DirectionalLight::at" |g| g.sun.at(g.p) => arriving;
-            directional_light_in_front "DirectionalLight::in_front" |g| g.sun.in_front(g.p, g.n) => arriving;
             point_light "PointLight::at" |g| g.lamps[0].at(g.p) => arriving;
-            point_light_in_front "PointLight::in_front" |g| g.lamps[0].in_front(g.p, g.n) => arriving;
             spot_light "SpotLight::at" |g| g.spot.at(g.p) => arriving;
-            spot_light_in_front "SpotLight::in_front" |g| g.spot.in_front(g.p, g.n) => arriving;
             soft_spot_light "SpotLight::at, soft and ranged" |g| g.soft_spot.at(g.p) => arriving;
-            soft_spot_light_in_front "SpotLight::in_front, soft and ranged" |g| g.soft_spot.in_front(g.p, g.n) => arriving;
             incident_light_in_front "IncidentLight::in_front" |g| g.incident.in_front(g.n) => nothing;
 
             shade_lambert "shade::lambert" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lamps()) => light;
             shade_phong "shade::phong, integer m" |g| shade::phong(g.n, g.v, &g.integer, g.rgb, g.from_lamps()) => light;
             shade_blinn_phong "shade::blinn_phong, integer m" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.from_lamps()) => light;
-            shade_in_front "shade::blinn_phong, integer m, lights in front" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.lamps_in_front()) => light;
             shaded_total "Shaded::total" |g| g.shaded.total() => light;
         }
         REAL_M: Float {
@@ -182,11 +168,6 @@ macro_rules! for_each_function {
             blinn_normalization "term::blinn_normalization" |g| term::blinn_normalization(g.real.m) => positive;
             shade_phong_real "shade::phong, real m" |g| shade::phong(g.n, g.v, &g.real, g.rgb, g.from_lamps()) => light;
             shade_blinn_phong_real "shade::blinn_phong, real m" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.from_lamps()) => light;
-            shade_in_front_real "shade::blinn_phong, real m, lights in front" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.lamps_in_front()) => light;
-        }
-        HALF_ANGLES: Number {
-            cone_of_half_angle "Cone::of_half_angle" |g| Cone::of_half_angle(g.cosine * T::of_f32(3.25)).map(Cone::cosine) => cosines;
-            soft_cone_of_half_angles "SoftCone::of_half_angles" |g| SoftCone::of_half_angles(g.cosine, g.cosine * T::of_f32(3.0)).map(SoftCone::cosines) => cosines;
         }
     } };
 }
@@ -194,8 +175,7 @@ macro_rules! for_each_function {
 /// Each row as a function.
 pub mod row {
     use shading::{
-        Attenuation, Beam, Cone, Dual, Elementary, Exponent, Falloff, Ranged, Real, Rgb, SoftCone,
-        UnitVec3, Vec3, normal, shade, term,
+        Attenuation, Cone, Dual, Elementary, Exponent, Real, Rgb, UnitVec3, Vec3, normal, shade, term,
     };
 
     use crate::given::Given;

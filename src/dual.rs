@@ -1,10 +1,9 @@
 //! Dual numbers, which carry their own derivatives.
 
-mod real;
-
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::elementary::Elementary;
 use crate::real::Real;
 use crate::vector::Vec3;
 
@@ -114,6 +113,21 @@ impl<T: Real> Dual<T> {
     }
 }
 
+macro_rules! with_plain_vectors {
+    ($($trait:ident $method:ident)*) => {$(
+        /// A vector of duals and one of plain numbers, such as `p - center` within an implicit surface.
+        impl<T: Real> $trait<Vec3<T>> for Vec3<Dual<T>> {
+            type Output = Self;
+            #[inline]
+            fn $method(self, other: Vec3<T>) -> Self {
+                self.$method(other.map(Dual::constant))
+            }
+        }
+    )*};
+}
+
+with_plain_vectors!(Add add Sub sub);
+
 impl<T: PartialEq> PartialEq for Dual<T> {
     #[inline]
     fn eq(&self, other: &Self) -> bool {
@@ -184,7 +198,7 @@ impl<T: Real> Div for Dual<T> {
         let slopes = self.gradient - other.gradient * value;
         Self {
             value,
-            gradient: T::divided(slopes.into(), other.value).into(),
+            gradient: slopes / other.value,
         }
     }
 }
@@ -225,7 +239,7 @@ impl<T: Real> Div<T> for Dual<T> {
     fn div(self, number: T) -> Self {
         Self {
             value: self.value / number,
-            gradient: T::divided(self.gradient.into(), number).into(),
+            gradient: self.gradient / number,
         }
     }
 }
@@ -244,3 +258,75 @@ macro_rules! number_first {
 
 number_first!(f32: Add add, Sub sub, Mul mul, Div div);
 number_first!(f64: Add add, Sub sub, Mul mul, Div div);
+
+#[diagnostic::do_not_recommend] // the trait's own message names the types
+impl<T: Real> Real for Dual<T> {
+    const ZERO: Self = Self::constant(T::ZERO);
+    const ONE: Self = Self::constant(T::ONE);
+    const NEG_ONE: Self = Self::constant(T::NEG_ONE);
+    const MAX: Self = Self::constant(T::MAX);
+    const EXTREME: Self = Self::constant(T::EXTREME);
+
+    #[inline]
+    fn of(literal: f64) -> Self {
+        Self::constant(T::of(literal))
+    }
+
+    #[inline]
+    fn of_f32(literal: f32) -> Self {
+        Self::constant(T::of_f32(literal))
+    }
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        Self {
+            value: root,
+            gradient: self.gradient / (root + root),
+        }
+    }
+
+    #[inline]
+    fn if_positive(self, then: Self, otherwise: Self) -> Self {
+        let select = |a, b| self.value.if_positive(a, b);
+        Self {
+            value: select(then.value, otherwise.value),
+            gradient: Vec3::new(
+                select(then.gradient.x, otherwise.gradient.x),
+                select(then.gradient.y, otherwise.gradient.y),
+                select(then.gradient.z, otherwise.gradient.z),
+            ),
+        }
+    }
+
+    #[inline]
+    fn any_positive(self) -> bool {
+        self.value.any_positive()
+    }
+}
+
+impl<T: Elementary> Elementary for Dual<T> {
+    #[inline]
+    fn sin(self) -> Self {
+        self.chain(self.value.sin(), self.value.cos())
+    }
+
+    #[inline]
+    fn cos(self) -> Self {
+        self.chain(self.value.cos(), -self.value.sin())
+    }
+
+    #[inline]
+    fn exp(self) -> Self {
+        let power = self.value.exp();
+        self.chain(power, power)
+    }
+
+    #[inline]
+    fn ln(self) -> Self {
+        let ln = self.value.ln();
+        // below 0, 1/x has a value, but the logarithm does not
+        let slope = (-self.value).if_positive(ln, T::ONE / self.value);
+        self.chain(ln, slope)
+    }
+}

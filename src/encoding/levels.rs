@@ -1,23 +1,39 @@
-//! Levels by a straight line and a comparison, for chips: 1,280 bytes for 8 bits, 640 for RGB565.
+//! Levels by a straight line and a comparison, 1,280 bytes for 8 bits, 640 for RGB565.
 //!
 //! A line for each quarter of an octave guesses the level, in the numbers' bits. The guess is the level
 //! or the one below, which a comparison with the beginning of the next level decides.
 
-use super::edges::{NAN, between, encoded, in_order, next_edges, order};
+use super::edges::{encoded, next_edges};
 
 /// The first place is level 0, the last is the highest level; a mask finds the lines from one to the other.
 const FIRST: i32 = order(1.0 / 8192.0) + 1;
 const LAST: i32 = order(1.0) - 1;
 
-/// The bits of a number, brought into a range; NaN counts as dark.
+/// The most by which the bits of a NaN exceed those of infinity.
+const NAN: u32 = 0x007F_FFFF;
+
+/// The place of a number in the order of all numbers. As signed integers, the bits of positive floats are
+/// in order, and those of negative floats are below them. The sum wraps every NaN around to below all.
+const fn order(x: f32) -> i32 {
+    x.to_bits().wrapping_add(NAN) as i32
+}
+
 #[inline]
-pub(crate) const fn clamped(x: f32, low: f32, high: f32) -> u32 {
-    in_order(x, low, high)
+const fn between(x: f32, first: i32, last: i32) -> i32 {
+    let place = order(x);
+    let place = if place < first { first } else { place };
+    if place > last { last } else { place }
+}
+
+/// The bits of a number, brought into a range in this order; NaN counts as dark.
+#[inline]
+pub(super) const fn in_order(x: f32, low: f32, high: f32) -> u32 {
+    between(x, order(low), order(high)) as u32 - NAN
 }
 
 /// Where a number stands among the edges of the levels.
 #[inline]
-pub(crate) const fn place(x: f32) -> u32 {
+const fn place(x: f32) -> u32 {
     between(x, FIRST, LAST) as u32
 }
 
@@ -69,23 +85,38 @@ const fn guess(place: u32) -> u32 {
     place.wrapping_mul(line & 0xFF).wrapping_add(line)
 }
 
-/// The level at a place, of 256.
+/// The level of a channel, of 256.
 #[inline]
-pub(crate) const fn eight_bits(place: u32) -> u32 {
+pub(super) const fn eight_bits(channel: f32) -> u32 {
+    eight_bits_at(place(channel))
+}
+
+#[inline]
+const fn eight_bits_at(place: u32) -> u32 {
     let level = guess(place) >> 24;
     level + (place >= EIGHT_BITS[level as usize % 256]) as u32
 }
 
 /// Of 64.
 #[inline]
-pub(crate) const fn six_bits(place: u32) -> u32 {
+pub(super) const fn six_bits(channel: f32) -> u32 {
+    six_bits_at(place(channel))
+}
+
+#[inline]
+const fn six_bits_at(place: u32) -> u32 {
     let level = ((guess(place) >> 16) * 63 + 0x6000) >> 16;
     level + (place >= SIX_BITS[level as usize % 64]) as u32
 }
 
 /// Of 32.
 #[inline]
-pub(crate) const fn five_bits(place: u32) -> u32 {
+pub(super) const fn five_bits(channel: f32) -> u32 {
+    five_bits_at(place(channel))
+}
+
+#[inline]
+const fn five_bits_at(place: u32) -> u32 {
     let level = ((guess(place) >> 16) * 31 + 0x6000) >> 16;
     level + (place >= FIVE_BITS[level as usize % 32]) as u32
 }
@@ -112,6 +143,6 @@ macro_rules! assert_right {
     };
 }
 
-assert_right!(eight_bits: 256);
-assert_right!(six_bits: 64);
-assert_right!(five_bits: 32);
+assert_right!(eight_bits_at: 256);
+assert_right!(six_bits_at: 64);
+assert_right!(five_bits_at: 32);
