@@ -9,6 +9,8 @@
     clippy::cast_sign_loss
 )]
 
+#[path = "time/forms.rs"]
+mod forms;
 #[path = "time/hand.rs"]
 mod hand;
 #[path = "time/ours.rs"]
@@ -35,23 +37,22 @@ const COUNTS: [usize; 3] = [1, 4, 16];
 /// The sums in a loop, or by a call, beside a vector type of `glam`.
 macro_rules! sums {
     ($races:ident, $call:literal, $limit:literal, $($float:ident $hand:ident),*) => {$(
+        let float = |v: &[f64; 3]| v.map(|x| x as $float);
         for (data, coherent) in DATA {
-            let scene = COUNTS.map(|count| (scene::points(coherent, count), scene::lamps(count)));
-            let ours = scene.each_ref().map(|(points, lamps)| {
-                let float = |v: &[f64; 3]| v.map(|x| x as $float);
+            let scenes = COUNTS.map(|count| (scene::points(coherent, count), scene::lamps(count)));
+            let ours = scenes.each_ref().map(|(points, lamps)| {
                 let points: Vec<_> = points.iter().map(|point| point.each_ref().map(float)).collect();
                 (points, ours::$float::lamps(&lamps.iter().map(float).collect::<Vec<_>>()))
             });
-            let theirs = scene.each_ref().map(|(points, lamps)| {
+            let theirs = scenes.map(|(points, lamps)| {
                 let points: Vec<_> = points.iter().map(|point| point.map(hand::$hand::vector)).collect();
-                (points, hand::$hand::lamps(lamps))
+                (points, lamps.into_iter().map(hand::$hand::lamp).collect::<Vec<_>>())
             });
             for (i, model) in MODELS.iter().enumerate() {
                 let pairs = ours.iter().zip(&theirs).map(|(ours, theirs)| {
                     let ours = ours::$float::sums::<$call>(&ours.0, &ours.1);
                     let theirs = hand::$hand::sums::<$call>(&theirs.0, &theirs.1);
-                    let nth = |passes: [_; 4]| passes.into_iter().nth(i).unwrap();
-                    [nth(ours), nth(theirs)]
+                    ours.into_iter().zip(theirs).nth(i).unwrap().into()
                 });
                 $races.row(&format!("{} {model}, {data}", stringify!($float)), $limit, pairs);
             }
@@ -83,6 +84,14 @@ fn main() -> ExitCode {
     if chosen("Vec3A") {
         races.table("A sum in a loop, beside `glam::Vec3A`", &counts);
         sums!(races, false, 1.0, f32 vec3a);
+    }
+    if chosen("forms") {
+        races.table("Forms of lights, beside `glam`", &["in a loop"]);
+        let lamps = scene::lamps(4);
+        for (data, coherent) in DATA {
+            forms::f32::race(&mut races, data, &scene::points(coherent, 1), &lamps);
+            forms::f64::race(&mut races, data, &scene::points(coherent, 1), &lamps);
+        }
     }
     for miss in &races.misses {
         eprintln!("{miss}");
