@@ -1,4 +1,4 @@
-//! The shortest way to a picture: `cargo run -p ball` writes `ball.ppm`.
+//! The shortest way to a picture: `cargo run --example ball` writes `ball.bmp`.
 
 use shading::f32::{Attenuation, Material, PointLight, Rgb, UnitVec3, Vec3};
 use shading::shade;
@@ -13,7 +13,7 @@ const CLAY: Material = Material {
 const LAMP: PointLight = PointLight {
     position: Vec3::new(-2.0, 2.0, 3.0),
     intensity: Rgb::WHITE,
-    attenuation: Attenuation::new(0.5, 0.0, 0.03).unwrap(),
+    attenuation: Attenuation::const_new(0.5, 0.0, 0.03).unwrap(),
 };
 
 /// The light that the unit sphere sends to a distant eye at (x, y).
@@ -28,12 +28,16 @@ fn pixel(x: f32, y: f32) -> Rgb {
 }
 
 fn main() -> std::io::Result<()> {
-    let mut picture = format!("P6 {SIZE} {SIZE} 255\n").into_bytes();
+    let side = u32::from(SIZE);
+    let header = [54 + 3 * side * side, 0, 54, 40, side, side, 1 | 24 << 16];
+    let mut file = b"BM".to_vec();
+    file.extend(header.into_iter().chain([0; 6]).flat_map(u32::to_le_bytes));
     let coordinate = |i: u16| (f32::from(i) + 0.5) / f32::from(SIZE) * 2.2 - 1.1;
     for (row, column) in (0..SIZE).flat_map(|row| (0..SIZE).map(move |column| (row, column))) {
-        picture.extend(pixel(coordinate(column), -coordinate(row)).to_srgb8());
+        let [r, g, b] = pixel(coordinate(column), coordinate(row)).to_srgb8();
+        file.extend([b, g, r]);
     }
-    std::fs::write("ball.ppm", picture)?;
-    println!("ball.ppm");
+    std::fs::write("ball.bmp", file)?;
+    println!("ball.bmp");
     Ok(())
 }
