@@ -6,7 +6,7 @@
 //! microcontroller with a display, or to check a shader.
 //!
 // Inside the page, because a registry shows no relative links and a page without a network no absolute ones. Renew it by
-// convert docs/pictures/16_teapot.png -crop 800x530+0+30 -resize 480x -quality 85 -strip jpg:- | base64 --wrap=0
+// convert docs/pictures/teapot.png -crop 800x530+0+30 -resize 480x -quality 85 -strip jpg:- | base64 --wrap=0
 #![cfg_attr(doc, doc = include_str!("teapot.html"))]
 //!
 //! ```
