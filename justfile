@@ -27,13 +27,10 @@ bench:
 renew *what:
     .ci/renew {{what}}
 
-# draw the gallery into target/gallery, and redraw the READMEs' pictures
+# redraw the gallery's pictures that the pages show
 pictures:
     cargo run --release -p gallery
-    cargo run --release -p gallery -- --readme
-    cargo run --release -p display -- target/display
-    cp target/display/ball.png docs/pictures/ball_on_a_display.png
-    tests/firmware/frame.sh
+    .ci/gallery --renew
 
 # open the documentation in a browser
 doc:

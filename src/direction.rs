@@ -1,8 +1,7 @@
 //! The reflection vector R and the half vector H.
 
-use crate::real::{Real, Scalar, triple};
+use crate::real::{Real, Scalar};
 use crate::unit::UnitVec3;
-use crate::vector::Vec3;
 
 /// The reflection vector R: the direction L mirrored in the normal N.
 ///
@@ -31,7 +30,8 @@ use crate::vector::Vec3;
 #[inline]
 #[must_use]
 pub fn reflection<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> UnitVec3<T> {
-    UnitVec3::assume_unit(triple::reflection(n.into(), l.into()).into())
+    let n_dot_l = n.dot(l);
+    UnitVec3::assume_unit(*n * (n_dot_l + n_dot_l) - *l)
 }
 
 /// The half vector H: the direction halfway between L and V.
@@ -59,11 +59,5 @@ pub fn reflection<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> UnitVec3<T> {
 #[inline]
 #[must_use]
 pub fn half_vector<T: Real + Scalar>(l: UnitVec3<T>, v: UnitVec3<T>) -> Option<UnitVec3<T>> {
-    between(l, v).unit()
-}
-
-/// L + V, the half vector before normalization.
-#[inline]
-pub(crate) fn between<T: Real>(l: UnitVec3<T>, v: UnitVec3<T>) -> Vec3<T> {
-    *l + *v
+    (*l + *v).unit()
 }

@@ -6,7 +6,7 @@
 //! microcontroller with a display, or to check a shader.
 //!
 // Inside the page, because a registry shows no relative links and a page without a network no absolute ones. Renew it by
-// convert docs/pictures/16_teapot.png -crop 800x530+0+30 -resize 480x -quality 85 -strip jpg:- | base64 --wrap=0
+// convert docs/pictures/teapot.png -crop 800x530+0+30 -resize 480x -quality 85 -strip jpg:- | base64 --wrap=0
 #![cfg_attr(doc, doc = include_str!("teapot.html"))]
 //!
 //! ```
@@ -16,7 +16,7 @@
 //! static LAMP: PointLight = PointLight {
 //!     position: Vec3::new(2.0, 0.0, 2.0),
 //!     intensity: Rgb::new(1.0, 0.8, 0.6),
-//!     attenuation: Attenuation::new(1.0, 0.0, 0.25).unwrap(), // 1/(1 + q²/4)
+//!     attenuation: Attenuation::const_new(1.0, 0.0, 0.25).unwrap(), // 1/(1 + q²/4)
 //! };
 //! let [k_a, k_d, k_s] = [0.1, 0.6, 0.3].map(Rgb::gray);
 //! let clay = Material { k_a, k_d, k_s, m: 32 };
@@ -36,8 +36,8 @@
 //! | N, V, a [`Material`], lights | the reflected light | [`shade::lambert`], [`shade::phong`], [`shade::blinn_phong`] |
 //! | N, L, V | R or H | [`reflection`], [`half_vector`] |
 //! | N, L, R, V or H | one factor of the formula | [`mod@term`] |
-//! | a distance | the falloff of the light | [`attenuation()`], [`Attenuation`]; with a range, [`Ranged`] |
-//! | a spot's axis and L | the share of its light that arrives | [`Cone`]; with a soft edge, [`SoftCone`] |
+//! | a distance | the falloff of the light | [`attenuation()`], [`Attenuation`] |
+//! | a spot's axis and L | the share of its light that arrives | [`Cone`] |
 //! | linear light | the bytes of a picture or a display, and back | [`to_srgb8`](Rgb::<f32>::to_srgb8), [`to_rgb565`](Rgb::<f32>::to_rgb565), [`from_srgb8`](Rgb::from_srgb8), [`from_rgb565`](Rgb::from_rgb565) |
 //! | a scene in one number type | short type names | [`mod@f32`], [`mod@f64`] |
 //! | a number type of your own | everything above for that type | [`Real`] |
@@ -70,9 +70,6 @@
 //! - `bytemuck` implements `Pod` for [`Vec3`] and [`Rgb`], and `NoUninit` for [`UnitVec3`].
 //!   [`guide::buffers`] shows how to fill uniform buffers with them.
 //! - `defmt` implements `Format` for all types, so that a microcontroller can log them.
-//! - `fixed` adds `fixed::Fixed`, a number with 16 bits before the binary point and 16 after it, for
-//!   processors without an FPU, and the types of a scene in it. [`guide::embedded`] says which
-//!   number suits which chip.
 //! - `mint` converts [`Vec3`] from and to `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to
 //!   `Vector3`. Through these types it converts to the vectors of any version of glam, nalgebra,
 //!   cgmath, euclid and vek.
@@ -83,10 +80,8 @@
 //!   has the bits of the scalar, except on 32-bit Arm with NEON, whose `f32` instructions flush
 //!   subnormal numbers. On x86 without SSE2 the feature does not build. `cast` converts a scene of
 //!   scalars into lanes, to shade several points at once: `light.cast(f32x8::splat)`. To shade
-//!   one point with several lights at once, [`PointLight::all_at`](PointLight#method.all_at) puts
-//!   the lights of a slice into lanes as it goes, and
-//!   [`PointLight::packed`](PointLight#method.packed) puts them there in advance. The page of
-//!   [`Lanes`](trait@Lanes) lists the functions that do not take lanes.
+//!   one point with several lights at once, [`PointLight::packed`](PointLight#method.packed) puts
+//!   lights into lanes. The page of [`Lanes`](trait@Lanes) lists the functions that do not take lanes.
 //!
 //! # The floors
 //!
@@ -96,11 +91,11 @@
 //! |---|---|
 //! | 6 names | `aliases` |
 //! | 5 the model | `shade` |
-//! | 4 scenes | `light`, `material` |
-//! | 3 formulas | `flag`, `direction`, `term`, `normal`, `attenuation`, `range`, `cone`, `soft_cone` |
+//! | 4 scenes | `light` |
+//! | 3 formulas | `direction`, `term`, `normal`, `attenuation`, `cone` |
 //! | 2 differentiation | `dual` |
-//! | 1 vectors, colors | `componentwise`, `vector`, `unit`, `rgb`, `encoding` |
-//! | 0 numbers | `real`, `elementary`, `exponent` |
+//! | 1 vectors, colors | `vector`, `unit`, `rgb`, `encoding` |
+//! | 0 numbers | `real`, `exponent`, `elementary` |
 #![no_std]
 #![deny(unsafe_code)]
 #![cfg_attr(
@@ -119,7 +114,6 @@ mod elementary;
 mod exponent;
 mod real;
 
-mod componentwise;
 mod encoding;
 mod rgb;
 mod unit;
@@ -130,14 +124,10 @@ mod dual;
 mod attenuation;
 mod cone;
 mod direction;
-mod flag;
 pub mod normal;
-mod range;
-mod soft_cone;
 pub mod term;
 
 mod light;
-mod material;
 
 pub mod shade;
 
@@ -145,24 +135,19 @@ mod aliases;
 mod features;
 
 pub use aliases::{f32, f64};
-pub use attenuation::{Attenuation, Falloff, attenuation};
-pub use cone::{Beam, Cone};
+pub use attenuation::{Attenuation, attenuation};
+pub use cone::Cone;
 pub use direction::{half_vector, reflection};
 pub use dual::Dual;
 pub use elementary::Elementary;
 pub use exponent::Exponent;
-#[cfg(feature = "fixed")]
-pub use features::fixed;
 #[cfg(feature = "wide")]
-pub use features::{InLanes, Lanes};
-pub use light::{DirectionalLight, IncidentLight, Light, Lights, PointLight, SpotLight};
-pub use material::Material;
-pub use range::Ranged;
+pub use features::Lanes;
+pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
 pub use real::{Real, Scalar};
 pub use rgb::Rgb;
 #[doc(inline)]
-pub use shade::Shaded;
-pub use soft_cone::SoftCone;
+pub use shade::{Material, Shaded};
 pub use unit::UnitVec3;
 pub use vector::Vec3;
 

@@ -168,9 +168,9 @@ pub fn blinn<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: UnitVec3<T>, m: M) -> T
 ///
 /// let normalization = term::phong_normalization(32.0); // once per material
 /// let light = sun.at(Vec3::ZERO);
-/// let highlight = normalization * term::phong(reflection(n, light.l), v, 32);
+/// let highlight = normalization * term::phong(reflection(n, light.l()), v, 32);
 /// let brdf = k_d * FRAC_1_PI + k_s * highlight;
-/// let returned = light.intensity * brdf * term::lambert(n, light.l);
+/// let returned = light.intensity() * brdf * term::lambert(n, light.l());
 /// assert!((returned.r - (0.5 + 0.25 * 17.0) * FRAC_1_PI).abs() < 1e-6);
 /// ```
 #[doc(alias = "energy")]

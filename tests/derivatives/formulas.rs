@@ -1,8 +1,8 @@
 //! Formulas of the crate, in any number.
 
 use shading::{
-    Attenuation, DirectionalLight, Material, PointLight, Ranged, Real, Rgb, SoftCone, SpotLight,
-    UnitVec3, Vec3, normal, reflection, shade,
+    Attenuation, Cone, DirectionalLight, Material, PointLight, Real, Rgb, SpotLight, UnitVec3,
+    Vec3, normal, reflection, shade,
 };
 
 /// As many numbers as [`everywhere`] takes.
@@ -29,8 +29,8 @@ pub fn everywhere<T: Real>(numbers: &Numbers<T>) -> Vec<T> {
 
     let attenuation = Attenuation::<f64>::new(0.5, 0.25, 0.125).expect("valid");
     let ranged = attenuation.within(16.0).expect("a range");
-    let endless = Ranged::from(Attenuation::<f64>::new(0.0, 0.0, 1.0).expect("valid"));
-    let cone = SoftCone::<f64>::from_cosines(0.9375, -0.5).expect("cosines");
+    let endless = Attenuation::<f64>::new(0.0, 0.0, 1.0).expect("valid");
+    let cone = Cone::<f64>::from_cosines(0.9375, -0.5).expect("cosines");
     let change = numbers[33].abs();
     let number = |literal| T::of(literal) + change; // the coefficients have derivatives, too
     let lamp = |attenuation: Attenuation<f64>| PointLight {
@@ -38,12 +38,12 @@ pub fn everywhere<T: Real>(numbers: &Numbers<T>) -> Vec<T> {
         intensity: first,
         attenuation: attenuation.cast(number),
     };
-    let far = |attenuation: Ranged<f64>| PointLight {
+    let far = |attenuation: Attenuation<f64>| PointLight {
         position: a,
         intensity: second,
         attenuation: attenuation.cast(number),
     };
-    let spot = |cone: SoftCone<f64>| SpotLight {
+    let spot = |cone: Cone<f64>| SpotLight {
         point: far(ranged),
         axis,
         cone: cone.cast(T::of),
