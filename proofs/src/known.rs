@@ -64,13 +64,13 @@ impl Known {
         if a == b || x == y && (x.only().is_some() || x == Range::NAN) {
             return true;
         }
-        // x + 0 = x, unless x is −0
+        // x + 0 = x, whatever the sign of that zero, unless x is −0
         let without_zero = |known: &mut Self, sum: u32| {
             let Node::Add(c, d) = g.nodes[sum as usize] else {
                 return None;
             };
             let ranges = [known.range(g, c), known.range(g, d)];
-            let is_zero = ranges.map(|range| range.only() == Some(0.0));
+            let is_zero = ranges.map(|range| Range::within(0.0, 0.0).covers(range));
             match ranges.map(|range| range.minus_zero) {
                 [false, _] if is_zero[1] => Some(c),
                 [_, false] if is_zero[0] => Some(d),
@@ -91,6 +91,10 @@ impl Known {
             | (Node::Sub(c, d), Node::Sub(e, f))
             | (Node::Power(c, d), Node::Power(e, f)) => self.same(g, c, e) && self.same(g, d, f),
             (Node::Sqrt(c), Node::Sqrt(d)) | (Node::Neg(c), Node::Neg(d)) => self.same(g, c, d),
+            (Node::Select(Test::Above(c, d), e, f), Node::Select(Test::Above(h, i), j, k)) => {
+                let is_same = [(c, h), (d, i), (e, j), (f, k)];
+                is_same.into_iter().all(|(a, b)| self.same(g, a, b))
+            }
             _ => false,
         }
     }
@@ -181,7 +185,10 @@ impl Known {
         let has_none = !x.has_numbers() || !y.has_numbers();
         let (is_true, is_false) = match test {
             Test::Above(..) => (x.low > y.high, x.high <= y.low || self.is_at_most(g, a, b)),
-            Test::AtMost(..) => (x.high <= y.low || self.is_at_most(g, a, b), x.low > y.high),
+            Test::AtMost(..) => (
+                x.high <= y.low || self.is_at_most(g, a, b),
+                x.low > y.high || self.facts.contains(&(Test::Above(a, b), true)),
+            ),
             _ => (
                 a == b || x.low == x.high && y.low == y.high && x.low == y.low,
                 x.low > y.high || x.high < y.low,

@@ -86,6 +86,13 @@ impl Known {
             return false;
         }
         let is = |known: &mut Self, x, y| known.is_ordered(g, x, y, depth - 1);
+        // a share of a number that is not negative
+        if let Node::Mul(p, q) = g.nodes[a as usize]
+            && self.range(g, p).low.min(self.range(g, q).low) >= 0.0
+            && (is(self, p, b) && is(self, q, ONE) || is(self, q, b) && is(self, p, ONE))
+        {
+            return true;
+        }
         match (g.nodes[a as usize], g.nodes[b as usize]) {
             (Node::Add(p, q), Node::Add(r, s)) => {
                 is(self, p, r) && is(self, q, s) || is(self, p, s) && is(self, q, r)

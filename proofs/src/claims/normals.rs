@@ -1,0 +1,190 @@
+//! Normals of surfaces.
+
+use shading::{Dual, Real, UnitVec3, Vec3, normal};
+use shading_proofs::{Given, Goal, Range, Term};
+
+use super::given::*;
+
+/// A point of a surface with the partial derivatives that a user's function may give.
+fn surface(s_u: Vec3<Term>, s_v: Vec3<Term>, value: Term) -> Vec3<Dual<Term>> {
+    let dual = |u, v| Dual {
+        value,
+        gradient: Vec3::new(u, v, Term::ZERO),
+    };
+    Vec3 {
+        x: dual(s_u.x, s_v.x),
+        y: dual(s_u.y, s_v.y),
+        z: dual(s_u.z, s_v.z),
+    }
+}
+
+fn parametric(given: Given, s_u: Vec3<Term>, s_v: Vec3<Term>) -> Option<UnitVec3<Term>> {
+    let value = given.any("s");
+    let (u, v) = (given.any("u"), given.any("v"));
+    normal::parametric(|_, _| surface(s_u, s_v, value), u, v)
+}
+
+fn implicit(given: Given, gradient: Vec3<Term>) -> Option<UnitVec3<Term>> {
+    let value = given.any("f");
+    normal::implicit(|_| Dual { value, gradient }, any_vector(given, "p"))
+}
+
+/// Two tangents of which one is anything and the other equal, 0 or broken.
+fn parallel(given: Given) -> (Vec3<Term>, Vec3<Term>) {
+    let t = any_vector(given, "t");
+    let other = match given.one_of(2) {
+        0 => t,
+        _ => without_direction(given, "other"),
+    };
+    [(t, other), (other, t)][given.one_of(2) as usize]
+}
+
+/// Three points of which two are equal, or one is broken.
+fn degenerate(given: Given) -> [Vec3<Term>; 3] {
+    let (a, b) = (any_vector(given, "a"), any_vector(given, "b"));
+    let c = match given.one_of(2) {
+        0 => b,
+        _ => broken(given, "c"),
+    };
+    [[a, b, c], [c, a, b], [b, c, a]][given.one_of(3) as usize]
+}
+
+pub fn triangle_of_any(given: Given) -> Vec<Goal> {
+    let [a, b, c] = ["v1", "v2", "v3"].map(|name| any_vector(given, name));
+    none_or_unit(normal::triangle(a, b, c))
+}
+
+pub fn triangle_of_none(given: Given) -> Vec<Goal> {
+    let [a, b, c] = degenerate(given);
+    none(normal::triangle(a, b, c))
+}
+
+pub fn sphere_of_any(given: Given) -> Vec<Goal> {
+    let (center, p) = (any_vector(given, "center"), any_vector(given, "p"));
+    none_or_unit(normal::sphere(center, p))
+}
+
+pub fn sphere_of_none(given: Given) -> Vec<Goal> {
+    let a = any_vector(given, "a");
+    let (center, p) = match given.one_of(3) {
+        0 => (a, a),
+        1 => (a, broken(given, "b")),
+        _ => (broken(given, "b"), a),
+    };
+    none(normal::sphere(center, p))
+}
+
+pub fn implicit_of_any(given: Given) -> Vec<Goal> {
+    none_or_unit(implicit(given, any_vector(given, "gradient")))
+}
+
+pub fn implicit_of_none(given: Given) -> Vec<Goal> {
+    none(implicit(given, without_direction(given, "gradient")))
+}
+
+pub fn parametric_of_any(given: Given) -> Vec<Goal> {
+    let (s_u, s_v) = (any_vector(given, "s_u"), any_vector(given, "s_v"));
+    none_or_unit(parametric(given, s_u, s_v))
+}
+
+pub fn parametric_of_none(given: Given) -> Vec<Goal> {
+    let (s_u, s_v) = parallel(given);
+    none(parametric(given, s_u, s_v))
+}
+
+pub fn parametric_of_noise(given: Given) -> Vec<Goal> {
+    let noise = 32.0 * given.format().u();
+    let mut t = given.vector("t", Range::within(-1.0, 1.0));
+    t.x = Term::ONE;
+    let small = given.vector("small", Range::within(-noise, noise));
+    let (s_u, s_v) = [(t, small), (small, t)][given.one_of(2) as usize];
+    none(parametric(given, s_u, s_v))
+}
+
+pub fn tangents_of_any(given: Given) -> Vec<Goal> {
+    let (s_u, s_v) = (any_vector(given, "s_u"), any_vector(given, "s_v"));
+    none_or_unit(normal::from_tangents(s_u, s_v))
+}
+
+pub fn tangents_of_none(given: Given) -> Vec<Goal> {
+    let (s_u, s_v) = parallel(given);
+    none(normal::from_tangents(s_u, s_v))
+}
+
+pub fn facing_faces(given: Given) -> Vec<Goal> {
+    let direction = |name| {
+        let numbers = Range::within(-INF, INF);
+        UnitVec3::assume_unit(given.vector(name, numbers))
+    };
+    let (n, v) = (direction("n"), direction("v"));
+    within([normal::facing(n, v).dot(v)], light().or_nan())
+}
+
+pub fn facing_stays(given: Given) -> Vec<Goal> {
+    let (n, v) = (any_direction(given, "n"), any_direction(given, "v"));
+    if Term::ZERO > n.dot(v) {
+        return vec![];
+    }
+    same(normal::facing(n, v), n)
+}
+
+/// A vector of any bits, but for its square between 1/p and p.
+fn tame(given: Given, name: &str) -> Vec3<Term> {
+    let v = any_vector(given, name);
+    given.assume_above(v.dot(v), Term::ONE / Term::EXTREME);
+    given.assume_above(Term::EXTREME, v.dot(v));
+    v
+}
+
+pub fn transformed_of_any(given: Given) -> Vec<Goal> {
+    let columns = ["a", "b", "c"].map(|name| tame(given, name));
+    none_or_unit(normal::transformed(any_direction(given, "n"), columns))
+}
+
+pub fn transformed_of_none(given: Given) -> Vec<Goal> {
+    let columns = ["a", "b", "c"].map(|name| tame(given, name));
+    let n = UnitVec3::assume_unit(without_direction(given, "n"));
+    none(normal::transformed(n, columns))
+}
+
+fn vertices(given: Given) -> [Vec3<Term>; 3] {
+    ["a", "b", "c"].map(|name| any_vector(given, name))
+}
+
+pub fn tangent_of_any(given: Given) -> Vec<Goal> {
+    let map = ["1", "2", "3"].map(|i| ["x", "y"].map(|axis| given.any(&format!("{axis}{i}"))));
+    let made = normal::tangent(vertices(given), map);
+    made.map_or(vec![], |(t, handedness)| {
+        let sign = within([handedness], Range::within(-1.0, 1.0));
+        [components(t, component()), sign].concat()
+    })
+}
+
+pub fn tangent_of_none(given: Given) -> Vec<Goal> {
+    let [p, q] = ["1", "2"].map(|i| ["x", "y"].map(|axis| given.any(&format!("{axis}{i}"))));
+    let map = [[p, p, q], [p, q, p], [q, p, p]][given.one_of(3) as usize];
+    none(normal::tangent(vertices(given), map))
+}
+
+pub fn corner_of_none(given: Given) -> Vec<Goal> {
+    let [a, b, c] = degenerate(given);
+    components(normal::corner(a, b, c), nothing())
+}
+
+pub fn mapped_of_any(given: Given) -> Vec<Goal> {
+    let (n, t) = (any_direction(given, "n"), any_vector(given, "t"));
+    let (handedness, s) = (given.any("handedness"), any_vector(given, "s"));
+    none_or_unit(normal::mapped(n, t, handedness, s))
+}
+
+pub fn mapped_of_none(given: Given) -> Vec<Goal> {
+    let (n, t) = (any_direction(given, "n"), any_vector(given, "t"));
+    let (handedness, s) = (given.any("handedness"), any_vector(given, "s"));
+    let nothing = without_direction(given, "nothing");
+    none(match given.one_of(4) {
+        0 => normal::mapped(UnitVec3::assume_unit(nothing), t, handedness, s),
+        1 => normal::mapped(n, nothing, handedness, s),
+        2 => normal::mapped(n, t, handedness, nothing),
+        _ => normal::mapped(n, *n, handedness, s),
+    })
+}

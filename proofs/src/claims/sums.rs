@@ -1,0 +1,209 @@
+//! The reflected light.
+
+use shading::{IncidentLight, Light, Material, Real, Rgb, Shaded, UnitVec3, shade};
+use shading_proofs::{Given, Goal, Node, Term, Test, with};
+
+use super::given::*;
+
+/// A surface, the eye and the ambient light.
+struct Scene {
+    n: UnitVec3<Term>,
+    v: UnitVec3<Term>,
+    material: Material<Term, Term>,
+    i_a: Rgb<Term>,
+}
+
+fn scene(given: Given) -> Scene {
+    Scene {
+        n: given.unit("n"),
+        v: given.unit("v"),
+        material: material(given),
+        i_a: given.rgb("I_a"),
+    }
+}
+
+fn of_any_directions(given: Given) -> Scene {
+    Scene {
+        n: any_direction(given, "n"),
+        v: any_direction(given, "v"),
+        material: material(given),
+        i_a: given.rgb("I_a"),
+    }
+}
+
+impl Scene {
+    fn lambert(&self, lights: &[IncidentLight<Term>]) -> Shaded<Term> {
+        shade::lambert(self.n, &self.material, self.i_a, lights.iter().copied())
+    }
+
+    fn phong(&self, lights: &[IncidentLight<Term>]) -> Shaded<Term> {
+        shade::phong(
+            self.n,
+            self.v,
+            &self.material,
+            self.i_a,
+            lights.iter().copied(),
+        )
+    }
+
+    fn blinn_phong(&self, lights: &[IncidentLight<Term>]) -> Shaded<Term> {
+        shade::blinn_phong(
+            self.n,
+            self.v,
+            &self.material,
+            self.i_a,
+            lights.iter().copied(),
+        )
+    }
+
+    /// One of the three models, each of which is proved apart.
+    fn any_model(&self, given: Given) -> impl Fn(&[IncidentLight<Term>]) -> Shaded<Term> {
+        let model = given.one_of(3);
+        move |lights| match model {
+            0 => self.lambert(lights),
+            1 => self.phong(lights),
+            _ => self.blinn_phong(lights),
+        }
+    }
+}
+
+/// No channel is negative or NaN, nor one of the total.
+fn is_light(s: Shaded<Term>) -> Vec<Goal> {
+    let colors = [s.ambient, s.diffuse, s.specular, s.total()];
+    colors.map(|color| components(color, light())).concat()
+}
+
+fn lights(given: Given) -> [IncidentLight<Term>; 2] {
+    ["l1", "l2"].map(|name| sun(given, given.unit(name)))
+}
+
+pub fn lambert(given: Given) -> Vec<Goal> {
+    is_light(scene(given).lambert(&lights(given)))
+}
+
+pub fn phong(given: Given) -> Vec<Goal> {
+    is_light(scene(given).phong(&lights(given)))
+}
+
+pub fn blinn_phong(given: Given) -> Vec<Goal> {
+    is_light(scene(given).blinn_phong(&lights(given)))
+}
+
+pub fn lit_by_a_lamp(given: Given) -> Vec<Goal> {
+    let lamp = lamp(given, any_vector(given, "position"));
+    is_light(scene(given).blinn_phong(&[lamp.at(any_vector(given, "p"))]))
+}
+
+/// The terms of a sum that is limited to MAX and multiplied by a reflectance, the last first.
+fn added(channel: Term) -> Vec<Term> {
+    with(|g| {
+        let limit_of = |id: u32| match g.nodes[id as usize] {
+            Node::Select(Test::Above(sum, 3), 3, _) => Some(sum),
+            _ => None,
+        };
+        let Node::Mul(a, b) = g.nodes[channel.0 as usize] else {
+            panic!("no product")
+        };
+        let mut sum = limit_of(a).or(limit_of(b)).expect("a limit");
+        let mut terms = Vec::new();
+        while let Node::Add(a, b) = g.nodes[sum as usize] {
+            // the sum so far was recorded before the term
+            (sum, _) = (a.min(b), terms.push(Term(a.max(b))));
+        }
+        assert_eq!(sum, Term::ZERO.0, "the sum begins at 0");
+        terms
+    })
+}
+
+pub fn any_number_of_lights(given: Given) -> Vec<Goal> {
+    let scene = scene(given);
+    let lit = scene.any_model(given)(&lights(given));
+    let mut terms = Vec::new();
+    for channel in [lit.diffuse.r, lit.specular.r] {
+        if channel.0 != Term::ZERO.0 {
+            terms.extend(added(channel));
+        }
+    }
+    within(terms, light())
+}
+
+/// A light that adds nothing, to the bit, before or after another.
+fn adds_nothing(given: Given, scene: &Scene, light: IncidentLight<Term>) -> Vec<Goal> {
+    let other = sun(given, any_direction(given, "other"));
+    let lights = [[light, other], [other, light]][given.one_of(2) as usize];
+    let model = scene.any_model(given);
+    let (with, without) = (model(&lights), model(&[other]));
+    let colors = |s: Shaded<Term>| [s.ambient, s.diffuse, s.specular, s.total()];
+    let pairs = colors(with).into_iter().zip(colors(without));
+    pairs.flat_map(|(a, b)| same(a, b)).collect()
+}
+
+pub fn behind(given: Given) -> Vec<Goal> {
+    let scene = of_any_directions(given);
+    let light = sun(given, any_direction(given, "l"));
+    if light.is_in_front(scene.n) {
+        return vec![];
+    }
+    adds_nothing(given, &scene, light)
+}
+
+pub fn lamp_behind(given: Given) -> Vec<Goal> {
+    let scene = of_any_directions(given);
+    let Some(spot) = spot(given, any_vector(given, "position")) else {
+        return vec![];
+    };
+    let light = [Light::from(spot), Light::from(spot.point)][given.one_of(2) as usize];
+    let light = light.at(any_vector(given, "p"));
+    if light.is_in_front(scene.n) {
+        return vec![];
+    }
+    adds_nothing(given, &scene, light)
+}
+
+pub fn black_light(given: Given) -> Vec<Goal> {
+    let light = sun(given, given.unit("l")) * Rgb::BLACK;
+    adds_nothing(given, &scene(given), light)
+}
+
+pub fn broken_lamp(given: Given) -> Vec<Goal> {
+    let lamp = lamp(given, broken(given, "position"));
+    let light = lamp.at(finite_vector(given, "p"));
+    adds_nothing(given, &scene(given), light)
+}
+
+pub fn opposite(given: Given) -> Vec<Goal> {
+    let scene = scene(given);
+    let light = sun(given, -scene.v);
+    black(scene.blinn_phong(&[light]).specular)
+}
+
+pub fn black_surface(given: Given) -> Vec<Goal> {
+    let mut scene = scene(given);
+    (scene.material.k_d, scene.material.k_s) = (Rgb::BLACK, Rgb::BLACK);
+    let lit = scene.any_model(given)(&lights(given));
+    [black(lit.diffuse), black(lit.specular)].concat()
+}
+
+fn at_most(a: Rgb<Term>, b: Rgb<Term>) -> Vec<Goal> {
+    let pairs = [(a.r, b.r), (a.g, b.g), (a.b, b.b)];
+    pairs.map(|(a, b)| Goal::AtMost(a, b)).into()
+}
+
+pub fn reflected_at_most(given: Given) -> Vec<Goal> {
+    let scene = scene(given);
+    let lit = scene.any_model(given)(&lights(given));
+    let most = |k: Rgb<Term>| k * Term::MAX;
+    let (k_d, k_s) = (scene.material.k_d, scene.material.k_s);
+    [
+        at_most(lit.diffuse, most(k_d)),
+        at_most(lit.specular, most(k_s)),
+    ]
+    .concat()
+}
+
+pub fn highlight_at_most(given: Given) -> Vec<Goal> {
+    let scene = scene(given);
+    let light = sun(given, given.unit("l"));
+    let lit = scene.any_model(given)(&[light]);
+    at_most(lit.specular, light.intensity() * scene.material.k_s)
+}

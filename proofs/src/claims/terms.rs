@@ -1,0 +1,214 @@
+//! The terms of the model, what floats override, and numbers that differentiate.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use shading::{Dual, Elementary, Exponent, Real, term};
+use shading_proofs::{Given, Goal, Range, Term};
+
+use super::given::*;
+
+pub fn ambient(given: Given) -> Vec<Goal> {
+    components(term::ambient(given.rgb("k_a"), given.rgb("I_a")), light())
+}
+
+pub fn lambert_of_any(given: Given) -> Vec<Goal> {
+    let (n, l) = (any_direction(given, "n"), any_direction(given, "l"));
+    within([term::lambert(n, l)], light())
+}
+
+pub fn lambert_behind(given: Given) -> Vec<Goal> {
+    let (n, l) = (any_direction(given, "n"), any_direction(given, "l"));
+    if n.dot(l) > Term::ZERO {
+        return vec![];
+    }
+    within([term::lambert(n, l)], Range::unsigned(0.0, 0.0))
+}
+
+pub fn lambert_of_units(given: Given) -> Vec<Goal> {
+    let most = 1.0 + 16.0 * given.format().u();
+    let lambert = term::lambert(given.unit("n"), given.unit("l"));
+    within([lambert], Range::within(0.0, most))
+}
+
+/// Small ones, odd and even, and the largest: what a power by squaring does with bits.
+const SHININESS: [u32; 12] = [1, 2, 3, 5, 10, 32, 50, 127, 1000, 1024, 65_535, u32::MAX];
+
+fn powers(given: Given, cosine: Range, ms: &[u32], range: Range) -> Vec<Goal> {
+    let cosine = given.number("cosine", cosine);
+    within(ms.iter().map(|m| m.raise(cosine)), range)
+}
+
+pub fn powers_of_any(given: Given) -> Vec<Goal> {
+    powers(given, Range::ANY, &SHININESS, Range::unsigned(0.0, 1.0))
+}
+
+pub fn powers_in_the_dark(given: Given) -> Vec<Goal> {
+    let dark = Range::within(-INF, 0.0).or_nan();
+    let none = Range::unsigned(0.0, 0.0);
+    [
+        powers(given, dark, &SHININESS, none),
+        powers(given, dark, &[0], none),
+    ]
+    .concat()
+}
+
+pub fn powers_of_one(given: Given) -> Vec<Goal> {
+    let lit = Range::within(given.format().tiny(), INF);
+    let (one, bright) = (Range::within(1.0, 1.0), Range::within(1.0, INF));
+    [
+        powers(given, bright, &SHININESS, one),
+        powers(given, lit, &[0], one),
+    ]
+    .concat()
+}
+
+pub fn phong_normalization(given: Given) -> Vec<Goal> {
+    let range = Range::within(0.3, given.format().max());
+    within([term::phong_normalization(given.any("m"))], range)
+}
+
+/// Any bits, in parts: up to 1, and then by powers of two of which each halves what is left of the exponents, so
+/// that m/m is not lost to the ends of an interval.
+fn in_parts(given: Given) -> Range {
+    let largest = 1 << (given.format().shape().0 - 1);
+    let mut parts = vec![Range::within(-INF, 0.0).or_nan(), Range::within(0.0, 1.0)];
+    let mut exponent = 0;
+    while exponent < largest - 1 {
+        let next = exponent + (largest - exponent + 1) / 2;
+        let next = next.min(largest - 1);
+        parts.push(Range::within(2.0_f64.powi(exponent), 2.0_f64.powi(next)));
+        exponent = next;
+    }
+    parts.push(Range::within(2.0_f64.powi(exponent), INF));
+    parts[given.one_of(u32::try_from(parts.len()).expect("few")) as usize]
+}
+
+pub fn blinn_normalization(given: Given) -> Vec<Goal> {
+    let m = given.number("m", in_parts(given));
+    let range = Range::within(0.02, given.format().max());
+    within([term::blinn_normalization(m)], range)
+}
+
+pub fn normalization_of_invalid(given: Given) -> Vec<Goal> {
+    let m = given.number("m", Range::within(-INF, 0.0).or_nan());
+    let zero = Term::ZERO;
+    vec![
+        Goal::Same(
+            term::phong_normalization(m),
+            term::phong_normalization(zero),
+        ),
+        Goal::Same(
+            term::blinn_normalization(m),
+            term::blinn_normalization(zero),
+        ),
+    ]
+}
+
+/// A number that records, with the trait's own methods.
+#[derive(Clone, Copy)]
+struct Derived(Term);
+
+macro_rules! operators {
+    ($($trait:ident::$method:ident)*) => {
+        $(impl $trait for Derived {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                Self(self.0.$method(other.0))
+            }
+        })*
+    };
+}
+operators!(Add::add Sub::sub Mul::mul Div::div);
+
+impl Neg for Derived {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl Real for Derived {
+    const ZERO: Self = Self(Term::ZERO);
+    const ONE: Self = Self(Term::ONE);
+    const NEG_ONE: Self = Self(Term::NEG_ONE);
+    const MAX: Self = Self(Term::MAX);
+    const EXTREME: Self = Self(Term::EXTREME);
+    fn of(literal: f64) -> Self {
+        Self(Term::of(literal))
+    }
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+    fn if_positive(self, then: Self, otherwise: Self) -> Self {
+        Self(self.0.if_positive(then.0, otherwise.0))
+    }
+    fn any_positive(self) -> bool {
+        self.0.any_positive()
+    }
+}
+
+pub fn overrides(given: Given) -> Vec<Goal> {
+    let [x, y, a, b] = ["x", "y", "a", "b"].map(|name| Derived(given.any(name)));
+    let pairs = [
+        (x.if_above(y, a, b), x.0.if_above(y.0, a.0, b.0)),
+        (x.at_least(y), x.0.at_least(y.0)),
+        (x.at_most(y), x.0.at_most(y.0)),
+        (x.abs(), x.0.abs()),
+    ];
+    pairs
+        .map(|(derived, own)| Goal::Same(derived.0, own))
+        .into()
+}
+
+fn dual(given: Given, name: &str, value: Range, gradient: Range) -> Dual<Term> {
+    Dual {
+        value: given.number(name, value),
+        gradient: given.vector(&format!("∇{name}"), gradient),
+    }
+}
+
+/// Numbers of either sign up to a power of two.
+fn up_to(exponent: i32) -> Range {
+    Range::within(-2.0_f64.powi(exponent), 2.0_f64.powi(exponent))
+}
+
+fn is_finite(given: Given, x: Dual<Term>) -> Vec<Goal> {
+    let mut goals = components(x.gradient, finite(given));
+    goals.push(Goal::Within(x.value, finite(given)));
+    goals
+}
+
+pub fn dual_values(given: Given) -> Vec<Goal> {
+    let [f, g] = ["f", "g"].map(|name| dual(given, name, Range::ANY, Range::ANY));
+    let (x, y) = (f.value, g.value);
+    let both = [
+        (f + g, x + y),
+        (f - g, x - y),
+        (f * g, x * y),
+        (f / g, x / y),
+        (f.sqrt(), x.sqrt()),
+        (-f, -x),
+    ];
+    let powers = [-3, -1, 0, 1, 2, 7].map(|m| (f.powi(m), x.powi(m)));
+    let pairs = both.into_iter().chain(powers);
+    pairs
+        .map(|(dual, number)| Goal::Same(dual.value, number))
+        .collect()
+}
+
+pub fn dual_products(given: Given) -> Vec<Goal> {
+    let [f, g] = ["f", "g"].map(|name| dual(given, name, up_to(62), up_to(62)));
+    [f + g, f - g, f * g].map(|x| is_finite(given, x)).concat()
+}
+
+pub fn dual_quotients(given: Given) -> Vec<Goal> {
+    let least = Range::within(2.0_f64.powi(-30), 2.0_f64.powi(30));
+    let f = dual(given, "f", up_to(30), up_to(30));
+    let g = dual(given, "g", least, up_to(30));
+    [f / g, f / -g].map(|x| is_finite(given, x)).concat()
+}
+
+pub fn dual_roots(given: Given) -> Vec<Goal> {
+    let positive = Range::within(2.0_f64.powi(-126), given.format().max());
+    is_finite(given, dual(given, "f", positive, up_to(62)).sqrt())
+}

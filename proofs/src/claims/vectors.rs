@@ -1,0 +1,86 @@
+//! Numbers, vectors and directions.
+
+use shading::{Real, Rgb, UnitVec3, half_vector};
+use shading_proofs::{Given, Goal, Range, Term};
+
+use super::given::*;
+
+pub fn limits(given: Given) -> Vec<Goal> {
+    let limit = given.number("limit", Range::within(-INF, INF));
+    let (x, y) = (given.any("x"), given.number("y", Range::within(-INF, INF)));
+    vec![
+        Goal::AtMost(limit, x.at_least(limit)),
+        Goal::AtMost(y.at_most(limit), limit),
+    ]
+}
+
+pub fn products(given: Given) -> Vec<Goal> {
+    let size = Range::within(-2.0_f64.powi(62), 2.0_f64.powi(62));
+    let (a, b) = (given.vector("a", size), given.vector("b", size));
+    let mut goals = components(a.cross(b), finite(given));
+    goals.push(Goal::Within(a.dot(b), finite(given)));
+    goals
+}
+
+pub fn length_of_numbers(given: Given) -> Vec<Goal> {
+    let v = given.vector("v", Range::within(-INF, INF));
+    within([v.length()], light())
+}
+
+pub fn length_of_broken(given: Given) -> Vec<Goal> {
+    within([broken(given, "v").length()], Range::NOT_FINITE)
+}
+
+pub fn unit_of_any(given: Given) -> Vec<Goal> {
+    none_or_unit(any_vector(given, "v").unit())
+}
+
+pub fn unit_of_nothing(given: Given) -> Vec<Goal> {
+    none(without_direction(given, "v").unit())
+}
+
+pub fn unit_or_of_any(given: Given) -> Vec<Goal> {
+    let fallback = UnitVec3::assume_unit(given.vector("fallback", component()));
+    components(any_vector(given, "v").unit_or(fallback), component())
+}
+
+pub fn unit_or_of_nothing(given: Given) -> Vec<Goal> {
+    let fallback = any_direction(given, "fallback");
+    same(without_direction(given, "v").unit_or(fallback), fallback)
+}
+
+pub fn direction_of_any(given: Given) -> Vec<Goal> {
+    let v = any_vector(given, "v");
+    UnitVec3::new(v.x, v.y, v.z).map_or(vec![], |made| {
+        let size = Range::within(-1.01, 1.01);
+        [same(*made, v), components(*made, size)].concat()
+    })
+}
+
+pub fn direction_of_nothing(given: Given) -> Vec<Goal> {
+    let v = without_direction(given, "v");
+    none(UnitVec3::new(v.x, v.y, v.z))
+}
+
+pub fn half_vector_of_any(given: Given) -> Vec<Goal> {
+    let (l, v) = (any_direction(given, "l"), any_direction(given, "v"));
+    none_or_unit(half_vector(l, v))
+}
+
+pub fn half_vector_of_opposite(given: Given) -> Vec<Goal> {
+    let l = any_direction(given, "l");
+    none(half_vector(l, -l))
+}
+
+pub fn half_vector_of_broken(given: Given) -> Vec<Goal> {
+    let broken = UnitVec3::assume_unit(broken(given, "l"));
+    none(half_vector(broken, any_direction(given, "v")))
+}
+
+pub fn clamped(given: Given) -> Vec<Goal> {
+    let [r, g, b] = ["r", "g", "b"].map(|name| given.any(name));
+    components(
+        Rgb::<Term>::new(r, g, b).clamped(),
+        Range::unsigned(0.0, 1.0),
+    )
+}
