@@ -190,13 +190,14 @@ macro_rules! for_each_function {
 /// Each row as a function.
 pub mod row {
     use shading::{
-        Attenuation, Cone, Dual, Elementary, Exponent, Real, Rgb, UnitVec3, Vec3, normal, shade, term,
+        Attenuation, Cone, Dual, Elementary, Exponent, Real, Rgb, UnitVec3, Vec3, normal, shade,
+        term,
     };
 
+    use crate::digest::{Each, Value};
     use crate::given::Given;
     use crate::number::{Float, Number};
     use crate::places::{INTEGER, REAL};
-    use crate::digest::{Each, Value};
 
     macro_rules! functions {
         ($($section:ident: $bound:ident {
