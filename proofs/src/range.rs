@@ -140,8 +140,9 @@ impl Range {
         self
     }
 
-    /// The same values of a format, between two of them.
-    pub(super) fn of_format(self, f: Format) -> Self {
+    #[doc(hidden)]
+    #[must_use]
+    pub fn of_format(self, f: Format) -> Self {
         let range = self.tidy();
         Self {
             low: -f.round_down(-range.low),

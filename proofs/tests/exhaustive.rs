@@ -177,6 +177,26 @@ fn ranges_hold_what_operations_give() {
     }
 }
 
+/// The ends of a range need not be numbers of the format.
+#[test]
+fn a_variable_has_the_numbers_of_its_range() {
+    let f = Format::Small(3, 3);
+    let ends = [
+        -INF, -20.0, -14.0, -0.3, -0.01, 0.0, 0.01, 0.26, 0.3, 1.0, 13.9, 20.0, INF,
+    ];
+    for (low, high) in pairs(&ends, &ends) {
+        for range in [
+            Range::within(low, high),
+            Range::unsigned(low, high).or_nan(),
+        ] {
+            for x in f.numbers() {
+                let of_format = range.of_format(f);
+                assert_eq!(range.contains(x), of_format.contains(x), "{x} {range:?}");
+            }
+        }
+    }
+}
+
 /// Two operations, one inside the other.
 #[test]
 fn operations_on_operations() {
@@ -230,7 +250,7 @@ fn decisions_about_operations() {
         0.0, -0.0, 0.0625, -0.25, 1.0, -1.5, 2.0, 14.0, -14.0, INF, -INF,
     ];
     let ranges = ranges();
-    let operands = pairs(&ranges[..6], &[0, 2, 9]);
+    let operands = pairs(&[ranges[0], ranges[2], ranges[9]], &[0, 2]);
     for test in TESTS {
         check(
             SMALL,
@@ -345,7 +365,6 @@ fn order_of_results() {
         Range::ANY,
         Range::within(0.0, INF),
         Range::unsigned(0.0, 14.0),
-        Range::within(-INF, 0.0),
     ];
     let forms = pairs(&pairs(&ranges, &ranges), &pairs(&TESTS, &OPERATIONS));
     check(

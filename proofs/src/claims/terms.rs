@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use shading::{Dual, Elementary, Exponent, Real, term};
+use shading::{Dual, Elementary, Exponent, Real, UnitVec3, Vec3, term};
 use shading_proofs::{Given, Goal, Range, Term};
 
 use super::given::*;
@@ -31,35 +31,44 @@ pub fn lambert_of_units(given: Given) -> Vec<Goal> {
 }
 
 /// Small ones, odd and even, and the largest: what a power by squaring does with bits.
-const SHININESS: [u32; 12] = [1, 2, 3, 5, 10, 32, 50, 127, 1000, 1024, 65_535, u32::MAX];
+const SHININESS: [u32; 9] = [0, 1, 2, 3, 5, 32, 127, 1000, u32::MAX];
 
-fn powers(given: Given, cosine: Range, ms: &[u32], range: Range) -> Vec<Goal> {
-    let cosine = given.number("cosine", cosine);
-    within(ms.iter().map(|m| m.raise(cosine)), range)
+/// The factors of both highlights, for a cosine of a range.
+fn highlights(given: Given, cosine: Range, ms: &[u32], range: Range) -> Vec<Goal> {
+    let cosine = Vec3::new(given.number("cosine", cosine), Term::ZERO, Term::ZERO);
+    let cosine = UnitVec3::assume_unit(cosine);
+    let of = |m| {
+        [
+            term::phong(cosine, UnitVec3::X, m),
+            term::blinn(UnitVec3::X, cosine, m),
+        ]
+    };
+    within(ms.iter().flat_map(|m| of(*m)), range)
 }
 
-pub fn powers_of_any(given: Given) -> Vec<Goal> {
-    powers(given, Range::ANY, &SHININESS, Range::unsigned(0.0, 1.0))
+pub fn highlights_of_any(given: Given) -> Vec<Goal> {
+    highlights(given, Range::ANY, &SHININESS, Range::unsigned(0.0, 1.0))
 }
 
-pub fn powers_in_the_dark(given: Given) -> Vec<Goal> {
+pub fn highlights_in_the_dark(given: Given) -> Vec<Goal> {
     let dark = Range::within(-INF, 0.0).or_nan();
-    let none = Range::unsigned(0.0, 0.0);
-    [
-        powers(given, dark, &SHININESS, none),
-        powers(given, dark, &[0], none),
-    ]
-    .concat()
+    highlights(given, dark, &SHININESS, Range::unsigned(0.0, 0.0))
 }
 
-pub fn powers_of_one(given: Given) -> Vec<Goal> {
-    let lit = Range::within(given.format().tiny(), INF);
+pub fn highlights_of_one(given: Given) -> Vec<Goal> {
     let (one, bright) = (Range::within(1.0, 1.0), Range::within(1.0, INF));
-    [
-        powers(given, bright, &SHININESS, one),
-        powers(given, lit, &[0], one),
-    ]
-    .concat()
+    let lit = Range::within(given.format().tiny(), INF);
+    match given.one_of(2) {
+        0 => highlights(given, bright, &SHININESS, one),
+        _ => highlights(given, lit, &[0], one),
+    }
+}
+
+/// Powers as the sums take them: of a cosine in [0, 1], and of its square.
+pub fn powers_in_their_range(given: Given) -> Vec<Goal> {
+    let cosine = given.number("cosine", share());
+    let powers = SHININESS.map(|m| [m.raise(cosine), m.raise_root(cosine)]);
+    within(powers.concat(), Range::within(0.0, 1.0))
 }
 
 pub fn phong_normalization(given: Given) -> Vec<Goal> {
