@@ -83,6 +83,7 @@ macro_rules! hand {
                 }
 
                 /// Adds a white light from the direction L.
+                #[allow(dead_code)] // `Vec3A` has lamps alone
                 #[inline(always)]
                 pub fn add_sun(&mut self, l: V) {
                     let n_dot_l = self.n.dot(l);

@@ -62,7 +62,7 @@ macro_rules! numbers {
     ($($number:ty),*) => {$(
         impl Output for $number {
             fn sum(&self) -> f64 {
-                f64::from(*self)
+                f64::from(*self).abs()
             }
         }
     )*};
@@ -75,18 +75,20 @@ pub struct Races {
     /// How long a ratio is measured.
     pub budget: Duration,
     pub misses: Vec<String>,
+    /// How far the results of ours and theirs may be apart.
+    pub tolerance: f64,
     title: &'static str,
     ratios: Vec<f64>,
 }
 
 impl Races {
     pub fn new(budget: Duration) -> Self {
-        let (misses, ratios) = (Vec::new(), Vec::new());
         Self {
             budget,
-            misses,
+            misses: Vec::new(),
+            tolerance: 1e-3,
             title: "",
-            ratios,
+            ratios: Vec::new(),
         }
     }
 
@@ -136,7 +138,7 @@ impl Races {
 
     fn least(&self, pair: &mut [Pass; 2], limit: f64, name: &str) -> [f64; 2] {
         let [ours, theirs] = pair.each_mut().map(|pass| pass(true)[1]);
-        let differ = (ours - theirs).abs() > 1e-3 * theirs.abs();
+        let differ = (ours - theirs).abs() > self.tolerance * theirs.abs();
         assert!(
             !differ,
             "{}, {name}: {ours} differs from {theirs}",

@@ -11,23 +11,25 @@ const BRANCHES: usize = 1 << 16;
 
 pub type List<T> = [T; 3];
 
-/// N, V and p of points on a unit sphere: random ones, or the pixels of its picture, row by row.
-pub fn points(coherent: bool, lights: usize) -> Vec<List<List<f64>>> {
+/// N, V and p of points: random ones on a unit sphere whose eye is before the surface, the pixels of a picture of that
+/// sphere, row by row, or random ones in a cube, with any N and V.
+pub fn points(data: &str, lights: usize) -> Vec<List<List<f64>>> {
     let mut random = fastrand::Rng::with_seed(7);
     let side = if lights == 1 { 256 } else { 128 };
     assert!(side * side * lights >= BRANCHES);
     let point = |i| {
         let pixel = |k: usize| (k as f64 + 0.5) / side as f64 * 2.0 - 1.0;
         let (x, y) = (pixel(i % side), pixel(i / side));
-        let n = match coherent {
-            true => unit([x, y, (1.0 - x * x - y * y).max(0.01).sqrt()]),
-            false => unit(vector(&mut random, 2.0)),
-        };
-        let to_eye = match coherent {
-            true => [-n[0], -n[1], 4.0 - n[2]],
-            false => std::array::from_fn(|k| n[k] + random.f64() - 0.5),
-        };
-        [n, unit(to_eye), n]
+        if data == "sphere" {
+            let n = unit([x, y, (1.0 - x * x - y * y).max(0.01).sqrt()]);
+            [n, unit([-n[0], -n[1], 4.0 - n[2]]), n]
+        } else if data == "random" {
+            let n = unit(vector(&mut random, 2.0));
+            [n, unit(n.map(|x| x + random.f64() - 0.5)), n]
+        } else {
+            let [n, v, p] = [(); 3].map(|()| vector(&mut random, 2.0));
+            [unit(n), unit(v), p]
+        }
     };
     (0..side * side).map(point).collect()
 }

@@ -36,7 +36,7 @@ pub(crate) use length::{is_extreme, tamed};
 ///   bounds of [`guide::precision`](mod@crate::guide::precision) hold in units of the type's
 ///   roundoff. If they do not, nothing else is lost.
 ///
-/// [`guide::invariants`](mod@crate::guide::invariants) explains how to test such a type.
+/// [`guide::numbers`](mod@crate::guide::numbers) has a complete one, and says how to test it.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a number type that this crate computes with",
     label = "expected `f32`, `f64`, `Dual<_>` or SIMD lanes",
