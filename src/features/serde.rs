@@ -56,7 +56,11 @@ fn checked<V, E: de::Error>(value: Option<V>, reason: &str) -> Result<V, E> {
 
 /// All fields are always written, because formats without names need them.
 #[derive(Serialize, Deserialize)]
-#[serde(rename = "Attenuation", deny_unknown_fields)]
+#[serde(
+    rename = "Attenuation",
+    expecting = "an attenuation with a, b and c",
+    deny_unknown_fields
+)]
 struct RawAttenuation<T> {
     a: T,
     b: T,
