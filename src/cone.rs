@@ -73,7 +73,12 @@ impl<T: Real> Cone<T> {
     #[inline]
     #[must_use]
     pub fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
-        let cosine = (-axis).dot(l);
+        self.share((-axis).dot(l))
+    }
+
+    /// The share of the light at an angle to the axis of this cosine.
+    #[inline]
+    pub(crate) fn share(self, cosine: T) -> T {
         let within = |edge: T, share| (edge - cosine).if_positive(share, T::ONE);
         let width = self.inner - self.outer;
         if !width.any_positive() {
