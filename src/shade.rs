@@ -236,7 +236,7 @@ pub fn lambert<T: Real, M>(
 /// I_r = k_a I_a + Σ I (k_d max(0, N·L) + k_s max(0, R·V)ᵐ)
 /// ```
 ///
-/// R is the [`reflection`] of L. A light with N·L ≤ 0 adds nothing. The [module page](crate::shade)
+/// R is the [`reflection`](crate::reflection()) of L. A light with N·L ≤ 0 adds nothing. The [module page](crate::shade)
 /// lists the arguments and the degenerate cases.
 ///
 /// Source: Bui Tuong Phong, *Illumination for Computer Generated Pictures*, 1975.
