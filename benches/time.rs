@@ -25,20 +25,11 @@ mod race;
 mod scene;
 
 use race::{Races, pass};
+use scene::{COUNTS, DATA, ENCODINGS, KINDS, LIGHTS, MODELS, NORMALS, WAYS};
 use shading::{self as subject, Exponent};
 use std::hint::black_box;
 use std::process::{Command, ExitCode};
-use std::time::Duration;
 
-const MODELS: [&str; 4] = [
-    "Blinn, m = 50",
-    "Blinn, m = 51",
-    "Blinn, m = 50.5",
-    "Phong, m = 50",
-];
-const DATA: [&str; 2] = ["random", "sphere"];
-const COUNTS: [usize; 3] = [1, 4, 16];
-const LIGHTS: [&str; 3] = ["1 light", "4 lights", "16 lights"];
 /// Set where the bench was built for the processor of this machine.
 const NATIVE: &str = "SHADING_BENCH_NATIVE";
 
@@ -54,44 +45,51 @@ const TABLES: [(&str, fn(&mut Races)); 8] = [
     ("loops", loops),
 ];
 
-/// The sums in a loop, or by a call, beside a vector type of `glam`.
-macro_rules! sums {
-    ($races:ident, $call:literal, $limit:literal, $($float:ident $hand:ident),*) => {$(
-        let float = |v: &[f64; 3]| v.map(|x| x as $float);
-        for data in DATA {
-            let scenes = COUNTS.map(|count| (scene::points(data, count), scene::lamps(count)));
-            let ours = scenes.each_ref().map(|(points, lamps)| {
-                let points: Vec<_> = points.iter().map(|point| point.each_ref().map(float)).collect();
-                (points, ours::$float::lamps(&lamps.iter().map(float).collect::<Vec<_>>()))
-            });
-            let theirs = scenes.map(|(points, lamps)| {
-                let points: Vec<_> = points.iter().map(|point| point.map(hand::$hand::vector)).collect();
-                (points, lamps.into_iter().map(hand::$hand::lamp).collect::<Vec<_>>())
-            });
-            for (i, model) in MODELS.iter().enumerate() {
-                let pairs = ours.iter().zip(&theirs).map(|(ours, theirs)| {
-                    let ours = ours::$float::sums::<$call>(&ours.0, &ours.1);
-                    let theirs = hand::$hand::sums::<$call>(&theirs.0, &theirs.1);
-                    ours.into_iter().zip(theirs).nth(i).unwrap().into()
-                });
-                $races.row(&format!("{} {model}, {data}", stringify!($float)), $limit, pairs);
-            }
-        }
-    )*};
-}
-
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().collect();
     let given = |word: &str| arguments.iter().any(|a| a == word);
     let all = !TABLES.iter().any(|(name, _)| given(name));
-    let mut races = Races::new(Duration::from_millis(if given("quick") { 50 } else { 200 }));
+    let mut races = Races::new(if given("quick") { 0.05 } else { 0.2 });
     for (_, table) in TABLES.iter().filter(|(name, _)| all || given(name)) {
         table(&mut races);
     }
-    for miss in &races.misses {
-        eprintln!("{miss}");
-    }
-    ExitCode::from(u8::from(!races.misses.is_empty()))
+    races.report()
+}
+
+/// Points and lamps for both contestants.
+macro_rules! scenes {
+    ($float:ident $hand:ident, $data:expr, $counts:expr) => {{
+        let float = |v: &[f64; 3]| v.map(|x| x as $float);
+        $counts.map(|count| {
+            let (points, positions) = (scene::points($data, count), scene::lamps(count));
+            let lamps = ours::$float::lamps(&positions.iter().map(float).collect::<Vec<_>>());
+            let listed: Vec<_> = points
+                .iter()
+                .map(|point| point.each_ref().map(float))
+                .collect();
+            let vectors: Vec<_> = points
+                .iter()
+                .map(|point| point.map(hand::$hand::vector))
+                .collect();
+            let by_hand: Vec<_> = positions.into_iter().map(hand::$hand::lamp).collect();
+            (listed, lamps, vectors, by_hand)
+        })
+    }};
+}
+
+/// The sums in a loop, or by a call, beside a vector type of `glam`.
+macro_rules! sums {
+    ($races:ident, $call:literal, $limit:literal, $($float:ident $hand:ident),*) => {$(
+        for data in DATA {
+            let scenes = scenes!($float $hand, data, COUNTS);
+            let columns = scenes.iter().map(|(listed, lamps, vectors, by_hand)| [
+                ours::$float::sums::<$call>(listed, lamps),
+                hand::$hand::sums::<$call>(vectors, by_hand),
+            ]);
+            let name = |model| (format!("{} {model}, {data}", stringify!($float)), $limit);
+            $races.rows(MODELS.map(name), columns);
+        }
+    )*};
 }
 
 fn sums(races: &mut Races) {
@@ -136,46 +134,30 @@ fn lanes(races: &mut Races) {
         }
         return;
     }
-    let (points, eight) = (scene::points("cube", 4), scene::lamps(4));
-    let positions: Vec<_> = eight.iter().map(|p| p.map(|x| x as f32)).collect();
-    let (lamps, lanes) = (ours::f32::lamps(&positions), lanes::eight_points(&points));
-    races.table("Eight points in lanes", &["4 lights"]);
+    let (points, positions) = (scene::points("cube", 4), scene::lamps(4));
+    let [(_, lamps, ..)] = scenes!(f32 vec3, "cube", [4]);
+    let lanes = lanes::eight_points(&points);
     let real = || lanes::ours(&lanes, &lamps, ours::f32::material(50.5));
     let integer = lanes::ours(&lanes, &lamps, ours::f32::material(50));
-    races.row(
-        "real m, beside `wide` by hand",
-        0.72,
-        [[real(), lanes::by_hand(&lanes, &eight, 50.5)]],
-    );
-    races.row(
-        "real m, beside C",
-        0.25,
-        [[real(), lanes::in_c(&points, &eight, 50.5)]],
-    );
-    races.row(
-        "integer m, beside C",
-        0.20,
-        [[integer, lanes::in_c(&points, &eight, 50.0)]],
-    );
+    let in_c = |m| lanes::in_c(&points, &positions, m);
+    races.table("Eight points in lanes, for this processor", &["4 lights"]);
+    let by_hand = lanes::by_hand(&lanes, &positions, 50.5);
+    races.row("m = 50.5, beside `wide` by hand", 0.72, [[real(), by_hand]]);
+    races.row("m = 50.5, beside C", 0.25, [[real(), in_c(50.5)]]);
+    races.row("m = 50, beside C", 0.20, [[integer, in_c(50.0)]]);
 }
 
-/// Lights in lanes, in a default build.
 fn packed(races: &mut Races) {
-    let points = scene::points("cube", 4);
     races.table("Lights in lanes, beside `glam`", &["in a loop"]);
     macro_rules! packed {
         ($float:ident $hand:ident, $($lanes:ident * $count:literal: $real:literal $integer:literal),*) => {$(
-            let (float, positions) = (|v: &[f64; 3]| v.map(|x| x as $float), scene::lamps($count));
-            let ours: Vec<_> = points.iter().map(|point| point.each_ref().map(float)).collect();
-            let lamps = ours::$float::lamps(&positions.iter().map(float).collect::<Vec<_>>());
-            let theirs: Vec<_> = points.iter().map(|point| point.map(hand::$hand::vector)).collect();
-            let by_hand: Vec<_> = positions.iter().map(|&p| hand::$hand::lamp(p)).collect();
-            let [integer, _, real, _] = hand::$hand::sums::<false>(&theirs, &by_hand);
-            let name = |m| format!("{m}, {} lights in {}", $count, stringify!($lanes));
-            let pack = lanes::packed::<wide::$lanes, _>(&ours, &lamps, ours::$float::material(50.5));
-            races.row(&name("m = 50.5"), $real, [[pack, real]]);
-            let pack = lanes::packed::<wide::$lanes, _>(&ours, &lamps, ours::$float::material(50));
-            races.row(&name("m = 50"), $integer, [[pack, integer]]);
+            let [(listed, lamps, vectors, by_hand)] = scenes!($float $hand, "cube", [$count]);
+            let [integer, _, real, _] = hand::$hand::sums::<false>(&vectors, &by_hand);
+            let name = |m| format!("m = {m}, {} lights in {}", $count, stringify!($lanes));
+            let pack = lanes::packed::<wide::$lanes, _>(&listed, &lamps, ours::$float::material(50.5));
+            races.row(&name("50.5"), $real, [[pack, real]]);
+            let pack = lanes::packed::<wide::$lanes, _>(&listed, &lamps, ours::$float::material(50));
+            races.row(&name("50"), $integer, [[pack, integer]]);
         )*};
     }
     packed!(f32 vec3, f32x4 * 4: 0.40 0.45, f32x8 * 8: 0.33 0.36, f32x8 * 32: 0.26 0.26);
@@ -184,25 +166,26 @@ fn packed(races: &mut Races) {
 
 /// The power of a cosine by a real m, beside the C library's.
 fn powers(races: &mut Races) {
-    races.table("The power by a real m", &["ns"]);
+    races.table("The power by a real m", &["one power"]);
     macro_rules! powers {
         ($float:ident: $single:literal, $array:literal, $($lanes:ident * $count:literal),*) => {
+            let (name, m): (_, $float) = (stringify!($float), black_box(50.5));
             let mut random = fastrand::Rng::with_seed(1977);
-            let cosines: &Vec<_> = &(0..1 << 16).map(|_| random.$float()).collect();
+            let cosines: Vec<_> = (0..1 << 16).map(|_| random.$float()).collect();
             macro_rules! power {
-                (|$c:ident, $m:ident| $power:expr) => {{
-                    let $m: $float = black_box(50.5);
-                    pass::<false, _, _>(cosines, 1, move |&$c: &$float| $power)
-                }};
+                (|$c:ident| $power:expr) => {
+                    pass::<false, _, _>(&cosines, 1, move |&$c: &$float| $power)
+                };
             }
-            let (name, real_m): (_, $float) = (stringify!($float), black_box(50.5));
-            let theirs = || power!(|c, m| c.powf(m));
-            races.row(&format!("{name}, one by one"), $single, [[power!(|c, m| black_box(m.raise(c))), power!(|c, m| black_box(c.powf(m)))]]);
-            races.row(&format!("{name}, an array"), $array, [[power!(|c, m| m.raise(c)), theirs()]]);
+            let single = [power!(|c| black_box(m.raise(c))), power!(|c| black_box(c.powf(m)))];
+            races.row(&format!("{name}, one by one"), $single, [single]);
+            let array = [power!(|c| m.raise(c)), power!(|c| c.powf(m))];
+            races.row(&format!("{name}, an array"), $array, [array]);
             $({
-                let lanes: Vec<_> = cosines.chunks_exact($count).map(|some| wide::$lanes::new(some.try_into().unwrap())).collect();
-                let ours = pass::<false, _, _>(&lanes, $count, |&c| real_m.raise(c).to_array());
-                races.row(stringify!($lanes), $array, [[ours, theirs()]]);
+                let lanes = cosines.chunks_exact($count).map(|c| wide::$lanes::new(c.try_into().unwrap()));
+                let lanes: Vec<_> = lanes.collect();
+                let ours = pass::<false, _, _>(&lanes, $count, |&c| m.raise(c).to_array());
+                races.row(stringify!($lanes), $array, [[ours, power!(|c| c.powf(m))]]);
             })*
         };
     }
@@ -212,47 +195,23 @@ fn powers(races: &mut Races) {
 
 fn loops(races: &mut Races) {
     races.tolerance = 0.1; // a rival gets one hard triangle in sixteen wrong
-    races.table(
-        "Loops over colors and triangles",
-        &["random", "smooth", "hard", "random, by a call"],
+    races.table("Loops beside `fast-srgb8`, `powf` and `glam`", &WAYS);
+    let (colors, triangles) = (KINDS.map(scene::colors), KINDS.map(scene::triangles));
+    let both = |c| [ours::encodings::<false>(c), loops::encodings::<false>(c)];
+    let call = |c| [ours::encodings::<true>(c), loops::encodings::<true>(c)];
+    let columns = colors.iter().map(|c| both(c)).chain([call(&colors[0])]);
+    races.rows(
+        ENCODINGS.map(|(name, limit)| (name.to_owned(), limit)),
+        columns,
     );
-    let (colors, triangles) = (
-        scene::KINDS.map(scene::colors),
-        scene::KINDS.map(scene::triangles),
+    let both = |t| [ours::normals::<false>(t), loops::normals::<false>(t)];
+    let call = |t| [ours::normals::<true>(t), loops::normals::<true>(t)];
+    let columns = triangles
+        .iter()
+        .map(|t| both(t))
+        .chain([call(&triangles[0])]);
+    races.rows(
+        NORMALS.map(|(name, limit)| (name.to_owned(), limit)),
+        columns,
     );
-    let rows = [
-        ("to_srgb8, beside fast-srgb8", 0.85),
-        ("to_rgb565, beside powf", 0.4),
-    ];
-    for (i, (name, limit)) in rows.into_iter().enumerate() {
-        let pair =
-            |(ours, theirs): ([_; 2], [_; 2])| ours.into_iter().zip(theirs).nth(i).unwrap().into();
-        let loops = colors
-            .iter()
-            .map(|c| pair((ours::encodings::<false>(c), loops::encodings::<false>(c))));
-        let calls = pair((
-            ours::encodings::<true>(&colors[0]),
-            loops::encodings::<true>(&colors[0]),
-        ));
-        races.row(name, limit, loops.chain([calls]));
-    }
-    let rows = [
-        ("Vec3::unit", 1.3),
-        ("normal::triangle", 1.3),
-        ("normal::corner", 1.2),
-        ("normal::implicit, a torus", 1.5),
-        ("normal::parametric, a saddle", 1.5),
-    ];
-    for (i, (name, limit)) in rows.into_iter().enumerate() {
-        let pair =
-            |(ours, theirs): ([_; 5], [_; 5])| ours.into_iter().zip(theirs).nth(i).unwrap().into();
-        let loops = triangles
-            .iter()
-            .map(|t| pair((ours::normals::<false>(t), loops::normals::<false>(t))));
-        let calls = pair((
-            ours::normals::<true>(&triangles[0]),
-            loops::normals::<true>(&triangles[0]),
-        ));
-        races.row(name, limit, loops.chain([calls]));
-    }
 }

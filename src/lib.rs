@@ -107,7 +107,6 @@
 // one paragraph per layer of the table in CONTRIBUTING.md, the lowest first
 
 mod elementary;
-mod exponent;
 mod real;
 
 mod encoding;
@@ -136,11 +135,10 @@ pub use cone::Cone;
 pub use direction::{half_vector, reflection};
 pub use dual::Dual;
 pub use elementary::Elementary;
-pub use exponent::Exponent;
 #[cfg(feature = "wide")]
 pub use features::Lanes;
 pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
-pub use real::{Real, Scalar};
+pub use real::{Exponent, Real, Scalar};
 pub use rgb::Rgb;
 #[doc(inline)]
 pub use shade::{Material, Shaded};

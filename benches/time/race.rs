@@ -1,7 +1,8 @@
 //! Races two loops over the same data, in turn, and prints a table of their least times.
 
 use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::process::ExitCode;
+use std::time::Instant;
 
 /// How often a ratio above its limit is measured again. A busy machine disturbs a race, but seldom five.
 const ATTEMPTS: usize = 5;
@@ -72,8 +73,8 @@ numbers!(u8, u16, f32, f64);
 
 /// Tables, and what in them is above its limit.
 pub struct Races {
-    /// How long a ratio is measured.
-    pub budget: Duration,
+    /// How many seconds a ratio is measured.
+    pub budget: f64,
     pub misses: Vec<String>,
     /// How far the results of ours and theirs may be apart.
     pub tolerance: f64,
@@ -82,7 +83,7 @@ pub struct Races {
 }
 
 impl Races {
-    pub fn new(budget: Duration) -> Self {
+    pub fn new(budget: f64) -> Self {
         Self {
             budget,
             misses: Vec::new(),
@@ -121,6 +122,23 @@ impl Races {
         println!(" | {limit:.2} |");
     }
 
+    /// Rows of which each column is given as a whole.
+    pub fn rows<'a, const N: usize>(
+        &mut self,
+        names: [(String, f64); N],
+        columns: impl IntoIterator<Item = [[Pass<'a>; N]; 2]>,
+    ) {
+        let mut rows = names.map(|name| (name, Vec::new()));
+        for [ours, theirs] in columns {
+            for ((row, ours), theirs) in rows.iter_mut().zip(ours).zip(theirs) {
+                row.1.push([ours, theirs]);
+            }
+        }
+        for ((name, limit), pairs) in rows {
+            self.row(&name, limit, pairs);
+        }
+    }
+
     /// Ends a table with the geometric mean of its ratios.
     pub fn mean(&mut self, limit: f64) {
         let logarithms = self.ratios.iter().map(|ratio| ratio.ln());
@@ -147,7 +165,7 @@ impl Races {
         let mut least = [f64::MAX; 2];
         for _ in 0..ATTEMPTS {
             let start = Instant::now();
-            while start.elapsed() < self.budget {
+            while start.elapsed().as_secs_f64() < self.budget {
                 for (pass, least) in pair.iter_mut().zip(&mut least) {
                     *least = least.min(pass(false)[0]);
                 }
@@ -157,5 +175,13 @@ impl Races {
             }
         }
         least
+    }
+
+    /// Names what is above its limit.
+    pub fn report(&self) -> ExitCode {
+        for miss in &self.misses {
+            eprintln!("{miss}");
+        }
+        ExitCode::from(u8::from(!self.misses.is_empty()))
     }
 }

@@ -1,5 +1,31 @@
 //! What the contestants shade.
 
+/// The sums.
+pub const MODELS: [&str; 4] = [
+    "Blinn, m = 50",
+    "Blinn, m = 51",
+    "Blinn, m = 50.5",
+    "Phong, m = 50",
+];
+pub const DATA: [&str; 2] = ["random", "sphere"];
+pub const COUNTS: [usize; 3] = [1, 4, 16];
+pub const LIGHTS: [&str; 3] = ["1 light", "4 lights", "16 lights"];
+
+/// The loops, and how much of a rival's time they may take.
+pub const ENCODINGS: [(&str, f64); 2] = [
+    ("to_srgb8, beside `fast-srgb8`", 0.85),
+    ("to_rgb565, beside `powf`", 0.4),
+];
+pub const NORMALS: [(&str, f64); 5] = [
+    ("unit", 1.3),
+    ("triangle", 1.3),
+    ("corner", 1.2),
+    ("implicit, a torus", 1.5),
+    ("parametric, a saddle", 1.5),
+];
+pub const KINDS: [&str; 3] = ["random", "smooth", "hard"];
+pub const WAYS: [&str; 4] = ["random", "smooth", "hard", "random, by a call"];
+
 pub const K_A: [f64; 3] = [0.1; 3];
 pub const K_D: [f64; 3] = [0.6, 0.5, 0.4];
 pub const K_S: [f64; 3] = [0.3; 3];
@@ -50,8 +76,7 @@ fn unit(v: List<f64>) -> List<f64> {
     v.map(|x| x / length)
 }
 
-/// Random, smooth and hard arguments of the loops.
-pub const KINDS: [&str; 3] = ["random", "smooth", "hard"];
+/// Arguments of a loop.
 const COUNT: u16 = 4096;
 
 /// Linear colors. The hard ones are of all magnitudes, black, too bright and invalid.

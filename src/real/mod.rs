@@ -1,10 +1,14 @@
 //! The number type that every formula is written over.
 
+mod exponent;
 mod float;
 mod length;
+pub(crate) mod power;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+pub use exponent::Exponent;
+pub(crate) use exponent::by_squaring;
 pub(crate) use float::const_sqrt;
 pub(crate) use length::{is_extreme, tamed};
 
@@ -138,32 +142,30 @@ pub trait Real:
 
     // the methods below are for numbers whose precision is not relative, as that of fixed point is not
 
-    /// The direction and the length of a vector, and a number that is above 0 if the vector has a
-    /// direction.
+    /// A vector w in the direction of v, its length, and the length of v: (w, |w|, |v|). The squares
+    /// of w and of its sums with other vectors of its length neither overflow nor vanish.
     ///
-    /// ```text
-    /// v/|v|,  |v|
-    /// ```
+    /// The direction is w/|w|. A vector that is zero, infinite or NaN has none; its |w| is 0. A |v|
+    /// that overflows is the largest finite number, and that of an infinite vector is infinite.
     ///
-    /// The zero vector has no direction, nor has one with an infinite or NaN component. Its direction
-    /// is given as (0, 0, 0). The result is accurate from the smallest subnormal number to the largest
-    /// finite one.
+    /// For a float, w is v, or v times a power of two if the square of v is out of range. A number of
+    /// even precision may divide by |v| here, and return 1 for |w|.
     #[inline(always)]
     #[must_use]
-    fn unit_and_length(v: [Self; 3]) -> ([Self; 3], Self, Self) {
-        length::unit_and_length(v)
+    fn direction(v: [Self; 3]) -> ([Self; 3], Self, Self) {
+        length::direction(v)
     }
 
-    /// The cosine of the angle between a direction n and a vector of any length; 0 if that has no
-    /// direction.
+    /// The power of the cosine between a direction n and a vector v of any length, limited to 1. It is
+    /// 0 if n·v ≤ 0 or if v is 0.
     ///
     /// ```text
-    /// n·v / |v|
+    /// max(0, n·v/|v|)ᵐ
     /// ```
     #[inline(always)]
     #[must_use]
-    fn cosine(n: [Self; 3], v: [Self; 3]) -> Self {
-        length::cosine(n, v)
+    fn cosine_power(n: [Self; 3], v: [Self; 3], m: impl Exponent<Self>) -> Self {
+        length::cosine_power(n, v, m)
     }
 
     /// A color of light at the distance q ≥ 0, attenuated by a factor of at most `limit`.

@@ -1,9 +1,7 @@
 //! The shininess m of a highlight.
 
-pub(crate) mod power;
-
-use crate::real::Real;
-use power::power;
+use super::Real;
+use super::power::{double, single};
 
 /// The shininess m of a highlight: an integer (`u32`) or a real number of the scene's type (`f32`,
 /// `f64`). The type of the argument decides; an integer is faster:
@@ -44,38 +42,61 @@ use power::power;
     note = "`term::phong` and `term::blinn` are factors; the functions that take a material are in `shade`"
 )]
 pub trait Exponent<T: Real>: Copy {
-    /// cosineᵐ, within [0, 1].
+    /// cosineᵐ, within [0, 1], for a cosine within [0, 1].
     ///
-    /// A cosine above 1, as rounding may produce, counts as 1. If the cosine is 0, negative or NaN,
-    /// the power is 0 for **every** m. Above 0, the power with m = 0 is 1. A negative or NaN m
-    /// counts as 0. 1 to any power is 1, even if m is infinite.
+    /// The terms and the sums call it with no other cosine: a highlight of your own need not think of
+    /// light from behind. They do not use the result for a cosine of 0; the factor is then 0 for
+    /// **every** m. Above 0, the power with m = 0 is 1. A negative or NaN m counts as 0. 1 to any power
+    /// is 1, even if m is infinite.
     ///
     /// With an integer m the relative error is at most m·u, the conditioning of the power itself,
-    /// where u is the unit roundoff (2⁻²⁴ for `f32`). With a real m in `f32` the absolute error is
-    /// at most 2⁻²². In `f32`, a power that would be subnormal may be 0.
+    /// where u is the unit roundoff (2⁻²⁴ for `f32`). With a real m the absolute error is at most
+    /// 2⁻²² in `f32` and 2⁻⁵¹ in `f64`. A power that would be subnormal may be 0.
     ///
     /// ```
     /// use shading::Exponent;
     ///
     /// assert_eq!(3_u32.raise(0.5_f32), 0.125);
     /// assert!((3.0_f32.raise(0.5_f32) - 0.125).abs() < 1e-6);
-    /// assert_eq!(0_u32.raise(-0.5_f32), 0.0); // turned away: no highlight, even with m = 0
     /// ```
     #[doc(alias = "pow")]
     #[doc(alias = "powf")]
     #[must_use]
     fn raise(self, cosine: T) -> T;
+
+    /// The power of a cosine that is given by its square, within [0, 1].
+    ///
+    /// ```text
+    /// (√square)ᵐ
+    /// ```
+    ///
+    /// An even or real m takes no root: it is √squareᵐ = square^(m/2).
+    ///
+    /// ```
+    /// use shading::Exponent;
+    /// assert_eq!(4_u32.raise_root(0.25_f32), 0.0625);
+    /// ```
+    #[inline]
+    #[must_use]
+    fn raise_root(self, square: T) -> T {
+        self.raise(square.sqrt())
+    }
 }
 
 #[diagnostic::do_not_recommend] // the trait's own message names the types
 impl<T: Real> Exponent<T> for u32 {
     #[inline]
     fn raise(self, cosine: T) -> T {
-        if self == 0 {
-            return cosine.if_positive(T::ONE, T::ZERO);
-        }
-        let cosine = cosine.at_most(T::ONE);
         by_squaring(cosine.if_above(least(self), cosine, T::ZERO), self)
+    }
+
+    #[inline]
+    fn raise_root(self, square: T) -> T {
+        if self % 2 == 0 {
+            (self / 2).raise(square)
+        } else {
+            self.raise(square.sqrt())
+        }
     }
 }
 
@@ -85,63 +106,56 @@ impl<T: Real> Exponent<T> for u32 {
 /// Below it, squaring would pass through subnormal numbers, which cost some processors up to a
 /// hundred times as much.
 #[inline]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss
+)]
 fn least<T: Real>(m: u32) -> T {
     const ONE: u32 = 1.0_f32.to_bits();
     const OCTAVE: u32 = 1 << 23;
     // The bits of a float are its logarithm, except that the significand 1 + x stands for
     // log₂(1 + x), which is about x + 0.39 (¼ − (x − ½)²). The result never exceeds the true one.
-    let linear = ONE - 126 * OCTAVE / m;
+    // A quotient of floats, unlike one of integers, can be moved out of a loop over lights.
+    let linear = ONE.wrapping_sub(((126 * OCTAVE) as f32 / m as f32) as u32);
     let from_half = (linear >> 12 & 0x7FF).wrapping_sub(0x400);
     let bend = 0x10_0000 - from_half.wrapping_mul(from_half);
-    let least = f32::from_bits(linear - bend / 32 * 25 - 1600);
+    let least = f32::from_bits(linear.wrapping_sub(bend / 32 * 25 + 1600));
     (T::MAX - T::of_f32(f32::MAX)).if_positive(T::ZERO, T::of_f32(least))
 }
 
-/// baseᵐ by repeated squaring, from the highest bit of m down. The trailing zeros of m square the
-/// base first.
+/// baseᵐ by repeated squaring, from the lowest bit of m up, so that no square waits for a product.
 #[inline]
-pub(crate) fn by_squaring<T: Real>(mut base: T, m: u32) -> T {
-    if m == 0 {
-        return T::ONE;
-    }
-    // A single bit is shifted down past the trailing zeros. Compilers would unroll a loop over
-    // their count, and small chips lack the registers for that.
-    let mut bit = (m & m.wrapping_neg()) >> 1;
-    while bit != 0 {
-        base = base * base;
-        bit >>= 1;
-    }
-    let mut power = base;
-    // the bits of m below its highest 1 and down to its lowest 1, left-aligned
-    let mut bits = m << m.leading_zeros() << 1;
-    while bits != 0 {
-        power = power * power;
-        if bits >> 31 == 1 {
+pub(crate) fn by_squaring<T: Real>(mut base: T, mut m: u32) -> T {
+    let mut power = T::ONE;
+    loop {
+        if m & 1 == 1 {
             power = power * base;
         }
-        bits <<= 1;
-    }
-    power
-}
-
-#[diagnostic::do_not_recommend] // the trait's own message names the types
-impl Exponent<f32> for f32 {
-    #[inline(always)]
-    fn raise(self, cosine: f32) -> f32 {
-        power(cosine, self.at_least(0.0))
+        m >>= 1;
+        if m == 0 {
+            return power;
+        }
+        base = base * base;
     }
 }
 
-#[diagnostic::do_not_recommend] // the trait's own message names the types
-impl Exponent<f64> for f64 {
-    #[inline]
-    fn raise(self, cosine: f64) -> f64 {
-        // not `at_least`, which may let a signaling NaN through
-        let power = if self > 0.0 {
-            libm::pow(cosine.at_least(0.0).at_most(1.0), self)
-        } else {
-            1.0
-        };
-        cosine.if_positive(power, 0.0)
-    }
+macro_rules! real {
+    ($float:ident, $power:ident) => {
+        #[diagnostic::do_not_recommend] // the trait's own message names the types
+        impl Exponent<$float> for $float {
+            #[inline]
+            fn raise(self, cosine: $float) -> $float {
+                $power(cosine, self.at_least(0.0).at_most($float::MAX))
+            }
+
+            #[inline]
+            fn raise_root(self, square: $float) -> $float {
+                (0.5 * self).raise(square)
+            }
+        }
+    };
 }
+
+real!(f32, single);
+real!(f64, double);
