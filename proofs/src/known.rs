@@ -47,7 +47,8 @@ fn at_least(x: f64) -> Range {
 
 impl Known {
     /// The node itself, or what a decided selection selects.
-    pub(super) fn resolved(&mut self, g: &Graph, id: u32) -> u32 {
+    #[doc(hidden)]
+    pub fn resolved(&mut self, g: &Graph, id: u32) -> u32 {
         if let Node::Select(test, then, otherwise) = g.nodes[id as usize]
             && let Some(answer) = self.answer(g, test)
         {

@@ -151,6 +151,16 @@ impl fmt::Display for Verdict {
     }
 }
 
+/// Runs a formula along every path that the rules do not exclude; `each` sees the run with its result.
+#[doc(hidden)]
+pub fn paths<R>(format: Format, formula: impl Fn(Given) -> R, mut each: impl FnMut(&Run, R)) {
+    run::explore(format, &|| formula(Given(format)), |run, result| {
+        if let Some(result) = result {
+            each(run, result);
+        }
+    });
+}
+
 /// Tries to prove a claim, then to refute it with `runs` inputs, which also must show that it says something.
 pub fn judge(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Verdict {
     let formula = || claim(Given(format));

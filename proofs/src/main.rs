@@ -1,12 +1,15 @@
 //! The promises of `shading`, proved from its own source. See README.md.
 
 mod claims;
+mod gappa;
 
+use std::fs;
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::Instant;
 
 use claims::{CLAIMS, Claim};
-use shading_proofs::{Format, Verdict, judge};
+use shading_proofs::{Format, Verdict, judge, smt};
 
 const USAGE: &str = "prove [CLAIM]…";
 
@@ -15,6 +18,11 @@ fn main() -> ExitCode {
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let is_right = match arguments[..] {
         ["prove", ref names @ ..] => prove(names),
+        ["bounds", folder] => bounds(folder, "1"),
+        ["bounds", folder, share] => bounds(folder, share),
+        ["queries", folder, ref names @ ..] => queries(Path::new(folder), names)
+            .map_err(|error| println!("{error}"))
+            .is_ok(),
         _ => {
             eprintln!("{USAGE}");
             false
@@ -31,6 +39,26 @@ fn chosen<'a>(names: &'a [&str]) -> impl Iterator<Item = &'static Claim> + 'a {
     CLAIMS
         .iter()
         .filter(move |claim| names.is_empty() || names.contains(&claim.name))
+}
+
+/// Writes the error bounds, or a share of each, as scripts for Gappa.
+fn bounds(folder: &str, share: &str) -> bool {
+    let share = share.parse().expect("a share");
+    gappa::write(Path::new(folder), share).is_ok()
+}
+
+/// Writes the queries of these claims, or of all, each to a file of its own.
+fn queries(folder: &Path, names: &[&str]) -> std::io::Result<()> {
+    fs::create_dir_all(folder)?;
+    for claim in chosen(names) {
+        for format in [Format::F32, Format::F64] {
+            for (i, query) in smt::queries(format, claim.formula).iter().enumerate() {
+                let file = format!("{}.{format:?}.{i}.smt2", claim.name);
+                fs::write(folder.join(file), query)?;
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Proves the claims with these names, or all of them.
