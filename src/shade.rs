@@ -89,6 +89,17 @@ use crate::vector::Vec3;
 /// };
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        deny_unknown_fields,
+        bound(
+            serialize = "T: Real + crate::Scalar + serde::Serialize, M: serde::Serialize",
+            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>, M: serde::Deserialize<'de>"
+        )
+    )
+)]
 pub struct Material<T = f32, M = u32> {
     /// k_a, the reflectance for ambient light.
     pub k_a: Rgb<T>,
