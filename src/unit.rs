@@ -53,7 +53,7 @@ impl<T: Real> Vec3<T> {
         T: Scalar,
     {
         let (w, length, _) = T::direction(self.into());
-        (length > T::ZERO).then(|| UnitVec3(Self::from(w) / length))
+        (length > T::ZERO).then(|| UnitVec3(Self::from(w) * (T::ONE / length)))
     }
 
     /// [`unit`](Vec3::unit), or `fallback` if that is `None`. This method does not branch on the
@@ -69,7 +69,8 @@ impl<T: Real> Vec3<T> {
     #[must_use]
     pub fn unit_or(self, fallback: UnitVec3<T>) -> UnitVec3<T> {
         let (w, length, _) = T::direction(self.into());
-        let or = |w, fallback| length.if_positive(w / length, fallback);
+        let reciprocal = T::ONE / length;
+        let or = |w, fallback| length.if_positive(w * reciprocal, fallback);
         let [x, y, z] = w;
         UnitVec3(Vec3::new(
             or(x, fallback.x),
@@ -213,8 +214,12 @@ macro_rules! literals {
                 let (x, y, z) = (x * scale, y * scale, z * scale);
                 let square = x * x + y * y + z * z;
                 if square > 0.0 && square <= $float::MAX {
-                    let length = const_sqrt(square as f64) as $float;
-                    Some(Self(Vec3::new(x / length, y / length, z / length)))
+                    let reciprocal = 1.0 / const_sqrt(square as f64) as $float;
+                    Some(Self(Vec3::new(
+                        x * reciprocal,
+                        y * reciprocal,
+                        z * reciprocal,
+                    )))
                 } else {
                     None
                 }

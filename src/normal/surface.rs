@@ -1,7 +1,7 @@
 //! Normals of planes, triangles, spheres, implicit and parametric surfaces.
 
 use crate::dual::Dual;
-use crate::real::{Real, Scalar, epsilon};
+use crate::real::{Real, Scalar, epsilon, is_extreme};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -54,7 +54,7 @@ pub fn plane<T: Real + Scalar>(a: T, b: T, c: T) -> Option<UnitVec3<T>> {
 #[inline(always)]
 #[must_use]
 pub fn triangle<T: Real + Scalar>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Option<UnitVec3<T>> {
-    v2.tamed_from(v1).cross(v3.tamed_from(v1)).unit()
+    product(v2, v3, v1).unit()
 }
 
 /// The outward normal of a sphere at a point p on it.
@@ -234,7 +234,16 @@ pub fn parametric<T: Real + Scalar>(
 #[inline(always)]
 #[must_use]
 pub fn from_tangents<T: Real + Scalar>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<UnitVec3<T>> {
-    s_u.tamed_from(Vec3::ZERO)
-        .cross(s_v.tamed_from(Vec3::ZERO))
-        .unit()
+    product(s_u, s_v, Vec3::ZERO).unit()
+}
+
+/// (a − origin) × (b − origin), times a power of two if it would overflow or vanish.
+#[inline(always)]
+pub(super) fn product<T: Real>(a: Vec3<T>, b: Vec3<T>, origin: Vec3<T>) -> Vec3<T> {
+    let product = (a - origin).cross(b - origin);
+    if is_extreme(product.dot(product)) {
+        a.tamed_from(origin).cross(b.tamed_from(origin))
+    } else {
+        product
+    }
 }

@@ -45,6 +45,13 @@ macro_rules! float {
                 $float::abs(self)
             }
 
+            // Positive floats are ordered as their bits are, so one integer comparison replaces two.
+            #[inline]
+            fn any_outside(self, low: Self, high: Self) -> bool {
+                let range = high.to_bits().wrapping_sub(low.to_bits());
+                self.to_bits().wrapping_sub(low.to_bits()) >= range
+            }
+
             // The compiler can turn this comparison into the processor's minimum or maximum.
             // `f32::min` is a library call on Arm.
             #[inline]

@@ -140,6 +140,15 @@ pub trait Real:
         self.if_above(limit, limit, self)
     }
 
+    /// Whether `self` is outside of the range from `low` to `high`, both positive, or NaN; for lanes,
+    /// whether any lane is. The ends may count as either.
+    #[inline]
+    #[must_use]
+    fn any_outside(self, low: Self, high: Self) -> bool {
+        let above_low = self.if_above(low, Self::ZERO, Self::ONE);
+        high.if_above(self, above_low, Self::ONE).any_positive()
+    }
+
     // the methods below are for numbers whose precision is not relative, as that of fixed point is not
 
     /// A vector w in the direction of v, its length, and the length of v: (w, |w|, |v|). The squares
