@@ -93,7 +93,7 @@ impl<T: Real> IncidentLight<T> {
     ///     attenuation: Attenuation::NONE,
     /// };
     /// let ceiling = |l: UnitVec3, distance: f32| 3.0 < distance * l.z;
-    /// let lit = [lamp].iter().filter_map(|lamp| lamp.at(Vec3::ZERO).unless_blocked(UnitVec3::Z, ceiling));
+    /// let lit = [lamp].into_iter().filter_map(|lamp| lamp.at(Vec3::ZERO).unless_blocked(UnitVec3::Z, ceiling));
     /// assert_eq!(lit.count(), 0);
     /// ```
     #[doc(alias = "shadow")]
@@ -113,7 +113,7 @@ impl<T: Real> IncidentLight<T> {
             distance,
             intensity,
         } = self.arriving();
-        let l = UnitVec3::assume_unit(way * (T::ONE / length));
+        let l = UnitVec3::assume_unit(T::divided(way.into(), length).into());
         (!is_blocked(l, distance)).then(|| DirectionalLight { l, intensity }.into())
     }
 

@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Deref, Mul, Neg, Sub};
 
-use crate::real::{Real, Scalar, const_sqrt, epsilon, tamed};
+use crate::real::{Real, Scalar, const_sqrt, epsilon, size, tamed};
 use crate::vector::Vec3;
 
 impl<T: Real> Vec3<T> {
@@ -53,7 +53,7 @@ impl<T: Real> Vec3<T> {
         T: Scalar,
     {
         let (w, length, _) = T::direction(self.into());
-        (length > T::ZERO).then(|| UnitVec3(Self::from(w) * (T::ONE / length)))
+        (length > T::ZERO).then(|| UnitVec3(T::divided(w, length).into()))
     }
 
     /// [`unit`](Vec3::unit), or `fallback` if that is `None`. This method does not branch on the
@@ -69,9 +69,8 @@ impl<T: Real> Vec3<T> {
     #[must_use]
     pub fn unit_or(self, fallback: UnitVec3<T>) -> UnitVec3<T> {
         let (w, length, _) = T::direction(self.into());
-        let reciprocal = T::ONE / length;
-        let or = |w, fallback| length.if_positive(w * reciprocal, fallback);
-        let [x, y, z] = w;
+        let or = |w, fallback| length.if_positive(w, fallback);
+        let [x, y, z] = T::divided(w, length);
         UnitVec3(Vec3::new(
             or(x, fallback.x),
             or(y, fallback.y),
@@ -162,7 +161,7 @@ impl<T: Real> UnitVec3<T> {
     {
         let two = T::ONE + T::ONE;
         let v = Vec3::new(x, y, z);
-        let is_unit = (v.dot(v) - T::ONE).abs() <= two * two * epsilon();
+        let is_unit = size(v.dot(v) - T::ONE) <= two * two * epsilon();
         is_unit.then_some(Self(v))
     }
 

@@ -1,7 +1,7 @@
 //! Normals of planes, triangles, spheres, implicit and parametric surfaces.
 
 use crate::dual::Dual;
-use crate::real::{Real, Scalar, epsilon, is_extreme};
+use crate::real::{Real, Scalar, epsilon, is_extreme, size};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -200,8 +200,8 @@ pub fn parametric<T: Real + Scalar>(
     let parameters = Dual::point(Vec3::new(u, v, T::ZERO));
     let s = s(parameters.x, parameters.y);
     let (s_u, s_v) = (s.map(|s| s.gradient.x), s.map(|s| s.gradient.y));
-    let size = |v: Vec3<T>| v.x.abs().at_least(v.y.abs()).at_least(v.z.abs());
-    let (a, b) = (size(s_u), size(s_v));
+    let largest = |v: Vec3<T>| size(v.x).at_least(size(v.y)).at_least(size(v.z));
+    let (a, b) = (largest(s_u), largest(s_v));
     // two roundings for each of the 16 control points of a bicubic patch; on the teapot, the noise
     // reaches 14u
     let noise = T::of_f32(16.0) * epsilon();
