@@ -217,6 +217,17 @@ impl<T: Real> Mul<Rgb<T>> for IncidentLight<T> {
 /// ```
 #[doc(alias = "sun")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        deny_unknown_fields,
+        bound(
+            serialize = "T: Real + crate::Scalar + serde::Serialize",
+            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>"
+        )
+    )
+)]
 pub struct DirectionalLight<T = f32> {
     /// L, the direction **to** the light, opposite to the direction in which it shines.
     pub l: UnitVec3<T>,
@@ -273,6 +284,17 @@ impl<T: Real> From<DirectionalLight<T>> for IncidentLight<T> {
 /// ```
 #[doc(alias = "lamp")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        deny_unknown_fields,
+        bound(
+            serialize = "T: Real + crate::Scalar + serde::Serialize",
+            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>"
+        )
+    )
+)]
 pub struct PointLight<T = f32> {
     /// P_light, the position of the light.
     pub position: Vec3<T>,
@@ -357,6 +379,17 @@ impl<T: Real> PointLight<T> {
 /// ```
 #[doc(alias = "spotlight")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        deny_unknown_fields,
+        bound(
+            serialize = "T: Real + crate::Scalar + serde::Serialize",
+            deserialize = "T: crate::Elementary + crate::Scalar + serde::Deserialize<'de>"
+        )
+    )
+)]
 #[repr(C)] // begins with its point light, as `Light::Point` does, so `Light` finds both at one offset
 pub struct SpotLight<T = f32> {
     /// The light at the tip of the cone.
@@ -418,6 +451,17 @@ impl<T: Real> SpotLight<T> {
 ///
 /// In a `static`, write the kind: `static LIGHTS: [Light; 1] = [Light::Directional(SUN)];`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        rename_all = "snake_case",
+        bound(
+            serialize = "T: Real + crate::Scalar + serde::Serialize",
+            deserialize = "T: crate::Elementary + crate::Scalar + serde::Deserialize<'de>"
+        )
+    )
+)]
 pub enum Light<T = f32> {
     /// A light from one direction.
     Directional(DirectionalLight<T>),

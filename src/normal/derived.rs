@@ -125,7 +125,7 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
 /// made for Direct3D, y points down: negate it. A valid texel has a blue channel above ½. A black
 /// texel is the direction (−1, −1, −1), below the surface.
 ///
-/// The result is `None` if T is zero or parallel to N, if the sample is zero, or if a number is not
+/// The result is `None` if T is zero or parallel to N, if the sample is zero, or if a coordinate is not
 /// finite. The nearer T is to N, the more its rounding errors matter, as in
 /// [`from_tangents`](crate::normal::from_tangents).
 ///

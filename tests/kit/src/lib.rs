@@ -22,6 +22,8 @@ pub mod places;
 #[cfg(feature = "std")]
 pub mod everything;
 #[cfg(feature = "std")]
+pub mod invariants;
+#[cfg(feature = "std")]
 pub mod promise;
 
 pub use digest::{Each, Sink, Value};

@@ -73,8 +73,10 @@ macro_rules! for_each_function {
             light_distance "IncidentLight::distance" |g| g.spot.at(g.p).distance() => nothing;
             light_intensity "IncidentLight::intensity" |g| g.soft_spot.at(g.p).intensity() => nothing;
             light_dimmed "IncidentLight, dimmed and filtered" |g| [g.spot.at(g.p) * g.cosine, g.sun.at(g.p) * g.rgb] => nothing;
-            hooks "Real::unit_and_length" |g| { let (l, q, exists) = T::unit_and_length(g.a.into()); [l, [q, q, exists]] } => nothing;
-            hook_cosine "Real::cosine" |g| T::cosine(g.n.into(), g.a.into()) => nothing;
+            hook_direction "Real::direction" |g| { let (w, w_length, length) = T::direction(g.a.into()); [w, [w_length, length, T::ZERO]] } => nothing;
+            hook_cosine_power "Real::cosine_power" |g| T::cosine_power(g.n.into(), g.a.into(), g.integer.m) => share;
+            raise_root "Exponent::raise_root" |g| INTEGER.map(|m| m.raise_root(g.cosine)) => nothing;
+            unless_blocked "IncidentLight::unless_blocked" |g| g.soft_spot.at(g.p).unless_blocked(g.n, |l, q| l.z * q < g.x) => nothing;
             hook_attenuated "Real::attenuated" |g| T::attenuated(g.rgb.into(), g.attenuation.coefficients(), g.x.abs(), T::ONE) => light;
             every_lambert "shade::lambert, every light" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lights()) => light;
             every_phong "shade::phong, every light" |g| shade::phong(g.n, g.v, &g.integer, g.rgb, g.from_lights().filter(|light| light.is_in_front(g.n))) => light;
@@ -82,6 +84,7 @@ macro_rules! for_each_function {
         }
         SERIES: Float {
             raise_real_sweep "Exponent::raise, every real m" |g| REAL.map(|m| T::from(m).raise(g.cosine)) => nothing;
+            raise_root_real "Exponent::raise_root, real m" |g| REAL.map(|m| T::from(m).raise_root(g.cosine)) => nothing;
             raise_invalid "Exponent::raise, invalid m" |g| [f32::INFINITY, -1.0, f32::NAN].map(|m| T::from(m).raise(g.cosine)) => nothing;
             raise_vanishing "Exponent::raise, where the power vanishes" |g| [2_u16, 5, 33, 1000, 10_000].map(|m| u32::from(m).raise(vanishing(m, g.cosine))) => nothing;
             raise_difficult "Exponent::raise, where all coefficients count" |g| Each((0_u8..32).map(|i| { let (m, cosine) = difficult(i, g.cosine); m.raise(cosine) })) => nothing;
@@ -190,13 +193,14 @@ macro_rules! for_each_function {
 /// Each row as a function.
 pub mod row {
     use shading::{
-        Attenuation, Cone, Dual, Elementary, Exponent, Real, Rgb, UnitVec3, Vec3, normal, shade, term,
+        Attenuation, Cone, Dual, Elementary, Exponent, Real, Rgb, UnitVec3, Vec3, normal, shade,
+        term,
     };
 
+    use crate::digest::{Each, Value};
     use crate::given::Given;
     use crate::number::{Float, Number};
     use crate::places::{INTEGER, REAL};
-    use crate::digest::{Each, Value};
 
     macro_rules! functions {
         ($($section:ident: $bound:ident {
