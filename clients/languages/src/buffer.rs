@@ -6,14 +6,12 @@ use std::slice::{from_raw_parts, from_raw_parts_mut};
 use crate::Status;
 
 fn check<T>(data: *const T, count: usize) -> Result<(), Status> {
+    let size = count.checked_mul(size_of::<T>());
     if data.is_null() {
         Err(Status::Null)
     } else if !data.is_aligned() {
         Err(Status::Alignment)
-    } else if count
-        .checked_mul(size_of::<T>())
-        .is_none_or(|size| isize::try_from(size).is_err())
-    {
+    } else if size.is_none_or(|size| isize::try_from(size).is_err()) {
         Err(Status::Size)
     } else {
         Ok(())
@@ -34,15 +32,6 @@ pub unsafe fn input<'a, T>(data: *const T, count: usize) -> Result<&'a [T], Stat
 
 /// # Safety
 ///
-/// A pointer that is not null must be valid.
-pub unsafe fn one<'a, T>(data: *const T) -> Result<&'a T, Status> {
-    check(data, 1)?;
-    // SAFETY: as above
-    Ok(unsafe { &*data })
-}
-
-/// # Safety
-///
 /// A pointer that is not null must be valid for `count` values, which nothing else uses meanwhile.
 pub unsafe fn output<'a, T>(
     data: *mut T,
@@ -53,8 +42,9 @@ pub unsafe fn output<'a, T>(
         return Ok(&mut []);
     }
     check(data, count)?;
-    let own = bytes(&(data.cast_const()..data.cast_const().wrapping_add(count)));
-    let overlaps = |other: &Range<usize>| own.start < other.end && other.start < own.end;
+    let start = data.addr();
+    let end = start + count * size_of::<T>();
+    let overlaps = |input: &Range<usize>| start < input.end && input.start < end;
     if inputs.iter().any(overlaps) {
         return Err(Status::Overlap);
     }
@@ -63,6 +53,7 @@ pub unsafe fn output<'a, T>(
 }
 
 /// The addresses of a buffer.
-pub fn bytes<T>(buffer: &Range<*const T>) -> Range<usize> {
-    buffer.start.addr()..buffer.end.addr()
+pub fn addresses<T>(buffer: &[T]) -> Range<usize> {
+    let Range { start, end } = buffer.as_ptr_range();
+    start.addr()..end.addr()
 }

@@ -1,6 +1,5 @@
 //! A turning ball under two lamps, drawn pixel by pixel in the order in which the display takes
-//! them: no frame buffer, no line buffer, no trigonometry. The module `number` beside this one
-//! chooses the number type.
+//! them: no frame buffer, no line buffer, no trigonometry.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::RawU16;
@@ -8,7 +7,22 @@ use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Point, Size};
 use embedded_graphics::primitives::Rectangle;
 use shading::{Real, shade};
 
-use super::number::{Attenuation, Material, Number, PointLight, Rgb, UnitVec3, Vec3, number};
+#[cfg(not(feature = "fixed"))]
+use shading::f32::{Attenuation, Material, PointLight, Rgb, UnitVec3, Vec3};
+#[cfg(feature = "fixed")]
+use shading::fixed::{Attenuation, Material, PointLight, Rgb, UnitVec3, Vec3};
+
+#[cfg(not(feature = "fixed"))]
+type Number = f32;
+#[cfg(feature = "fixed")]
+type Number = shading::fixed::Fixed;
+
+const fn number(literal: f64) -> Number {
+    #[cfg(not(feature = "fixed"))]
+    return literal as f32;
+    #[cfg(feature = "fixed")]
+    return Number::new(literal);
+}
 
 /// x points to the right, y up, and z to the eye; the ball has radius 1 and its center at the
 /// origin.
@@ -25,7 +39,8 @@ static LAMPS: [PointLight; 2] = [
     },
 ];
 
-const FALLOFF: Attenuation = Attenuation::new(number(0.5), number(0.0), number(0.03)).unwrap();
+const FALLOFF: Attenuation =
+    Attenuation::const_new(number(0.5), number(0.0), number(0.03)).unwrap();
 
 static SURROUNDINGS: Rgb = color(0.05, 0.05, 0.07);
 
@@ -111,7 +126,7 @@ fn ball(x: Number, y: Number, turn: Turn) -> Option<Rgb> {
     let large = Vec3::new(x, y, Real::sqrt(z_squared));
     let p = large * SHRUNK;
     let n = UnitVec3::assume_unit(p); // on a ball of radius 1, p is the normal
-    let lights = LAMPS.iter().filter_map(|lamp| lamp.in_front(p, n));
+    let lights = LAMPS.iter().map(|lamp| lamp.at(p));
     let shaded = shade::blinn_phong(n, UnitVec3::Z, &LACQUER, SURROUNDINGS, lights);
     Some((shaded.ambient + shaded.diffuse) * painted(large, turn) + shaded.specular)
 }

@@ -21,7 +21,7 @@ enum shading_status {
     SHADING_SIZE = 3,     /* a buffer is larger than the address space */
     SHADING_OVERLAP = 4,  /* the output overlaps an input */
     SHADING_MODEL = 5,    /* there is no such model */
-    SHADING_MATERIAL = 6, /* a reflectance or the ambient light is negative or not finite, or m is negative or NaN */
+    SHADING_MATERIAL = 6, /* a reflectance that the model takes or the ambient light is negative or not finite, or m is negative or NaN */
     SHADING_LIGHT = 7     /* a light has an unknown kind, no direction, or a bad intensity, attenuation, range, angle or unsquared */
 };
 
@@ -42,8 +42,8 @@ typedef struct shading_light {
 } shading_light;
 
 typedef struct shading_material {
-    float k_a[3], k_d[3], k_s[3]; /* reflectances; Lambert ignores k_s */
-    float m;                      /* shininess; a whole number is faster */
+    float k_a[3], k_d[3], k_s[3]; /* reflectances */
+    float m;                      /* shininess; a whole number is faster. Lambert ignores k_s and m */
 } shading_material;
 
 /* The light that each of `count` points sends to the eye: k_a I_a and, for each light in front of the surface,
