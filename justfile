@@ -18,10 +18,13 @@ test:
 chips:
     tests/firmware/run.sh
 
-# race against handwritten code, and count the instructions of every function
-bench:
-    cargo bench -p shading-benches --bench versus
-    cargo bench -p shading-benches --bench instructions -- --check
+# measure the time beside the same by hand (`just bench quick forms` for some), and fail above a limit
+bench *what:
+    cargo bench -p shading-benches --bench time -- {{what}}
+
+# measure the loops of the working tree against those of a commit
+slower commit:
+    benches/slower.sh {{commit}}
 
 # renew what is generated: the pinned bits, the counts, the table of flash, the public interface
 renew *what:

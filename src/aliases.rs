@@ -22,10 +22,8 @@ macro_rules! aliases {
     ($float:ident) => {
         #[doc = concat!("The types of a scene in `", stringify!($float), "`.")]
         ///
-        /// A constructor that works in constants exists separately for `f32` and `f64`, so the
-        /// compiler cannot infer which one `Attenuation::new` means. With the types of this module
-        /// it need not. Code that is generic over the number calls
-        /// [`Attenuation::new`](crate::Attenuation::of) and its like instead.
+        /// Constructors that work in constants begin with `const_` and exist separately for each number
+        /// type. With the types of this module, the compiler need not infer which one is meant.
         ///
         /// ```
         #[doc = concat!("use shading::", stringify!($float), "::{Attenuation, Cone, Material, PointLight, Rgb, SpotLight, UnitVec3, Vec3};")]

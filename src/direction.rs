@@ -2,6 +2,7 @@
 
 use crate::real::{Real, Scalar};
 use crate::unit::UnitVec3;
+use crate::vector::Vec3;
 
 /// The reflection vector R: the direction L mirrored in the normal N.
 ///
@@ -30,8 +31,14 @@ use crate::unit::UnitVec3;
 #[inline]
 #[must_use]
 pub fn reflection<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> UnitVec3<T> {
-    let n_dot_l = n.dot(l);
-    UnitVec3::assume_unit(*n * (n_dot_l + n_dot_l) - *l)
+    UnitVec3::assume_unit(mirrored(n, *l))
+}
+
+/// The [`reflection`] of a vector of any length.
+#[inline]
+pub(crate) fn mirrored<T: Real>(n: UnitVec3<T>, v: Vec3<T>) -> Vec3<T> {
+    let n_dot_v = n.dot(v);
+    *n * (n_dot_v + n_dot_v) - v
 }
 
 /// The half vector H: the direction halfway between L and V.

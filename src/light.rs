@@ -40,13 +40,13 @@ pub struct IncidentLight<T = f32> {
     way: Vec3<T>,
 }
 
-/// What an [`IncidentLight`] is asked for.
+/// What the sums need to know of an [`IncidentLight`].
 pub(crate) struct Arriving<T> {
-    pub(crate) l: UnitVec3<T>,
-    pub(crate) q: T,
+    /// A vector in the direction of L, and its length, which is 0 if there is no such direction.
+    pub(crate) way: Vec3<T>,
+    pub(crate) length: T,
+    pub(crate) distance: T,
     pub(crate) intensity: Rgb<T>,
-    /// Above 0 if there is a direction to the light.
-    pub(crate) exists: T,
 }
 
 impl<T: Real> IncidentLight<T> {
@@ -78,22 +78,64 @@ impl<T: Real> IncidentLight<T> {
         self.in_front_by(n).any_positive()
     }
 
-    /// L, the direction from the surface **to** the light.
+    /// This light as it arrives, if it is in front of a surface with the normal N and nothing blocks the
+    /// way to it. `is_blocked` gets L and the distance to the light, at which a shadow ray ends.
+    ///
+    /// What remains has no position any more: its direction and intensity are known, and a sum need not
+    /// compute them again. A shadow is one `filter_map`:
+    ///
+    /// ```
+    /// use shading::f32::{Attenuation, PointLight, Rgb, UnitVec3, Vec3};
+    ///
+    /// let lamp = PointLight {
+    ///     position: Vec3::new(0.0, 0.0, 5.0),
+    ///     intensity: Rgb::WHITE,
+    ///     attenuation: Attenuation::NONE,
+    /// };
+    /// let ceiling = |l: UnitVec3, distance: f32| 3.0 < distance * l.z;
+    /// let lit = [lamp].into_iter().filter_map(|lamp| lamp.at(Vec3::ZERO).unless_blocked(UnitVec3::Z, ceiling));
+    /// assert_eq!(lit.count(), 0);
+    /// ```
+    #[doc(alias = "shadow")]
+    #[inline]
+    #[must_use]
+    pub fn unless_blocked(
+        self,
+        n: UnitVec3<T>,
+        is_blocked: impl FnOnce(UnitVec3<T>, T) -> bool,
+    ) -> Option<Self> {
+        if !self.is_in_front(n) {
+            return None;
+        }
+        let Arriving {
+            way,
+            length,
+            distance,
+            intensity,
+        } = self.arriving();
+        let l = UnitVec3::assume_unit(T::divided(way.into(), length).into());
+        (!is_blocked(l, distance)).then(|| DirectionalLight { l, intensity }.into())
+    }
+
+    /// L, the direction from the surface **to** the light; the z axis if there is none.
     #[inline]
     #[must_use]
     pub fn l(&self) -> UnitVec3<T> {
-        self.arriving().l
+        match &self.light {
+            Light::Directional(light) => light.l,
+            _ => self.way.unit_or(UnitVec3::Z),
+        }
     }
 
-    /// q, the distance to the light. A shadow ray ends there; anything farther away casts no
-    /// shadow.
+    /// q, the distance to the light. A shadow ray ends there; geometry beyond the light does not block
+    /// it.
     ///
-    /// It is always finite. It is [`MAX`](Real::MAX) if the light has no position, like the sun, or
-    /// if q overflows.
+    /// It is finite unless a coordinate is NaN. It is [`MAX`](Real::MAX) if the light has no position,
+    /// like the sun, or if q overflows.
     #[inline]
     #[must_use]
     pub fn distance(&self) -> T {
-        self.arriving().q
+        self.arriving().distance.at_most(T::MAX)
     }
 
     /// I as it arrives: attenuated, and 0 outside a spot's cone.
@@ -101,19 +143,19 @@ impl<T: Real> IncidentLight<T> {
     #[must_use]
     pub fn intensity(&self) -> Rgb<T> {
         let Arriving {
-            intensity, exists, ..
+            length, intensity, ..
         } = self.arriving();
-        intensity.map(|channel| exists.if_positive(channel, T::ZERO))
+        intensity.map(|channel| length.if_positive(channel, T::ZERO))
     }
 
     #[inline(always)]
     pub(crate) fn arriving(&self) -> Arriving<T> {
         match &self.light {
             Light::Directional(light) => Arriving {
-                l: light.l,
-                q: T::MAX,
+                way: *light.l,
+                length: T::ONE,
+                distance: T::MAX,
                 intensity: light.intensity,
-                exists: T::ONE,
             },
             Light::Point(light) => light.along(self.way),
             Light::Spot(light) => light.along(self.way),
@@ -175,6 +217,17 @@ impl<T: Real> Mul<Rgb<T>> for IncidentLight<T> {
 /// ```
 #[doc(alias = "sun")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        deny_unknown_fields,
+        bound(
+            serialize = "T: Real + crate::Scalar + serde::Serialize",
+            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>"
+        )
+    )
+)]
 pub struct DirectionalLight<T = f32> {
     /// L, the direction **to** the light, opposite to the direction in which it shines.
     pub l: UnitVec3<T>,
@@ -187,7 +240,7 @@ impl<T: Real> DirectionalLight<T> {
     /// the largest finite number.
     #[inline]
     #[must_use]
-    pub fn at(&self, _p: Vec3<T>) -> IncidentLight<T> {
+    pub fn at(&self, _p: impl Into<[T; 3]>) -> IncidentLight<T> {
         (*self).into()
     }
 
@@ -231,6 +284,17 @@ impl<T: Real> From<DirectionalLight<T>> for IncidentLight<T> {
 /// ```
 #[doc(alias = "lamp")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        deny_unknown_fields,
+        bound(
+            serialize = "T: Real + crate::Scalar + serde::Serialize",
+            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>"
+        )
+    )
+)]
 pub struct PointLight<T = f32> {
     /// P_light, the position of the light.
     pub position: Vec3<T>,
@@ -247,8 +311,8 @@ impl<T: Real> PointLight<T> {
     /// L = (P_light − p)/q,  q = |P_light − p|,  intensity I / (a + bq + cq²)
     /// ```
     ///
-    /// The light is black at its own position (q = 0) and if a coordinate is infinite. A distance
-    /// or an intensity that overflows is the largest finite number.
+    /// The light is black at its own position (q = 0), and where a coordinate of P_light − p is NaN or
+    /// overflows. A distance or an intensity that overflows is the largest finite number.
     ///
     /// ```
     /// use shading::f32::{Attenuation, PointLight, Rgb, UnitVec3, Vec3};
@@ -266,23 +330,21 @@ impl<T: Real> PointLight<T> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
+    pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
         IncidentLight {
             light: Light::Point(*self),
-            way: self.position - p,
+            way: self.position - Vec3::from(p.into()),
         }
     }
 
     #[inline(always)]
     fn along(&self, way: Vec3<T>) -> Arriving<T> {
-        let (l, q, exists) = T::unit_and_length(way.into());
-        let (l, q) = (UnitVec3::assume_unit(l.into()), q.at_most(T::MAX));
-        let intensity = self.attenuation.dimmed(self.intensity, q);
+        let (way, length, distance) = T::direction(way.into());
         Arriving {
-            l,
-            q,
-            intensity,
-            exists,
+            way: way.into(),
+            length,
+            distance,
+            intensity: self.attenuation.dimmed(self.intensity, distance),
         }
     }
 
@@ -317,6 +379,17 @@ impl<T: Real> PointLight<T> {
 /// ```
 #[doc(alias = "spotlight")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        deny_unknown_fields,
+        bound(
+            serialize = "T: Real + crate::Scalar + serde::Serialize",
+            deserialize = "T: crate::Elementary + crate::Scalar + serde::Deserialize<'de>"
+        )
+    )
+)]
 #[repr(C)] // begins with its point light, as `Light::Point` does, so `Light` finds both at one offset
 pub struct SpotLight<T = f32> {
     /// The light at the tip of the cone.
@@ -332,17 +405,18 @@ impl<T: Real> SpotLight<T> {
     /// [factor](Cone::factor) of the cone.
     #[inline]
     #[must_use]
-    pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
+    pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
         IncidentLight {
             light: Light::Spot(*self),
-            way: self.point.position - p,
+            way: self.point.position - Vec3::from(p.into()),
         }
     }
 
     #[inline(always)]
     fn along(&self, way: Vec3<T>) -> Arriving<T> {
         let light = self.point.along(way);
-        let intensity = light.intensity * self.cone.factor(self.axis, light.l);
+        let cosine = (-self.axis).dot(light.way) / light.length;
+        let intensity = light.intensity * self.cone.share(cosine);
         Arriving { intensity, ..light }
     }
 
@@ -377,6 +451,17 @@ impl<T: Real> SpotLight<T> {
 ///
 /// In a `static`, write the kind: `static LIGHTS: [Light; 1] = [Light::Directional(SUN)];`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        rename_all = "snake_case",
+        bound(
+            serialize = "T: Real + crate::Scalar + serde::Serialize",
+            deserialize = "T: crate::Elementary + crate::Scalar + serde::Deserialize<'de>"
+        )
+    )
+)]
 pub enum Light<T = f32> {
     /// A light from one direction.
     Directional(DirectionalLight<T>),
@@ -391,12 +476,14 @@ impl<T: Real> Light<T> {
     /// and [`SpotLight::at`].
     #[inline(always)]
     #[must_use]
-    pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
+    pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
         IncidentLight {
             light: *self,
             way: match self {
                 Self::Directional(light) => *light.l,
-                Self::Point(point) | Self::Spot(SpotLight { point, .. }) => point.position - p,
+                Self::Point(point) | Self::Spot(SpotLight { point, .. }) => {
+                    point.position - Vec3::from(p.into())
+                }
             },
         }
     }

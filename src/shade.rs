@@ -64,13 +64,13 @@
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Mul};
 
-use crate::direction::reflection;
-use crate::exponent::Exponent;
+use crate::direction::mirrored;
 use crate::light::{Arriving, IncidentLight};
-use crate::real::Real;
+use crate::real::{Exponent, Real};
 use crate::rgb::Rgb;
 use crate::term;
 use crate::unit::UnitVec3;
+use crate::vector::Vec3;
 
 /// The material of a surface: three reflectances, each with three channels, and the shininess.
 ///
@@ -89,6 +89,17 @@ use crate::unit::UnitVec3;
 /// };
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        deny_unknown_fields,
+        bound(
+            serialize = "T: Real + crate::Scalar + serde::Serialize, M: serde::Serialize",
+            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>, M: serde::Deserialize<'de>"
+        )
+    )
+)]
 pub struct Material<T = f32, M = u32> {
     /// k_a, the reflectance for ambient light.
     pub k_a: Rgb<T>,
@@ -226,7 +237,7 @@ pub fn lambert<T: Real, M>(
     let specular = Rgb::BLACK;
     Shaded {
         specular,
-        ..sum(n, material, i_a, lights, |_| T::ZERO)
+        ..sum(n, material, i_a, lights, |_, _| T::ZERO)
     }
 }
 
@@ -236,7 +247,7 @@ pub fn lambert<T: Real, M>(
 /// I_r = k_a I_a + Σ I (k_d max(0, N·L) + k_s max(0, R·V)ᵐ)
 /// ```
 ///
-/// R is the [`reflection`] of L. A light with N·L ≤ 0 adds nothing. The [module page](crate::shade)
+/// R is the [`reflection`](crate::reflection()) of L. A light with N·L ≤ 0 adds nothing. The [module page](crate::shade)
 /// lists the arguments and the degenerate cases.
 ///
 /// Source: Bui Tuong Phong, *Illumination for Computer Generated Pictures*, 1975.
@@ -260,8 +271,9 @@ pub fn phong<T: Real, M: Exponent<T>>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    sum(n, material, i_a, lights, |l| {
-        term::phong(reflection(n, l), v, material.m)
+    // R is the direction of the mirrored way
+    sum(n, material, i_a, lights, |way, length| {
+        term::highlight(mirrored(n, way).dot(v) / length, material.m)
     })
 }
 
@@ -296,30 +308,39 @@ pub fn blinn_phong<T: Real, M: Exponent<T>>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    sum(n, material, i_a, lights, |l| {
-        let n_dot_h = T::cosine((*n).into(), (*l + *v).into()); // 0 if L = −V
-        material.m.raise(n_dot_h)
+    // H is the direction of |way| (L + V)
+    sum(n, material, i_a, lights, |way, length| {
+        let h = way + *v * length;
+        T::cosine_power((*n).into(), h.into(), material.m)
     })
 }
 
+/// The sum over the lights. It computes with the way to the light instead of L, which takes one
+/// division in place of three: N·L = N·way/|way|.
 #[inline]
 fn sum<T: Real, M>(
     n: UnitVec3<T>,
     material: &Material<T, M>,
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
-    highlight: impl Fn(UnitVec3<T>) -> T,
+    highlight: impl Fn(Vec3<T>, T) -> T,
 ) -> Shaded<T> {
     let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
+    // not `for_each`, whose closure keeps the sums in memory
     for light in lights {
-        // the sign of N·L, before L, which takes a root
+        // the sign of N·L decides before the root of |way|
         let in_front = light.in_front_by(n);
         if in_front.any_positive() {
-            let Arriving { l, intensity, .. } = light.arriving();
-            let n_dot_l = in_front.if_positive(term::lambert(n, l), T::ZERO);
-            let highlight = n_dot_l.if_positive(highlight(l), T::ZERO);
-            diffuse += intensity * n_dot_l;
-            specular += intensity * highlight;
+            let Arriving {
+                way,
+                length,
+                intensity,
+                ..
+            } = light.arriving();
+            // a way that overflowed gives ∞, and its light is black
+            let n_dot_l = (n.dot(way) / length).at_least(T::ZERO).at_most(T::ONE);
+            diffuse += intensity * in_front.if_positive(n_dot_l, T::ZERO);
+            specular += intensity * in_front.if_positive(highlight(way, length), T::ZERO);
         }
     }
     Shaded {

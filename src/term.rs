@@ -12,8 +12,7 @@
 
 use core::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
 
-use crate::exponent::Exponent;
-use crate::real::{Real, constant, parts};
+use crate::real::{Exponent, Real, constant, parts};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 
@@ -97,7 +96,7 @@ pub fn lambert<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> T {
 #[inline]
 #[must_use]
 pub fn phong<T: Real, M: Exponent<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T {
-    m.raise(r.dot(v))
+    highlight(r.dot(v), m)
 }
 
 /// The factor of Blinn's highlight.
@@ -129,7 +128,14 @@ pub fn phong<T: Real, M: Exponent<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T
 #[inline]
 #[must_use]
 pub fn blinn<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: UnitVec3<T>, m: M) -> T {
-    m.raise(n.dot(h))
+    highlight(n.dot(h), m)
+}
+
+/// The power of a cosine: 0 if it is not above 0, and 1 if rounding has put it above 1.
+#[inline]
+pub(crate) fn highlight<T: Real, M: Exponent<T>>(cosine: T, m: M) -> T {
+    let power = m.raise(cosine.at_least(T::ZERO).at_most(T::ONE));
+    cosine.if_positive(power, T::ZERO)
 }
 
 /// The factor that normalizes the highlight of [`phong`], for renderers whose diffuse term has a 1/π.

@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Deref, Mul, Neg, Sub};
 
-use crate::real::{Real, Scalar, const_sqrt, epsilon, tamed};
+use crate::real::{Real, Scalar, const_sqrt, epsilon, size, tamed};
 use crate::vector::Vec3;
 
 impl<T: Real> Vec3<T> {
@@ -12,8 +12,8 @@ impl<T: Real> Vec3<T> {
     /// |v| = √(v·v)
     /// ```
     ///
-    /// The result is accurate from the smallest subnormal number to the largest finite one. It is
-    /// infinite if it overflows or if a component is infinite.
+    /// The result is accurate from the smallest subnormal number to the largest finite one, which it
+    /// is, too, if it overflows. It is infinite if a component is infinite.
     ///
     /// ```
     /// use shading::Vec3;
@@ -25,7 +25,7 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn length(self) -> T {
-        T::unit_and_length(self.into()).1
+        T::direction(self.into()).2
     }
 
     /// The direction of the vector: the vector of length 1 that points the same way.
@@ -52,8 +52,8 @@ impl<T: Real> Vec3<T> {
     where
         T: Scalar,
     {
-        let (unit, _, exists) = T::unit_and_length(self.into());
-        (exists > T::ZERO).then(|| UnitVec3(unit.into()))
+        let (w, length, _) = T::direction(self.into());
+        (length > T::ZERO).then(|| UnitVec3(T::divided(w, length).into()))
     }
 
     /// [`unit`](Vec3::unit), or `fallback` if that is `None`. This method does not branch on the
@@ -68,9 +68,9 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn unit_or(self, fallback: UnitVec3<T>) -> UnitVec3<T> {
-        let (unit, _, exists) = T::unit_and_length(self.into());
-        let [x, y, z] = unit;
-        let or = |a, b| exists.if_positive(a, b);
+        let (w, length, _) = T::direction(self.into());
+        let or = |w, fallback| length.if_positive(w, fallback);
+        let [x, y, z] = T::divided(w, length);
         UnitVec3(Vec3::new(
             or(x, fallback.x),
             or(y, fallback.y),
@@ -82,7 +82,7 @@ impl<T: Real> Vec3<T> {
     /// products.
     #[inline(always)]
     pub(crate) fn tamed_from(self, origin: Self) -> Self {
-        tamed(self.into(), origin.into()).v.into()
+        tamed(self.into(), origin.into()).into()
     }
 }
 
@@ -161,7 +161,7 @@ impl<T: Real> UnitVec3<T> {
     {
         let two = T::ONE + T::ONE;
         let v = Vec3::new(x, y, z);
-        let is_unit = (v.dot(v) - T::ONE).abs() <= two * two * epsilon();
+        let is_unit = size(v.dot(v) - T::ONE) <= two * two * epsilon();
         is_unit.then_some(Self(v))
     }
 
@@ -213,8 +213,12 @@ macro_rules! literals {
                 let (x, y, z) = (x * scale, y * scale, z * scale);
                 let square = x * x + y * y + z * z;
                 if square > 0.0 && square <= $float::MAX {
-                    let length = const_sqrt(square as f64) as $float;
-                    Some(Self(Vec3::new(x / length, y / length, z / length)))
+                    let reciprocal = 1.0 / const_sqrt(square as f64) as $float;
+                    Some(Self(Vec3::new(
+                        x * reciprocal,
+                        y * reciprocal,
+                        z * reciprocal,
+                    )))
                 } else {
                     None
                 }

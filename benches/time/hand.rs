@@ -8,16 +8,26 @@ macro_rules! hand {
     ($name:ident, $float:ident, $vector:ty) => {
         pub mod $name {
             use super::*;
-            type V = $vector;
+            pub type V = $vector;
 
             pub fn vector(v: List<f64>) -> V {
                 V::from(v.map(|x| x as $float))
             }
 
+            #[derive(Clone, Copy)]
             pub struct Lamp {
-                position: V,
+                pub position: V,
                 intensity: V,
                 abc: [$float; 3],
+            }
+
+            pub fn lamp(position: List<f64>) -> Lamp {
+                let abc = ATTENUATION.map(|x| x as $float);
+                Lamp {
+                    position: vector(position),
+                    intensity: V::ONE,
+                    abc,
+                }
             }
 
             pub struct Material {
@@ -26,54 +36,77 @@ macro_rules! hand {
                 k_s: V,
             }
 
-            pub fn lamps(positions: &[List<f64>]) -> Vec<Lamp> {
-                let lamp = |&position: &_| Lamp {
-                    position: vector(position),
-                    intensity: V::ONE,
-                    abc: ATTENUATION.map(|x| x as $float),
-                };
-                positions.iter().map(lamp).collect()
-            }
-
             pub fn material() -> Material {
                 let [k_a, k_d, k_s] = [K_A, K_D, K_S].map(vector);
                 Material { k_a, k_d, k_s }
             }
 
-            #[inline]
-            pub fn blinn(n: V, v: V, l: V, _: $float) -> $float {
-                n.dot((l + v).normalize())
-            }
-
-            #[inline]
-            pub fn phong(n: V, v: V, l: V, n_dot_l: $float) -> $float {
-                (n * (2.0 * n_dot_l) - l).dot(v)
-            }
-
-            /// Adds what a lamp gives. `share` is how much of the light arrives, from L and q.
-            #[inline]
-            pub fn add(
-                sum: &mut V,
+            /// The sum over the lights of a point. `highlight` has N, V, L and N·L.
+            pub struct Point<'a, H> {
                 n: V,
-                p: V,
-                material: &Material,
-                lamp: &Lamp,
-                highlight: impl Fn(V, $float) -> $float,
-                share: impl Fn(V, $float) -> $float,
-            ) {
-                let way = lamp.position - p;
-                let q = way.length();
-                let l = way / q;
-                let n_dot_l = n.dot(l);
-                if n_dot_l > 0.0 {
-                    let share = share(l, q);
-                    if share > 0.0 {
-                        let [a, b, c] = lamp.abc;
-                        let reflected =
-                            material.k_d * n_dot_l + material.k_s * highlight(l, n_dot_l);
-                        *sum += lamp.intensity * share * reflected / (a + b * q + c * q * q);
+                v: V,
+                pub p: V,
+                material: &'a Material,
+                highlight: H,
+                pub sum: V,
+            }
+
+            impl<'a, H: Fn(V, V, V, $float) -> $float> Point<'a, H> {
+                #[inline(always)]
+                pub fn new(&[n, v, p]: &[V; 3], material: &'a Material, highlight: H) -> Self {
+                    let sum = material.k_a * 0.2;
+                    Self {
+                        n,
+                        v,
+                        p,
+                        material,
+                        highlight,
+                        sum,
                     }
                 }
+
+                /// Adds a lamp. `share` is how much of its light arrives, from L and q.
+                #[inline(always)]
+                pub fn add(&mut self, lamp: &Lamp, share: impl Fn(V, $float) -> $float) {
+                    let way = lamp.position - self.p;
+                    let q = way.length();
+                    let l = way / q;
+                    let n_dot_l = self.n.dot(l);
+                    if n_dot_l > 0.0 {
+                        let share = share(l, q);
+                        if share > 0.0 {
+                            let [a, b, c] = lamp.abc;
+                            let reflected = self.reflected(l, n_dot_l) * share;
+                            self.sum += lamp.intensity * reflected / (a + b * q + c * q * q);
+                        }
+                    }
+                }
+
+                /// Adds a white light from the direction L.
+                #[allow(dead_code)] // `Vec3A` has lamps alone
+                #[inline(always)]
+                pub fn add_sun(&mut self, l: V) {
+                    let n_dot_l = self.n.dot(l);
+                    if n_dot_l > 0.0 {
+                        self.sum += self.reflected(l, n_dot_l);
+                    }
+                }
+
+                #[inline(always)]
+                fn reflected(&self, l: V, n_dot_l: $float) -> V {
+                    let highlight = (self.highlight)(self.n, self.v, l, n_dot_l);
+                    self.material.k_d * n_dot_l + self.material.k_s * highlight
+                }
+            }
+
+            #[inline(always)]
+            pub fn blinn(n: V, v: V, l: V, _: $float) -> $float {
+                n.dot((l + v).normalize()).max(0.0)
+            }
+
+            #[inline(always)]
+            fn phong(n: V, v: V, l: V, n_dot_l: $float) -> $float {
+                (n * (2.0 * n_dot_l) - l).dot(v).max(0.0)
             }
 
             /// The sums of Blinn by an even m, an odd m and a real m, and of Phong.
@@ -84,15 +117,14 @@ macro_rules! hand {
                 macro_rules! sum {
                     ($cosine:ident, $power:ident, $m:expr) => {{
                         let material = material();
-                        pass::<CALL, _, _>(points, lamps.len(), move |&[n, v, p]| {
-                            let (material, m) = (black_box(&material), black_box($m));
-                            let mut sum = material.k_a * 0.2;
-                            let highlight =
-                                |l, n_dot_l| $cosine(n, v, l, n_dot_l).max(0.0).$power(m);
+                        pass::<CALL, _, _>(points, lamps.len(), move |point| {
+                            let m = black_box($m);
+                            let highlight = |n, v, l, n_dot_l| $cosine(n, v, l, n_dot_l).$power(m);
+                            let mut point = Point::new(point, black_box(&material), highlight);
                             for lamp in lamps {
-                                add(&mut sum, n, p, material, lamp, highlight, |_, _| 1.0);
+                                point.add(lamp, |_, _| 1.0);
                             }
-                            <[$float; 3]>::from(sum)
+                            <[$float; 3]>::from(point.sum)
                         })
                     }};
                 }

@@ -1,46 +1,40 @@
 //! Races two loops over the same data, in turn, and prints a table of their least times.
 
 use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::process::ExitCode;
+use std::time::Instant;
 
 /// How often a ratio above its limit is measured again. A busy machine disturbs a race, but seldom five.
 const ATTEMPTS: usize = 5;
 
-/// A loop over inputs. It returns its time and, if asked, the sum of its results.
-pub struct Pass<'a> {
-    /// What the time is divided by: inputs, or inputs times lights.
-    pub units: usize,
-    run: Box<dyn FnMut(bool) -> (Duration, f64) + 'a>,
-}
+/// A loop over inputs. It returns the nanoseconds for a unit and, if asked, the sum of its results.
+pub type Pass<'a> = Box<dyn FnMut(bool) -> [f64; 2] + 'a>;
 
-/// The function in a loop over the inputs: inlined, or by a call.
-pub fn pass<'a, const CALL: bool, I, O: Output + 'a>(
+/// The function in a loop over the inputs: inlined, or by a call. An input has several `units`, such as lights.
+pub fn pass<'a, const CALL: bool, I, O: Output + Clone + Default + 'a>(
     inputs: &'a [I],
-    lights: usize,
+    units: usize,
     function: impl Fn(&I) -> O + 'a,
 ) -> Pass<'a> {
     let mut results = vec![O::default(); inputs.len()];
-    let units = inputs.len() * lights;
-    let run = Box::new(move |sum: bool| {
+    Box::new(move |sum| {
         let start = Instant::now();
-        for (result, input) in black_box(&mut results).iter_mut().zip(black_box(inputs)) {
-            *result = if CALL {
-                call(&function, input)
-            } else {
-                function(input)
+        let places = black_box(&mut results).iter_mut();
+        for (result, input) in places.zip(black_box(inputs)) {
+            *result = match CALL {
+                true => call(&function, input),
+                false => function(input),
             };
         }
         black_box(&mut results);
-        let time = start.elapsed();
-        let channels = |result: &O| result.channels().into_iter().sum::<f64>();
+        let nanoseconds = start.elapsed().as_secs_f64() * 1e9;
         let sum = if sum {
-            results.iter().map(channels).sum()
+            results.iter().map(O::sum).sum()
         } else {
             0.0
         };
-        (time, sum)
-    });
-    Pass { units, run }
+        [nanoseconds / (units * inputs.len()) as f64, sum]
+    })
 }
 
 #[inline(never)]
@@ -48,63 +42,68 @@ fn call<I, O>(function: &impl Fn(&I) -> O, input: &I) -> O {
     function(input)
 }
 
-/// A result.
-pub trait Output: Clone + Default {
-    fn channels(&self) -> [f64; 3];
+/// A result, summed up so that two contestants can be compared.
+pub trait Output {
+    fn sum(&self) -> f64;
 }
 
-macro_rules! outputs {
-    ($($output:ty: |$o:ident| $channels:expr;)*) => {$(
-        impl Output for $output {
-            fn channels(&self) -> [f64; 3] {
-                let $o = self;
-                $channels
+impl<O: Output, const N: usize> Output for [O; N] {
+    fn sum(&self) -> f64 {
+        self.iter().map(O::sum).sum()
+    }
+}
+
+impl<O: Output> Output for Option<O> {
+    fn sum(&self) -> f64 {
+        self.iter().map(O::sum).sum()
+    }
+}
+
+macro_rules! numbers {
+    ($($number:ty),*) => {$(
+        impl Output for $number {
+            fn sum(&self) -> f64 {
+                f64::from(*self).abs()
             }
         }
     )*};
 }
 
-outputs! {
-    [u8; 3]: |o| o.map(f64::from);
-    [f32; 3]: |o| o.map(f64::from);
-    [f64; 3]: |o| *o;
-    [wide::f32x8; 3]: |o| o.map(|lanes| lanes.to_array().into_iter().map(f64::from).sum());
-    Option<[f32; 3]>: |o| o.unwrap_or_default().map(f64::from);
-    u16: |o| [f64::from(*o), 0.0, 0.0];
-    f32: |o| [f64::from(*o), 0.0, 0.0];
-    f64: |o| [*o, 0.0, 0.0];
-    wide::f64x4: |o| [o.to_array().into_iter().sum(), 0.0, 0.0];
-}
+numbers!(u8, u16, f32, f64);
 
-/// All tables, and what is above a limit.
+/// Tables, and what in them is above its limit.
 pub struct Races {
-    /// The least time spent on each ratio.
-    pub budget: Duration,
+    /// How many seconds a ratio is measured.
+    pub budget: f64,
     pub misses: Vec<String>,
+    /// How far the results of ours and theirs may be apart.
+    pub tolerance: f64,
     title: &'static str,
     ratios: Vec<f64>,
 }
 
 impl Races {
-    pub fn new(budget: Duration) -> Self {
-        let (misses, ratios) = (Vec::new(), Vec::new());
+    pub fn new(budget: f64) -> Self {
         Self {
             budget,
-            misses,
+            misses: Vec::new(),
+            tolerance: 1e-3,
             title: "",
-            ratios,
+            ratios: Vec::new(),
         }
     }
 
     /// Begins a table.
     pub fn table(&mut self, title: &'static str, columns: &[&str]) {
         (self.title, self.ratios) = (title, Vec::new());
-        println!("\n**{title}**: ours / theirs in ns = ratio\n");
-        println!("| | {} | limit |", columns.join(" | "));
-        println!("|---{}|---|", "|---".repeat(columns.len()));
+        println!(
+            "\n**{title}**\n\n| ours / theirs in ns = ratio | {} | limit |",
+            columns.join(" | ")
+        );
+        println!("|---|---{}|", "|---".repeat(columns.len()));
     }
 
-    /// Races ours against theirs, and prints a row with a ratio for each pair.
+    /// A row with a ratio for each pair of ours and theirs.
     pub fn row<'a>(
         &mut self,
         name: &str,
@@ -112,53 +111,77 @@ impl Races {
         pairs: impl IntoIterator<Item = [Pass<'a>; 2]>,
     ) {
         print!("| {name}");
-        for [mut ours, mut theirs] in pairs {
-            let mut least = [f64::MAX; 2];
-            for _ in 0..ATTEMPTS {
-                self.race([&mut ours, &mut theirs], &mut least);
-                if least[0] <= limit * least[1] {
-                    break;
-                }
-            }
-            let [nanoseconds, rival] = least;
-            let ratio = nanoseconds / rival;
+        for mut pair in pairs {
+            let [ours, theirs] = self.least(&mut pair, limit, name);
+            let ratio = ours / theirs;
             self.ratios.push(ratio);
+            self.check(name, ratio, limit);
             let mark = if ratio > limit { "**" } else { "" };
-            print!(" | {nanoseconds:.2} / {rival:.2} = {mark}{ratio:.2}{mark}");
-            if ratio > limit {
-                self.misses
-                    .push(format!("{}, {name}: {ratio:.2} > {limit}", self.title));
-            }
+            print!(" | {ours:.2} / {theirs:.2} = {mark}{ratio:.2}{mark}");
         }
         println!(" | {limit:.2} |");
     }
 
-    /// Lowers the least nanoseconds of a unit.
-    fn race(&self, mut passes: [&mut Pass; 2], least: &mut [f64; 2]) {
-        let sums = passes.each_mut().map(|pass| (pass.run)(true).1);
-        let close = (sums[0] - sums[1]).abs() <= 1e-3 * sums[1].abs();
-        assert!(close || sums[1].is_nan(), "{}: {sums:?} differ", self.title);
-        let start = Instant::now();
-        while start.elapsed() < self.budget {
-            for (pass, least) in passes.iter_mut().zip(&mut *least) {
-                #[allow(clippy::cast_precision_loss)]
-                let time = (pass.run)(false).0.as_secs_f64() * 1e9 / pass.units as f64;
-                *least = least.min(time);
+    /// Rows of which each column is given as a whole.
+    pub fn rows<'a, const N: usize>(
+        &mut self,
+        names: [(String, f64); N],
+        columns: impl IntoIterator<Item = [[Pass<'a>; N]; 2]>,
+    ) {
+        let mut rows = names.map(|name| (name, Vec::new()));
+        for [ours, theirs] in columns {
+            for ((row, ours), theirs) in rows.iter_mut().zip(ours).zip(theirs) {
+                row.1.push([ours, theirs]);
             }
+        }
+        for ((name, limit), pairs) in rows {
+            self.row(&name, limit, pairs);
         }
     }
 
     /// Ends a table with the geometric mean of its ratios.
     pub fn mean(&mut self, limit: f64) {
-        #[allow(clippy::cast_precision_loss)]
-        let count = self.ratios.len() as f64;
-        let mean = (self.ratios.iter().map(|ratio| ratio.ln()).sum::<f64>() / count).exp();
+        let logarithms = self.ratios.iter().map(|ratio| ratio.ln());
+        let mean = (logarithms.sum::<f64>() / self.ratios.len() as f64).exp();
         println!("\ngeometric mean {mean:.2}, limit {limit:.2}");
-        if mean > limit {
-            self.misses.push(format!(
-                "{}, geometric mean: {mean:.2} > {limit}",
-                self.title
-            ));
+        self.check("geometric mean", mean, limit);
+    }
+
+    fn check(&mut self, name: &str, ratio: f64, limit: f64) {
+        if ratio > limit {
+            self.misses
+                .push(format!("{}, {name}: {ratio:.3} > {limit}", self.title));
         }
+    }
+
+    fn least(&self, pair: &mut [Pass; 2], limit: f64, name: &str) -> [f64; 2] {
+        let [ours, theirs] = pair.each_mut().map(|pass| pass(true)[1]);
+        let differ = (ours - theirs).abs() > self.tolerance * theirs.abs();
+        assert!(
+            !differ,
+            "{}, {name}: {ours} differs from {theirs}",
+            self.title
+        );
+        let mut least = [f64::MAX; 2];
+        for _ in 0..ATTEMPTS {
+            let start = Instant::now();
+            while start.elapsed().as_secs_f64() < self.budget {
+                for (pass, least) in pair.iter_mut().zip(&mut least) {
+                    *least = least.min(pass(false)[0]);
+                }
+            }
+            if least[0] <= limit * least[1] {
+                break;
+            }
+        }
+        least
+    }
+
+    /// Names what is above its limit.
+    pub fn report(&self) -> ExitCode {
+        for miss in &self.misses {
+            eprintln!("{miss}");
+        }
+        ExitCode::from(u8::from(!self.misses.is_empty()))
     }
 }

@@ -1,5 +1,31 @@
 //! What the contestants shade.
 
+/// The sums.
+pub const MODELS: [&str; 4] = [
+    "Blinn, m = 50",
+    "Blinn, m = 51",
+    "Blinn, m = 50.5",
+    "Phong, m = 50",
+];
+pub const DATA: [&str; 2] = ["random", "sphere"];
+pub const COUNTS: [usize; 3] = [1, 4, 16];
+pub const LIGHTS: [&str; 3] = ["1 light", "4 lights", "16 lights"];
+
+/// The loops, and how much of a rival's time they may take.
+pub const ENCODINGS: [(&str, f64); 2] = [
+    ("to_srgb8, beside `fast-srgb8`", 0.85),
+    ("to_rgb565, beside `powf`", 0.4),
+];
+pub const NORMALS: [(&str, f64); 5] = [
+    ("unit", 1.3),
+    ("triangle", 1.3),
+    ("corner", 1.2),
+    ("implicit, a torus", 1.5),
+    ("parametric, a saddle", 1.5),
+];
+pub const KINDS: [&str; 3] = ["random", "smooth", "hard"];
+pub const WAYS: [&str; 4] = ["random", "smooth", "hard", "random, by a call"];
+
 pub const K_A: [f64; 3] = [0.1; 3];
 pub const K_D: [f64; 3] = [0.6, 0.5, 0.4];
 pub const K_S: [f64; 3] = [0.3; 3];
@@ -11,23 +37,25 @@ const BRANCHES: usize = 1 << 16;
 
 pub type List<T> = [T; 3];
 
-/// N, V and p of points on a unit sphere: random ones, or the pixels of its picture, row by row.
-pub fn points(coherent: bool, lights: usize) -> Vec<List<List<f64>>> {
+/// N, V and p of points: random ones on a unit sphere whose eye is before the surface, the pixels of a picture of that
+/// sphere, row by row, or random ones in a cube, with any N and V.
+pub fn points(data: &str, lights: usize) -> Vec<List<List<f64>>> {
     let mut random = fastrand::Rng::with_seed(7);
     let side = if lights == 1 { 256 } else { 128 };
     assert!(side * side * lights >= BRANCHES);
     let point = |i| {
         let pixel = |k: usize| (k as f64 + 0.5) / side as f64 * 2.0 - 1.0;
         let (x, y) = (pixel(i % side), pixel(i / side));
-        let n = match coherent {
-            true => unit([x, y, (1.0 - x * x - y * y).max(0.01).sqrt()]),
-            false => unit(vector(&mut random, 2.0)),
-        };
-        let to_eye = match coherent {
-            true => [-n[0], -n[1], 4.0 - n[2]],
-            false => std::array::from_fn(|k| n[k] + random.f64() - 0.5),
-        };
-        [n, unit(to_eye), n]
+        if data == "sphere" {
+            let n = unit([x, y, (1.0 - x * x - y * y).max(0.01).sqrt()]);
+            [n, unit([-n[0], -n[1], 4.0 - n[2]]), n]
+        } else if data == "random" {
+            let n = unit(vector(&mut random, 2.0));
+            [n, unit(n.map(|x| x + random.f64() - 0.5)), n]
+        } else {
+            let [n, v, p] = [(); 3].map(|()| vector(&mut random, 2.0));
+            [unit(n), unit(v), p]
+        }
     };
     (0..side * side).map(point).collect()
 }
@@ -48,8 +76,7 @@ fn unit(v: List<f64>) -> List<f64> {
     v.map(|x| x / length)
 }
 
-/// Random, smooth and hard arguments of the loops.
-pub const KINDS: [&str; 3] = ["random", "smooth", "hard"];
+/// Arguments of a loop.
 const COUNT: u16 = 4096;
 
 /// Linear colors. The hard ones are of all magnitudes, black, too bright and invalid.

@@ -1,10 +1,14 @@
 //! The number type that every formula is written over.
 
+mod exponent;
 mod float;
 mod length;
+pub(crate) mod power;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+pub use exponent::Exponent;
+pub(crate) use exponent::by_squaring;
 pub(crate) use float::const_sqrt;
 pub(crate) use length::{is_extreme, tamed};
 
@@ -36,7 +40,7 @@ pub(crate) use length::{is_extreme, tamed};
 ///   bounds of [`guide::precision`](mod@crate::guide::precision) hold in units of the type's
 ///   roundoff. If they do not, nothing else is lost.
 ///
-/// [`guide::invariants`](mod@crate::guide::invariants) explains how to test such a type.
+/// [`guide::numbers`](mod@crate::guide::numbers) has a complete one, and says how to test it.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a number type that this crate computes with",
     label = "expected `f32`, `f64`, `Dual<_>` or SIMD lanes",
@@ -110,15 +114,6 @@ pub trait Real:
         (self - threshold).if_positive(then, otherwise)
     }
 
-    /// The absolute value. Its derivative at 0 is taken to be 0, the mean of the slopes on the two
-    /// sides.
-    #[inline]
-    #[must_use]
-    fn abs(self) -> Self {
-        // 0, −0 and NaN are neither above nor below 0; NaN stays NaN
-        self.if_positive(self, (-self).if_positive(-self, self + -self))
-    }
-
     /// The maximum, max(self, floor); `floor` if `self` is NaN. A signaling NaN, which no operation
     /// produces, may stay NaN on AArch64 and POWER.
     #[doc(alias = "max")]
@@ -136,34 +131,48 @@ pub trait Real:
         self.if_above(limit, limit, self)
     }
 
-    // the methods below are for numbers whose precision is not relative, as that of fixed point is not
-
-    /// The direction and the length of a vector, and a number that is above 0 if the vector has a
-    /// direction.
-    ///
-    /// ```text
-    /// v/|v|,  |v|
-    /// ```
-    ///
-    /// The zero vector has no direction, nor has one with an infinite or NaN component. Its direction
-    /// is given as (0, 0, 0). The result is accurate from the smallest subnormal number to the largest
-    /// finite one.
-    #[inline(always)]
+    /// Whether `self` is outside of the range from `low` to `high`, both positive, or NaN; for lanes,
+    /// whether any lane is. The ends may count as either.
+    #[inline]
     #[must_use]
-    fn unit_and_length(v: [Self; 3]) -> ([Self; 3], Self, Self) {
-        length::unit_and_length(v)
+    fn any_outside(self, low: Self, high: Self) -> bool {
+        let above_low = self.if_above(low, Self::ZERO, Self::ONE);
+        high.if_above(self, above_low, Self::ONE).any_positive()
     }
 
-    /// The cosine of the angle between a direction n and a vector of any length; 0 if that has no
-    /// direction.
+    /// Three numbers over one divisor. Some processors divide several numbers at once.
+    #[inline(always)]
+    #[must_use]
+    fn divided([x, y, z]: [Self; 3], divisor: Self) -> [Self; 3] {
+        [x / divisor, y / divisor, z / divisor]
+    }
+
+    // the methods below are for numbers whose precision is not relative, as that of fixed point is not
+
+    /// A vector w in the direction of v, its length, and the length of v: (w, |w|, |v|). The squares
+    /// of w and of its sums with other vectors of its length neither overflow nor vanish.
+    ///
+    /// The direction is w/|w|. A vector that is zero, infinite or NaN has none; its |w| is 0. A |v|
+    /// that overflows is the largest finite number, and that of an infinite vector is infinite.
+    ///
+    /// For a float, w is v, or v times a power of two if the square of v is out of range. A number of
+    /// even precision may divide by |v| here, and return 1 for |w|.
+    #[inline(always)]
+    #[must_use]
+    fn direction(v: [Self; 3]) -> ([Self; 3], Self, Self) {
+        length::direction(v)
+    }
+
+    /// The power of the cosine between a direction n and a vector v of any length, limited to 1. It is
+    /// 0 if n·v ≤ 0 or if v is 0.
     ///
     /// ```text
-    /// n·v / |v|
+    /// max(0, n·v/|v|)ᵐ
     /// ```
     #[inline(always)]
     #[must_use]
-    fn cosine(n: [Self; 3], v: [Self; 3]) -> Self {
-        length::cosine(n, v)
+    fn cosine_power(n: [Self; 3], v: [Self; 3], m: impl Exponent<Self>) -> Self {
+        length::cosine_power(n, v, m)
     }
 
     /// A color of light at the distance q ≥ 0, attenuated by a factor of at most `limit`.
@@ -201,12 +210,18 @@ pub trait Scalar: PartialOrd {}
 #[diagnostic::do_not_recommend] // the trait's own message says what to do
 impl<T: PartialOrd> Scalar for T {}
 
+/// |x|
+#[inline]
+pub(crate) fn size<T: Real>(x: T) -> T {
+    x.at_least(-x)
+}
+
 /// ε, the distance from 1 to the next number above: in any binary float, 4/3 is rounded by a third
 /// of it (Kahan).
 #[inline]
 pub(crate) fn epsilon<T: Real>() -> T {
     let three = T::ONE + T::ONE + T::ONE;
-    (three * ((T::ONE + three) / three - T::ONE) - T::ONE).abs()
+    size(three * ((T::ONE + three) / three - T::ONE) - T::ONE)
 }
 
 /// A constant as the sum of three numbers in single precision, split by the compiler.

@@ -8,11 +8,10 @@ mod pack;
 mod sum;
 
 use wide::bytemuck::cast;
-use wide::{f32x4, f32x8, f32x16, f64x4, f64x8, i32x4, i32x8, i32x16};
+use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8, i32x4, i32x8, i32x16, u64x2, u64x4, u64x8};
 
-use crate::exponent::Exponent;
-use crate::exponent::power::{Binary32, EXPONENT, LEAST, power};
-use crate::real::Real;
+use crate::real::power::{Bits, EXPONENT, LEAST, double, single};
+use crate::real::{Exponent, Real};
 
 // x87 rounds a number in a register differently from a number in memory
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
@@ -87,7 +86,24 @@ pub trait Lanes: Real {
 }
 
 macro_rules! real {
-    ($lanes:ident of $count:literal $float:ident) => {
+    ($lanes:ident of $count:literal $float:ident, $power:ident) => {
+        /// One m for all lanes.
+        #[diagnostic::do_not_recommend] // the trait's own message names the types
+        impl Exponent<$lanes> for $float {
+            #[inline]
+            fn raise(self, cosine: $lanes) -> $lanes {
+                $power(
+                    cosine,
+                    $lanes::splat(self.at_least(0.0).at_most($float::MAX)),
+                )
+            }
+
+            #[inline]
+            fn raise_root(self, square: $lanes) -> $lanes {
+                (0.5 * self).raise(square)
+            }
+        }
+
         impl Lanes for $lanes {
             type Lane = $float;
             const COUNT: usize = $count;
@@ -159,11 +175,6 @@ macro_rules! real {
             }
 
             #[inline]
-            fn abs(self) -> Self {
-                self.abs()
-            }
-
-            #[inline]
             fn at_least(self, floor: Self) -> Self {
                 if SSE2 {
                     self.fast_max(floor)
@@ -187,47 +198,48 @@ macro_rules! real {
 /// Lanes of `f32`, with as many integer lanes for the power.
 macro_rules! single {
     ($lanes:ident * $count:literal, $integers:ident, $from_integers:ident) => {
-        real!($lanes of $count f32 );
+        real!($lanes of $count f32, single);
 
-        impl Binary32 for $lanes {
+        impl Bits for $lanes {
             #[inline]
             fn split(self) -> (Self, Self) {
                 let bits: $integers = cast(self);
-                let above = bits - $integers::splat(LEAST);
-                let z = bits - (above & $integers::splat(EXPONENT));
+                let above = bits - $integers::splat(LEAST.0);
+                let z = bits - (above & $integers::splat(EXPONENT.0));
                 (Self::$from_integers(above >> 23), cast(z))
             }
 
             #[inline]
-            fn two_to_low_byte(self) -> Self {
+            fn two_to_low_bits(self) -> Self {
                 let bits: $integers = cast(self);
                 cast(bits << 23)
-            }
-        }
-
-        /// One m for all lanes.
-        #[diagnostic::do_not_recommend] // the trait's own message names the types
-        impl Exponent<$lanes> for f32 {
-            #[inline]
-            fn raise(self, cosine: $lanes) -> $lanes {
-                // `+ 0.0` quiets a signaling NaN, which `at_least` may let through
-                power(cosine, $lanes::splat((self + 0.0).at_least(0.0)))
             }
         }
     };
 }
 
-/// Lanes of `f64`. The power is computed lane by lane.
+/// Lanes of `f64`. SSE2 cannot convert integers of 64 bits, so the exponent becomes a float as the low
+/// bits of one.
 macro_rules! double {
-    ($lanes:ident * $count:literal) => {
-        real!($lanes of $count f64);
+    ($lanes:ident * $count:literal, $integers:ident) => {
+        real!($lanes of $count f64, double);
 
-        /// One m for all lanes.
-        #[diagnostic::do_not_recommend] // the trait's own message names the types
-        impl Exponent<$lanes> for f64 {
+        impl Bits for $lanes {
             #[inline]
-            fn raise(self, cosine: $lanes) -> $lanes {
-                $lanes::new(cosine.to_array().map(|cosine| self.raise(cosine)))
+            #[allow(clippy::cast_sign_loss)] // only the bits matter
+            fn split(self) -> (Self, Self) {
+                let bits: $integers = cast(self);
+                let above = bits - $integers::splat(LEAST.1 as u64);
+                let z = bits - (above & $integers::splat(EXPONENT.1 as u64));
+                let e = (above + $integers::splat(1 << 63)) >> 52_u32; // e + 2048
+                let e: Self = cast(e | $integers::splat(4_503_599_627_370_496.0_f64.to_bits()));
+                (e - Self::splat(4_503_599_627_372_544.0), cast(z)) // 2⁵² + 2048
+            }
+
+            #[inline]
+            fn two_to_low_bits(self) -> Self {
+                let bits: $integers = cast(self);
+                cast(bits << 52_u32)
             }
         }
     };
@@ -236,5 +248,6 @@ macro_rules! double {
 single!(f32x4 * 4, i32x4, from_i32x4);
 single!(f32x8 * 8, i32x8, from_i32x8);
 single!(f32x16 * 16, i32x16, from_i32x16);
-double!(f64x4 * 4);
-double!(f64x8 * 8);
+double!(f64x2 * 2, u64x2);
+double!(f64x4 * 4, u64x4);
+double!(f64x8 * 8, u64x8);
