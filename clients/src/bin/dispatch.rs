@@ -9,7 +9,7 @@
 )]
 
 use std::arch::x86_64::{
-    __m256, _CMP_GT_OQ, _mm256_add_ps, _mm256_andnot_ps, _mm256_blendv_ps, _mm256_cmp_ps,
+    __m256, _CMP_GT_OQ, _mm256_add_ps, _mm256_blendv_ps, _mm256_cmp_ps,
     _mm256_div_ps, _mm256_movemask_ps, _mm256_mul_ps, _mm256_set1_ps, _mm256_sqrt_ps,
     _mm256_sub_ps, _mm256_xor_ps,
 };
@@ -91,11 +91,6 @@ impl Real for Lanes {
             let above = _mm256_cmp_ps::<_CMP_GT_OQ>(self.0, threshold.0);
             _mm256_blendv_ps(otherwise.0, then.0, above)
         })
-    }
-
-    #[inline(always)]
-    fn abs(self) -> Self {
-        Self(unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self.0) })
     }
 }
 
