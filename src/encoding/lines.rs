@@ -1,9 +1,9 @@
-//! Levels by a straight line and a comparison, 1,280 bytes for 8 bits, 640 for RGB565.
+//! Levels by a straight line and a comparison, for chips: 1,280 bytes for 8 bits, 640 for RGB565.
 //!
 //! A line for each quarter of an octave guesses the level, in the numbers' bits. The guess is the level
 //! or the one below, which a comparison with the beginning of the next level decides.
 
-use super::edges::{encoded, next_edges};
+use super::edges::{edges, next_edges};
 
 /// The first place is level 0, the last is the highest level; a mask finds the lines from one to the other.
 const FIRST: i32 = order(1.0 / 8192.0) + 1;
@@ -27,7 +27,7 @@ const fn between(x: f32, first: i32, last: i32) -> i32 {
 
 /// The bits of a number, brought into a range in this order; NaN counts as dark.
 #[inline]
-pub(super) const fn in_order(x: f32, low: f32, high: f32) -> u32 {
+pub(super) const fn clamped(x: f32, low: f32, high: f32) -> u32 {
     between(x, order(low), order(high)) as u32 - NAN
 }
 
@@ -76,6 +76,22 @@ static LINES: [u32; 64] = {
 
 const fn at(place: u32) -> f64 {
     encoded(f32::from_bits(place - NAN) as f64)
+}
+
+/// 255 E + ½, by a straight line between two edges, from which the curve is 0.004 away at most.
+const fn encoded(light: f64) -> f64 {
+    const EDGES: [f64; 256] = edges();
+    let mut level = 1;
+    while level < 255 && EDGES[level] <= light {
+        level += 1;
+    }
+    // in the straight part of the curve, one level below level 1 is −L
+    let below = if level == 1 {
+        -EDGES[1]
+    } else {
+        EDGES[level - 1]
+    };
+    (level - 1) as f64 + (light - below) / (EDGES[level] - below)
 }
 
 /// 255 E + ½ in units of 2⁻²⁴, up to 1 too low.
