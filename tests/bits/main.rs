@@ -11,6 +11,7 @@
 mod coverage;
 #[cfg(feature = "wide")]
 mod lanes;
+mod layers;
 
 use std::fs;
 
