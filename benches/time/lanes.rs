@@ -33,8 +33,8 @@ pub fn ours<'a, M: Exponent<f32x8> + 'a>(
     let lights: Vec<_> = lamps.iter().map(|lamp| lamp.cast(f32x8::splat)).collect();
     let material = material.cast(f32x8::splat);
     pass::<false, _, _>(points, EIGHT * lamps.len(), move |&[n, v, p]| {
-        let [n, v] = [n, v].map(|v| UnitVec3::assume_unit(v.into()));
-        let lights = lights.iter().map(|light| light.at(p.into()));
+        let [n, v] = [n, v].map(|v| UnitVec3::assume_unit(Vec3::from(v)));
+        let lights = lights.iter().map(|light| light.at(Vec3::from(p)));
         let i_a = Rgb::gray(f32x8::splat(0.2));
         let total = shade::blinn_phong(n, v, black_box(&material), i_a, lights).total();
         <V>::from(total).map(f32x8::to_array)
@@ -131,7 +131,7 @@ where
     let packs: Vec<PointLight<L>> = PointLight::packed(lamps).collect();
     let material = material.cast(splat::<L>);
     pass::<false, _, _>(points, lamps.len(), move |&[n, v, p]| {
-        let [n, v] = [n, v].map(|v| UnitVec3::assume_unit(v.into()).cast(splat));
+        let [n, v] = [n, v].map(|v| UnitVec3::assume_unit(Vec3::from(v)).cast(splat));
         let p = Vec3::from(p).map(splat);
         let lights = packs.iter().map(|pack| pack.at(p));
         let i_a = Rgb::gray(L::of(0.2));
