@@ -37,6 +37,15 @@ pub trait Elementary: Real {
     #[must_use]
     fn ln(self) -> Self;
 
+    /// The absolute value. Its derivative at 0 is taken to be 0, the mean of the slopes on the two
+    /// sides.
+    #[inline]
+    #[must_use]
+    fn abs(self) -> Self {
+        // 0, −0 and NaN are neither above nor below 0; NaN stays NaN
+        self.if_positive(self, (-self).if_positive(-self, self + -self))
+    }
+
     /// An integer power, computed by repeated squaring. A negative exponent gives 1 over the
     /// positive power. The power 0 is 1 for every base, even for 0 and NaN.
     ///

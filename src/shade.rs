@@ -337,7 +337,8 @@ fn sum<T: Real, M>(
                 intensity,
                 ..
             } = light.arriving();
-            let n_dot_l = (n.dot(way) / length).at_least(T::ZERO);
+            // a way that overflowed gives ∞, and its light is black
+            let n_dot_l = (n.dot(way) / length).at_least(T::ZERO).at_most(T::ONE);
             diffuse += intensity * in_front.if_positive(n_dot_l, T::ZERO);
             specular += intensity * in_front.if_positive(highlight(way, length), T::ZERO);
         }
