@@ -13,7 +13,6 @@ pub enum Node {
     Max,
     Extreme,
     Neg(u32),
-    Abs(u32),
     Sqrt(u32),
     Add(u32, u32),
     Sub(u32, u32),
@@ -97,10 +96,6 @@ impl Graph {
                 Node::Neg(x) => Simple::Node(x),
                 _ => Simple::New(node),
             },
-            Node::Abs(a) => match of(a) {
-                Node::Neg(x) => Simple::New(Node::Abs(x)),
-                _ => Simple::New(node),
-            },
             Node::Add(a, b) => match (of(a), of(b)) {
                 (_, Node::Neg(y)) => Simple::New(Node::Sub(a, y)),
                 (Node::Neg(x), _) => Simple::New(Node::Sub(b, x)),
@@ -157,7 +152,6 @@ impl Graph {
             Node::Max => self.format.max(),
             Node::Extreme => self.format.extreme(),
             Node::Neg(a) => -v(a),
-            Node::Abs(a) => v(a).abs(),
             Node::Sqrt(a) => v(a).sqrt(),
             Node::Add(a, b) => v(a) + v(b),
             Node::Sub(a, b) => v(a) - v(b),

@@ -131,7 +131,6 @@ impl Known {
             Node::Max => constant(f.max()),
             Node::Extreme => constant(f.extreme()),
             Node::Neg(a) => self.range(g, a).opposite(),
-            Node::Abs(a) => self.range(g, a).abs(),
             Node::Sqrt(a) => self.range(g, a).sqrt(f),
             Node::Add(a, b) => self.range(g, a).add(self.range(g, b), f),
             // x − x is 0, or NaN if x is not finite
@@ -301,7 +300,6 @@ impl Known {
         }
         match node {
             Node::Neg(a) => self.learn(g, a, now.opposite()),
-            Node::Abs(a) => self.learn(g, a, Range::within(-now.high, now.high)),
             Node::Sqrt(a) => {
                 let low = if now.low > 0.0 { f.tiny() } else { 0.0 };
                 let high = if now.high < INF { f.max() } else { INF };
@@ -374,7 +372,7 @@ impl Known {
                         }
                     }
                 },
-                Node::Neg(a) | Node::Abs(a) | Node::Sqrt(a) | Node::Call(_, a) => vec![a],
+                Node::Neg(a) | Node::Sqrt(a) | Node::Call(_, a) => vec![a],
                 Node::Add(a, b)
                 | Node::Sub(a, b)
                 | Node::Mul(a, b)

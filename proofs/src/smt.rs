@@ -112,7 +112,7 @@ fn violated(format: Format, goal: Goal) -> String {
 fn parts(node: Node) -> Vec<u32> {
     match node {
         Node::Var(_) | Node::Constant(_) | Node::Max | Node::Extreme => vec![],
-        Node::Neg(a) | Node::Abs(a) | Node::Sqrt(a) | Node::Call(_, a) => vec![a],
+        Node::Neg(a) | Node::Sqrt(a) | Node::Call(_, a) => vec![a],
         Node::Add(a, b)
         | Node::Sub(a, b)
         | Node::Mul(a, b)
@@ -145,7 +145,6 @@ fn value(g: &Graph, node: Node) -> String {
         Node::Max => constant(g.format, g.format.max()),
         Node::Extreme => constant(g.format, g.format.extreme()),
         Node::Neg(a) => format!("(fp.neg n{a})"),
-        Node::Abs(a) => format!("(fp.abs n{a})"),
         Node::Sqrt(a) => format!("(fp.sqrt RNE n{a})"),
         Node::Add(a, b) => format!("(fp.add RNE n{a} n{b})"),
         Node::Sub(a, b) => format!("(fp.sub RNE n{a} n{b})"),

@@ -124,8 +124,8 @@ impl Real for Term {
         let test = Test::Above(self.0, threshold.0);
         Self(node(Node::Select(test, then.0, otherwise.0)))
     }
-    fn abs(self) -> Self {
-        Self(node(Node::Abs(self.0)))
+    fn any_outside(self, low: Self, high: Self) -> bool {
+        !(low <= self && high > self)
     }
 }
 

@@ -162,7 +162,6 @@ pub fn overrides(given: Given) -> Vec<Goal> {
         (x.if_above(y, a, b), x.0.if_above(y.0, a.0, b.0)),
         (x.at_least(y), x.0.at_least(y.0)),
         (x.at_most(y), x.0.at_most(y.0)),
-        (x.abs(), x.0.abs()),
     ];
     pairs
         .map(|(derived, own)| Goal::Same(derived.0, own))

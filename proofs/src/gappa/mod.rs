@@ -382,13 +382,14 @@ P -> p - (p - P);
 Q -> q - (q - Q);
 ";
 
-/// Whether a decision is that a vector must be rescaled.
+/// Whether a decision is that a vector must be rescaled: its square is not from 1/p to p.
 fn is_rescaled(g: &Graph, (test, answer): (Test, bool)) -> bool {
-    let Test::Above(selected, _) = test else {
-        return false;
-    };
-    let selected = g.nodes[selected as usize];
-    answer && matches!(selected, Node::Select(Test::Above(p, _), ..) if p == Term::EXTREME.0)
+    let p = Term::EXTREME.0;
+    match test {
+        Test::Above(a, _) => a == p && !answer,
+        Test::AtMost(a, _) => !answer && g.nodes[a as usize] == Node::Div(Term::ONE.0, p),
+        _ => false,
+    }
 }
 
 /// Writes one script for a share of each bound, format and way through the formula, but for vectors that are rescaled.
