@@ -6,7 +6,7 @@ use dashu_float::FBig;
 use dashu_float::ops::Abs;
 use dashu_float::round::mode::HalfEven;
 
-use support::number::Float;
+use kit::Float;
 
 /// A number of 150 bits; the result of each operation is rounded.
 pub type Number = FBig<HalfEven, 2>;
@@ -33,7 +33,7 @@ pub fn pi() -> Number {
 
 /// The numbers of a vector, exactly.
 pub fn vector<T: Float>(v: impl Into<[T; 3]>) -> Vector {
-    v.into().map(|c| number(c.to_f64()))
+    v.into().map(|c| number(c.double()))
 }
 
 pub fn add(a: &Vector, b: &Vector) -> Vector {
@@ -119,11 +119,6 @@ pub fn conditioning(columns: &[Vector; 3], n: &Vector) -> f64 {
     let sizes = [&b * &c, &c * &a, &a * &b];
     let all = dot(&n.clone().map(Number::abs), &sizes);
     (all / length(&cofactors(columns, n))).to_f64().value()
-}
-
-/// M v, for the columns of M.
-pub fn product(columns: &[Vector; 3], v: &Vector) -> Vector {
-    from_fn(|i| (0..3).fold(number(0.0), |sum, j| sum + &columns[j][i] * &v[j]))
 }
 
 /// The angle between two vectors, halved until a short series of its tangent is enough.

@@ -54,24 +54,6 @@ pub fn linear_edges(highest: u16) -> Vec<f32> {
     (1..=highest).map(edge).collect()
 }
 
-/// The smallest `f64` of each level from 1 up, as [`edges`].
-#[allow(clippy::incompatible_msrv)]
-pub fn edges_f64(highest: u16) -> Vec<f64> {
-    let edge = |level: u16| {
-        let edge = number(f64::from(level) - 0.5) / number(highest.into());
-        let reaches = |x: f64| encoded(&number(x)) >= edge;
-        let mut least = decoded(&edge).to_f64().value();
-        while reaches(least.next_down()) {
-            least = least.next_down();
-        }
-        while !reaches(least) {
-            least = least.next_up();
-        }
-        least
-    };
-    (1..=highest).map(edge).collect()
-}
-
 /// The smallest `f32` of each level from 1 up: the first whose encoding reaches the level minus a
 /// half. The search starts at the decoded value.
 pub fn edges(highest: u16) -> Vec<f32> {

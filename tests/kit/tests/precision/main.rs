@@ -7,10 +7,9 @@
 //! behind the page's figures; all of them take minutes:
 //!
 //! ```text
-//! SHADING_SEARCH=all cargo test --release -p numerics --test precision
+//! SHADING_SEARCH=all cargo test --release -p kit --test precision
 //! ```
 
-mod any_size;
 mod many_digits;
 mod measure;
 mod search;
@@ -18,7 +17,7 @@ mod table;
 
 use table::{Row, line, rows};
 
-const PAGE: &str = include_str!("../../../docs/precision.md");
+const PAGE: &str = include_str!("../../../../docs/precision.md");
 
 /// The number of hills behind the page's figures, and the number climbed by default.
 const ALL: u64 = 400;

@@ -9,7 +9,7 @@ use crate::measure::{
     unit, whole_power,
 };
 use crate::search::{Numbers, largest};
-use support::number::Float;
+use kit::Float;
 
 /// A line of the table.
 pub struct Row {
@@ -32,12 +32,8 @@ const GOES_ON: [&str; 4] = [
 /// The table. The page explains where the bounds come from.
 #[allow(clippy::too_many_lines)] // one row per function
 pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
-    // the error of a real power: 2⁻²² in `f32`, one unit in the last place of a number below 1 in
-    // `f64`
-    let (digits, power) = match T::NAME {
-        "f32" => (24, 2.0),
-        _ => (53, 0.5),
-    };
+    // the error of a real power: 2⁻²² in `f32`, 2⁻⁵¹ in `f64`
+    let (digits, power) = (if T::NAME == "f32" { 24 } else { 53 }, 2.0);
     let row = |function: &'static str, unit, bound, error: &dyn Fn(&mut Numbers) -> f64| Row {
         function,
         unit,
@@ -141,25 +137,25 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
         ),
         of_result("`attenuation`", 5.0, &attenuated::<T>),
         row(
-            "`Ranged::at`",
+            "`Attenuation::at`, with a range",
             "of the attenuation without a range",
             8.5,
             &ranged::<T>(true),
         ),
         row(
-            "`Ranged::at`, unsquared",
+            "`Attenuation::at`, with a range, unsquared",
             "of the attenuation without a range",
             7.0,
             &ranged::<T>(false),
         ),
         row(
-            "`SoftCone::factor`",
+            "`Cone::factor`, soft",
             "of 1, over the width of the edge",
             5.95,
             &soft_cone::<T>(false),
         ),
         row(
-            "`SoftCone::factor`, a smoothstep",
+            "`Cone::factor`, soft, a smoothstep",
             "of 1, over the width of the edge",
             4.3,
             &soft_cone::<T>(true),

@@ -1,6 +1,6 @@
 //! Checks every `f32` of a domain.
 //!
-//! Checking all of them takes minutes: `cargo test --release -p numerics -- --ignored`. Without `--ignored`, the
+//! Checking all of them takes minutes: `cargo test --release -p kit --test exhaustive -- --ignored`. Without `--ignored`, the
 //! tests take every 2039th, or every n-th with `SHADING_STRIDE=n`. An odd stride reaches every pattern of
 //! low-order bits.
 
@@ -9,21 +9,11 @@ use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::thread;
 
-use shading::{Attenuation, Exponent, Real, Rgb, SoftCone, UnitVec3, Vec3, attenuation};
+use shading::{Attenuation, Cone, Exponent, Real, Rgb, UnitVec3, Vec3, attenuation};
 
-#[path = "../support/srgb.rs"]
+#[path = "encoding/srgb.rs"]
+#[allow(dead_code)] // decoding, which the test of encodings uses
 mod srgb;
-
-// the roots are not public, nor are the tables of the encodings for chips
-#[path = "../../src/encoding/edges.rs"]
-#[allow(clippy::pedantic, dead_code)]
-mod edges;
-#[path = "../../src/encoding/lines.rs"]
-#[allow(clippy::pedantic, dead_code)]
-mod lines;
-#[path = "../../src/real/root.rs"]
-#[allow(clippy::pedantic, dead_code, unused_imports)] // its quotients
-mod root;
 
 /// u, the unit roundoff of `f32`.
 const U: f64 = 1.0 / 16_777_216.0;
@@ -34,89 +24,42 @@ const REAL: [f32; 15] = [
     0.0, 0.1, 0.5, 1.0, 1.5, 2.0, 2.2, 5.0, 10.3, 32.5, 100.0, 250.7, 1000.1, 4096.0, 10_000.0,
 ];
 
-#[test]
-fn whole_powers_of_some_cosines() {
-    in_parallel(&WHOLE, |&m| whole_power(m, stride()));
+/// Runs each test on some numbers, and on all with `--ignored`.
+macro_rules! on_some_and_all {
+    ($($test:ident: |$stride:ident| $run:expr;)*) => {
+        $(#[test]
+        fn $test() {
+            let $stride = stride();
+            $run;
+        })*
+
+        mod all {
+            use super::*;
+
+            $(#[test]
+            #[ignore = "takes minutes"]
+            fn $test() {
+                let $stride = 1;
+                $run;
+            })*
+        }
+    };
 }
 
-#[test]
-fn real_powers_of_some_cosines() {
-    in_parallel(&REAL, |&m| real_power(m, stride()));
-}
-
-#[test]
-fn attenuation_at_some_distances() {
-    in_parallel(&COEFFICIENTS, |&abc| attenuation_falls(abc, stride()));
-}
-
-#[test]
-fn unit_vectors_of_some_lengths() {
-    in_parallel(&DIRECTIONS, |&direction| unit_is_right(direction, stride()));
-}
-
-#[test]
-fn roots_of_some_numbers() {
-    root_is_rounded_correctly(stride());
-}
-
-#[test]
-fn smoothsteps_of_some_cosines() {
-    smoothstep_rises(stride());
-}
-
-#[test]
-fn levels_of_some_numbers() {
-    levels_are_rounded_correctly(stride());
-}
-
-#[test]
-#[ignore = "takes minutes"]
-fn whole_powers_of_every_cosine() {
-    in_parallel(&WHOLE, |&m| whole_power(m, 1));
-}
-
-#[test]
-#[ignore = "takes minutes"]
-fn real_powers_of_every_cosine() {
-    in_parallel(&REAL, |&m| real_power(m, 1));
-}
-
-#[test]
-#[ignore = "takes minutes"]
-fn attenuation_at_every_distance() {
-    in_parallel(&COEFFICIENTS, |&abc| attenuation_falls(abc, 1));
-}
-
-#[test]
-#[ignore = "takes minutes"]
-fn unit_vectors_of_every_length() {
-    in_parallel(&DIRECTIONS, |&direction| unit_is_right(direction, 1));
-}
-
-#[test]
-#[ignore = "takes minutes"]
-fn roots_of_every_number() {
-    root_is_rounded_correctly(1);
-}
-
-#[test]
-#[ignore = "takes minutes"]
-fn levels_of_every_number() {
-    levels_are_rounded_correctly(1);
-}
-
-#[test]
-#[ignore = "takes seconds"]
-fn smoothsteps_of_every_cosine() {
-    smoothstep_rises(1);
+on_some_and_all! {
+    whole_powers: |stride| in_parallel(&WHOLE, |&m| whole_power(m, stride));
+    real_powers: |stride| in_parallel(&REAL, |&m| real_power(m, stride));
+    attenuations: |stride| in_parallel(&COEFFICIENTS, |&abc| attenuation_falls(abc, stride));
+    unit_vectors: |stride| in_parallel(&DIRECTIONS, |&direction| unit_is_right(direction, stride));
+    roots: |stride| root_is_rounded_correctly(stride);
+    smoothsteps: |stride| smoothstep_rises(stride);
+    levels: |stride| levels_are_rounded_correctly(stride);
 }
 
 /// As the cosine rises, a smoothstep never falls by more than one unit in the last place. The edge is from 0 to ½, so that t
 /// is twice the cosine, exactly.
 fn smoothstep_rises(stride: u32) {
-    let cone = SoftCone::<f32>::from_cosines(0.5, 0.0)
-        .expect("cosines")
-        .smoothstep();
+    let cone = Cone::from_cosines(0.5, 0.0).expect("cosines").smoothstep();
     let mut highest = 0.0_f32;
     for cosine in floats(0.5, stride) {
         let l = UnitVec3::assume_unit(Vec3::new(0.0, 0.0, cosine));
@@ -158,20 +101,12 @@ fn bytes(bytes: [u8; 3]) -> [u16; 3] {
     bytes.map(u16::from)
 }
 
-fn on_line(x: f32, level: impl Fn(u32) -> u32) -> [u16; 3] {
-    let level = level(lines::place(x));
-    [level.try_into().unwrap_or(u16::MAX); 3]
-}
-
 /// A number gets the level nearest to its exact encoding, or to itself.
 fn levels_are_rounded_correctly(stride: u32) {
-    let encoded: [(u16, Levels); 6] = [
+    let encoded: [(u16, Levels); 3] = [
         (255, |x| bytes(Rgb::gray(x).to_srgb8())),
         (63, |x| [Rgb::gray(x).to_rgb565() >> 5 & 63; 3]),
         (31, |x| fives(Rgb::gray(x).to_rgb565())),
-        (255, |x| on_line(x, lines::eight_bits)),
-        (63, |x| on_line(x, lines::six_bits)),
-        (31, |x| on_line(x, lines::five_bits)),
     ];
     let linear: [(u16, Levels); 3] = [
         (255, |x| bytes(Rgb::gray(x).to_linear8())),
@@ -196,44 +131,22 @@ fn fives(bits: u16) -> [u16; 3] {
 }
 
 /// √x is the nearest `f32`: the root in double precision has more than twice as many digits, so
-/// rounding it again does no harm. The roots for constants are the same, but they take only normal
-/// numbers.
+/// rounding it again does no harm. A root for constants takes part in a direction.
 fn root_is_rounded_correctly(stride: u32) {
     for x in floats(f32::MAX, stride) {
         let root = f64::from(x).sqrt();
         #[allow(clippy::cast_possible_truncation)]
         let nearest = root as f32;
-        assert!(root::sqrtf(x).to_bits() == nearest.to_bits(), "√{x:e}");
-        assert!(
-            x < f32::MIN_POSITIVE || root::const_sqrtf(x).to_bits() == nearest.to_bits(),
-            "√{x:e}"
-        );
-        double_root_is_rounded_correctly(x.into());
+        assert!(Real::sqrt(x).to_bits() == nearest.to_bits(), "√{x:e}");
         // the root is hardest to round next to the square of a midpoint between two doubles
-        if nearest.to_bits() % 16 == 0 {
-            let next = f64::from_bits(root.to_bits() + 1);
-            let square = (root * next).to_bits();
-            for bits in square.saturating_sub(2)..square + 3 {
-                double_root_is_rounded_correctly(f64::from_bits(bits));
-            }
+        let next = f64::from_bits(root.to_bits() + 1);
+        let square = (root * next).to_bits();
+        for x in (square.saturating_sub(2)..square + 3).map(f64::from_bits) {
+            assert!(Real::sqrt(x).to_bits() == x.sqrt().to_bits(), "√{x:e}");
         }
-    }
-}
-
-fn double_root_is_rounded_correctly(x: f64) {
-    let root = x.sqrt();
-    assert!(root::sqrt(x).to_bits() == root.to_bits(), "√{x:e}");
-    assert!(
-        x < f64::MIN_POSITIVE || root::const_sqrt(x).to_bits() == root.to_bits(),
-        "√{x:e}"
-    );
-}
-
-/// (√square)ᵐ as the sum over lights computes it for Blinn–Phong.
-fn raise_root(m: impl Exponent<f32>, square: f32) -> f32 {
-    match m.half() {
-        Some(half) => half.raise(square),
-        None => m.raise(Real::sqrt(square)),
+        let v = Vec3::new(nearest, 1.0, 0.0);
+        let constant = UnitVec3::<f32>::const_normalized(v.x, v.y, v.z);
+        assert_eq!(constant, v.unit(), "{v:?}");
     }
 }
 
@@ -262,7 +175,7 @@ fn whole_power(m: u32, stride: u32) {
         );
         largest = power;
 
-        let of_root = raise_root(m, cosine);
+        let of_root = m.raise_root(cosine);
         let expected = f64::from(cosine).powf(0.5 * f64::from(m));
         let error = (f64::from(of_root) - expected).abs();
         let tolerance = (of_root_roundings * U * expected).max(negligible);
@@ -289,7 +202,7 @@ fn real_power(m: f32, stride: u32) {
         );
         largest = largest.max(power);
 
-        let of_root = raise_root(m, cosine);
+        let of_root = m.raise_root(cosine);
         let error = (f64::from(of_root) - f64::from(cosine).powf(0.5 * f64::from(m))).abs();
         assert!(
             error <= tolerance,
@@ -317,16 +230,13 @@ const COEFFICIENTS: [[f32; 3]; 7] = [
 /// The attenuation never rises with the distance, not even by one bit, and the clamped attenuation
 /// is the smaller of it and 1.
 fn attenuation_falls([a, b, c]: [f32; 3], stride: u32) {
-    let checked = Attenuation::<f32>::new(a, b, c).expect("coefficients");
+    let checked = Attenuation::new(a, b, c).expect("coefficients");
     let clamped = checked.clamped();
     let mut smallest = f32::INFINITY;
     for q in floats(f32::MAX, stride) {
         let factor = attenuation(a, b, c, q);
         assert!(factor <= smallest, "({a}, {b}, {c}) rises at {q:e}");
-        assert!(
-            checked.at(q).to_bits() == factor.min(f32::MAX).to_bits(),
-            "{q:e}"
-        );
+        assert!(checked.at(q).to_bits() == factor.to_bits(), "{q:e}");
         assert!(
             clamped.at(q).to_bits() == factor.min(1.0).to_bits(),
             "{q:e}"

@@ -1,17 +1,17 @@
 //! The error of each function for an input made from some numbers.
 
 use shading::{
-    Attenuation, Elementary, Exponent, IncidentLight, Material, PointLight, Ranged, Real, Rgb,
-    Shaded, SoftCone, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
+    Attenuation, Cone, DirectionalLight, Elementary, Exponent, IncidentLight, Material, PointLight,
+    Real, Rgb, Shaded, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 
 use crate::many_digits::{self as exact, Number, Vector, number, vector};
 use crate::search::Numbers;
-use support::number::Float;
+use kit::Float;
 
 /// |computed − exact| in units in the last place of `of`, in the type T.
 fn error<T: Float>(computed: T, exact: &Number, of: &Number) -> f64 {
-    let difference = (number(computed.to_f64()) - exact).to_f64().value();
+    let difference = (number(computed.double()) - exact).to_f64().value();
     // the power of two at or below it: the exponent without the other bits
     let power_of_two = f64::from_bits(of.to_f64().value().to_bits() & f64::INFINITY.to_bits());
     let last_place = 2.0 * T::U * power_of_two;
@@ -50,7 +50,7 @@ fn direction<T: Float>(numbers: &mut Numbers) -> UnitVec3<T> {
 }
 
 fn toward<T: Float>(v: Vec3<T>) -> UnitVec3<T> {
-    let v = <[T; 3]>::from(v).map(T::to_f64);
+    let v = <[T; 3]>::from(v).map(T::double);
     let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
     UnitVec3::assume_unit(Vec3::from(v.map(|c| T::of(c / length))))
 }
@@ -195,7 +195,7 @@ pub fn highlight<T: Float, M: Exponent<T>>(
 pub fn whole_power<T: Float>(m: u32, least: f64) -> impl Fn(&mut Numbers) -> f64 {
     move |numbers| {
         let cosine = T::of(numbers.within(least, 1.0));
-        let expected = exact::power(&number(cosine.to_f64()), f64::from(m));
+        let expected = exact::power(&number(cosine.double()), f64::from(m));
         error(m.raise(cosine), &expected, &expected)
     }
 }
@@ -204,7 +204,7 @@ pub fn whole_power<T: Float>(m: u32, least: f64) -> impl Fn(&mut Numbers) -> f64
 pub fn real_power<T: Float>(m: f64, least: f64) -> impl Fn(&mut Numbers) -> f64 {
     move |numbers| {
         let cosine = T::of(numbers.within(least, 1.0));
-        let expected = exact::power(&number(cosine.to_f64()), m);
+        let expected = exact::power(&number(cosine.double()), m);
         error(T::of(m).raise(cosine), &expected, &number(1.0))
     }
 }
@@ -216,7 +216,7 @@ pub fn normalization<T: Float>(
 ) -> impl Fn(&mut Numbers) -> f64 {
     move |numbers| {
         let m = T::of(numbers.within(0.0, 1000.0));
-        let expected = formula(&number(m.to_f64()));
+        let expected = formula(&number(m.double()));
         error(factor(m), &expected, &expected)
     }
 }
@@ -238,7 +238,7 @@ fn coefficients<T: Float>(numbers: &mut Numbers) -> [T; 3] {
 pub fn attenuated<T: Float>(numbers: &mut Numbers) -> f64 {
     let [a, b, c] = coefficients::<T>(numbers);
     let q = T::of(numbers.within(0.0, 100.0));
-    let expected = exact::attenuation(&vector([a, b, c]), &number(q.to_f64()));
+    let expected = exact::attenuation(&vector([a, b, c]), &number(q.double()));
     error(attenuation(a, b, c, q), &expected, &expected)
 }
 
@@ -248,9 +248,9 @@ pub fn soft_cone<T: Float>(is_smooth: bool) -> impl Fn(&mut Numbers) -> f64 {
         let [axis, l] = [direction::<T>(numbers), direction(numbers)];
         let outer = numbers.within(-1.0, 0.9);
         let inner = outer + numbers.within(0.01, f64::min(1.0, 1.0 - outer));
-        let cone = SoftCone::of_cosines(T::of(inner), T::of(outer)).expect("cosines");
+        let cone = Cone::from_cosines(T::of(inner), T::of(outer)).expect("cosines");
         let cosine = -exact::dot(&vector(axis), &vector(l));
-        let [inner, outer] = cone.cosines().map(|cosine| number(cosine.to_f64()));
+        let [inner, outer] = cone.cosines().map(|cosine| number(cosine.double()));
         let width = inner - &outer;
         let t = exact::clamped((cosine - outer) / &width);
         let (cone, expected) = if is_smooth {
@@ -266,13 +266,13 @@ pub fn soft_cone<T: Float>(is_smooth: bool) -> impl Fn(&mut Numbers) -> f64 {
 pub fn ranged<T: Float>(is_squared: bool) -> impl Fn(&mut Numbers) -> f64 {
     move |numbers| {
         let [a, b, c] = coefficients::<T>(numbers);
-        let free = Attenuation::of(a, b, c).expect("positive");
+        let free = Attenuation::new(a, b, c).expect("positive");
         let r = T::of(numbers.within(0.1, 100.0));
         let q = r * T::of(numbers.within(0.0, 1.0));
-        let share = number(q.to_f64()) / number(r.to_f64());
+        let share = number(q.double()) / number(r.double());
         let window = exact::clamped(number(1.0) - share.powi(4.into()));
-        let free_factor = exact::attenuation(&vector([a, b, c]), &number(q.to_f64()));
-        let ranged = Ranged::of(free, r).expect("a range");
+        let free_factor = exact::attenuation(&vector([a, b, c]), &number(q.double()));
+        let ranged = free.within(r).expect("a range");
         let (ranged, expected) = if is_squared {
             (ranged, &free_factor * &window * &window)
         } else {
@@ -290,7 +290,7 @@ fn lamp<T: Float>(numbers: &mut Numbers) -> Option<(PointLight<T>, Vector, Incid
     let lamp = PointLight {
         position,
         intensity: Rgb::from([(); 3].map(|()| T::of(numbers.within(0.01, 4.0)))),
-        attenuation: Attenuation::of(a, b, c)?,
+        attenuation: Attenuation::new(a, b, c)?,
     };
     let way = exact::subtract(&vector(position), &vector(p));
     (position != p).then(|| (lamp, way, lamp.at(p)))
@@ -298,7 +298,7 @@ fn lamp<T: Float>(numbers: &mut Numbers) -> Option<(PointLight<T>, Vector, Incid
 
 pub fn lamp_direction<T: Float>(numbers: &mut Numbers) -> f64 {
     lamp::<T>(numbers).map_or(0.0, |(_, way, incident)| {
-        of_result(incident.l, &exact::unit(&way))
+        of_result(incident.l(), &exact::unit(&way))
     })
 }
 
@@ -306,7 +306,7 @@ pub fn lamp_intensity<T: Float>(numbers: &mut Numbers) -> f64 {
     lamp::<T>(numbers).map_or(0.0, |(lamp, way, incident)| {
         let coefficients = vector(lamp.attenuation.coefficients());
         let factor = exact::attenuation(&coefficients, &exact::length(&way));
-        let channels = <[T; 3]>::from(incident.intensity).into_iter();
+        let channels = <[T; 3]>::from(incident.intensity()).into_iter();
         let errors = channels.zip(vector(lamp.intensity)).map(|(computed, i)| {
             let expected = i * &factor;
             error(computed, &expected, &expected)
@@ -339,11 +339,12 @@ pub fn shaded<T: Float>(model: Model) -> impl Fn(&mut Numbers) -> f64 {
         // the highlight jumps at the horizon
         let lights = lights
             .into_iter()
-            .filter(|(l, _)| n.dot(*l).to_f64().abs() > 1e-3);
-        let incident = lights.clone().map(|(l, i)| IncidentLight {
-            l,
-            intensity: Rgb::gray(i),
-            distance: T::MAX,
+            .filter(|(l, _)| n.dot(*l).double().abs() > 1e-3);
+        let incident = lights.clone().map(|(l, i)| {
+            IncidentLight::from(DirectionalLight {
+                l,
+                intensity: Rgb::gray(i),
+            })
         });
         let computed: Shaded<T> = match model {
             Model::Lambert => shade::lambert(n, &material, ambient, incident),
@@ -351,12 +352,12 @@ pub fn shaded<T: Float>(model: Model) -> impl Fn(&mut Numbers) -> f64 {
             Model::BlinnPhong => shade::blinn_phong(n, v, &material, ambient, incident),
         };
 
-        let [k_a, k_d, k_s, i_a] = factors.map(|k| number(k.to_f64()));
+        let [k_a, k_d, k_s, i_a] = factors.map(|k| number(k.double()));
         let (n, v) = (vector(n), vector(v));
         let mut sum = &k_a * &i_a;
         let mut all = sum.clone();
         for (l, i) in lights {
-            let (l, i) = (vector(l), number(i.to_f64()));
+            let (l, i) = (vector(l), number(i.double()));
             let cosine = exact::dot(&n, &l);
             all += &i * (&k_d + &k_s);
             if cosine > Number::ZERO {

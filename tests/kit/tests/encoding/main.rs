@@ -1,13 +1,12 @@
 //! The levels of a display, checked against the standard's formula in 60 digits. `exhaustive.rs`
 //! tries every `f32` between the edges found here.
 
-#[path = "support/srgb.rs"]
 mod srgb;
 
 use std::hint::black_box;
 
 use shading::f32::Rgb;
-use srgb::{decoded, edges, edges_f64, linear_edges, number};
+use srgb::{decoded, edges, linear_edges, number};
 
 /// The next smaller number.
 fn below(x: f32) -> f32 {
