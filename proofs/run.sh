@@ -75,7 +75,7 @@ END
 
 faults() {
     copy "$work/faults"
-    python3 proofs/plant.py proofs/faults.txt "$work/faults/src" lib.rs 0 >/dev/null
+    python3 proofs/plant.py proofs/faults.txt "$work/faults/src" lib.rs >/dev/null
     RUSTFLAGS="--cap-lints allow" cargo build -q --release --manifest-path "$work/faults/proofs/Cargo.toml" --target-dir "$target/planted"
     "$solver" proofs/refute.py proofs/faults.txt "$target/planted/release/shading-proofs" "$work/refuted"
 }
@@ -83,7 +83,7 @@ faults() {
 wrong_rules() {
     copy "$work/wrong"
     local count number tests
-    count=$(python3 proofs/plant.py proofs/wrong_rules.txt "$work/wrong/proofs/src" lib.rs 0)
+    count=$(python3 proofs/plant.py proofs/wrong_rules.txt "$work/wrong/proofs/src" lib.rs)
     (cd "$work/wrong" && RUSTFLAGS="--cap-lints allow" cargo test -q --release -p shading-proofs --no-run --target-dir target)
     tests=$(ls "$work"/wrong/target/release/deps/exhaustive-* | grep -v '\.d$')
     seq 0 $((count - 1)) | xargs -P 2 -I{} bash -c \

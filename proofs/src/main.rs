@@ -6,23 +6,29 @@ mod gappa;
 use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
-use std::time::Instant;
 
 use claims::{CLAIMS, Claim};
-use shading_proofs::{Format, Verdict, judge, smt};
+use shading_proofs::{Format, Verdict, judge, smt, witness};
 
-const USAGE: &str = "prove [CLAIM]…";
+const USAGE: &str =
+    "claims | names | prove [CLAIM]… | queries FOLDER [CLAIM]… | bounds FOLDER [SHARE]";
+const FORMATS: [Format; 2] = [Format::F32, Format::F64];
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let is_right = match arguments[..] {
+        ["claims"] => claims(),
+        ["names"] => {
+            CLAIMS.iter().for_each(|claim| println!("{}", claim.name));
+            true
+        }
         ["prove", ref names @ ..] => prove(names),
-        ["bounds", folder] => bounds(folder, "1"),
-        ["bounds", folder, share] => bounds(folder, share),
-        ["queries", folder, ref names @ ..] => queries(Path::new(folder), names)
-            .map_err(|error| println!("{error}"))
-            .is_ok(),
+        ["queries", folder, ref names @ ..] => queries(Path::new(folder), names).is_ok(),
+        ["bounds", folder] => gappa::write(Path::new(folder), 1.0).is_ok(),
+        ["bounds", folder, share] => share
+            .parse()
+            .is_ok_and(|share| gappa::write(Path::new(folder), share).is_ok()),
         _ => {
             eprintln!("{USAGE}");
             false
@@ -35,23 +41,51 @@ fn main() -> ExitCode {
     }
 }
 
-fn chosen<'a>(names: &'a [&str]) -> impl Iterator<Item = &'static Claim> + 'a {
-    CLAIMS
-        .iter()
-        .filter(move |claim| names.is_empty() || names.contains(&claim.name))
+fn chosen(names: &[&str]) -> impl Iterator<Item = &'static Claim> {
+    let is_chosen = |claim: &&Claim| names.is_empty() || names.contains(&claim.name);
+    CLAIMS.iter().filter(is_chosen)
 }
 
-/// Writes the error bounds, or a share of each, as scripts for Gappa.
-fn bounds(folder: &str, share: &str) -> bool {
-    let share = share.parse().expect("a share");
-    gappa::write(Path::new(folder), share).is_ok()
+/// Prints the claims, each with an input for which it was evaluated.
+fn claims() -> bool {
+    let mut are_witnessed = true;
+    for claim in CLAIMS {
+        println!("{}: {}", claim.name, claim.promise);
+        let input = witness(Format::F32, claim.formula, 100_000);
+        are_witnessed &= input.is_some();
+        for (name, x) in input.unwrap_or_default() {
+            print!(" {name} = {x:e}");
+        }
+        println!();
+    }
+    are_witnessed
+}
+
+/// Proves the claims with these names, or all of them, by the rules alone.
+fn prove(names: &[&str]) -> bool {
+    let (mut proved, mut open, mut wrong) = (0, 0, 0);
+    for claim in chosen(names) {
+        for format in FORMATS {
+            let verdict = judge(format, claim.formula, 20_000);
+            match verdict {
+                Verdict::Proved => proved += 1,
+                Verdict::Open(_) => open += 1,
+                Verdict::Refuted(_) | Verdict::Empty(_) => wrong += 1,
+            }
+            if verdict != Verdict::Proved {
+                println!("{} {format:?}: {verdict}", claim.name);
+            }
+        }
+    }
+    println!("{proved} proved by the rules, {open} left to Bitwuzla and Gappa, {wrong} wrong");
+    wrong == 0
 }
 
 /// Writes the queries of these claims, or of all, each to a file of its own.
 fn queries(folder: &Path, names: &[&str]) -> std::io::Result<()> {
     fs::create_dir_all(folder)?;
     for claim in chosen(names) {
-        for format in [Format::F32, Format::F64] {
+        for format in FORMATS {
             for (i, query) in smt::queries(format, claim.formula).iter().enumerate() {
                 let file = format!("{}.{format:?}.{i}.smt2", claim.name);
                 fs::write(folder.join(file), query)?;
@@ -59,27 +93,4 @@ fn queries(folder: &Path, names: &[&str]) -> std::io::Result<()> {
         }
     }
     Ok(())
-}
-
-/// Proves the claims with these names, or all of them.
-fn prove(names: &[&str]) -> bool {
-    let mut open = 0;
-    for claim in chosen(names) {
-        for format in [Format::F32, Format::F64] {
-            let start = Instant::now();
-            let verdict = judge(format, claim.formula, 20_000);
-            let s = start.elapsed().as_secs_f64();
-            if verdict != Verdict::Proved || s > 1.0 {
-                open += 1;
-                println!(
-                    "{format:?} {} {}: {}  {s:.1}",
-                    claim.name,
-                    claim.promise,
-                    verdict.to_string().chars().take(300).collect::<String>()
-                );
-            }
-        }
-    }
-    println!("{open}");
-    open == 0
 }

@@ -124,8 +124,12 @@ impl Real for Term {
         let test = Test::Above(self.0, threshold.0);
         Self(node(Node::Select(test, then.0, otherwise.0)))
     }
+    // one decision, for what floats decide by one comparison of bits
     fn any_outside(self, low: Self, high: Self) -> bool {
-        !(low <= self && high > self)
+        let below_high = high.if_above(self, Self::ONE, Self::ZERO).0;
+        let test = Test::AtMost(low.0, self.0);
+        let is_inside = Self(node(Node::Select(test, below_high, ZERO)));
+        !is_inside.any_positive()
     }
 }
 

@@ -164,10 +164,9 @@ pub fn material(given: Given) -> Material<Term, Term> {
     }
 }
 
-/// Light that arrives: no channel is negative, infinite or NaN, and neither is the distance.
+/// Light that arrives: no channel is negative, infinite or NaN.
 pub fn arrives(given: Given, light: IncidentLight<Term>) -> Vec<Goal> {
     let mut goals = components(light.intensity(), not_negative(given));
-    goals.extend(within([light.distance()], not_negative(given)));
     goals.extend(components(light.l(), component()));
     goals
 }

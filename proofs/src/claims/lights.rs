@@ -1,6 +1,6 @@
 //! The light that arrives at a point.
 
-use shading::{DirectionalLight, Light, PointLight, Rgb};
+use shading::{PointLight, Rgb};
 use shading_proofs::{Given, Goal, Term};
 
 use super::given::*;
@@ -8,6 +8,12 @@ use super::given::*;
 pub fn lamp_of_any(given: Given) -> Vec<Goal> {
     let lamp = lamp(given, any_vector(given, "position"));
     arrives(given, lamp.at(any_vector(given, "p")))
+}
+
+pub fn distance_of_finite(given: Given) -> Vec<Goal> {
+    let lamp = lamp(given, finite_vector(given, "position"));
+    let distance = lamp.at(finite_vector(given, "p")).distance();
+    within([distance], not_negative(given))
 }
 
 pub fn lamp_with_a_range(given: Given) -> Vec<Goal> {
@@ -24,19 +30,6 @@ pub fn spot_of_any(given: Given) -> Vec<Goal> {
     spot.map_or(vec![], |spot| {
         arrives(given, spot.at(any_vector(given, "p")))
     })
-}
-
-pub fn sun_of_any(given: Given) -> Vec<Goal> {
-    let (l, intensity) = (any_direction(given, "l"), given.rgb("I"));
-    let sun = Light::from(DirectionalLight { l, intensity });
-    let light = sun.at(any_vector(given, "p"));
-    let distance = Goal::Same(light.distance(), shading::Real::MAX);
-    [
-        same(light.l(), l),
-        same(light.intensity(), intensity),
-        vec![distance],
-    ]
-    .concat()
 }
 
 pub fn light_at_the_point(given: Given) -> Vec<Goal> {
@@ -57,9 +50,7 @@ pub fn light_at_infinity(given: Given) -> Vec<Goal> {
         0 => (finite, broken),
         _ => (broken, finite),
     };
-    let light = lamp(given, position).at(p);
-    let distance = Goal::Same(light.distance(), shading::Real::MAX);
-    [black(light.intensity()), vec![distance]].concat()
+    black(lamp(given, position).at(p).intensity())
 }
 
 pub fn black_lamp(given: Given) -> Vec<Goal> {

@@ -29,14 +29,14 @@ fn implicit(given: Given, gradient: Vec3<Term>) -> Option<UnitVec3<Term>> {
     normal::implicit(|_| Dual { value, gradient }, any_vector(given, "p"))
 }
 
-/// Two tangents of which one is anything and the other equal, 0 or broken.
+/// Two tangents that are equal, or of which one is 0 or broken.
 fn parallel(given: Given) -> (Vec3<Term>, Vec3<Term>) {
     let t = any_vector(given, "t");
-    let other = match given.one_of(2) {
-        0 => t,
-        _ => without_direction(given, "other"),
-    };
-    [(t, other), (other, t)][given.one_of(2) as usize]
+    match given.one_of(3) {
+        0 => (t, t),
+        1 => (without_direction(given, "s_u"), t),
+        _ => (t, without_direction(given, "s_v")),
+    }
 }
 
 /// Three points of which two are equal, or one is broken.
@@ -89,15 +89,6 @@ pub fn parametric_of_any(given: Given) -> Vec<Goal> {
 
 pub fn parametric_of_none(given: Given) -> Vec<Goal> {
     let (s_u, s_v) = parallel(given);
-    none(parametric(given, s_u, s_v))
-}
-
-pub fn parametric_of_noise(given: Given) -> Vec<Goal> {
-    let noise = 32.0 * given.format().u();
-    let mut t = given.vector("t", Range::within(-1.0, 1.0));
-    t.x = Term::ONE;
-    let small = given.vector("small", Range::within(-noise, noise));
-    let (s_u, s_v) = [(t, small), (small, t)][given.one_of(2) as usize];
     none(parametric(given, s_u, s_v))
 }
 
@@ -180,11 +171,9 @@ pub fn mapped_of_any(given: Given) -> Vec<Goal> {
 pub fn mapped_of_none(given: Given) -> Vec<Goal> {
     let (n, t) = (any_direction(given, "n"), any_vector(given, "t"));
     let (handedness, s) = (given.any("handedness"), any_vector(given, "s"));
-    let nothing = without_direction(given, "nothing");
-    none(match given.one_of(4) {
-        0 => normal::mapped(UnitVec3::assume_unit(nothing), t, handedness, s),
-        1 => normal::mapped(n, nothing, handedness, s),
-        2 => normal::mapped(n, t, handedness, nothing),
+    none(match given.one_of(3) {
+        0 => normal::mapped(n, without_direction(given, "t'"), handedness, s),
+        1 => normal::mapped(n, t, handedness, without_direction(given, "s'")),
         _ => normal::mapped(n, *n, handedness, s),
     })
 }

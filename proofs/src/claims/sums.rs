@@ -140,11 +140,11 @@ fn adds_nothing(given: Given, scene: &Scene, light: IncidentLight<Term>) -> Vec<
 
 pub fn behind(given: Given) -> Vec<Goal> {
     let scene = of_any_directions(given);
-    let light = sun(given, any_direction(given, "l"));
-    if light.is_in_front(scene.n) {
+    let l = any_direction(given, "l");
+    if scene.n.dot(l) > Term::ZERO {
         return vec![];
     }
-    adds_nothing(given, &scene, light)
+    adds_nothing(given, &scene, sun(given, l))
 }
 
 pub fn lamp_behind(given: Given) -> Vec<Goal> {

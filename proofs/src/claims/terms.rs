@@ -7,21 +7,9 @@ use shading_proofs::{Given, Goal, Range, Term};
 
 use super::given::*;
 
-pub fn ambient(given: Given) -> Vec<Goal> {
-    components(term::ambient(given.rgb("k_a"), given.rgb("I_a")), light())
-}
-
 pub fn lambert_of_any(given: Given) -> Vec<Goal> {
     let (n, l) = (any_direction(given, "n"), any_direction(given, "l"));
     within([term::lambert(n, l)], light())
-}
-
-pub fn lambert_behind(given: Given) -> Vec<Goal> {
-    let (n, l) = (any_direction(given, "n"), any_direction(given, "l"));
-    if n.dot(l) > Term::ZERO {
-        return vec![];
-    }
-    within([term::lambert(n, l)], Range::unsigned(0.0, 0.0))
 }
 
 pub fn lambert_of_units(given: Given) -> Vec<Goal> {
@@ -96,21 +84,6 @@ pub fn blinn_normalization(given: Given) -> Vec<Goal> {
     let m = given.number("m", in_parts(given));
     let range = Range::within(0.02, given.format().max());
     within([term::blinn_normalization(m)], range)
-}
-
-pub fn normalization_of_invalid(given: Given) -> Vec<Goal> {
-    let m = given.number("m", Range::within(-INF, 0.0).or_nan());
-    let zero = Term::ZERO;
-    vec![
-        Goal::Same(
-            term::phong_normalization(m),
-            term::phong_normalization(zero),
-        ),
-        Goal::Same(
-            term::blinn_normalization(m),
-            term::blinn_normalization(zero),
-        ),
-    ]
 }
 
 /// A number that records, with the trait's own methods.
@@ -204,19 +177,9 @@ pub fn dual_values(given: Given) -> Vec<Goal> {
         .collect()
 }
 
-pub fn dual_products(given: Given) -> Vec<Goal> {
-    let [f, g] = ["f", "g"].map(|name| dual(given, name, up_to(62), up_to(62)));
-    [f + g, f - g, f * g].map(|x| is_finite(given, x)).concat()
-}
-
 pub fn dual_quotients(given: Given) -> Vec<Goal> {
     let least = Range::within(2.0_f64.powi(-30), 2.0_f64.powi(30));
     let f = dual(given, "f", up_to(30), up_to(30));
     let g = dual(given, "g", least, up_to(30));
     [f / g, f / -g].map(|x| is_finite(given, x)).concat()
-}
-
-pub fn dual_roots(given: Given) -> Vec<Goal> {
-    let positive = Range::within(2.0_f64.powi(-126), given.format().max());
-    is_finite(given, dual(given, "f", positive, up_to(62)).sqrt())
 }

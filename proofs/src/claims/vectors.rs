@@ -1,34 +1,13 @@
 //! Numbers, vectors and directions.
 
-use shading::{Real, Rgb, UnitVec3, half_vector};
+use shading::{Rgb, UnitVec3, half_vector};
 use shading_proofs::{Given, Goal, Range, Term};
 
 use super::given::*;
 
-pub fn limits(given: Given) -> Vec<Goal> {
-    let limit = given.number("limit", Range::within(-INF, INF));
-    let (x, y) = (given.any("x"), given.number("y", Range::within(-INF, INF)));
-    vec![
-        Goal::AtMost(limit, x.at_least(limit)),
-        Goal::AtMost(y.at_most(limit), limit),
-    ]
-}
-
-pub fn products(given: Given) -> Vec<Goal> {
-    let size = Range::within(-2.0_f64.powi(62), 2.0_f64.powi(62));
-    let (a, b) = (given.vector("a", size), given.vector("b", size));
-    let mut goals = components(a.cross(b), finite(given));
-    goals.push(Goal::Within(a.dot(b), finite(given)));
-    goals
-}
-
 pub fn length_of_numbers(given: Given) -> Vec<Goal> {
     let v = given.vector("v", Range::within(-INF, INF));
     within([v.length()], light())
-}
-
-pub fn length_of_broken(given: Given) -> Vec<Goal> {
-    within([broken(given, "v").length()], Range::NOT_FINITE)
 }
 
 pub fn unit_of_any(given: Given) -> Vec<Goal> {
