@@ -107,8 +107,8 @@ macro_rules! forms {
                     let share = |l: V, q| if blocked(z, l.z, q) { 0.0 } else { 1.0 };
                     by_hand.iter().for_each(|lamp| sum.add(lamp, share));
                 });
-                form!("lamps.filter(in front, not blocked)" * 4:
-                    |n, p| lamps.iter().map(|l| l.at(p)).filter(|l| l.is_in_front(n) && !blocked(p.z, l.l().z, l.distance())); |sum| {
+                form!("lamps.filter_map(unless blocked)" * 4:
+                    |n, p| lamps.iter().filter_map(|l| l.at(p).unless_blocked(n, |l, q| blocked(p.z, l.z, q))); |sum| {
                     let z = sum.p.z;
                     let share = |l: V, q| if blocked(z, l.z, q) { 0.0 } else { 1.0 };
                     by_hand.iter().for_each(|lamp| sum.add(lamp, share));

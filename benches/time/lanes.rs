@@ -34,7 +34,7 @@ pub fn ours<'a, M: Exponent<f32x8> + 'a>(
     let material = material.cast(f32x8::splat);
     pass::<false, _, _>(points, EIGHT * lamps.len(), move |&[n, v, p]| {
         let [n, v] = [n, v].map(|v| UnitVec3::assume_unit(v.into()));
-        let lights = lights.iter().map(|light| light.at(p.into()));
+        let lights = lights.iter().map(|light| light.at(p));
         let i_a = Rgb::gray(f32x8::splat(0.2));
         let total = shade::blinn_phong(n, v, black_box(&material), i_a, lights).total();
         <V>::from(total).map(f32x8::to_array)

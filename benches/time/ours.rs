@@ -42,7 +42,7 @@ macro_rules! sums {
                 macro_rules! sum {
                     ($sum:ident, $material:ident) => {
                         pass::<CALL, _, _>(points, lamps.len(), move |&[n, v, p]| {
-                            let lights = lamps.iter().map(|lamp| lamp.at(p.into()));
+                            let lights = lamps.iter().map(|lamp| lamp.at(p));
                             let material = black_box(&$material);
                             <[$float; 3]>::from(
                                 shade::$sum(unit(n), unit(v), material, i_a, lights).total(),
