@@ -15,8 +15,7 @@ use crate::rgb::Rgb;
 ///
 /// If the denominator is 0, the factor is the largest finite number; if it is negative or NaN, 0.
 ///
-/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
-/// 1990, §16.1.2; *The OpenGL Graphics System: A Specification*, version 2.1, 2006, §2.14.1.
+/// Source: Foley, van Dam et al. 1990, §16.1.2; OpenGL 2.1, §2.14.1.
 ///
 /// ```
 /// use shading::attenuation;
@@ -150,9 +149,8 @@ impl<T: Real> Attenuation<T> {
     /// max(0, 1 − (q/r)⁴) in place of its square. The light is brighter toward r and ends there with
     /// an edge.
     ///
-    /// Source: Khronos, *KHR_lights_punctual*, a glTF 2.0 extension, “Range Property”, and its
-    /// sample viewer. Of the programs that read glTF, Babylon.js, Bevy, Filament and three.js square
-    /// the window.
+    /// Source: KHR_lights_punctual (glTF 2.0), “Range Property”, and its sample viewer. Of the
+    /// programs that read glTF, Babylon.js, Bevy, Filament and three.js square the window.
     ///
     /// ```
     /// use shading::f32::Attenuation;
