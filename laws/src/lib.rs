@@ -1,5 +1,5 @@
 //! The laws of local illumination, as a test suite for whatever shades: a renderer in any language,
-//! a shader on a GPU, a number type.
+//! or a shader on a GPU.
 //!
 //! # A renderer
 //!
@@ -63,20 +63,8 @@
 //!
 //! A renderer in another language speaks JSON lines with the program `shading-laws`, which this
 //! package has too.
-//!
-//! # A number type
-//!
-//! The formulas of [`shading`] are generic over the number type. [`Number`] says what the suite must
-//! know of yours, a float or a fixed-point number, and [`number!`] makes a test of each of over a hundred
-//! properties.
 
 #![allow(clippy::float_cmp)] // special cases are exact
-
-// a number type
-pub mod number;
-
-// a formula
-pub mod proof;
 
 // a renderer: each paragraph uses the ones above it
 mod mistake;
@@ -112,10 +100,7 @@ mod trial;
 pub use cause::Cause;
 pub use coverage::Exercised;
 pub use mistake::{Fault, Mistake};
-#[doc(inline)]
-pub use number::Number;
 pub use profile::Profile;
-pub use proof::prove;
 pub use renderer::{Renderer, from_fn};
 pub use report::{Counterexample, Finding, LawReport, Report, Verdict};
 pub use reproduction::Reproduction;
