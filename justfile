@@ -18,22 +18,22 @@ test:
 chips:
     tests/firmware/run.sh
 
-# race against handwritten code, and count the instructions of every function
-bench:
-    cargo bench -p shading-benches --bench versus
-    cargo bench -p shading-benches --bench instructions -- --check
+# measure the time beside the same by hand (`just bench quick forms` for some), and fail above a limit
+bench *what:
+    cargo bench -p shading-benches --bench time -- {{what}}
+
+# measure the loops of the working tree against those of a commit
+slower commit:
+    benches/slower.sh {{commit}}
 
 # renew what is generated: the pinned bits, the counts, the table of flash, the public interface
 renew *what:
     .ci/renew {{what}}
 
-# draw the gallery into target/gallery, and redraw the READMEs' pictures
+# redraw the gallery's pictures that the pages show
 pictures:
     cargo run --release -p gallery
-    cargo run --release -p gallery -- --readme
-    cargo run --release -p display -- target/display
-    cp target/display/ball.png docs/pictures/ball_on_a_display.png
-    tests/firmware/frame.sh
+    .ci/gallery --renew
 
 # open the documentation in a browser
 doc:

@@ -19,8 +19,8 @@ prover="${CARGO_TARGET_DIR:-target}/release/shading-proofs"
 
 # faults planted in a copy of the source, which is built once with all of them
 copy=${CARGO_TARGET_DIR:-target}/planted
-rm -rf "$copy"/{src,laws,proofs} && mkdir -p "$copy/docs"
-cp -r src laws proofs "$copy"
+rm -rf "$copy"/{src,proofs} && mkdir -p "$copy/docs"
+cp -r src proofs "$copy"
 cp docs/*.md README.md "$copy" && cp docs/*.md "$copy/docs"
 cp -r --parents tests/bits/interface.rs tests/public-api/interface.txt "$copy"
 "$prover" plant "$copy"
@@ -31,7 +31,7 @@ version = "0.1.0"
 edition = "2024"
 
 [workspace]
-members = ["laws", "proofs"]
+members = ["proofs"]
 
 [dependencies]
 libm = "0.2.16"

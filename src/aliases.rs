@@ -7,14 +7,12 @@ macro_rules! types {
         pub type Rgb = crate::Rgb<$number>;
         pub type Dual = crate::Dual<$number>;
         pub type Attenuation = crate::Attenuation<$number>;
-        pub type Ranged = crate::Ranged<$number>;
         pub type Cone = crate::Cone<$number>;
-        pub type SoftCone = crate::SoftCone<$number>;
         pub type IncidentLight = crate::IncidentLight<$number>;
         pub type DirectionalLight = crate::DirectionalLight<$number>;
-        pub type PointLight<A = Attenuation> = crate::PointLight<$number, A>;
-        pub type SpotLight<C = Cone, A = Attenuation> = crate::SpotLight<$number, C, A>;
-        pub type Light<C = Cone, A = Attenuation> = crate::Light<$number, C, A>;
+        pub type PointLight = crate::PointLight<$number>;
+        pub type SpotLight = crate::SpotLight<$number>;
+        pub type Light = crate::Light<$number>;
         pub type Material<M = u32> = crate::Material<$number, M>;
         pub type Shaded = crate::Shaded<$number>;
     };
@@ -24,10 +22,8 @@ macro_rules! aliases {
     ($float:ident) => {
         #[doc = concat!("The types of a scene in `", stringify!($float), "`.")]
         ///
-        /// A constructor that works in constants exists separately for `f32` and `f64`, so the
-        /// compiler cannot infer which one `Attenuation::new` means. With the types of this module
-        /// it need not. Code that is generic over the number calls
-        /// [`Attenuation::of`](crate::Attenuation::of) and its like instead.
+        /// Constructors that work in constants begin with `const_` and exist separately for each number
+        /// type. With the types of this module, the compiler need not infer which one is meant.
         ///
         /// ```
         #[doc = concat!("use shading::", stringify!($float), "::{Attenuation, Cone, Material, PointLight, Rgb, SpotLight, UnitVec3, Vec3};")]
@@ -36,14 +32,14 @@ macro_rules! aliases {
         ///     point: PointLight {
         ///         position: Vec3::new(0.0, 3.0, 0.0),
         ///         intensity: Rgb::WHITE,
-        ///         attenuation: Attenuation::new(1.0, 0.0, 0.25).unwrap(),
+        ///         attenuation: Attenuation::const_new(1.0, 0.0, 0.25).unwrap(),
         ///     },
-        ///     axis: UnitVec3::normalized(0.1, -1.0, 0.0).unwrap(),
-        ///     cone: Cone::from_half_angle(0.5).unwrap(),
+        ///     axis: UnitVec3::const_normalized(0.1, -1.0, 0.0).unwrap(),
+        ///     cone: Cone::const_from_half_angle(0.5).unwrap(),
         /// };
         /// static CLAY: Material =
         ///     Material { k_a: Rgb::gray(0.1), k_d: Rgb::gray(0.6), k_s: Rgb::gray(0.3), m: 32 };
-        /// assert!(SPOT.at(Vec3::ZERO).intensity.r > 0.0);
+        /// assert!(SPOT.at(Vec3::ZERO).intensity().r > 0.0);
         /// assert_eq!(CLAY.m, 32);
         /// ```
         #[allow(missing_docs)] // each is documented where it is defined
@@ -55,6 +51,3 @@ macro_rules! aliases {
 
 aliases!(f32);
 aliases!(f64);
-
-#[cfg(feature = "fixed")]
-pub(crate) use types;

@@ -1,69 +1,7 @@
 //! Falloff of light with distance.
 
-use crate::flag::{Flag, NO, YES};
 use crate::real::{Real, Scalar};
 use crate::rgb::Rgb;
-
-/// The falloff of a [`PointLight`](crate::PointLight) with distance: an [`Attenuation`], an
-/// attenuation that ends at a range ([`Ranged`](crate::Ranged)), or a falloff of your own.
-///
-/// ```
-/// use shading::f32::{PointLight, Vec3};
-/// use shading::{Elementary, Falloff, Rgb};
-///
-/// /// Fog that dims the light to 1/e over each such length.
-/// #[derive(Clone, Copy)]
-/// struct Fog<T>(T);
-///
-/// impl<T: Elementary> Falloff<T> for Fog<T> {
-///     type In<U> = Fog<U>;
-///     fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T> {
-///         *intensity * (-q / self.0).exp()
-///     }
-///     fn cast<U>(self, mut f: impl FnMut(T) -> U) -> Fog<U> {
-///         Fog(f(self.0))
-///     }
-/// }
-/// let position = Vec3::new(0.0, 0.0, 2.0);
-/// let lamp = PointLight { position, intensity: Rgb::WHITE, attenuation: Fog(2.0) };
-/// assert!((lamp.at(Vec3::ZERO).intensity.r - 0.3679).abs() < 1e-4);
-/// ```
-pub trait Falloff<T>: Copy {
-    /// The type of the same falloff in another number type.
-    type In<U>;
-
-    /// The intensity that remains at the distance q ≥ 0. If `intensity` is finite, the result must
-    /// be finite and not NaN.
-    #[must_use]
-    fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T>;
-
-    /// The same, given q and a finer q, as by
-    /// [`direction_and_distance`](Real::direction_and_distance), and the way to the light.
-    #[doc(hidden)]
-    #[inline(always)]
-    #[must_use]
-    fn dim_along(
-        &self,
-        intensity: &Rgb<T>,
-        [q, _]: [T; 2],
-        _to_light: impl FnOnce() -> [T; 3],
-    ) -> Rgb<T> {
-        self.dim(intensity, q)
-    }
-
-    /// Whether light may remain at the distance whose square is given, in at least one lane. The
-    /// default is `true`.
-    #[inline]
-    #[must_use]
-    fn reaches(&self, square: T) -> bool {
-        let _ = square;
-        true
-    }
-
-    /// The same falloff in another number type. `f` converts each number and may only round it.
-    #[must_use]
-    fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> Self::In<U>;
-}
 
 /// The factor by which distance attenuates a light.
 ///
@@ -73,10 +11,9 @@ pub trait Falloff<T>: Copy {
 ///
 /// q ≥ 0 is the **distance**, not its square, in the unit of length of the scene. a, b, c ≥ 0 are
 /// the constant, linear and quadratic coefficients. The factor may exceed 1. It is evaluated as
-/// 1/(a + q(b + cq)), so it never rises, to the bit, as q, a, b or c rises.
+/// 1/(a + q(b + cq)), by [`Real::attenuated`], so it never rises, to the bit, as q, a, b or c rises.
 ///
-/// If the denominator is 0, the factor is infinite: −∞ for a denominator of −0, which only a = −0
-/// produces, and ∞ otherwise. The checked [`Attenuation`] is never infinite.
+/// If the denominator is 0, the factor is the largest finite number; if it is negative or NaN, 0.
 ///
 /// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
 /// 1990, §16.1.2; *The OpenGL Graphics System: A Specification*, version 2.1, 2006, §2.14.1.
@@ -91,88 +28,100 @@ pub trait Falloff<T>: Copy {
 #[inline]
 #[must_use]
 pub fn attenuation<T: Real>(a: T, b: T, c: T, q: T) -> T {
-    T::ONE / (a + q * (b + c * q))
+    T::attenuated([T::ONE; 3], [a, b, c], q, T::MAX)[0]
 }
 
-/// Checked coefficients of the [`attenuation`]. A light with them is never negative or infinite.
+/// Checked coefficients of the [`attenuation`], and a range at which the light may end. A light with
+/// them is never negative or infinite.
 ///
 /// q has the scene's unit of length. b is per unit of length, and c per square of it.
 ///
 /// ```
 /// use shading::f32::Attenuation;
 ///
-/// const LAMP: Attenuation = Attenuation::new(1.0, 0.0, 0.25).unwrap();
+/// const LAMP: Attenuation = Attenuation::const_new(1.0, 0.0, 0.25).unwrap();
 /// assert_eq!(LAMP.at(2.0), 0.5); // 1/(1 + 2²/4)
+/// assert_eq!(LAMP.within(8.0).unwrap().at(8.0), 0.0);
 /// ```
 ///
 /// An impossible constant fails the build:
 ///
 /// ```compile_fail
 /// use shading::f32::Attenuation;
-/// const NONSENSE: Attenuation = Attenuation::new(1.0, -0.5, 0.0).unwrap();
+/// const NONSENSE: Attenuation = Attenuation::const_new(1.0, -0.5, 0.0).unwrap();
 /// ```
+///
+/// For a falloff of your own, such as fog, multiply the
+/// [`intensity`](crate::IncidentLight::intensity) that arrives.
+// choices are numbers, as the rest: lanes may choose differently
 #[doc(alias = "inverse square")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attenuation<T = f32> {
     a: T,
     b: T,
     c: T,
-    /// Whether the factor is limited to 1.
-    clamped: Flag,
+    /// The largest factor: 1 if it is clamped, else `MAX`.
+    limit: T,
+    /// The distance at which the light ends, or `MAX`.
+    range: T,
+    /// 1 if the window is squared, 0 if it is glTF's.
+    squared: T,
 }
 
 impl<T: Real> Attenuation<T> {
-    /// An attenuation whose coefficients have been checked.
-    #[cfg(any(feature = "fixed", feature = "wide"))]
-    pub(crate) const fn unchecked(a: T, b: T, c: T) -> Self {
+    /// No attenuation: the factor is exactly 1 at every finite distance.
+    pub const NONE: Self = Self::unchecked(T::ONE, T::ZERO, T::ZERO);
+
+    const fn unchecked(a: T, b: T, c: T) -> Self {
+        let (limit, range, squared) = (T::MAX, T::MAX, T::ONE);
         Self {
             a,
             b,
             c,
-            clamped: NO,
+            limit,
+            range,
+            squared,
         }
     }
 
-    /// [`new`](Attenuation#method.new) for any number type, in generic code: an attenuation, or `None`
-    /// if a coefficient is negative or not finite, or if all are 0.
+    /// The attenuation 1/(a + bq + cq²). Returns `None` if a coefficient is negative or not finite, or
+    /// if all are 0. In a constant, use [`const_new`](Attenuation#method.const_new).
     ///
     /// ```
-    /// use shading::{Attenuation, Real};
+    /// use shading::Attenuation;
     ///
-    /// fn inverse_square<T: Real + PartialOrd>() -> Option<Attenuation<T>> {
-    ///     Attenuation::of(T::ZERO, T::ZERO, T::ONE)
-    /// }
-    /// assert_eq!(inverse_square(), Attenuation::<f32>::new(0.0, 0.0, 1.0));
-    /// assert_eq!(Attenuation::of(1.0_f64, -0.5, 0.0), None);
+    /// let inverse_square = Attenuation::new(0.0, 0.0, 1.0).unwrap();
+    /// assert_eq!(inverse_square.at(2.0), 0.25);
+    /// assert_eq!(Attenuation::new(1.0, -0.5, 0.0), None);
+    /// assert_eq!(Attenuation::new(0.0, 0.0, 0.0), None); // infinite everywhere
     /// ```
     #[inline]
     #[must_use]
-    pub fn of(a: T, b: T, c: T) -> Option<Self>
+    pub fn new(a: T, b: T, c: T) -> Option<Self>
     where
         T: Scalar,
     {
         let is_finite = |x: T| x >= T::ZERO && x <= T::MAX;
         let is_positive = a > T::ZERO || b > T::ZERO || c > T::ZERO;
-        (is_finite(a) && is_finite(b) && is_finite(c) && is_positive).then(|| Self {
-            a: a + T::ZERO, // the reciprocal of −0 would be −∞
-            b,
-            c,
-            clamped: NO,
-        })
+        (is_finite(a) && is_finite(b) && is_finite(c) && is_positive)
+            .then(|| Self::unchecked(a + T::ZERO, b, c)) // the reciprocal of −0 would be −∞
     }
 
-    /// No attenuation: the factor is exactly 1 at every finite distance.
-    ///
-    /// ```
-    /// use shading::f32::Attenuation;
-    /// assert_eq!(Attenuation::NONE.at(1e30), 1.0);
-    /// ```
-    pub const NONE: Self = Self {
-        a: T::ONE,
-        b: T::ZERO,
-        c: T::ZERO,
-        clamped: NO,
-    };
+    /// The same attenuation, ended by a range: the factor is 0 from the distance r on. Returns `None`
+    /// if r is 0, negative or NaN. The largest number and ∞ mean no range. In three.js, a `distance`
+    /// of 0 means no range.
+    #[doc(alias = "cutoff")]
+    #[inline]
+    #[must_use]
+    pub fn within(self, r: T) -> Option<Self>
+    where
+        T: Scalar,
+    {
+        (r > T::ZERO).then(|| Self {
+            range: r.at_most(T::MAX),
+            ..self
+        })
+    }
 
     /// The same attenuation, limited to 1 as in Foley, van Dam et al., §16.1.2. OpenGL does not
     /// limit it.
@@ -190,56 +139,78 @@ impl<T: Real> Attenuation<T> {
     /// ```
     #[inline]
     #[must_use]
-    pub const fn clamped(self) -> Self
-    where
-        T: Copy,
-    {
+    pub const fn clamped(self) -> Self {
         Self {
-            clamped: YES,
+            limit: T::ONE,
             ..self
         }
     }
 
-    /// The coefficients a, b and c.
+    /// The same attenuation, with the window that the specification of glTF recommends:
+    /// max(0, 1 − (q/r)⁴) in place of its square. The light is brighter toward r and ends there with
+    /// an edge.
     ///
-    /// ```
-    /// use shading::f32::Attenuation;
-    /// assert_eq!(Attenuation::new(1.0, 0.0, 0.25).unwrap().coefficients(), [1.0, 0.0, 0.25]);
-    /// ```
-    #[inline]
-    #[must_use]
-    pub const fn coefficients(self) -> [T; 3]
-    where
-        T: Copy,
-    {
-        [self.a, self.b, self.c]
-    }
-
-    /// Whether the factor is limited to 1, as by [`clamped`](Attenuation::clamped).
+    /// Source: Khronos, *KHR_lights_punctual*, a glTF 2.0 extension, “Range Property”, and its
+    /// sample viewer. Of the programs that read glTF, Babylon.js, Bevy, Filament and three.js square
+    /// the window.
     ///
     /// ```
     /// use shading::f32::Attenuation;
     ///
     /// let inverse_square = Attenuation::new(0.0, 0.0, 1.0).unwrap();
-    /// assert!(!inverse_square.is_clamped() && inverse_square.clamped().is_clamped());
+    /// let lamp = inverse_square.within(8.0).unwrap().unsquared();
+    /// assert_eq!(lamp.at(4.0), 0.0625 * 0.9375); // 1/4² (1 − (4/8)⁴)
     /// ```
+    #[doc(alias = "gltf")]
     #[inline]
     #[must_use]
-    pub const fn is_clamped(self) -> bool
-    where
-        T: Copy,
-    {
-        self.clamped == YES
+    pub const fn unsquared(self) -> Self {
+        Self {
+            squared: T::ZERO,
+            ..self
+        }
+    }
+
+    /// The coefficients a, b and c.
+    #[inline]
+    #[must_use]
+    pub const fn coefficients(self) -> [T; 3] {
+        [self.a, self.b, self.c]
+    }
+
+    /// The range r, or [`MAX`](Real::MAX) if there is none.
+    #[inline]
+    #[must_use]
+    pub const fn range(self) -> T {
+        self.range
+    }
+
+    /// Whether the factor is limited to 1.
+    #[inline]
+    #[must_use]
+    pub fn is_clamped(self) -> bool {
+        (T::MAX - self.limit).any_positive()
+    }
+
+    /// Whether the window is glTF's.
+    #[inline]
+    #[must_use]
+    pub fn is_unsquared(self) -> bool {
+        !self.squared.any_positive()
     }
 
     /// The factor at the distance q ≥ 0.
     ///
     /// ```text
-    /// 1 / (a + bq + cq²)
+    /// w(q) / (a + bq + cq²),  w(q) = max(0, 1 − (q/r)⁴)²
     /// ```
     ///
-    /// If the [`attenuation`] is infinite, the result is the largest finite number. At an infinite
-    /// distance, the result is 0.
+    /// Without a range r, w is 1; from r on, the factor is exactly 0. It never rises as q rises, and
+    /// it never exceeds that without a range, to the bit. If the [`attenuation`] is infinite, the
+    /// result is the largest finite number. At an infinite distance, the result is 0.
+    ///
+    /// Source: Brian Karis, *Real Shading in Unreal Engine 4*, SIGGRAPH course, 2013, for w;
+    /// Babylon.js, Bevy, Filament and three.js use the same formula.
     ///
     /// ```
     /// use shading::f32::Attenuation;
@@ -247,24 +218,39 @@ impl<T: Real> Attenuation<T> {
     /// let inverse_square = Attenuation::new(0.0, 0.0, 1.0).unwrap();
     /// assert_eq!(inverse_square.at(4.0), 1.0 / 16.0);
     /// assert_eq!(inverse_square.at(0.0), f32::MAX);
+    ///
+    /// let lamp = Attenuation::NONE.within(2.0).unwrap();
+    /// assert_eq!(lamp.at(1.0), 0.9375 * 0.9375); // (1 − (1/2)⁴)²
+    /// assert_eq!(lamp.at(2.0), 0.0);
     /// ```
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn at(self, q: T) -> T {
-        // at an infinite distance the factor is 0, even if the formula gives NaN
-        let factor = attenuation(self.a, self.b, self.c, q);
-        factor.at_least(T::ZERO).at_most(self.limit())
+        self.dimmed(Rgb::WHITE, q).r
     }
 
-    /// The limit of the factor, which is at least 1.
+    /// A color times the factor at q.
+    #[inline(always)]
+    pub(crate) fn dimmed(&self, color: Rgb<T>, q: T) -> Rgb<T> {
+        let color = T::attenuated(color.into(), [self.a, self.b, self.c], q, self.limit);
+        if (T::MAX - self.range).any_positive() {
+            Rgb::from(color) * self.window(q)
+        } else {
+            color.into()
+        }
+    }
+
     #[inline]
-    pub(crate) fn limit(&self) -> T {
-        // it is not stored in a field, because MAX of one type is not MAX in another
-        if self.clamped == YES { T::ONE } else { T::MAX }
+    fn window(self, q: T) -> T {
+        let share = q / self.range;
+        let square = share * share;
+        let root = (T::ONE - square * square).at_least(T::ZERO);
+        let window = self.squared.if_positive(root * root, root);
+        (T::MAX - self.range).if_positive(window, T::ONE) // in lanes, some may have no range
     }
 
-    /// The same attenuation in another number type. `f` converts each coefficient and may only
-    /// round it.
+    /// The same attenuation in another number type. `f` converts each number and may only round it.
+    /// A light without a range has none in the new type.
     ///
     /// ```
     /// use shading::f32::Attenuation;
@@ -274,35 +260,22 @@ impl<T: Real> Attenuation<T> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> Attenuation<U> {
+    pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> Attenuation<U> {
+        let (a, b, c, squared) = (f(self.a), f(self.b), f(self.c), f(self.squared));
+        // MAX of one type is not MAX in another
+        let mut or_max = |x| {
+            let is_below = f((T::MAX - x).if_positive(T::ONE, T::ZERO));
+            is_below.if_positive(f(x).at_most(U::MAX), U::MAX)
+        };
+        let (limit, range) = (or_max(self.limit), or_max(self.range));
         Attenuation {
-            a: f(self.a),
-            b: f(self.b),
-            c: f(self.c),
-            clamped: self.clamped,
+            a,
+            b,
+            c,
+            limit,
+            range,
+            squared,
         }
-    }
-}
-
-impl<T: Real> Falloff<T> for Attenuation<T> {
-    type In<U> = Attenuation<U>;
-
-    // The parameters are references, because passing them by value gives different, larger code on
-    // small chips.
-    #[inline(always)]
-    fn dim(&self, intensity: &Rgb<T>, q: T) -> Rgb<T> {
-        self.dim_along(intensity, [q, q], || [q, T::ZERO, T::ZERO])
-    }
-
-    #[inline(always)]
-    fn dim_along(&self, intensity: &Rgb<T>, q: [T; 2], _: impl FnOnce() -> [T; 3]) -> Rgb<T> {
-        let coefficients = [self.a, self.b, self.c];
-        T::attenuated((*intensity).into(), coefficients, q, || self.limit()).into()
-    }
-
-    #[inline]
-    fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> Attenuation<U> {
-        self.cast(f)
     }
 }
 
@@ -317,35 +290,30 @@ impl<T: Real> Default for Attenuation<T> {
 macro_rules! checked {
     ($float:ident) => {
         impl Attenuation<$float> {
-            /// The attenuation 1/(a + bq + cq²). Returns `None` if a coefficient is negative or not
-            /// finite, or if all are 0.
+            /// [`new`](Attenuation#method.new) for constants.
             ///
             /// ```
             #[doc = concat!("use shading::", stringify!($float), "::Attenuation;")]
-            ///
-            /// let inverse_square = Attenuation::new(0.0, 0.0, 1.0).unwrap();
-            /// assert_eq!(inverse_square.at(2.0), 0.25);
-            /// assert_eq!(Attenuation::new(1.0, -0.5, 0.0), None);
-            /// assert_eq!(Attenuation::new(0.0, 0.0, 0.0), None); // infinite everywhere
+            /// const LAMP: Attenuation = Attenuation::const_new(1.0, 0.0, 0.25).unwrap();
             /// ```
             #[inline]
             #[must_use]
-            pub const fn new(a: $float, b: $float, c: $float) -> Option<Self> {
-                const MAX: $float = $float::MAX;
-                if a >= 0.0
-                    && b >= 0.0
-                    && c >= 0.0
-                    && a <= MAX
-                    && b <= MAX
-                    && c <= MAX
-                    && (a > 0.0 || b > 0.0 || c > 0.0)
-                {
-                    Some(Self {
-                        a: a + 0.0, // the reciprocal of −0 would be −∞
-                        b,
-                        c,
-                        clamped: NO,
-                    })
+            pub const fn const_new(a: $float, b: $float, c: $float) -> Option<Self> {
+                let is_valid = a >= 0.0 && b >= 0.0 && c >= 0.0 && (a > 0.0 || b > 0.0 || c > 0.0);
+                if is_valid && a <= $float::MAX && b <= $float::MAX && c <= $float::MAX {
+                    Some(Self::unchecked(a + 0.0, b, c)) // the reciprocal of −0 would be −∞
+                } else {
+                    None
+                }
+            }
+
+            /// [`within`](Attenuation#method.within) for constants.
+            #[inline]
+            #[must_use]
+            pub const fn const_within(self, r: $float) -> Option<Self> {
+                let range = if r > $float::MAX { $float::MAX } else { r };
+                if r > 0.0 {
+                    Some(Self { range, ..self })
                 } else {
                     None
                 }

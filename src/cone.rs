@@ -1,52 +1,21 @@
 //! The cone of a spot light.
 
-use crate::real::{Real, Scalar};
+use core::f64::consts::PI;
+
+use crate::elementary::Elementary;
+use crate::real::{Real, Scalar, constant, epsilon, parts};
 use crate::unit::UnitVec3;
 
-/// The directions in which a [`SpotLight`](crate::SpotLight) shines: a hard [`Cone`], a cone with a
-/// soft edge ([`SoftCone`](crate::SoftCone)), or a beam of your own.
+/// The cone of a spot light, given by its **half**-angle: the angle between the axis and the edge,
+/// as in OpenGL, glTF and three.js. Unity and Blender give twice that angle.
 ///
-/// ```
-/// use shading::{Beam, Exponent, Real, UnitVec3};
-///
-/// /// OpenGL's spot exponent: the higher it is, the narrower the beam.
-/// #[derive(Clone, Copy)]
-/// struct Focused(u32);
-///
-/// impl<T: Real> Beam<T> for Focused {
-///     type In<U> = Self;
-///     fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
-///         self.0.raise((-axis).dot(l))
-///     }
-///     fn cast<U>(self, _: impl FnMut(T) -> U) -> Self {
-///         self
-///     }
-/// }
-/// let l = UnitVec3::<f32>::new(0.6, 0.0, 0.8).unwrap();
-/// assert!((Focused(2).factor(-UnitVec3::Z, l) - 0.64).abs() < 1e-6);
-/// ```
-pub trait Beam<T>: Copy {
-    /// The type of the same beam in another number type.
-    type In<U>;
-
-    /// The share, from 0 to 1, of the light that travels along −L from a spot that shines along
-    /// `axis`.
-    #[must_use]
-    fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T;
-
-    /// The same beam in another number type. `f` converts each number and may only round it.
-    #[must_use]
-    fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> Self::In<U>;
-}
-
-/// The hard cone of a spot light, given by its **half**-angle: the angle between the axis and the
-/// edge, as in OpenGL, glTF and three.js. Unity and Blender give twice that angle.
+/// Its edge is hard, or soft between an inner and an outer half-angle.
 ///
 /// ```
 /// use shading::f32::{Cone, UnitVec3};
 /// use std::f32::consts::FRAC_PI_6;
 ///
-/// const CONE: Cone = Cone::from_half_angle(FRAC_PI_6).unwrap(); // 60° wide from edge to edge
+/// const CONE: Cone = Cone::const_from_half_angle(FRAC_PI_6).unwrap(); // 60° wide from edge to edge
 ///
 /// let straight_down = UnitVec3::NEG_Z;
 /// assert_eq!(CONE.factor(straight_down, UnitVec3::Z), 1.0); // right below: L points up
@@ -57,180 +26,270 @@ pub trait Beam<T>: Copy {
 ///
 /// ```compile_fail
 /// use shading::f32::Cone;
-/// const NONSENSE: Cone = Cone::from_half_angle(30.0).unwrap(); // degrees
+/// const NONSENSE: Cone = Cone::const_from_half_angle(30.0).unwrap(); // degrees
 /// ```
+///
+/// For a beam of your own, multiply the [`intensity`](crate::IncidentLight::intensity) that arrives.
 #[doc(alias = "cutoff")]
+#[doc(alias = "penumbra")]
 #[doc(alias = "spotlight")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone<T = f32> {
-    pub(crate) cosine: T,
+    inner: T,
+    outer: T,
+    /// 1 if the edge is a smoothstep, 0 if it is a square.
+    smooth: T,
 }
 
 impl<T: Real> Cone<T> {
-    /// The share of the light that arrives: 1 inside the cone and on its edge, 0 outside.
+    /// The share of the light that arrives: 1 inside the inner cone and on its edge, 0 outside the
+    /// outer cone, and the square of t between the edges.
     ///
     /// ```text
-    /// 1 where −L·axis ≥ cos(half-angle), else 0
+    /// t²,  t = (−L·axis − cos(outer)) / (cos(inner) − cos(outer)) within [0, 1]
     /// ```
     ///
     /// `axis` is the direction in which the spot shines, away from the light, and L the direction
-    /// from the surface to the light. On the axis, the factor is 1 for every cone. If a direction
-    /// is NaN, the factor is 1.
+    /// from the surface to the light. inner and outer are the half-angles, and equal for a hard edge.
+    /// [`smoothstep`](Cone::smoothstep) replaces t² with t²(3 − 2t). On the axis, the factor is 1 for
+    /// every cone; if a direction is NaN, too. It never falls, to the bit, as L turns toward the axis.
     ///
     /// Source: *The OpenGL Graphics System: A Specification*, version 2.1, 2006, §2.14.1, with a
-    /// spot exponent of 0.
+    /// spot exponent of 0; Khronos, *KHR_lights_punctual*, a glTF 2.0 extension, “Inner and Outer
+    /// Cone Angles”, whose sample code and Filament keep a hard edge slightly soft.
     ///
     /// ```
     /// use shading::f32::{Cone, UnitVec3};
     ///
-    /// let cone = Cone::from_cosine(0.8).unwrap();
     /// let on_the_edge = UnitVec3::new(0.6, 0.0, 0.8).unwrap();
     /// let outside = UnitVec3::new(0.8, 0.0, 0.6).unwrap();
-    /// assert_eq!(cone.factor(UnitVec3::NEG_Z, on_the_edge), 1.0);
-    /// assert_eq!(cone.factor(UnitVec3::NEG_Z, outside), 0.0);
+    /// let hard = Cone::from_cosine(0.8).unwrap();
+    /// assert_eq!(hard.factor(UnitVec3::NEG_Z, on_the_edge), 1.0);
+    /// assert_eq!(hard.factor(UnitVec3::NEG_Z, outside), 0.0);
+    /// let soft = Cone::from_cosines(0.8, 0.4).unwrap();
+    /// assert!((soft.factor(UnitVec3::NEG_Z, outside) - 0.25).abs() < 1e-6); // t = ½
     /// ```
     #[inline]
     #[must_use]
     pub fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
-        (self.cosine - (-axis).dot(l)).if_positive(T::ZERO, T::ONE)
+        self.share((-axis).dot(l))
     }
 
-    /// The cosine of the half-angle, within [−1, 1].
+    /// The share of the light at an angle to the axis of this cosine.
+    #[inline]
+    pub(crate) fn share(self, cosine: T) -> T {
+        let within = |edge: T, share| (edge - cosine).if_positive(share, T::ONE);
+        let width = self.inner - self.outer;
+        if !width.any_positive() {
+            return within(self.inner, T::ZERO);
+        }
+        // counted from the outer edge, a faint light keeps its digits
+        let t = ((cosine - self.outer) / width)
+            .at_least(T::ZERO)
+            .at_most(T::ONE);
+        let smoothstep = (t * t * (T::ONE + T::ONE + T::ONE - (t + t))).at_most(T::ONE);
+        let share = self.smooth.if_positive(smoothstep, t * t);
+        within(self.inner, width.if_positive(share, T::ZERO))
+    }
+
+    /// The same cone, with a soft edge that begins as smoothly as it ends: t²(3 − 2t) in place of t².
+    /// As L turns toward the axis, the factor never falls by more than a unit in the last place.
+    ///
+    /// Source: three.js, `getSpotAttenuation`; POV-Ray 3.7, `radius` and `falloff` with a
+    /// `tightness` of 0.
+    #[inline]
+    #[must_use]
+    pub const fn smoothstep(self) -> Self {
+        Self {
+            smooth: T::ONE,
+            ..self
+        }
+    }
+
+    /// Whether the soft edge is a smoothstep.
+    #[inline]
+    #[must_use]
+    pub fn is_smoothstep(self) -> bool {
+        self.smooth.any_positive()
+    }
+
+    /// The cosines of the inner and the outer half-angle, in this order, within [−1, 1].
     ///
     /// ```
     /// use shading::f32::Cone;
-    /// assert_eq!(Cone::from_half_angle(0.0).unwrap().cosine(), 1.0 - 4.0 * f32::EPSILON);
-    /// assert_eq!(Cone::from_cosine(0.5).unwrap().cosine(), 0.5);
+    /// assert_eq!(Cone::from_half_angle(0.0).unwrap().cosines()[0], 1.0 - 4.0 * f32::EPSILON);
+    /// assert_eq!(Cone::from_cosine(0.5).unwrap().cosines(), [0.5, 0.5]);
     /// ```
     #[inline]
     #[must_use]
-    pub fn cosine(self) -> T {
-        (self.cosine + T::ONE).if_positive(self.cosine, -T::ONE)
+    pub fn cosines(self) -> [T; 2] {
+        // not by `map` on an array, which rust-gpu cannot compile
+        [
+            self.inner.at_least(T::NEG_ONE),
+            self.outer.at_least(T::NEG_ONE),
+        ]
     }
 
-    /// [`from_half_angle`](Cone#method.from_half_angle) for any number type, in generic code. It has
-    /// the same bits.
+    /// The hard cone of a half-angle in radians, within [0, π]. Returns `None` for other angles and for
+    /// NaN. In a constant, use [`const_from_half_angle`](Cone#method.const_from_half_angle).
     ///
     /// ```
-    /// use shading::{Cone, Real};
+    /// use shading::Cone;
     ///
-    /// fn hemisphere<T: Real + PartialOrd>() -> Option<Cone<T>> {
-    ///     Cone::of_half_angle(T::of(core::f64::consts::FRAC_PI_2))
-    /// }
-    /// assert!(hemisphere::<f32>().unwrap().cosine().abs() < 1e-7);
-    /// assert_eq!(Cone::of_half_angle(60.0_f64), None); // degrees
+    /// let cone = Cone::from_half_angle(60_f64.to_radians()).unwrap(); // 60° on each side of the axis
+    /// assert!((cone.cosines()[0] - 0.5).abs() < 1e-15);
+    /// assert_eq!(Cone::from_half_angle(60.0), None); // degrees
     /// ```
+    #[inline]
     #[must_use]
-    pub fn of_half_angle(radians: T) -> Option<Self>
+    pub fn from_half_angle(radians: T) -> Option<Self>
+    where
+        T: Elementary + Scalar,
+    {
+        Self::from_half_angles(radians, radians)
+    }
+
+    /// The cone of an inner and an outer half-angle in radians, 0 ≤ inner ≤ outer ≤ π. Returns `None`
+    /// for other angles and for NaN.
+    #[inline]
+    #[must_use]
+    pub fn from_half_angles(inner: T, outer: T) -> Option<Self>
+    where
+        T: Elementary + Scalar,
+    {
+        if !(T::ZERO <= inner && inner <= outer && outer <= constant(const { parts(PI) })) {
+            return None;
+        }
+        let (inner, outer) = (inner.cos(), outer.cos());
+        // rounding may have swapped the cosines of nearly equal angles
+        Self::from_cosines(inner.at_least(outer), outer)
+    }
+
+    /// The hard cone whose half-angle has the given cosine, within [−1, 1]. Returns `None` for other
+    /// cosines and for NaN.
+    ///
+    /// A cosine close to 1 is stored as 1 − 4ε (a half-angle of 0.06° in `f32`), and a cosine close to
+    /// −1 as a cone of every direction. Otherwise the rounding of directions could put the axis outside
+    /// its own cone, or a direction outside the cone of half-angle π.
+    #[inline]
+    #[must_use]
+    pub fn from_cosine(cosine: T) -> Option<Self>
     where
         T: Scalar,
     {
-        radians.cosine_of_half_angle().map(Self::with_slack)
+        Self::from_cosines(cosine, cosine)
     }
 
-    /// [`from_cosine`](Cone#method.from_cosine) for any number type, in generic code. It has the same
-    /// bits.
-    ///
-    /// ```
-    /// use shading::{Cone, Real};
-    ///
-    /// fn cone<T: Real + PartialOrd>(cosine: T) -> Option<Cone<T>> {
-    ///     Cone::of_cosine(cosine)
-    /// }
-    /// assert_eq!(cone(0.5_f32), Cone::<f32>::from_cosine(0.5));
-    /// assert_eq!(cone(1.5_f64), None);
-    /// ```
+    /// The cone whose inner and outer half-angles have the given cosines, 1 ≥ inner ≥ outer ≥ −1.
+    /// Returns `None` for other cosines and for NaN. Each is treated as in
+    /// [`from_cosine`](Cone::from_cosine).
+    #[inline]
     #[must_use]
-    pub fn of_cosine(cosine: T) -> Option<Self>
+    pub fn from_cosines(inner: T, outer: T) -> Option<Self>
     where
         T: Scalar,
     {
         // −0 would turn the sign of the width of an edge
-        (cosine >= T::NEG_ONE && cosine <= T::ONE).then(|| Self::with_slack(cosine + T::ZERO))
+        (T::ONE >= inner && inner >= outer && outer >= T::NEG_ONE)
+            .then(|| Self::with_slack(inner + T::ZERO, outer + T::ZERO, T::ZERO))
     }
 
-    /// The cone of a cosine within [−1, 1], or of another cone's: it contains its axis, and a cone of
+    /// The cone of cosines within [−1, 1], or of another cone's: it contains its axis, and a cone of
     /// half-angle π every direction, even if both directions are as long as they may be. The slack of
     /// another number type stays where it is larger, because directions bring the roundoff of that
     /// type along.
     #[inline]
-    pub(crate) fn with_slack(cosine: T) -> Self {
+    fn with_slack(inner: T, outer: T, smooth: T) -> Self {
         let two = T::ONE + T::ONE;
-        let slack = two * two * T::epsilon();
-        let cosine = cosine.at_most(T::ONE - slack);
+        let slack = two * two * epsilon();
         let everywhere = slack - T::ONE;
+        let wide = |cosine: T| {
+            let cosine = cosine.at_most(T::ONE - slack);
+            everywhere.if_above(cosine, cosine.at_most(T::NEG_ONE - two * slack), cosine)
+        };
+        let (inner, outer) = (wide(inner), wide(outer));
         Self {
-            cosine: everywhere.if_above(cosine, cosine.at_most(T::NEG_ONE - two * slack), cosine),
+            inner,
+            outer,
+            smooth,
         }
     }
 
-    /// The same cone in another number type. `f` converts the cosine and may only round it.
+    /// The same cone in another number type. `f` converts each cosine and may only round it.
     ///
     /// The new cone, too, contains its axis, and every direction if its half-angle is π: a cosine
     /// close to 1 or −1 is treated as in [`from_cosine`](Cone#method.from_cosine), with the larger ε of
     /// the two types.
-    ///
-    /// ```
-    /// use shading::{Cone, UnitVec3};
-    ///
-    /// assert_eq!(Cone::<f32>::from_cosine(0.5).unwrap().cast(f64::from).cosine(), 0.5_f64);
-    ///
-    /// let narrow = Cone::<f64>::from_half_angle(0.0).unwrap().cast(|x| x as f32);
-    /// let axis = UnitVec3::<f64>::normalized(1.0, 2.0, 3.0).unwrap().cast(|x| x as f32);
-    /// assert_eq!(narrow.factor(axis, -axis), 1.0);
-    /// ```
     #[inline]
     #[must_use]
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> Cone<U> {
-        Cone::with_slack(f(self.cosine))
-    }
-}
-
-impl<T: Real> Beam<T> for Cone<T> {
-    type In<U> = Cone<U>;
-
-    #[inline]
-    fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
-        self.factor(axis, l)
-    }
-
-    #[inline]
-    fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> Cone<U> {
-        self.cast(f)
+        Cone::with_slack(f(self.inner), f(self.outer), f(self.smooth))
     }
 }
 
 macro_rules! checked {
     ($float:ident, $half_pi_rounding:literal) => {
         impl Cone<$float> {
-            /// The cone of a half-angle in radians, within [0, π]. Returns `None` for other angles
-            /// and for NaN.
+            /// [`from_half_angle`](Cone::from_half_angle) for constants.
             ///
-            /// The cosine is computed only with + − × ÷, so the constructor works in constants and
-            /// gives the same bits on every machine.
+            /// The cosine is computed only with + − × ÷, so it has the same bits on every machine.
             ///
             /// ```
             #[doc = concat!("use shading::", stringify!($float), "::Cone;")]
-            #[doc = concat!("use std::", stringify!($float), "::consts::FRAC_PI_3;")]
             ///
-            /// let cone = Cone::from_half_angle(FRAC_PI_3).unwrap(); // 60° on each side of the axis
-            #[doc = concat!("assert!((cone.cosine() - 0.5).abs() <= ", stringify!($float), "::EPSILON);")]
-            /// assert_eq!(Cone::from_half_angle(60.0), None); // degrees
+            /// const CONE: Cone = Cone::const_from_half_angle(0.5).unwrap();
             /// ```
             #[must_use]
-            pub const fn from_half_angle(radians: $float) -> Option<Self> {
-                use core::$float::consts::{FRAC_PI_2, FRAC_PI_4, PI};
-                if radians >= 0.0 && radians <= PI {
-                    // each case needs only the sine of an angle of at most π/4
-                    Self::from_cosine(if radians < FRAC_PI_4 {
-                        Self::cosine_of_small(radians)
-                    } else if radians < 3.0 * FRAC_PI_4 {
-                        Self::sine_of_small((FRAC_PI_2 - radians) + $half_pi_rounding)
-                    } else {
-                        -Self::cosine_of_small((PI - radians) + 2.0 * $half_pi_rounding)
+            pub const fn const_from_half_angle(radians: $float) -> Option<Self> {
+                Self::const_from_half_angles(radians, radians)
+            }
+
+            /// [`from_half_angles`](Cone::from_half_angles) for constants.
+            #[must_use]
+            pub const fn const_from_half_angles(inner: $float, outer: $float) -> Option<Self> {
+                if !(0.0 <= inner && inner <= outer && outer <= core::$float::consts::PI) {
+                    return None;
+                }
+                let (inner, outer) = (Self::cosine(inner), Self::cosine(outer));
+                // rounding may have swapped the cosines of nearly equal angles
+                Self::const_from_cosines(if inner < outer { outer } else { inner }, outer)
+            }
+
+            /// [`from_cosines`](Cone::from_cosines) for constants.
+            #[must_use]
+            pub const fn const_from_cosines(inner: $float, outer: $float) -> Option<Self> {
+                if 1.0 >= inner && inner >= outer && outer >= -1.0 {
+                    let (inner, outer) = (Self::wide(inner), Self::wide(outer));
+                    Some(Self {
+                        inner,
+                        outer,
+                        smooth: 0.0,
                     })
                 } else {
                     None
+                }
+            }
+
+            const fn wide(cosine: $float) -> $float {
+                const SLACK: $float = 4.0 * $float::EPSILON;
+                if cosine > 1.0 - SLACK {
+                    1.0 - SLACK
+                } else if cosine < SLACK - 1.0 {
+                    -1.0 - 2.0 * SLACK // two directions may both be too long
+                } else {
+                    cosine + 0.0 // −0 would turn the sign of the width of an edge
+                }
+            }
+
+            /// For an angle within [0, π]. Each case needs only the sine of an angle of at most π/4.
+            const fn cosine(radians: $float) -> $float {
+                use core::$float::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+                if radians < FRAC_PI_4 {
+                    Self::cosine_of_small(radians)
+                } else if radians < 3.0 * FRAC_PI_4 {
+                    Self::sine_of_small((FRAC_PI_2 - radians) + $half_pi_rounding)
+                } else {
+                    -Self::cosine_of_small((PI - radians) + 2.0 * $half_pi_rounding)
                 }
             }
 
@@ -249,39 +308,6 @@ macro_rules! checked {
                     k += 2.0;
                 }
                 sum
-            }
-
-            /// The cone whose half-angle has the given cosine, within [−1, 1]. Returns `None` for
-            /// other cosines and for NaN.
-            ///
-            /// A cosine close to 1 is stored as 1 − 4ε (a half-angle of 0.06° in `f32`), and a
-            /// cosine close to −1 as a cone of every direction. Otherwise the rounding of
-            /// directions could put the axis outside its own cone, or a direction outside the cone
-            /// of half-angle π.
-            ///
-            /// ```
-            #[doc = concat!("use shading::", stringify!($float), "::{Cone, UnitVec3};")]
-            ///
-            /// let hemisphere = Cone::from_cosine(0.0).unwrap();
-            /// assert_eq!(hemisphere.factor(UnitVec3::Z, UnitVec3::X), 1.0); // on its edge
-            /// assert_eq!(hemisphere.factor(UnitVec3::Z, UnitVec3::Z), 0.0);
-            /// assert_eq!(Cone::from_cosine(1.5), None);
-            /// ```
-            #[must_use]
-            pub const fn from_cosine(cosine: $float) -> Option<Self> {
-                const SLACK: $float = 4.0 * $float::EPSILON;
-                if !(cosine >= -1.0 && cosine <= 1.0) {
-                    return None;
-                }
-                Some(Self {
-                    cosine: if cosine > 1.0 - SLACK {
-                        1.0 - SLACK
-                    } else if cosine < SLACK - 1.0 {
-                        -1.0 - 2.0 * SLACK // two directions may both be too long
-                    } else {
-                        cosine + 0.0 // −0 would turn the sign of the width of an edge
-                    },
-                })
             }
         }
     };

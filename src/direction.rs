@@ -1,6 +1,6 @@
 //! The reflection vector R and the half vector H.
 
-use crate::real::{Real, Scalar, triple};
+use crate::real::{Real, Scalar};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -31,7 +31,14 @@ use crate::vector::Vec3;
 #[inline]
 #[must_use]
 pub fn reflection<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> UnitVec3<T> {
-    UnitVec3::assume_unit(triple::reflection(n.into(), l.into()).into())
+    UnitVec3::assume_unit(mirrored(n, *l))
+}
+
+/// The [`reflection`] of a vector of any length.
+#[inline]
+pub(crate) fn mirrored<T: Real>(n: UnitVec3<T>, v: Vec3<T>) -> Vec3<T> {
+    let n_dot_v = n.dot(v);
+    *n * (n_dot_v + n_dot_v) - v
 }
 
 /// The half vector H: the direction halfway between L and V.
@@ -59,11 +66,5 @@ pub fn reflection<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> UnitVec3<T> {
 #[inline]
 #[must_use]
 pub fn half_vector<T: Real + Scalar>(l: UnitVec3<T>, v: UnitVec3<T>) -> Option<UnitVec3<T>> {
-    between(l, v).unit()
-}
-
-/// L + V, the half vector before normalization.
-#[inline]
-pub(crate) fn between<T: Real>(l: UnitVec3<T>, v: UnitVec3<T>) -> Vec3<T> {
-    *l + *v
+    (*l + *v).unit()
 }

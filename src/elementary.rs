@@ -1,7 +1,7 @@
 //! The elementary functions, for writing surfaces.
 
 use crate::real::Real;
-use crate::real::whole_power::by_squaring;
+use crate::real::by_squaring;
 
 /// The functions, beyond those of [`Real`], that surfaces are written with: sin, cos, exp, ln and
 /// integer powers.

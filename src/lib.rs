@@ -1,106 +1,97 @@
-//! Local illumination as pure functions: Lambert, Phong and Blinn–Phong shading of one point.
+//! Local illumination as pure functions: Lambert, Phong and Blinn–Phong shading of a point.
 //!
-//! Pass in a normal, the direction to the eye, a material and the light that arrives at a point.
-//! Get back the reflected light: ambient, diffuse and specular apart. The crate draws nothing, owns
-//! no scene and knows nothing of screens. Use it in a ray tracer or a rasterizer, on a
-//! microcontroller with a display, or to check a shader.
+//! | | formula | function |
+//! |---|---|---|
+//! | the model | k_a I_a + Σ I (k_d max(0, N·L) + k_s highlight) | [`shade::lambert`], [`shade::phong`], [`shade::blinn_phong`] |
+//! | ambient term | k_a I_a | [`term::ambient`] |
+//! | Lambert's factor | max(0, N·L) | [`term::lambert`] |
+//! | Phong's highlight | max(0, R·V)ᵐ | [`term::phong`] |
+//! | Blinn's highlight | max(0, N·H)ᵐ | [`term::blinn`] |
+//! | reflection vector | R = 2(N·L)N − L | [`reflection`] |
+//! | half vector | H = (L + V)/\|L + V\| | [`half_vector`] |
+//! | normalization | (m + 2)/(2π), (m + 2)(m + 4)/(8π(2^(−m/2) + m)) | [`term::phong_normalization`], [`term::blinn_normalization`] |
+//! | attenuation | 1/(a + bq + cq²) | [`attenuation`](attenuation()), [`Attenuation`] |
+//! | range | max(0, 1 − (q/r)⁴)²/(a + bq + cq²), or without the square | [`Attenuation::within`], [`Attenuation::unsquared`] |
+//! | spot | t² or t²(3 − 2t), t from 0 at the outer edge to 1 at the inner | [`Cone`] |
+//! | what arrives at p | L, I and q | [`DirectionalLight`], [`PointLight`], [`SpotLight`], [`Light`] |
+//! | plane | (a, b, c)/\|(a, b, c)\| | [`normal::plane`] |
+//! | triangle | (v₂ − v₁) × (v₃ − v₁), length 1 | [`normal::triangle`] |
+//! | sphere | (p − center)/\|p − center\| | [`normal::sphere`] |
+//! | implicit surface | ∇f/\|∇f\| | [`normal::implicit`], [`normal::from_gradient`] |
+//! | parametric surface | ∂s/∂u × ∂s/∂v, length 1 | [`normal::parametric`], [`normal::from_tangents`] |
+//! | two-sided surface | N if N·V ≥ 0, else −N | [`normal::facing`] |
+//! | transformed normal | cof(M) N, length 1 | [`normal::transformed`] |
+//! | smooth mesh | a triangle's normal times its angle at a vertex, to be summed | [`normal::corner`] |
+//! | tangents | t and h of a triangle with texture coordinates | [`normal::tangent`] |
+//! | normal map | x t + y b + z N, length 1 | [`normal::mapped`] |
+//! | encodings | linear light to sRGB bytes or RGB565, and back | [`Rgb::to_srgb8`](Rgb::<f32>::to_srgb8), [`Rgb::to_rgb565`](Rgb::<f32>::to_rgb565), [`Rgb::from_srgb8`], [`Rgb::from_rgb565`] |
 //!
 // Inside the page, because a registry shows no relative links and a page without a network no absolute ones. Renew it by
-// convert docs/pictures/16_teapot.png -crop 800x530+0+30 -resize 480x -quality 85 -strip jpg:- | base64 --wrap=0
+// convert docs/pictures/teapot.png -crop 800x530+0+30 -resize 480x -quality 85 -strip jpg:- | base64 --wrap=0
 #![cfg_attr(doc, doc = include_str!("teapot.html"))]
 //!
-//! ```
-//! use shading::f32::{Attenuation, Material, PointLight, Rgb, UnitVec3, Vec3};
-//! use shading::shade;
+//! # Example
 //!
-//! static LAMP: PointLight = PointLight {
+//! A lamp lights the top of a unit sphere, from the point to the bytes of a pixel:
+//!
+//! ```
+//! use shading::f32::{Attenuation, Material, PointLight, Rgb, Vec3};
+//! use shading::{normal, shade};
+//!
+//! let lamp = PointLight {
 //!     position: Vec3::new(2.0, 0.0, 2.0),
 //!     intensity: Rgb::new(1.0, 0.8, 0.6),
 //!     attenuation: Attenuation::new(1.0, 0.0, 0.25).unwrap(), // 1/(1 + q²/4)
 //! };
-//! let [k_a, k_d, k_s] = [0.1, 0.6, 0.3].map(Rgb::gray);
-//! let clay = Material { k_a, k_d, k_s, m: 32 };
+//! let clay = Material { k_a: Rgb::gray(0.1), k_d: Rgb::gray(0.6), k_s: Rgb::gray(0.3), m: 32 };
 //!
-//! let (p, n) = (Vec3::new(0.0, 0.0, 1.0), UnitVec3::Z);
+//! let p = Vec3::new(0.0, 0.0, 1.0);
+//! let n = normal::sphere(Vec3::ZERO, p).unwrap();
 //! let v = (Vec3::new(0.0, -4.0, 3.0) - p).unit().unwrap(); // to the eye
-//! let shaded = shade::blinn_phong(n, v, &clay, Rgb::gray(0.2), [LAMP.at(p)]);
-//! assert!(shaded.total().r > shaded.total().b);
+//! let lights = [lamp].into_iter().map(|light| light.at(p)); // `.filter` out those in shadow
+//! let shaded = shade::blinn_phong(n, v, &clay, Rgb::gray(0.2), lights);
+//! let [red, green, blue] = shaded.total().to_srgb8();
 //! ```
 //!
-//! # Where to find what
-//!
-//! | you have | you want | use |
-//! |---|---|---|
-//! | a surface | its normal | [`mod@normal`] |
-//! | a light and a point | the light that arrives there: L, I and the distance | [`DirectionalLight`], [`PointLight`], [`SpotLight`], [`Light`] |
-//! | N, V, a [`Material`], lights | the reflected light | [`shade::lambert`], [`shade::phong`], [`shade::blinn_phong`] |
-//! | N, L, V | R or H | [`reflection`], [`half_vector`] |
-//! | N, L, R, V or H | one factor of the formula | [`mod@term`] |
-//! | a distance | the falloff of the light | [`attenuation()`], [`Attenuation`]; with a range, [`Ranged`] |
-//! | a spot's axis and L | the share of its light that arrives | [`Cone`]; with a soft edge, [`SoftCone`] |
-//! | linear light | the bytes of a picture or a display, and back | [`to_srgb8`](Rgb::<f32>::to_srgb8), [`to_rgb565`](Rgb::<f32>::to_rgb565), [`from_srgb8`](Rgb::from_srgb8), [`from_rgb565`](Rgb::from_rgb565) |
-//! | a scene in one number type | short type names | [`mod@f32`], [`mod@f64`] |
-//! | a number type of your own | everything above for that type | [`Real`] |
+//! Vectors of other libraries come in and go out as arrays: `Vec3::from(array)`, `<[f32; 3]>::from(v)`. A direction that is
+//! normalized already is [`UnitVec3::assume_unit`]`(array.into())`. The types without a number, such as `shading::PointLight<T>`,
+//! take every number type; those of [`mod@f32`] and [`mod@f64`] work in constants, with `Attenuation::const_new` and its like.
 //!
 //! # Conventions
 //!
-//! - **All directions point away from the surface** and are [`UnitVec3`]: the normal N, L to the
-//!   light, V to the eye, R and H. [`reflection`] takes L; GLSL's `reflect` takes −L.
+//! - **All directions point away from the surface** and are [`UnitVec3`]: the normal N, L to the light, V to the eye, R and H.
 //! - **Colors are linear** and may exceed 1. Encode once, after the sum.
 //! - **q is the distance**, not its square. Directional lights are not attenuated.
-//! - **A shadow ray ends at the light**, at the distance that [`IncidentLight`] gives. A wall
-//!   behind a lamp casts no shadow.
+//! - **A shadow ray ends at the light**, at its [distance](IncidentLight::distance): geometry beyond the light does not block it.
 //! - **A spot's angle is measured from its axis**, in radians. A point on the edge is lit.
-//! - **Lambert has no 1/π**, and the highlights are not normalized. If your renderer has a 1/π,
-//!   [`term::phong_normalization`] and [`term::blinn_normalization`] give the factor.
-//! - **A face turned away from a light has no highlight.** The sums in [`mod@shade`] ensure this;
-//!   the factors in [`mod@term`] alone do not.
+//! - **Lambert has no 1/π**, and the highlights are not normalized.
+//! - **A face turned away from a light has no highlight** in the sums of [`mod@shade`]; the factors in [`mod@term`] do not know.
 //! - **A cosine of 0 or below gives no highlight**, whatever m is, even m = 0.
-//!
-//! [`guide::totality`] lists what each function gives where its formula has no answer, and says on
-//! which machines a result has the same bits. [`guide::proofs`] says what of it is proved, and
-//! [`guide::precision`] bounds the errors.
 //!
 //! # Features
 //!
 //! No feature is on by default. Without features, `libm` is the only dependency.
 //!
-//! - `approx` implements `AbsDiffEq`, `RelativeEq` and `UlpsEq` for [`Vec3`], [`UnitVec3`],
-//!   [`Rgb`], [`IncidentLight`] and [`Shaded`].
+//! - `approx` implements `AbsDiffEq`, `RelativeEq` and `UlpsEq` for vectors, colors, [`IncidentLight`] and [`Shaded`].
 //! - `bytemuck` implements `Pod` for [`Vec3`] and [`Rgb`], and `NoUninit` for [`UnitVec3`].
-//!   [`guide::buffers`] shows how to fill uniform buffers with them.
-//! - `defmt` implements `Format` for all types, so that a microcontroller can log them.
-//! - `fixed` adds `fixed::Fixed`, a number with 16 bits before the binary point and 16 after it, for
-//!   processors without an FPU, and the types of a scene in it. [`guide::embedded`] says which
-//!   number suits which chip.
-//! - `mint` converts [`Vec3`] from and to `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to
-//!   `Vector3`. Through these types it converts to the vectors of any version of glam, nalgebra,
-//!   cgmath, euclid and vek.
-//! - `serde` reads and writes lights, materials and their parts. [`guide::schema`] describes the
-//!   format. Input that a constructor would refuse is an error, which names the field and the
-//!   reason.
-//! - `wide` implements [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`. Each lane
-//!   has the bits of the scalar, except on 32-bit Arm with NEON, whose `f32` instructions flush
-//!   subnormal numbers. On x86 without SSE2 the feature does not build. `cast` converts a scene of
-//!   scalars into lanes, to shade several points at once: `light.cast(f32x8::splat)`. To shade
-//!   one point with several lights at once, [`PointLight::all_at`](PointLight#method.all_at) puts
-//!   the lights of a slice into lanes as it goes, and
-//!   [`PointLight::packed`](PointLight#method.packed) puts them there in advance. The page of
-//!   [`Lanes`](trait@Lanes) lists the functions that do not take lanes.
+//! - `defmt` implements `Format` for the types of a scene, so that a microcontroller can log them.
+//! - `fixed` adds a signed 16.16 fixed-point number, and the types of a scene in it.
+//! - `mint` converts [`Vec3`] from and to `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to `Vector3`.
+//! - `serde` reads and writes lights and materials; invalid input is an error that names the field and the reason.
+//! - `wide` implements [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`.
 //!
-//! # The floors
+//! # Guide
 //!
-//! Each file uses only files on lower floors and files to its left on its own floor.
-//!
-//! | floor | files |
-//! |---|---|
-//! | 6 names | `aliases` |
-//! | 5 the model | `shade` |
-//! | 4 scenes | `light`, `material` |
-//! | 3 formulas | `flag`, `direction`, `term`, `normal`, `attenuation`, `range`, `cone`, `soft_cone` |
-//! | 2 differentiation | `dual` |
-//! | 1 vectors, colors | `componentwise`, `vector`, `unit`, `rgb`, `encoding` |
-//! | 0 numbers | `real`, `elementary`, `exponent` |
+//! - [Recipes](guide::recipes): parts of a renderer, to copy.
+//! - [Porting](guide::porting): how to replace a loop of your own, with your vectors.
+//! - [Numbers](guide::numbers): how to compute with a number type of your own.
+//! - [Embedded](guide::embedded): from an empty folder to a picture on an emulated board; costs on chips.
+//! - [GPU](guide::gpu): scenes in buffers, and this crate as a shader.
+//! - [Scenes in files](guide::schema): the forms that `serde` reads.
+//! - [Totality](guide::totality): what each function gives where its formula has no answer.
+//! - [Proofs](guide::proofs): which of that is proved, and how.
+//! - [Precision](guide::precision): how far each function is from its formula.
+//! - [Performance](guide::performance): which way to take, and what it costs.
 #![no_std]
 #![deny(unsafe_code)]
 #![cfg_attr(
@@ -113,13 +104,11 @@
 )]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
-// one paragraph per floor of the table above, the lowest first
+// one paragraph per layer of the table in CONTRIBUTING.md, the lowest first
 
 mod elementary;
-mod exponent;
 mod real;
 
-mod componentwise;
 mod encoding;
 mod rgb;
 mod unit;
@@ -130,14 +119,10 @@ mod dual;
 mod attenuation;
 mod cone;
 mod direction;
-mod flag;
 pub mod normal;
-mod range;
-mod soft_cone;
 pub mod term;
 
 mod light;
-mod material;
 
 pub mod shade;
 
@@ -145,64 +130,62 @@ mod aliases;
 mod features;
 
 pub use aliases::{f32, f64};
-pub use attenuation::{Attenuation, Falloff, attenuation};
-pub use cone::{Beam, Cone};
+pub use attenuation::{Attenuation, attenuation};
+pub use cone::Cone;
 pub use direction::{half_vector, reflection};
 pub use dual::Dual;
 pub use elementary::Elementary;
-pub use exponent::Exponent;
-#[cfg(feature = "fixed")]
-pub use features::fixed;
 #[cfg(feature = "wide")]
-pub use features::{InLanes, Lanes};
-pub use light::{DirectionalLight, IncidentLight, Light, Lights, PointLight, SpotLight};
-pub use material::Material;
-pub use range::Ranged;
-pub use real::{Real, Scalar};
+pub use features::Lanes;
+pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
+pub use real::{Exponent, Real, Scalar};
 pub use rgb::Rgb;
 #[doc(inline)]
-pub use shade::Shaded;
-pub use soft_cone::SoftCone;
+pub use shade::{Material, Shaded};
 pub use unit::UnitVec3;
 pub use vector::Vec3;
 
-/// The guide, with one topic per page.
-#[cfg(doc)]
-pub mod guide {
-    #[doc = include_str!("../docs/architecture.md")]
-    pub mod architecture {}
-    #[cfg(not(doctest))] // its examples need other crates; `tests/features` runs them
-    #[doc = include_str!("../docs/buffers.md")]
-    pub mod buffers {}
-    #[doc = include_str!("../docs/embedded.md")]
-    pub mod embedded {}
-    #[doc = include_str!("../docs/invariants.md")]
-    pub mod invariants {}
-    #[doc = include_str!("../docs/performance.md")]
-    pub mod performance {}
-    #[doc = include_str!("../docs/porting.md")]
-    pub mod porting {}
-    #[doc = include_str!("../docs/precision.md")]
-    pub mod precision {}
-    #[doc = include_str!("../docs/proofs.md")]
-    pub mod proofs {}
-    #[doc = include_str!("../docs/recipes.md")]
-    pub mod recipes {}
-    #[cfg(not(doctest))] // its examples need other crates; `tests/features` runs them
-    #[doc = include_str!("../docs/renderers.md")]
-    pub mod renderers {}
-    #[cfg(not(doctest))] // its examples need other crates; `tests/features` runs them
-    #[doc = include_str!("../docs/schema.md")]
-    pub mod schema {}
-    #[doc = include_str!("../docs/shader.md")]
-    pub mod shader {}
-    #[doc = include_str!("../docs/totality.md")]
-    pub mod totality {}
-    #[doc = include_str!("../docs/vectors.md")]
-    pub mod vectors {}
+#[cfg(all(doc, not(doctest)))]
+macro_rules! pages {
+    ($($name:ident, $file:literal: $purpose:literal;)*) => {$(
+        #[doc = $purpose]
+        ///
+        // the first definition of a link counts, so these replace those of the files
+        /// [falloffs]: mod@crate::guide::recipes#falloffs-beams-and-filters-of-your-own
+        /// [laws]: https://docs.rs/shading-laws
+        /// [embedded]: mod@crate::guide::embedded
+        /// [gpu]: mod@crate::guide::gpu
+        /// [numbers]: mod@crate::guide::numbers
+        /// [performance]: mod@crate::guide::performance
+        /// [porting]: mod@crate::guide::porting
+        /// [precision]: mod@crate::guide::precision
+        /// [proofs]: mod@crate::guide::proofs
+        /// [recipes]: mod@crate::guide::recipes
+        /// [schema]: mod@crate::guide::schema
+        /// [totality]: mod@crate::guide::totality
+        ///
+        #[doc = include_str!($file)]
+        pub mod $name {}
+    )*};
 }
 
-/// The README's code blocks, compiled as documentation tests.
+/// The guide, with one topic per page.
+#[cfg(all(doc, not(doctest)))] // `.ci/pages` compiles the examples as a reader sees them
+pub mod guide {
+    pages! {
+        embedded, "../docs/embedded.md": "From an empty folder to a picture on an emulated board, and what the functions cost on chips.";
+        gpu, "../docs/gpu.md": "Scenes in uniform and storage buffers, and this crate as a shader.";
+        numbers, "../docs/numbers.md": "How to compute with a number type of your own, and how to test it.";
+        performance, "../docs/performance.md": "Which way to take, and what it costs.";
+        porting, "../docs/porting.md": "How to replace a loop of your own, with your vectors.";
+        precision, "../docs/precision.md": "How far each function is from its formula.";
+        proofs, "../docs/proofs.md": "Which promises are proved, from what, and how to prove one of your own.";
+        recipes, "../docs/recipes.md": "Parts of a renderer, to copy.";
+        schema, "../docs/schema.md": "The forms in which `serde` reads and writes lights and materials.";
+        totality, "../docs/totality.md": "What each function gives where its formula has no answer.";
+    }
+}
+
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

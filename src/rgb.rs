@@ -3,8 +3,8 @@
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub, SubAssign};
 
-use crate::componentwise::componentwise;
-use crate::real::{Real, Several};
+use crate::real::Real;
+use crate::vector::componentwise;
 
 /// A color: linear light, or the reflectance of a material, in three channels.
 ///
@@ -43,11 +43,6 @@ impl<T: Real> Rgb<T> {
     pub const WHITE: Self = Self::gray(T::ONE);
 
     /// The same value in each channel.
-    ///
-    /// ```
-    /// use shading::Rgb;
-    /// assert_eq!(Rgb::gray(0.5_f32), Rgb::new(0.5, 0.5, 0.5));
-    /// ```
     #[doc(alias = "splat")]
     #[inline]
     #[must_use]
@@ -70,20 +65,10 @@ impl<T: Real> Rgb<T> {
         self.map(|channel| channel.if_positive(channel.at_most(T::ONE), T::ZERO))
     }
 
-    /// `sum` and the light of each lane, in order.
-    #[inline(always)]
-    pub(crate) fn added_to<U: Real>(self, sum: [U; 4]) -> [U; 4]
-    where
-        T: Several<U>,
-    {
-        T::all_added_to(self.into(), sum)
-    }
-
-    /// The product with a reflectance. A channel that overflowed to infinity counts as the largest
-    /// finite number, so its product with a reflectance of 0 is 0.
+    /// The color with the largest finite number for each channel that overflowed.
     #[inline]
-    pub(crate) fn reflected(self, k: Self) -> Self {
-        self.map(|channel| channel.at_most(T::MAX)) * k
+    pub(crate) fn finite(self) -> Self {
+        self.map(|channel| channel.at_most(T::MAX))
     }
 }
 

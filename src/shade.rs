@@ -1,14 +1,12 @@
 //! The illumination model: one sum over all lights.
 //!
 //! ```text
-//! I_r = k_a I_a + Σ (k_d I max(0, N·L) + k_s I highlight)
+//! I_r = k_a I_a + Σ I (k_d max(0, N·L) + k_s highlight)
 //! ```
 //!
 //! [`lambert`] has no highlight. The highlight of [`phong`] is max(0, R·V)ᵐ, and that of
 //! [`blinn_phong`] max(0, N·H)ᵐ. A light with N·L ≤ 0 is behind the surface. It adds nothing, not
 //! even a highlight, as in OpenGL.
-//!
-//! The functions take these arguments:
 //!
 //! | argument | is | is made by |
 //! |---|---|---|
@@ -23,12 +21,11 @@
 //! same unit.
 //!
 //! `lights` is any iterator over [`IncidentLight`]. You can write shadows, culling and area lights
-//! as iterator adaptors. With the feature `wide`, `PointLight::all_at` gives several lights at a
-//! time in SIMD lanes. The sum adds them one after another, so its bits do not change.
+//! as iterator adaptors.
 //!
 //! **Shadows.** Leave out the lights that do not reach the point. The shadow ray from the surface
-//! ends at the light, at its [`distance`](IncidentLight::distance), so a wall behind a lamp casts
-//! no shadow.
+//! ends at the light, at its [`distance`](IncidentLight::distance), so geometry beyond the light does not
+//! block it.
 //!
 //! ```
 //! use shading::f32::{Attenuation, IncidentLight, Material, PointLight, Rgb, UnitVec3, Vec3};
@@ -36,8 +33,8 @@
 //!
 //! /// Whether the ceiling z = 3 stands between p and the light.
 //! fn is_blocked(p: Vec3, light: &IncidentLight) -> bool {
-//!     let t = (3.0 - p.z) / light.l.z;
-//!     0.0 < t && t < light.distance
+//!     let t = (3.0 - p.z) / light.l().z;
+//!     0.0 < t && t < light.distance()
 //! }
 //!
 //! let lamp = |height| PointLight {
@@ -49,10 +46,7 @@
 //! let clay = Material { k_a: Rgb::WHITE, k_d: Rgb::WHITE, k_s: Rgb::BLACK, m: 1 };
 //!
 //! let (p, n, v) = (Vec3::ZERO, UnitVec3::Z, UnitVec3::Z);
-//! let lit = lights
-//!     .iter()
-//!     .filter_map(|light| light.in_front(p, n))
-//!     .filter(|light| !is_blocked(p, light));
+//! let lit = lights.iter().map(|light| light.at(p)).filter(|light| !is_blocked(p, light));
 //! let shaded = shade::blinn_phong(n, v, &clay, Rgb::BLACK, lit);
 //! assert_eq!(shaded.diffuse, Rgb::WHITE); // from the lower lamp alone
 //! ```
@@ -68,16 +62,58 @@
 //! 1990, §16.1; *The OpenGL Graphics System: A Specification*, version 2.1, 2006, §2.14.1.
 
 use core::iter::Sum;
-use core::ops::{Add, Mul};
+use core::ops::{Add, AddAssign, Mul};
 
-use crate::exponent::Exponent;
-use crate::exponent::batch::{NoHighlight, Powers};
-use crate::light::{IncidentLight, Lights};
-use crate::material::Material;
-use crate::real::{Real, Several};
+use crate::direction::mirrored;
+use crate::light::{Arriving, IncidentLight};
+use crate::real::{Exponent, Real};
 use crate::rgb::Rgb;
 use crate::term;
 use crate::unit::UnitVec3;
+use crate::vector::Vec3;
+
+/// The material of a surface: three reflectances, each with three channels, and the shininess.
+///
+/// A reflectance is 0 or more; at 1, the surface reflects all the light. It is the share that the
+/// surface reflects, not a color of light: the light's color is in the light. `M` is the type of the
+/// shininess, an [`Exponent`]; a `u32` is faster than a float.
+///
+/// ```
+/// use shading::f32::{Material, Rgb};
+///
+/// static BRASS: Material = Material {
+///     k_a: Rgb::new(0.33, 0.22, 0.03),
+///     k_d: Rgb::new(0.78, 0.57, 0.11),
+///     k_s: Rgb::new(0.99, 0.94, 0.81),
+///     m: 28,
+/// };
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Material<T = f32, M = u32> {
+    /// k_a, the reflectance for ambient light.
+    pub k_a: Rgb<T>,
+    /// k_d, the diffuse reflectance.
+    pub k_d: Rgb<T>,
+    /// k_s, the reflectance of the highlight.
+    pub k_s: Rgb<T>,
+    /// m ≥ 0, the shininess: the larger it is, the smaller the highlight.
+    pub m: M,
+}
+
+impl<T, M> Material<T, M> {
+    /// The same material in another number type. `f` converts each reflectance and may only round
+    /// it. The shininess does not change.
+    #[inline]
+    #[must_use]
+    pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> Material<U, M> {
+        Material {
+            k_a: self.k_a.map(&mut f),
+            k_d: self.k_d.map(&mut f),
+            k_s: self.k_s.map(&mut f),
+            m: self.m,
+        }
+    }
+}
 
 /// The light that a point reflects to the eye, in three parts.
 ///
@@ -106,14 +142,6 @@ pub struct Shaded<T = f32> {
 
 impl<T: Real> Shaded<T> {
     /// The sum of the three parts, linear and not clamped.
-    ///
-    /// ```
-    /// use shading::f32::{Rgb, Shaded};
-    ///
-    /// let (ambient, diffuse, specular) = (Rgb::gray(0.125), Rgb::gray(0.5), Rgb::gray(0.25));
-    /// let shaded = Shaded { ambient, diffuse, specular };
-    /// assert_eq!(shaded.total(), Rgb::gray(0.875));
-    /// ```
     #[inline]
     #[must_use]
     pub fn total(self) -> Rgb<T> {
@@ -133,6 +161,13 @@ impl<T: Real> Add for Shaded<T> {
     }
 }
 
+impl<T: Real> AddAssign for Shaded<T> {
+    #[inline]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
 impl<T: Real> Mul<T> for Shaded<T> {
     type Output = Self;
     #[inline]
@@ -148,10 +183,11 @@ impl<T: Real> Mul<T> for Shaded<T> {
 impl<T: Real> Sum for Shaded<T> {
     #[inline]
     fn sum<I: Iterator<Item = Self>>(iter: I) -> Self {
+        let [ambient, diffuse, specular] = [Rgb::BLACK; 3];
         let none = Self {
-            ambient: Rgb::BLACK,
-            diffuse: Rgb::BLACK,
-            specular: Rgb::BLACK,
+            ambient,
+            diffuse,
+            specular,
         };
         iter.fold(none, Add::add)
     }
@@ -163,11 +199,9 @@ impl<T: Real> Sum for Shaded<T> {
 /// I_r = k_a I_a + Σ k_d I max(0, N·L)
 /// ```
 ///
-/// `n` is the normal N, which points away from the surface. `material` gives k_a and k_d; its k_s
-/// and m are not used. `i_a` is the ambient light I_a of the scene. `lights` gives the L and I of
-/// each light at the point. The specular part of the result is black. The direction to the eye does
-/// not matter, so it is not an argument. The [module page](crate::shade) lists the ranges and the
-/// degenerate cases.
+/// The k_s and m of `material` are not used, and the specular part of the result is black. The
+/// direction to the eye does not matter, so it is not an argument. The [module page](crate::shade)
+/// lists the arguments and the degenerate cases.
 ///
 /// Source: Johann Heinrich Lambert, *Photometria*, 1760; Foley, van Dam, Feiner, Hughes, *Computer
 /// Graphics: Principles and Practice*, 2nd ed., 1990, §16.1.2.
@@ -187,11 +221,13 @@ pub fn lambert<T: Real, M>(
     n: UnitVec3<T>,
     material: &Material<T, M>,
     i_a: Rgb<T>,
-    lights: impl Lights<T>,
+    lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    sum(n, material, i_a, lights.arriving(), NoHighlight, |_| {
-        Real::ZERO
-    })
+    let specular = Rgb::BLACK;
+    Shaded {
+        specular,
+        ..sum(n, material, i_a, lights, |_, _| T::ZERO)
+    }
 }
 
 /// Shades a shiny surface with Phong's highlight.
@@ -200,11 +236,10 @@ pub fn lambert<T: Real, M>(
 /// I_r = k_a I_a + Σ I (k_d max(0, N·L) + k_s max(0, R·V)ᵐ)
 /// ```
 ///
-/// `n` is the normal N and `v` the direction V to the eye; both point away from the surface.
-/// `material` gives k_a, k_d, k_s and m. `i_a` is the ambient light I_a of the scene. `lights`
-/// gives the L and I of each light at the point; R is the [`reflection`](crate::reflection()) of L.
-/// A light with N·L ≤ 0 adds nothing. The [module page](crate::shade) lists the ranges and the
-/// degenerate cases.
+/// R is the [`reflection`] of L. A light with N·L ≤ 0 adds nothing. The [module page](crate::shade)
+/// lists the arguments and the degenerate cases.
+///
+/// Source: Bui Tuong Phong, *Illumination for Computer Generated Pictures*, 1975.
 ///
 /// ```
 /// use shading::f32::{DirectionalLight, Material, Rgb, UnitVec3, Vec3};
@@ -216,20 +251,19 @@ pub fn lambert<T: Real, M>(
 /// let shaded = shade::phong(n, v, &wax, Rgb::BLACK, [sun.at(Vec3::ZERO)]);
 /// assert_eq!(shaded.total(), Rgb::gray(0.75));
 /// ```
-///
-/// Source: Bui Tuong Phong, *Illumination for Computer Generated Pictures*, 1975.
 #[inline]
 #[must_use]
-pub fn phong<T: Real, A: Lights<T>, M: Exponent<A::Number>>(
+pub fn phong<T: Real, M: Exponent<T>>(
     n: UnitVec3<T>,
     v: UnitVec3<T>,
     material: &Material<T, M>,
     i_a: Rgb<T>,
-    lights: A,
+    lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    let (normal, v) = (n.cast(A::Number::in_each), v.cast(A::Number::in_each));
-    let r_dot_v = |l: UnitVec3<_>| Real::reflected_cosine(normal.into(), l.into(), v.into());
-    sum(n, material, i_a, lights.arriving(), material.m, r_dot_v)
+    // R is the direction of the mirrored way
+    sum(n, material, i_a, lights, |way, length| {
+        term::highlight(mirrored(n, way).dot(v) / length, material.m)
+    })
 }
 
 /// Shades a shiny surface with Blinn's highlight: Phong's model with the half vector.
@@ -238,11 +272,11 @@ pub fn phong<T: Real, A: Lights<T>, M: Exponent<A::Number>>(
 /// I_r = k_a I_a + Σ I (k_d max(0, N·L) + k_s max(0, N·H)ᵐ)
 /// ```
 ///
-/// `n` is the normal N and `v` the direction V to the eye; both point away from the surface.
-/// `material` gives k_a, k_d, k_s and m. `i_a` is the ambient light I_a of the scene. `lights`
-/// gives the L and I of each light at the point; H is the [`half_vector`](crate::half_vector()) of
-/// L and V. A light with N·L ≤ 0 adds nothing. If L = −V, there is no half vector and no highlight.
-/// The [module page](crate::shade) lists the ranges and the other degenerate cases.
+/// H is the [`half_vector`](crate::half_vector()) of L and V. A light with N·L ≤ 0 adds nothing. If
+/// L = −V, there is no half vector and no highlight. The [module page](crate::shade) lists the
+/// arguments and the other degenerate cases.
+///
+/// Source: James F. Blinn, *Models of Light Reflection for Computer Synthesized Pictures*, 1977.
 ///
 /// ```
 /// use shading::f32::{DirectionalLight, Material, Rgb, UnitVec3, Vec3};
@@ -254,76 +288,52 @@ pub fn phong<T: Real, A: Lights<T>, M: Exponent<A::Number>>(
 /// let shaded = shade::blinn_phong(n, v, &wax, Rgb::BLACK, [sun.at(Vec3::ZERO)]);
 /// assert_eq!(shaded.total(), Rgb::gray(0.75));
 /// ```
-///
-/// Source: James F. Blinn, *Models of Light Reflection for Computer Synthesized Pictures*, 1977.
 #[inline]
 #[must_use]
-pub fn blinn_phong<T: Real, A: Lights<T>, M: Exponent<A::Number>>(
+pub fn blinn_phong<T: Real, M: Exponent<T>>(
     n: UnitVec3<T>,
     v: UnitVec3<T>,
     material: &Material<T, M>,
     i_a: Rgb<T>,
-    lights: A,
+    lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    let half = material.m.half();
-    let (normal, v) = (n.cast(A::Number::in_each), v.cast(A::Number::in_each));
-    let n_dot_h =
-        |l: UnitVec3<_>| Real::half_cosine(normal.into(), l.into(), v.into(), half.is_some());
-    sum(
-        n,
-        material,
-        i_a,
-        lights.arriving(),
-        half.unwrap_or(material.m),
-        n_dot_h,
-    )
+    // H is the direction of |way| (L + V)
+    sum(n, material, i_a, lights, |way, length| {
+        let h = way + *v * length;
+        T::cosine_power((*n).into(), h.into(), material.m)
+    })
 }
 
-/// The sum over the lights. Their highlights are the m-th powers of the cosines.
+/// The sum over the lights. It computes with the way to the light instead of L, which takes one
+/// division in place of three: N·L = N·way/|way|.
 #[inline]
-fn sum<T: Real, L: Several<T>, M, E: Exponent<L>>(
+fn sum<T: Real, M>(
     n: UnitVec3<T>,
     material: &Material<T, M>,
     i_a: Rgb<T>,
-    lights: impl Iterator<Item = IncidentLight<L>>,
-    m: E,
-    cosine: impl Fn(UnitVec3<L>) -> L,
+    lights: impl IntoIterator<Item = IncidentLight<T>>,
+    highlight: impl Fn(Vec3<T>, T) -> T,
 ) -> Shaded<T> {
-    let n = n.cast(L::in_each);
-    // the ambient term is stored first, so that I_a need not be kept
-    let mut shaded = Shaded {
-        ambient: term::ambient(material.k_a, i_a),
-        diffuse: Rgb::BLACK,
-        specular: Rgb::BLACK,
-    };
-    let (mut diffuse, mut specular) = ([T::ZERO; 4], [T::ZERO; 4]);
-    let mut highlights = m.powers(Rgb::BLACK, |intensity: Rgb<L>, highlight| {
-        specular = (intensity * highlight).added_to(specular);
-    });
-    macro_rules! add {
-        ($light:expr) => {
-            let IncidentLight { l, intensity, .. } = $light;
-            let n_dot_l = term::lambert(n, l);
-            if n_dot_l.any_positive() {
-                // after the highlight, this takes a Cortex-M0 seven instructions more
-                diffuse = (intensity * n_dot_l).added_to(diffuse);
-                highlights.take(intensity, n_dot_l.if_positive(cosine(l), L::ZERO));
-            }
-        };
-    }
-    // The iterator's own loop is inlined where its `next` is not, which halves the time under four lights.
-    // A closure would take more stack than a small chip has.
-    #[cfg(not(target_os = "none"))]
-    lights.for_each(|light| {
-        add!(light);
-    });
-    #[cfg(target_os = "none")]
+    let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
+    // not `for_each`, whose closure keeps the sums in memory
     for light in lights {
-        add!(light);
+        // the sign of N·L decides before the root of |way|
+        let in_front = light.in_front_by(n);
+        if in_front.any_positive() {
+            let Arriving {
+                way,
+                length,
+                intensity,
+                ..
+            } = light.arriving();
+            let n_dot_l = (n.dot(way) / length).at_least(T::ZERO);
+            diffuse += intensity * in_front.if_positive(n_dot_l, T::ZERO);
+            specular += intensity * in_front.if_positive(highlight(way, length), T::ZERO);
+        }
     }
-    highlights.finish();
-    let color = |[r, g, b, _]: [T; 4]| Rgb::new(r, g, b);
-    shaded.diffuse = color(diffuse).reflected(material.k_d);
-    shaded.specular = color(specular).reflected(material.k_s);
-    shaded
+    Shaded {
+        ambient: term::ambient(material.k_a, i_a),
+        diffuse: diffuse.finite() * material.k_d,
+        specular: specular.finite() * material.k_s,
+    }
 }

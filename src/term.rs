@@ -12,8 +12,7 @@
 
 use core::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
 
-use crate::exponent::Exponent;
-use crate::real::{Real, constant, parts};
+use crate::real::{Exponent, Real, constant, parts};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 
@@ -97,7 +96,7 @@ pub fn lambert<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> T {
 #[inline]
 #[must_use]
 pub fn phong<T: Real, M: Exponent<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T {
-    m.raise(r.dot(v))
+    highlight(r.dot(v), m)
 }
 
 /// The factor of Blinn's highlight.
@@ -129,7 +128,14 @@ pub fn phong<T: Real, M: Exponent<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T
 #[inline]
 #[must_use]
 pub fn blinn<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: UnitVec3<T>, m: M) -> T {
-    m.raise(n.dot(h))
+    highlight(n.dot(h), m)
+}
+
+/// The power of a cosine: 0 if it is not above 0, and 1 if rounding has put it above 1.
+#[inline]
+pub(crate) fn highlight<T: Real, M: Exponent<T>>(cosine: T, m: M) -> T {
+    let power = m.raise(cosine.at_least(T::ZERO).at_most(T::ONE));
+    cosine.if_positive(power, T::ZERO)
 }
 
 /// The factor that normalizes the highlight of [`phong`], for renderers whose diffuse term has a 1/π.
@@ -168,9 +174,9 @@ pub fn blinn<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: UnitVec3<T>, m: M) -> T
 ///
 /// let normalization = term::phong_normalization(32.0); // once per material
 /// let light = sun.at(Vec3::ZERO);
-/// let highlight = normalization * term::phong(reflection(n, light.l), v, 32);
+/// let highlight = normalization * term::phong(reflection(n, light.l()), v, 32);
 /// let brdf = k_d * FRAC_1_PI + k_s * highlight;
-/// let returned = light.intensity * brdf * term::lambert(n, light.l);
+/// let returned = light.intensity() * brdf * term::lambert(n, light.l());
 /// assert!((returned.r - (0.5 + 0.25 * 17.0) * FRAC_1_PI).abs() < 1e-6);
 /// ```
 #[doc(alias = "energy")]

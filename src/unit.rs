@@ -1,9 +1,8 @@
 //! Lengths, and vectors whose length is known to be 1.
 
-use core::ops::{Deref, Neg};
+use core::ops::{Add, Deref, Mul, Neg, Sub};
 
-use crate::real::root;
-use crate::real::{Real, Scalar};
+use crate::real::{Real, Scalar, const_sqrt, epsilon, tamed};
 use crate::vector::Vec3;
 
 impl<T: Real> Vec3<T> {
@@ -13,8 +12,8 @@ impl<T: Real> Vec3<T> {
     /// |v| = √(v·v)
     /// ```
     ///
-    /// The result is accurate from the smallest subnormal number to the largest finite one. It is
-    /// infinite if it overflows or if a component is infinite.
+    /// The result is accurate from the smallest subnormal number to the largest finite one, which it
+    /// is, too, if it overflows. It is infinite if a component is infinite.
     ///
     /// ```
     /// use shading::Vec3;
@@ -26,7 +25,7 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn length(self) -> T {
-        T::length(self.into())
+        T::direction(self.into()).2
     }
 
     /// The direction of the vector: the vector of length 1 that points the same way.
@@ -53,8 +52,8 @@ impl<T: Real> Vec3<T> {
     where
         T: Scalar,
     {
-        let (unit, valid) = T::unit(self.into());
-        (valid > T::ZERO).then(|| UnitVec3(unit.into()))
+        let (w, length, _) = T::direction(self.into());
+        (length > T::ZERO).then(|| UnitVec3(Self::from(w) / length))
     }
 
     /// [`unit`](Vec3::unit), or `fallback` if that is `None`. This method does not branch on the
@@ -69,13 +68,21 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn unit_or(self, fallback: UnitVec3<T>) -> UnitVec3<T> {
-        let ([x, y, z], valid) = T::unit(self.into());
-        let or = |a, b| valid.if_positive(a, b);
-        UnitVec3(Self::new(
+        let (w, length, _) = T::direction(self.into());
+        let or = |w, fallback| length.if_positive(w / length, fallback);
+        let [x, y, z] = w;
+        UnitVec3(Vec3::new(
             or(x, fallback.x),
             or(y, fallback.y),
             or(z, fallback.z),
         ))
+    }
+
+    /// The vector from `origin` to this one, times a power of two that makes it fit for squares and
+    /// products.
+    #[inline(always)]
+    pub(crate) fn tamed_from(self, origin: Self) -> Self {
+        tamed(self.into(), origin.into()).into()
     }
 }
 
@@ -88,8 +95,8 @@ impl<T: Real> Vec3<T> {
 /// private, so the length is checked once, where the direction is made:
 ///
 /// - [`Vec3::unit`] divides a vector by its length.
-/// - [`UnitVec3::new`] checks known coordinates, also in a constant.
-/// - [`UnitVec3::normalized`] divides literals by their length, also in a constant.
+/// - [`UnitVec3::new`] checks known coordinates.
+/// - [`const_normalized`](UnitVec3#method.const_normalized) divides literals by their length, in a constant.
 /// - [`UnitVec3::assume_unit`] trusts the caller.
 ///
 /// ```
@@ -136,29 +143,26 @@ impl<T> UnitVec3<T> {
 }
 
 impl<T: Real> UnitVec3<T> {
-    /// [`new`](UnitVec3#method.new) for any number type, in generic code: the direction (x, y, z) if
-    /// its length is 1 up to rounding, otherwise `None`. For vectors of any length, [`Vec3::unit`] is
-    /// generic.
+    /// The direction (x, y, z) if its length is 1 up to rounding (|v|² within 4ε of 1), otherwise
+    /// `None`. For vectors of any length, use [`Vec3::unit`]; in constants,
+    /// [`const_normalized`](UnitVec3#method.const_normalized).
     ///
     /// ```
-    /// use shading::{Real, UnitVec3};
+    /// use shading::UnitVec3;
     ///
-    /// fn slope<T: Real + PartialOrd>() -> Option<UnitVec3<T>> {
-    ///     UnitVec3::of(T::of(0.6), T::ZERO, T::of(0.8))
-    /// }
-    /// assert_eq!(slope(), UnitVec3::<f32>::new(0.6, 0.0, 0.8));
-    /// assert_eq!(UnitVec3::of(1.0_f64, 0.0, 1.0), None);
+    /// assert!(UnitVec3::new(0.6, 0.0, 0.8).is_some());
+    /// assert_eq!(UnitVec3::new(1.0, 0.0, 1.0), None);
     /// ```
     #[inline]
     #[must_use]
-    pub fn of(x: T, y: T, z: T) -> Option<Self>
+    pub fn new(x: T, y: T, z: T) -> Option<Self>
     where
         T: Scalar,
     {
         let two = T::ONE + T::ONE;
-        let excess = T::dot([x, y, z], [x, y, z]) - T::ONE;
-        let is_unit = excess.abs() <= two * two * T::epsilon();
-        is_unit.then(|| Self(Vec3::new(x, y, z)))
+        let v = Vec3::new(x, y, z);
+        let is_unit = (v.dot(v) - T::ONE).abs() <= two * two * epsilon();
+        is_unit.then_some(Self(v))
     }
 
     /// The direction of the x axis.
@@ -176,35 +180,8 @@ impl<T: Real> UnitVec3<T> {
 }
 
 macro_rules! literals {
-    ($float:ident, $sqrt:path) => {
+    ($float:ident) => {
         impl UnitVec3<$float> {
-            /// The direction (x, y, z) if its length is 1 up to rounding (|v|² within 4ε of 1),
-            /// otherwise `None`. For vectors of any length, use [`normalized`](Self::normalized) or
-            /// [`Vec3::unit`].
-            ///
-            /// In a constant, a vector of any other length fails the build:
-            ///
-            /// ```
-            #[doc = concat!("use shading::", stringify!($float), "::UnitVec3;")]
-            /// const UP_AND_RIGHT: UnitVec3 = UnitVec3::new(0.6, 0.0, 0.8).unwrap();
-            /// ```
-            /// ```compile_fail
-            #[doc = concat!("use shading::", stringify!($float), "::UnitVec3;")]
-            /// const TOO_LONG: UnitVec3 = UnitVec3::new(1.0, 0.0, 1.0).unwrap();
-            /// ```
-            #[inline]
-            #[must_use]
-            pub const fn new(x: $float, y: $float, z: $float) -> Option<Self> {
-                // the rounding of the literals changes the sum by up to 1 epsilon, and the sum
-                // itself rounds by up to 2 more
-                let excess = x * x + y * y + z * z - 1.0;
-                if -4.0 * $float::EPSILON <= excess && excess <= 4.0 * $float::EPSILON {
-                    Some(Self(Vec3::new(x, y, z)))
-                } else {
-                    None
-                }
-            }
-
             /// The direction of the vector (x, y, z), of any length, for literals in constants.
             ///
             /// ```text
@@ -217,12 +194,13 @@ macro_rules! literals {
             /// ```
             #[doc = concat!("use shading::", stringify!($float), "::{UnitVec3, Vec3};")]
             ///
-            /// const DOWN_AND_ASIDE: UnitVec3 = UnitVec3::normalized(1.0, -3.0, 0.5).unwrap();
+            /// const DOWN_AND_ASIDE: UnitVec3 = UnitVec3::const_normalized(1.0, -3.0, 0.5).unwrap();
             /// assert_eq!(Some(DOWN_AND_ASIDE), Vec3::new(1.0, -3.0, 0.5).unit());
             /// ```
             #[doc(alias = "normalize")]
+            #[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
             #[must_use]
-            pub const fn normalized(x: $float, y: $float, z: $float) -> Option<Self> {
+            pub const fn const_normalized(x: $float, y: $float, z: $float) -> Option<Self> {
                 const LARGE: $float = <$float as Real>::EXTREME;
                 let square = x * x + y * y + z * z;
                 let scale = if square > LARGE {
@@ -235,7 +213,7 @@ macro_rules! literals {
                 let (x, y, z) = (x * scale, y * scale, z * scale);
                 let square = x * x + y * y + z * z;
                 if square > 0.0 && square <= $float::MAX {
-                    let length = $sqrt(square);
+                    let length = const_sqrt(square as f64) as $float;
                     Some(Self(Vec3::new(x / length, y / length, z / length)))
                 } else {
                     None
@@ -245,8 +223,8 @@ macro_rules! literals {
     };
 }
 
-literals!(f32, root::const_sqrtf);
-literals!(f64, root::const_sqrt);
+literals!(f32);
+literals!(f64);
 
 impl<T> Deref for UnitVec3<T> {
     type Target = Vec3<T>;
@@ -267,6 +245,31 @@ impl<T> From<UnitVec3<T>> for [T; 3] {
     #[inline]
     fn from(unit: UnitVec3<T>) -> Self {
         unit.0.into()
+    }
+}
+
+/// The vector of this direction and the given length.
+impl<T: Real> Mul<T> for UnitVec3<T> {
+    type Output = Vec3<T>;
+    #[inline]
+    fn mul(self, length: T) -> Vec3<T> {
+        self.0 * length
+    }
+}
+
+impl<T: Real> Add<UnitVec3<T>> for Vec3<T> {
+    type Output = Self;
+    #[inline]
+    fn add(self, direction: UnitVec3<T>) -> Self {
+        self + direction.0
+    }
+}
+
+impl<T: Real> Sub<UnitVec3<T>> for Vec3<T> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, direction: UnitVec3<T>) -> Self {
+        self - direction.0
     }
 }
 

@@ -1,9 +1,8 @@
-//! Vectors.
+//! Vectors, and the operations that they share with colors.
 
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-use crate::componentwise::componentwise;
 use crate::real::Real;
 
 /// A vector or a point in space, with operators for sums, differences and scaling.
@@ -29,19 +28,31 @@ pub struct Vec3<T = f32> {
     pub z: T,
 }
 
-componentwise!(Vec3 { x, y, z });
-
-impl<T: Real> Neg for Vec3<T> {
-    type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        Self::new(-self.x, -self.y, -self.z)
-    }
-}
-
 impl<T: Real> Vec3<T> {
     /// The origin, and the vector of length 0.
     pub const ZERO: Self = Self::new(T::ZERO, T::ZERO, T::ZERO);
+
+    /// The same number in each component.
+    #[inline]
+    #[must_use]
+    pub const fn splat(value: T) -> Self {
+        Self::new(value, value, value)
+    }
+
+    /// The distance between two points, |other − self|.
+    #[inline]
+    #[must_use]
+    pub fn distance(self, other: Self) -> T {
+        (other - self).length()
+    }
+
+    /// The point at the share t of the way to another, self + t (other − self).
+    #[doc(alias = "mix")]
+    #[inline]
+    #[must_use]
+    pub fn lerp(self, other: Self, t: T) -> Self {
+        self + (other - self) * t
+    }
 
     /// The dot product. `other` is a vector or a [`UnitVec3`](crate::UnitVec3).
     ///
@@ -58,7 +69,8 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn dot(self, other: impl Into<Self>) -> T {
-        T::dot(self.into(), other.into().into())
+        let other = other.into();
+        self.x * other.x + self.y * other.y + self.z * other.z
     }
 
     /// The cross product, perpendicular to both vectors and right-handed. `other` is a vector or a
@@ -84,17 +96,139 @@ impl<T: Real> Vec3<T> {
             self.x * other.y - self.y * other.x,
         )
     }
+}
 
-    /// The vector times a power of two that keeps its products within range.
+impl<T: Real> Neg for Vec3<T> {
+    type Output = Self;
     #[inline]
-    pub(crate) fn rescaled(self) -> Self {
-        self.rescaled_from(Self::ZERO).0
-    }
-
-    /// The vector from `origin` to this one, likewise, and the power.
-    #[inline]
-    pub(crate) fn rescaled_from(self, origin: Self) -> (Self, T) {
-        let (rescaled, power) = T::rescaled_difference(self.into(), origin.into());
-        (rescaled.into(), power)
+    fn neg(self) -> Self {
+        self.map(|x| -x)
     }
 }
+
+/// The operations that vectors and colors share.
+macro_rules! componentwise {
+    ($type:ident { $x:ident, $y:ident, $z:ident }) => {
+        impl<T: Real> $type<T> {
+            /// The value with these three components.
+            #[inline]
+            #[must_use]
+            pub const fn new($x: T, $y: T, $z: T) -> Self {
+                Self { $x, $y, $z }
+            }
+        }
+
+        impl<T> $type<T> {
+            /// Applies a function to each component.
+            #[inline]
+            #[must_use]
+            pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> $type<U> {
+                $type {
+                    $x: f(self.$x),
+                    $y: f(self.$y),
+                    $z: f(self.$z),
+                }
+            }
+        }
+
+        impl<T: Real> Add for $type<T> {
+            type Output = Self;
+            #[inline]
+            fn add(self, other: Self) -> Self {
+                Self::new(self.$x + other.$x, self.$y + other.$y, self.$z + other.$z)
+            }
+        }
+
+        impl<T: Real> Sub for $type<T> {
+            type Output = Self;
+            #[inline]
+            fn sub(self, other: Self) -> Self {
+                Self::new(self.$x - other.$x, self.$y - other.$y, self.$z - other.$z)
+            }
+        }
+
+        impl<T: Real> Mul<T> for $type<T> {
+            type Output = Self;
+            #[inline]
+            fn mul(self, factor: T) -> Self {
+                self.map(|x| x * factor)
+            }
+        }
+
+        impl<T: Real> Div<T> for $type<T> {
+            type Output = Self;
+            #[inline]
+            fn div(self, divisor: T) -> Self {
+                self.map(|x| x / divisor)
+            }
+        }
+
+        impl Mul<$type<f32>> for f32 {
+            type Output = $type<f32>;
+            #[inline]
+            fn mul(self, value: $type<f32>) -> $type<f32> {
+                value * self
+            }
+        }
+
+        impl Mul<$type<f64>> for f64 {
+            type Output = $type<f64>;
+            #[inline]
+            fn mul(self, value: $type<f64>) -> $type<f64> {
+                value * self
+            }
+        }
+
+        impl<T: Real> AddAssign for $type<T> {
+            #[inline]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+
+        impl<T: Real> SubAssign for $type<T> {
+            #[inline]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+
+        impl<T: Real> MulAssign<T> for $type<T> {
+            #[inline]
+            fn mul_assign(&mut self, factor: T) {
+                *self = *self * factor;
+            }
+        }
+
+        impl<T: Real> Sum for $type<T> {
+            #[inline]
+            fn sum<I: Iterator<Item = Self>>(iter: I) -> Self {
+                iter.fold(Self::new(T::ZERO, T::ZERO, T::ZERO), Add::add)
+            }
+        }
+
+        impl<'a, T: Real> Sum<&'a Self> for $type<T> {
+            #[inline]
+            fn sum<I: Iterator<Item = &'a Self>>(iter: I) -> Self {
+                iter.copied().sum()
+            }
+        }
+
+        impl<T> From<[T; 3]> for $type<T> {
+            #[inline]
+            fn from([$x, $y, $z]: [T; 3]) -> Self {
+                Self { $x, $y, $z }
+            }
+        }
+
+        impl<T> From<$type<T>> for [T; 3] {
+            #[inline]
+            fn from(value: $type<T>) -> Self {
+                [value.$x, value.$y, value.$z]
+            }
+        }
+    };
+}
+
+componentwise!(Vec3 { x, y, z });
+pub(crate) use componentwise;

@@ -2,9 +2,9 @@
 //! nothing panics, and finite valid input gives neither NaN nor negative light.
 #![no_main]
 
-use functions::Float;
+use kit::Float;
 use libfuzzer_sys::fuzz_target;
-use support::everything::{Numbers, any_bits, finite_and_valid};
+use kit::everything::{Numbers, any_bits, finite_and_valid};
 
 fuzz_target!(|data: &[u8]| {
     let Some((m, bytes)) = data.split_first_chunk() else {

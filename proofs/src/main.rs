@@ -16,7 +16,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 use std::time::Instant;
 
-use shading_laws::proof::{Format, Verdict, check_ranges, is_proved_by_intervals, judge};
+use shading_proofs::{Format, Verdict, check_ranges, is_proved_by_intervals, judge};
 
 const USAGE: &str = "prove [CLAIM]… | check RUNS | tried | rows | bounds FOLDER [SHARE] | roundings | smt FOLDER [CLAIM] | derivations \
                      | plant FOLDER | faults PROVER";
@@ -43,7 +43,9 @@ fn main() -> ExitCode {
             faults::derivations().for_each(|(number, claim)| println!("{number} {claim}"));
             true
         }
-        ["plant", folder] => faults::plant(Path::new(folder)).map_err(|e| println!("{e}")).is_ok(),
+        ["plant", folder] => faults::plant(Path::new(folder))
+            .map_err(|e| println!("{e}"))
+            .is_ok(),
         ["faults", prover] => find(prover),
         ["tried"] => tried(),
         ["rows"] => {
@@ -55,7 +57,11 @@ fn main() -> ExitCode {
             false
         }
     };
-    if is_right { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    if is_right {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    }
 }
 
 /// A name that no claim of the command has.
@@ -71,12 +77,18 @@ fn unknown<'a>(arguments: &[&'a str]) -> Option<&'a str> {
 
 /// Writes the error bounds, or a share of each, as scripts for Gappa.
 fn bounds(folder: &str, share: &str) -> bool {
-    share.parse().is_ok_and(|share| gappa::write(Path::new(folder), share).map_err(|e| println!("{e}")).is_ok())
+    share.parse().is_ok_and(|share| {
+        gappa::write(Path::new(folder), share)
+            .map_err(|e| println!("{e}"))
+            .is_ok()
+    })
 }
 
 /// Writes the claims for Bitwuzla, or one of them.
 fn solved(folder: &str, claim: &str) -> bool {
-    smt::write(Path::new(folder), claim).map_err(|e| println!("{e}")).is_ok()
+    smt::write(Path::new(folder), claim)
+        .map_err(|e| println!("{e}"))
+        .is_ok()
 }
 
 /// Proves the claims with these names, or all of them.
@@ -102,18 +114,32 @@ fn prove(names: &[&str]) -> bool {
             }
         }
     }
-    let complaints = if names.is_empty() { table::complaints() } else { vec![] };
+    let complaints = if names.is_empty() {
+        table::complaints()
+    } else {
+        vec![]
+    };
     for complaint in &complaints {
         println!("{complaint}");
     }
-    println!("claims: {by_intervals} proved by intervals, {by_relations} by relations, {open} open");
+    println!(
+        "claims: {by_intervals} proved by intervals, {by_relations} by relations, {open} open"
+    );
     open == 0 && complaints.is_empty()
 }
 
 /// Tries every input of what has one input.
 fn tried() -> bool {
     let is_proved = power::is_proved();
-    println!("{} {}", power::CLAIMS[0].0, if is_proved { "proved: every input tried" } else { "refuted" });
+    println!(
+        "{} {}",
+        power::CLAIMS[0].0,
+        if is_proved {
+            "proved: every input tried"
+        } else {
+            "refuted"
+        }
+    );
     is_proved
 }
 
@@ -121,8 +147,10 @@ fn tried() -> bool {
 /// random ones, and those of the claims.
 fn check(runs: u64) -> bool {
     let formats = [Format::F32, Format::F64];
-    let of_random = (1..=50 * runs).flat_map(|seed| formats.map(|format| random::check(seed, format, 20)));
-    let of_claims = claims::all().flat_map(|claim| formats.map(|format| check_ranges(format, claim.formula, runs)));
+    let of_random =
+        (1..=50 * runs).flat_map(|seed| formats.map(|format| random::check(seed, format, 20)));
+    let of_claims = claims::all()
+        .flat_map(|claim| formats.map(|format| check_ranges(format, claim.formula, runs)));
     let mut compared = 0;
     for result in of_random.chain(of_claims) {
         match result {
@@ -142,7 +170,10 @@ fn check(runs: u64) -> bool {
 fn find(prover: &str) -> bool {
     let succeeds = |number: Option<usize>, arguments: [&str; 2]| {
         let planted = number.map_or(String::new(), |number| number.to_string());
-        let output = Command::new(prover).env("PLANTED", planted).args(arguments).output();
+        let output = Command::new(prover)
+            .env("PLANTED", planted)
+            .args(arguments)
+            .output();
         output.is_ok_and(|output| output.status.success())
     };
     let mut found = 0;
@@ -156,7 +187,9 @@ fn find(prover: &str) -> bool {
     let mut refuted = 0;
     for (rule, (file, old, new)) in faults::RULES.iter().enumerate() {
         if succeeds(Some(faults::FAULTS.len() + rule), ["check", "20"]) {
-            println!("the prover's tests do not find the wrong rule in {file}: {new} instead of {old}");
+            println!(
+                "the prover's tests do not find the wrong rule in {file}: {new} instead of {old}"
+            );
         } else {
             refuted += 1;
         }

@@ -99,7 +99,11 @@ impl Real for Half<'_> {
     }
     #[inline(always)]
     fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
-        if self.x > threshold.x { then } else { otherwise }
+        if self.x > threshold.x {
+            then
+        } else {
+            otherwise
+        }
     }
 }
 
@@ -117,15 +121,34 @@ impl Binary32 for Half<'_> {
 
 /// The logarithm of a cosine below 1.
 fn logarithm(c: f32) -> f32 {
-    let product = Product { y: 0.0, logarithm: Cell::new(f32::NAN) };
-    power(plain(c), Half { x: 1.0, product: Some(&product) });
+    let product = Product {
+        y: 0.0,
+        logarithm: Cell::new(f32::NAN),
+    };
+    power(
+        plain(c),
+        Half {
+            x: 1.0,
+            product: Some(&product),
+        },
+    );
     product.logarithm.get()
 }
 
 /// 2^y.
 fn exponential(y: f32) -> f32 {
-    let product = Product { y, logarithm: Cell::new(f32::NAN) };
-    power(plain(0.5), Half { x: 1.0, product: Some(&product) }).x
+    let product = Product {
+        y,
+        logarithm: Cell::new(f32::NAN),
+    };
+    power(
+        plain(0.5),
+        Half {
+            x: 1.0,
+            product: Some(&product),
+        },
+    )
+    .x
 }
 
 /// The most by which 2^y falls where y rises.
@@ -163,8 +186,18 @@ fn bright(from: u32, to: u32) -> bool {
 /// For any other cosine, which is not above 0 or NaN: 0, whatever the other half gives.
 fn dark(from: u32, to: u32) -> bool {
     (from..=to).all(|bits| {
-        let product = Product { y: 0.0, logarithm: Cell::new(f32::NAN) };
-        power(plain(f32::from_bits(bits)), Half { x: 1.0, product: Some(&product) }).x == 0.0
+        let product = Product {
+            y: 0.0,
+            logarithm: Cell::new(f32::NAN),
+        };
+        power(
+            plain(f32::from_bits(bits)),
+            Half {
+                x: 1.0,
+                product: Some(&product),
+            },
+        )
+        .x == 0.0
     })
 }
 
@@ -176,7 +209,11 @@ fn flat(from: u32, to: u32) -> bool {
 /// The two halves are those of what ships.
 fn together(from: u32, to: u32) -> bool {
     (from..=to).all(|i| {
-        let [c, m] = [i.wrapping_mul(0x9E37_79B9), i.wrapping_mul(0x85EB_CA6B) >> 1].map(f32::from_bits);
+        let [c, m] = [
+            i.wrapping_mul(0x9E37_79B9),
+            i.wrapping_mul(0x85EB_CA6B) >> 1,
+        ]
+        .map(f32::from_bits);
         let y = (m * logarithm(c)).at_least(-126.0);
         !(c > 0.0 && c < 1.0 && m > 0.0) || m.raise(c).to_bits() == exponential(y).to_bits()
     })

@@ -2,7 +2,7 @@
 //! prover derives for it, have the bits that `f32` or `f64` gives, and keep to every goal that is proved.
 
 use shading::{Real, UnitVec3, Vec3, reflection};
-use shading_laws::proof::{Format, Given, Goal, Known, Node, Range, Run, Term, try_out};
+use shading_proofs::{Format, Given, Goal, Known, Node, Range, Run, Term, try_out};
 
 /// A linear congruential generator (Knuth's constants).
 #[derive(Clone)]
@@ -10,7 +10,10 @@ struct Random(u64);
 
 impl Random {
     fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         usize::try_from(self.0 >> 33).expect("31 bits") % n
     }
     fn pick<T: Copy>(&mut self, values: &[T]) -> T {
@@ -109,7 +112,11 @@ fn cosine<T: Real + PartialOrd>(v: Vec3<T>, w: Vec3<T>, other: T) -> T {
 /// The quotient of two numbers or of their difference and sum, whichever is small.
 fn slope<T: Real + PartialOrd>(s: T, c: T) -> T {
     if c.abs() * T::of(2.4) > s {
-        if s > c.abs() * T::of(0.4) { (s - c.abs()) / (s + c.abs()) } else { s / c }
+        if s > c.abs() * T::of(0.4) {
+            (s - c.abs()) / (s + c.abs())
+        } else {
+            s / c
+        }
     } else {
         c / s
     }
@@ -117,10 +124,17 @@ fn slope<T: Real + PartialOrd>(s: T, c: T) -> T {
 
 /// N·L of a unit vector toward a light that seems to be behind: n·v < c(|x| + |y| + |z|) − t.
 fn seen_from_behind<T: Real + PartialOrd>(n: Vec3<T>, v: Vec3<T>, c: T, t: T) -> T {
-    let (Vec3 { x, y, z }, n) = (T::rescaled_difference(v.into(), [T::ZERO; 3]).0.into(), n * (T::ONE / n.length()));
+    let (Vec3 { x, y, z }, n) = (
+        T::rescaled_difference(v.into(), [T::ZERO; 3]).0.into(),
+        n * (T::ONE / n.length()),
+    );
     let size = v.x.abs() + v.y.abs() + v.z.abs();
     let l = Vec3::new(x, y, z) * (T::ONE / (x * x + y * y + z * z).sqrt());
-    if size * c - t > n.dot(v) { n.dot(l) } else { size }
+    if size * c - t > n.dot(v) {
+        n.dot(l)
+    } else {
+        size
+    }
 }
 
 /// The mirror image of a direction, or its square, where the mirror is longer than 1.
@@ -140,13 +154,22 @@ fn goals(mut random: Random, terms: &[Term]) -> Vec<Goal> {
     for _ in 0..6 {
         let [x, y] = [0; 2].map(|_| random.pick(terms));
         let (zero, one) = (Term::ZERO, Term::ONE);
-        goals.extend([Goal::Same(x, y), Goal::AtMost(x, y), Goal::Same(x + zero, x), Goal::Same(x * one, x)]);
+        goals.extend([
+            Goal::Same(x, y),
+            Goal::AtMost(x, y),
+            Goal::Same(x + zero, x),
+            Goal::Same(x * one, x),
+        ]);
         goals.extend([
             Goal::Same(x.at_least(zero), x),
             Goal::Same(x.if_above(y, x, y), x),
             Goal::AtMost(x, x.at_least(y)),
         ]);
-        goals.extend([Goal::Same(-(x - y), y - x), Goal::AtMost(x * y, y * x), Goal::AtMost(x, (y * y).sqrt())]);
+        goals.extend([
+            Goal::Same(-(x - y), y - x),
+            Goal::AtMost(x * y, y * x),
+            Goal::AtMost(x, (y * y).sqrt()),
+        ]);
     }
     goals
 }
@@ -159,34 +182,59 @@ pub fn check(seed: u64, format: Format, runs: u64) -> Result<u64, String> {
         let mut ranges = random.clone();
         let variables = std::array::from_fn(|i| given.number(&format!("x{i}"), ranges.range()));
         let terms = formula(random.clone(), variables);
-        goals(random.clone(), &terms).into_iter().chain(terms.into_iter().map(|term| Goal::Same(term, term))).collect()
+        goals(random.clone(), &terms)
+            .into_iter()
+            .chain(terms.into_iter().map(|term| Goal::Same(term, term)))
+            .collect()
     };
     try_out(format, run, runs, |Run { graph: g, path, .. }, goals| {
         let mut known = Known::default();
         for &(test, answer) in path {
             known.refine(g, test, answer);
         }
-        let mut variables = g.nodes.iter().zip(&g.values).filter(|(node, _)| matches!(node, Node::Var(_)));
-        let variables: [f64; VARIABLES] = std::array::from_fn(|_| *variables.next().expect("a variable").1);
+        let mut variables = g
+            .nodes
+            .iter()
+            .zip(&g.values)
+            .filter(|(node, _)| matches!(node, Node::Var(_)));
+        let variables: [f64; VARIABLES] =
+            std::array::from_fn(|_| *variables.next().expect("a variable").1);
         let floats: Vec<f64> = match format {
             #[allow(clippy::cast_possible_truncation)] // it is one of these numbers
-            Format::F32 => formula(random.clone(), variables.map(|x| x as f32)).into_iter().map(f64::from).collect(),
+            Format::F32 => formula(random.clone(), variables.map(|x| x as f32))
+                .into_iter()
+                .map(f64::from)
+                .collect(),
             Format::F64 => formula(random.clone(), variables),
         };
-        let of_terms = goals[goals.len() - floats.len()..].iter().map(|goal| g.values[goal.nodes()[0] as usize]);
-        let differs = |(a, b): (f64, &f64)| a.to_bits() != b.to_bits() && !(a.is_nan() && b.is_nan());
-        let outside = (0..).zip(&g.values).find(|&(id, x)| !known.range(g, id).contains(*x));
+        let of_terms = goals[goals.len() - floats.len()..]
+            .iter()
+            .map(|goal| g.values[goal.nodes()[0] as usize]);
+        let differs =
+            |(a, b): (f64, &f64)| a.to_bits() != b.to_bits() && !(a.is_nan() && b.is_nan());
+        let outside = (0..)
+            .zip(&g.values)
+            .find(|&(id, x)| !known.range(g, id).contains(*x));
         if known.impossible {
             wrong = Some(format!("the path {path:?} is not impossible"));
         } else if let Some((id, x)) = outside {
-            wrong = Some(format!("{:?} is {x:e}, not in {:?}", g.nodes[id as usize], known.range(g, id)));
+            wrong = Some(format!(
+                "{:?} is {x:e}, not in {:?}",
+                g.nodes[id as usize],
+                known.range(g, id)
+            ));
         } else if let Some((a, b)) = of_terms.zip(&floats).find(|&pair| differs(pair)) {
             wrong = Some(format!("{a:e} is not {b:e}"));
-        } else if let Some(goal) = goals.iter().find(|goal| !goal.holds(g) && goal.is_proved(g, &known)) {
+        } else if let Some(goal) = goals
+            .iter()
+            .find(|goal| !goal.holds(g) && goal.is_proved(g, &known))
+        {
             wrong = Some(format!("{goal:?} is proved, and wrong"));
         }
         compared += g.values.len() as u64;
         wrong.is_none()
     });
-    wrong.map_or(Ok(compared), |wrong| Err(format!("{format:?}, formula {seed}: {wrong}")))
+    wrong.map_or(Ok(compared), |wrong| {
+        Err(format!("{format:?}, formula {seed}: {wrong}"))
+    })
 }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use shading_laws::proof::{Format, Goal, Graph, Node, Range, Run, Test, paths};
+use shading_proofs::{Format, Goal, Graph, Node, Range, Run, Test, paths};
 
 use crate::claims;
 
@@ -26,16 +26,25 @@ pub fn write(folder: &Path, only: &str) -> std::io::Result<()> {
                 path += 1;
                 if !goals.is_empty() {
                     let file = folder.join(format!("{}.{format:?}.{path}.smt2", claim.name));
-                    result = std::mem::replace(&mut result, Ok(())).and(fs::write(file, script(run, &goals)));
+                    result = std::mem::replace(&mut result, Ok(()))
+                        .and(fs::write(file, script(run, &goals)));
                 }
             });
             result?;
         }
         let (low, high, zero, one) = match format {
             Format::F32 => ("#x0d800000", "#x71800000", "#x00000000", "#x3f800000"),
-            Format::F64 => ("#x12f0000000000000", "#x6cf0000000000000", "#x0000000000000000", "#x3ff0000000000000"),
+            Format::F64 => (
+                "#x12f0000000000000",
+                "#x6cf0000000000000",
+                "#x0000000000000000",
+                "#x3ff0000000000000",
+            ),
         };
-        for (name, low, high, compared) in [("squares", low, high, "bvuge"), ("factors", zero, one, "bvugt")] {
+        for (name, low, high, compared) in [
+            ("squares", low, high, "bvuge"),
+            ("factors", zero, one, "bvugt"),
+        ] {
             let file = folder.join(format!("outside_by_bits.{format:?}.{name}.smt2"));
             fs::write(file, by_bits(format, low, high, compared))?;
         }
@@ -48,11 +57,17 @@ fn by_bits(format: Format, low: &str, high: &str, compared: &str) -> String {
         Format::F32 => (32, "8 24"),
         Format::F64 => (64, "11 53"),
     };
-    let number =
-        |name: &str, bits: &str| format!("(define-fun {name} () (_ FloatingPoint {sort}) ((_ to_fp {sort}) {bits}))\n");
-    let claim = OUTSIDE.replace("LOW", low).replace("HIGH", high).replace("COMPARED", compared);
+    let number = |name: &str, bits: &str| {
+        format!("(define-fun {name} () (_ FloatingPoint {sort}) ((_ to_fp {sort}) {bits}))\n")
+    };
+    let claim = OUTSIDE
+        .replace("LOW", low)
+        .replace("HIGH", high)
+        .replace("COMPARED", compared);
     let numbers = number("x", "b") + &number("low", low) + &number("high", high);
-    format!("(set-logic QF_BVFP)\n(declare-const b (_ BitVec {bits}))\n{numbers}(assert (not {claim}))\n(check-sat)\n")
+    format!(
+        "(set-logic QF_BVFP)\n(declare-const b (_ BitVec {bits}))\n{numbers}(assert (not {claim}))\n(check-sat)\n"
+    )
 }
 
 fn sort(format: Format) -> &'static str {
@@ -79,10 +94,16 @@ fn asserted(test: Test, answer: bool) -> String {
         Test::Outside(x, low, high) if answer => {
             return format!("(not (and (fp.lt n{low} n{x}) (fp.lt n{x} n{high})))");
         }
-        Test::Outside(x, low, high) => return format!("(and (fp.leq n{low} n{x}) (fp.leq n{x} n{high}))"),
+        Test::Outside(x, low, high) => {
+            return format!("(and (fp.leq n{low} n{x}) (fp.leq n{x} n{high}))");
+        }
         Test::Case(_) => return "true".into(),
     };
-    if answer { text } else { format!("(not {text})") }
+    if answer {
+        text
+    } else {
+        format!("(not {text})")
+    }
 }
 
 fn within(format: Format, id: u32, range: Range) -> String {
@@ -90,12 +111,19 @@ fn within(format: Format, id: u32, range: Range) -> String {
     let _ = write!(number, " (fp.leq {} n{id})", constant(format, range.low));
     let _ = write!(number, " (fp.leq n{id} {})", constant(format, range.high));
     if !range.minus_zero {
-        let _ = write!(number, " (not (and (fp.isZero n{id}) (fp.isNegative n{id})))");
+        let _ = write!(
+            number,
+            " (not (and (fp.isZero n{id}) (fp.isNegative n{id})))"
+        );
     }
     if !range.finite {
         let _ = write!(number, " (fp.isInfinite n{id})");
     }
-    if range.nan { format!("(or (fp.isNaN n{id}) {number}))") } else { number + ")" }
+    if range.nan {
+        format!("(or (fp.isNaN n{id}) {number}))")
+    } else {
+        number + ")"
+    }
 }
 
 fn goal(format: Format, goal: Goal) -> String {
@@ -121,7 +149,9 @@ fn value(g: &Graph, node: Node) -> String {
         Node::Mul(a, b) => format!("(fp.mul RNE n{a} n{b})"),
         Node::Div(a, b) => format!("(fp.div RNE n{a} n{b})"),
         Node::Select(test, a, b) => format!("(ite {} n{a} n{b})", asserted(test, true)),
-        Node::Var(_) | Node::Call(..) | Node::Power(..) => panic!("{node:?} has no value in SMT-LIB"),
+        Node::Var(_) | Node::Call(..) | Node::Power(..) => {
+            panic!("{node:?} has no value in SMT-LIB")
+        }
     }
 }
 
@@ -141,6 +171,8 @@ fn script(run: &Run, goals: &[Goal]) -> String {
     for &(test, answer) in &run.path {
         let _ = writeln!(text, "(assert {})", asserted(test, answer));
     }
-    let goals = goals.iter().fold("(and true".to_string(), |all, one| all + " " + &goal(g.format, *one));
+    let goals = goals.iter().fold("(and true".to_string(), |all, one| {
+        all + " " + &goal(g.format, *one)
+    });
     text + "(assert (not " + &goals + ")))\n(check-sat)\n"
 }

@@ -2,7 +2,7 @@
 //! compiler decides it in whole numbers, so the tables are right to the last bit.
 
 /// The least `f64` of each level of N, and 0 for the lowest.
-pub(crate) const fn edges<const N: usize>() -> [f64; N] {
+pub(super) const fn edges<const N: usize>() -> [f64; N] {
     let (mut edges, mut level) = ([0.0; N], 1);
     while level < N {
         let mut bits = decoded((level as f64 - 0.5) / (N - 1) as f64).to_bits();
@@ -19,22 +19,12 @@ pub(crate) const fn edges<const N: usize>() -> [f64; N] {
 }
 
 /// The bits of the least `f32` of the next level, and of NaN above the highest level.
-pub(crate) const fn next_edges<const N: usize>() -> [u32; N] {
+pub(super) const fn next_edges<const N: usize>() -> [u32; N] {
     let (edges, mut next, mut level) = (edges::<N>(), [u32::MAX; N], 1);
     while level < N {
         let nearest = edges[level] as f32;
         let is_below = (nearest as f64) < edges[level];
         next[level - 1] = nearest.to_bits() + is_below as u32;
-        level += 1;
-    }
-    next
-}
-
-/// The same for `f64`.
-pub(crate) const fn next_edges_f64<const N: usize>() -> [u64; N] {
-    let (edges, mut next, mut level) = (edges::<N>(), [u64::MAX; N], 1);
-    while level < N {
-        next[level - 1] = edges[level].to_bits();
         level += 1;
     }
     next
@@ -93,8 +83,7 @@ const fn times(mut number: Whole, factor: u64, exponent: u32) -> Whole {
 }
 
 /// 255 E + ½, by a straight line between two edges, from which the curve is 0.004 away at most.
-#[allow(dead_code)] // for the small tables
-pub(crate) const fn encoded(light: f64) -> f64 {
+pub(super) const fn encoded(light: f64) -> f64 {
     const EDGES: [f64; 256] = edges();
     let mut level = 1;
     while level < 255 && EDGES[level] <= light {
@@ -111,7 +100,7 @@ pub(crate) const fn encoded(light: f64) -> f64 {
 
 /// The standard's decoding, used only at compile time. The error is at most 2⁻⁵⁰ of the result. That
 /// suffices: the light of no byte is within 2⁻³⁶ of a tie.
-pub(crate) const fn decoded(encoded: f64) -> f64 {
+pub(super) const fn decoded(encoded: f64) -> f64 {
     if encoded <= 0.040_45 {
         return encoded / 12.92;
     }
@@ -125,27 +114,4 @@ pub(crate) const fn decoded(encoded: f64) -> f64 {
         }
         root = next;
     }
-}
-
-/// The most by which the bits of a NaN exceed those of infinity.
-pub(super) const NAN: u32 = 0x007F_FFFF;
-
-/// The place of a number in the order of all numbers. As signed integers, the bits of positive floats are
-/// in order, and those of negative floats are below them. The sum wraps every NaN around to below all.
-pub(super) const fn order(x: f32) -> i32 {
-    x.to_bits().wrapping_add(NAN) as i32
-}
-
-/// The place of a number, brought into a range of places.
-#[inline]
-pub(super) const fn between(x: f32, first: i32, last: i32) -> i32 {
-    let place = order(x);
-    let place = if place < first { first } else { place };
-    if place > last { last } else { place }
-}
-
-/// The bits of a number, brought into a range in this order; NaN counts as dark.
-#[inline]
-pub(super) const fn in_order(x: f32, low: f32, high: f32) -> u32 {
-    between(x, order(low), order(high)) as u32 - NAN
 }

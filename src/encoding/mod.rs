@@ -2,9 +2,9 @@
 //!
 //! The levels of an encoding rise with the light, so each level begins at a certain number, which
 //! [`edges`] finds exactly. Encoding a number means finding the last level that begins at or below it,
-//! with integer operations and a table that the compiler computes: a large one that needs one entry a
-//! channel ([`steps`]), or a small one for chips ([`lines`]). The result is correctly rounded. It needs
-//! no powers, no division and, on a chip without an FPU, no floating-point routine.
+//! with integer operations and small tables that the compiler computes ([`levels`]). The result is
+//! correctly rounded. It needs no powers, no division and, on a chip without an FPU, no floating-point
+//! routine.
 
 #![allow(
     clippy::cast_possible_truncation, // levels fit their bits; edges are rounded
@@ -13,154 +13,128 @@
     clippy::cast_sign_loss            // likewise
 )]
 
-pub(crate) mod edges;
-#[cfg(target_os = "none")]
-mod lines;
-#[cfg(not(target_os = "none"))]
-mod steps;
-
-#[cfg(target_os = "none")]
-use lines as levels;
-#[cfg(not(target_os = "none"))]
-use steps as levels;
-
-mod double;
-mod single;
+mod edges;
+mod levels;
 
 use crate::rgb::Rgb;
 use edges::decoded;
+use levels::{eight_bits, five_bits, in_order, six_bits};
 
-macro_rules! encodings {
-    ($float:ident, $channel:ident) => {
-        /// Colors on a display, whose light is encoded as sRGB, and linear colors for programs that
-        /// encode elsewhere or not at all.
-        impl Rgb<$float> {
-            /// Encodes linear light as sRGB bytes.
-            ///
-            /// ```text
-            /// round(255 E),  E = 12.92 L                   for L ≤ 0.0031308
-            ///                E = 1.055 L^(1/2.4) − 0.055   above
-            /// ```
-            ///
-            /// The result is correctly rounded: for every number, each channel gets the byte nearest to
-            /// the exact value. A channel below 0 or NaN gives 0, and one above 1 gives 255, so you need
-            /// not call [`clamped`](Rgb::clamped) first. [`to_linear8`](Self::to_linear8) does not
-            /// encode.
-            ///
-            /// Source: IEC 61966-2-1:1999, *Multimedia systems and equipment – Colour measurement and
-            /// management – Part 2-1: Colour management – Default RGB colour space – sRGB*.
-            ///
-            /// ```
-            #[doc = concat!("use shading::", stringify!($float), "::Rgb;")]
-            ///
-            /// assert_eq!(Rgb::new(0.5, 0.18, 0.001).to_srgb8(), [188, 118, 3]);
-            #[doc = concat!("assert_eq!(Rgb::new(2.0, -1.0, ", stringify!($float), "::NAN).to_srgb8(), [255, 0, 0]);")]
-            /// ```
-            #[doc(alias = "gamma")]
-            #[doc(alias = "encode")]
-            #[inline]
-            #[must_use]
-            pub const fn to_srgb8(self) -> [u8; 3] {
-                [
-                    $channel::eight_bits(self.r) as u8,
-                    $channel::eight_bits(self.g) as u8,
-                    $channel::eight_bits(self.b) as u8,
-                ]
-            }
+/// Colors on a display, whose light is encoded as sRGB, and linear colors for programs that
+/// encode elsewhere or not at all. Single precision is more than any display shows; convert with
+/// [`map`](Rgb::map): `Rgb::from_srgb8(texel).map(f64::from)`.
+impl Rgb<f32> {
+    /// Encodes linear light as sRGB bytes.
+    ///
+    /// ```text
+    /// round(255 E),  E = 12.92 L                   for L ≤ 0.0031308
+    ///                E = 1.055 L^(1/2.4) − 0.055   above
+    /// ```
+    ///
+    /// The result is correctly rounded: for every number, each channel gets the byte nearest to
+    /// the exact value. A channel below 0 or NaN gives 0, and one above 1 gives 255, so you need
+    /// not call [`clamped`](Rgb::clamped) first. [`to_linear8`](Self::to_linear8) does not
+    /// encode.
+    ///
+    /// Source: IEC 61966-2-1:1999, *Multimedia systems and equipment – Colour measurement and
+    /// management – Part 2-1: Colour management – Default RGB colour space – sRGB*.
+    ///
+    /// ```
+    /// use shading::Rgb;
+    ///
+    /// assert_eq!(Rgb::new(0.5, 0.18, 0.001).to_srgb8(), [188, 118, 3]);
+    /// assert_eq!(Rgb::new(2.0, -1.0, f32::NAN).to_srgb8(), [255, 0, 0]);
+    /// ```
+    #[doc(alias = "gamma")]
+    #[doc(alias = "encode")]
+    #[inline]
+    #[must_use]
+    pub const fn to_srgb8(self) -> [u8; 3] {
+        [
+            eight_bits(self.r) as u8,
+            eight_bits(self.g) as u8,
+            eight_bits(self.b) as u8,
+        ]
+    }
 
-            /// Encodes linear light as 16 bits for a small display: sRGB with five bits of red, six of
-            /// green and five of blue, red in the highest bits.
-            ///
-            /// ```text
-            /// round(31 E_r) · 2¹¹ + round(63 E_g) · 2⁵ + round(31 E_b),   E as for to_srgb8
-            /// ```
-            ///
-            /// Each channel is rounded once, from the linear light. Rounding the sRGB bytes again would
-            /// change an eighth of the colors, and cutting off their low bits would change half.
-            /// Channels outside [0, 1] and NaN are treated as in [`to_srgb8`](Self::to_srgb8).
-            /// [`to_linear565`](Self::to_linear565) does not encode.
-            ///
-            /// Source: IEC 61966-2-1:1999, as for [`to_srgb8`](Self::to_srgb8).
-            ///
-            /// ```
-            #[doc = concat!("use shading::", stringify!($float), "::Rgb;")]
-            ///
-            /// assert_eq!(Rgb::new(1.0, 0.18, 0.001).to_rgb565(), 31 << 11 | 29 << 5);
-            /// ```
-            #[doc(alias = "encode")]
-            #[inline]
-            #[must_use]
-            pub const fn to_rgb565(self) -> u16 {
-                packed(
-                    $channel::five_bits(self.r),
-                    $channel::six_bits(self.g),
-                    $channel::five_bits(self.b),
-                )
-            }
+    /// Encodes linear light as 16 bits for a small display: sRGB with five bits of red, six of
+    /// green and five of blue, red in the highest bits.
+    ///
+    /// ```text
+    /// round(31 E_r) · 2¹¹ + round(63 E_g) · 2⁵ + round(31 E_b),   E as for to_srgb8
+    /// ```
+    ///
+    /// Each channel is rounded once, from the linear light. Rounding the sRGB bytes again would
+    /// change an eighth of the colors, and cutting off their low bits would change half.
+    /// Channels outside [0, 1] and NaN are treated as in [`to_srgb8`](Self::to_srgb8).
+    /// [`to_linear565`](Self::to_linear565) does not encode.
+    ///
+    /// Source: IEC 61966-2-1:1999, as for [`to_srgb8`](Self::to_srgb8).
+    ///
+    /// ```
+    /// use shading::Rgb;
+    ///
+    /// assert_eq!(Rgb::new(1.0, 0.18, 0.001).to_rgb565(), 31 << 11 | 29 << 5);
+    /// ```
+    #[doc(alias = "encode")]
+    #[inline]
+    #[must_use]
+    pub const fn to_rgb565(self) -> u16 {
+        packed(five_bits(self.r), six_bits(self.g), five_bits(self.b))
+    }
 
-            /// Rounds linear light to bytes **without encoding it as sRGB**. A display that is given
-            /// them shows the light too dark. They are for what encodes by itself, such as a texture in
-            /// a linear format, and for a renderer whose pictures have never been encoded.
-            ///
-            /// ```text
-            /// round(255 L),  rounding ½ up
-            /// ```
-            ///
-            /// The result is correctly rounded. Channels outside [0, 1] and NaN are treated as in
-            /// [`to_srgb8`](Self::to_srgb8).
-            ///
-            /// ```
-            #[doc = concat!("use shading::", stringify!($float), "::Rgb;")]
-            ///
-            /// let color = Rgb::new(1.0, 0.5, 0.001);
-            /// assert_eq!(color.to_linear8(), [255, 128, 0]);
-            /// assert_eq!(color.to_srgb8(), [255, 188, 3]); // what a display needs
-            /// ```
-            #[doc(alias = "quantize")]
-            #[inline]
-            #[must_use]
-            pub const fn to_linear8(self) -> [u8; 3] {
-                [
-                    $channel::linear(self.r, 255) as u8,
-                    $channel::linear(self.g, 255) as u8,
-                    $channel::linear(self.b, 255) as u8,
-                ]
-            }
+    /// Rounds linear light to bytes **without encoding it as sRGB**. A display that is given
+    /// them shows the light too dark. They are for what encodes by itself, such as a texture in
+    /// a linear format, and for a renderer whose pictures have never been encoded.
+    ///
+    /// ```text
+    /// round(255 L),  rounding ½ up
+    /// ```
+    ///
+    /// The result is correctly rounded. Channels outside [0, 1] and NaN are treated as in
+    /// [`to_srgb8`](Self::to_srgb8).
+    ///
+    /// ```
+    /// use shading::Rgb;
+    ///
+    /// let color = Rgb::new(1.0, 0.5, 0.001);
+    /// assert_eq!(color.to_linear8(), [255, 128, 0]);
+    /// assert_eq!(color.to_srgb8(), [255, 188, 3]); // what a display needs
+    /// ```
+    #[doc(alias = "quantize")]
+    #[inline]
+    #[must_use]
+    pub const fn to_linear8(self) -> [u8; 3] {
+        [
+            linear(self.r, 255) as u8,
+            linear(self.g, 255) as u8,
+            linear(self.b, 255) as u8,
+        ]
+    }
 
-            /// Rounds linear light to 16 bits **without encoding it as sRGB**: five bits of red, six of
-            /// green and five of blue, red in the highest bits.
-            ///
-            /// ```text
-            /// round(31 L_r) · 2¹¹ + round(63 L_g) · 2⁵ + round(31 L_b),  rounding ½ up
-            /// ```
-            ///
-            /// The result is correctly rounded. Channels outside [0, 1] and NaN are treated as in
-            /// [`to_srgb8`](Self::to_srgb8). A display needs [`to_rgb565`](Self::to_rgb565).
-            ///
-            /// ```
-            #[doc = concat!("use shading::", stringify!($float), "::Rgb;")]
-            ///
-            /// assert_eq!(Rgb::new(1.0, 0.5, 0.001).to_linear565(), 31 << 11 | 32 << 5);
-            /// ```
-            #[doc(alias = "quantize")]
-            #[inline]
-            #[must_use]
-            pub const fn to_linear565(self) -> u16 {
-                packed(
-                    $channel::linear(self.r, 31),
-                    $channel::linear(self.g, 63),
-                    $channel::linear(self.b, 31),
-                )
-            }
-        }
-    };
+    /// Rounds linear light to 16 bits **without encoding it as sRGB**: five bits of red, six of
+    /// green and five of blue, red in the highest bits.
+    ///
+    /// ```text
+    /// round(31 L_r) · 2¹¹ + round(63 L_g) · 2⁵ + round(31 L_b),  rounding ½ up
+    /// ```
+    ///
+    /// The result is correctly rounded. Channels outside [0, 1] and NaN are treated as in
+    /// [`to_srgb8`](Self::to_srgb8). A display needs [`to_rgb565`](Self::to_rgb565).
+    ///
+    /// ```
+    /// use shading::Rgb;
+    ///
+    /// assert_eq!(Rgb::new(1.0, 0.5, 0.001).to_linear565(), 31 << 11 | 32 << 5);
+    /// ```
+    #[doc(alias = "quantize")]
+    #[inline]
+    #[must_use]
+    pub const fn to_linear565(self) -> u16 {
+        packed(linear(self.r, 31), linear(self.g, 63), linear(self.b, 31))
+    }
 }
 
-encodings!(f32, single);
-encodings!(f64, double);
-
-/// Decoding gives single precision, which is more than any texel has. Convert with
-/// [`map`](Rgb::map): `Rgb::from_srgb8(texel).map(f64::from)`.
 impl Rgb<f32> {
     /// Decodes sRGB bytes, such as those of a texture or of a designer's color, to linear light.
     ///
@@ -223,8 +197,18 @@ impl Rgb<f32> {
 
 /// The levels of red, green and blue in 16 bits.
 #[inline]
-pub(crate) const fn packed(r: u32, g: u32, b: u32) -> u16 {
+const fn packed(r: u32, g: u32, b: u32) -> u16 {
     (r << 11 | g << 5 | b) as u16
+}
+
+/// round(highest · channel) for a highest level of at most 255, in whole numbers, which are exact.
+#[inline]
+const fn linear(channel: f32, highest: u32) -> u32 {
+    // 2⁻⁹ is dark for every highest level
+    let bits = in_order(channel, 1.0 / 512.0, 1.0);
+    let significand = bits & 0x007F_FFFF | 0x0080_0000;
+    let shift = 150 - (bits >> 23); // 23 to 32
+    (((significand * highest) >> (shift - 1)) + 1) >> 1
 }
 
 static EIGHT_BITS: [f32; 256] = light();

@@ -8,8 +8,6 @@ mod approx;
 mod bytemuck;
 #[cfg(feature = "defmt")]
 mod defmt;
-#[cfg(feature = "fixed")]
-pub mod fixed;
 #[cfg(feature = "mint")]
 mod mint;
 #[cfg(feature = "serde")]
@@ -18,4 +16,4 @@ mod serde;
 mod wide;
 
 #[cfg(feature = "wide")]
-pub use wide::{InLanes, Lanes};
+pub use wide::Lanes;

@@ -59,12 +59,11 @@ use crate::vector::Vec3;
 /// ```
 #[doc(alias = "vertex normal")]
 #[doc(alias = "smooth")]
-#[cfg_attr(target_os = "none", inline)]
-#[cfg_attr(not(target_os = "none"), inline(always))]
+#[inline(always)]
 #[must_use]
 pub fn corner<T: Real>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Vec3<T> {
     let none = UnitVec3::assume_unit(Vec3::ZERO);
-    let (e1, e2) = (v2.rescaled_from(v1).0, v3.rescaled_from(v1).0);
+    let (e1, e2) = (v2.tamed_from(v1), v3.tamed_from(v1));
     let product = e1.cross(e2);
     // without a normal, the angle may be NaN
     let angle = angle(product.length(), e1.dot(e2)).at_least(T::ZERO);

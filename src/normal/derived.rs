@@ -1,7 +1,7 @@
 //! Normals made from normals: turned to the eye, transformed, or perturbed by a normal map.
 
 use super::surface::from_tangents;
-use crate::real::{Real, Scalar};
+use crate::real::{Real, Scalar, is_extreme};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -77,72 +77,34 @@ pub fn facing<T: Real>(n: UnitVec3<T>, v: UnitVec3<T>) -> UnitVec3<T> {
 /// ```
 #[doc(alias = "inverse transpose")]
 #[doc(alias = "normal matrix")]
-#[cfg_attr(target_os = "none", inline)]
-#[cfg_attr(not(target_os = "none"), inline(always))]
+#[inline(always)]
 #[must_use]
 pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> Option<UnitVec3<T>> {
-    let cofactors =
-        |a: Vec3<T>, b: Vec3<T>, c: Vec3<T>| b.cross(c) * n.x + c.cross(a) * n.y + a.cross(b) * n.z;
+    let cofactors = |[a, b, c]: [Vec3<T>; 3], n: Vec3<T>| {
+        b.cross(c) * n.x + c.cross(a) * n.y + a.cross(b) * n.z
+    };
     let [a, b, c] = columns;
-    if let Some(([a, b, c], _)) = T::rescaled_together([a.into(), b.into(), c.into()]) {
-        cofactors(a.into(), b.into(), c.into())
+    if is_extreme(a.dot(a)) || is_extreme(b.dot(b)) || is_extreme(c.dot(c)) {
+        // cof(M) N is proportional to the same with each column over its length, and n_x over that of a;
+        // the least length that counts keeps the quotients within range
+        let none = UnitVec3::assume_unit(Vec3::ZERO);
+        let [x, y, z] = columns.map(Vec3::length);
+        let counts = |n: T, length| n.abs().if_positive(length, T::MAX);
+        let least = counts(n.x, x)
+            .at_most(counts(n.y, y))
+            .at_most(counts(n.z, z));
+        let share = |n: T, length: T| {
+            let share = length.if_above(least, n * (least / length), n);
+            n.abs().if_positive(share, T::ZERO)
+        };
+        let n = Vec3::new(share(n.x, x), share(n.y, y), share(n.z, z));
+        // the product with 0 keeps what is not finite
+        let along = |v: Vec3<T>| *v.unit_or(none) + v * T::ZERO;
+        cofactors(columns.map(along), n)
     } else {
-        // copies, so that those of the other branch need not lie in memory
-        let n = UnitVec3::assume_unit(Vec3::new(n.x, n.y, n.z));
-        by_cofactors_of_any_size(n, [a, b, c])
+        cofactors(columns, *n)
     }
     .unit()
-}
-
-/// A positive multiple of cof(M) N, for columns whose lengths differ so much that no single power
-/// of two brings all their products into range. Each product is kept as a rescaled vector and an
-/// integer power of [`EXTREME`](Real::EXTREME). The sum is computed relative to the highest power.
-#[cold]
-#[inline(never)]
-fn by_cofactors_of_any_size<T: Real + PartialOrd>(
-    n: UnitVec3<T>,
-    columns: [Vec3<T>; 3],
-) -> Vec3<T> {
-    // no arrays, over which rust-gpu cannot iterate
-    type Power<T> = (Vec3<T>, i32);
-    let product = |n: T, (b, of_b): Power<T>, (c, of_c): Power<T>| {
-        let (cross, power) = tame_power(b.cross(c), of_b + of_c);
-        let (n, power) = tame_power(Vec3::new(n, T::ZERO, T::ZERO), power);
-        (cross * n.x, power)
-    };
-    let [a, b, c] = columns;
-    let (a, b, c) = (tame_power(a, 0), tame_power(b, 0), tame_power(c, 0));
-    let (x, y, z) = (product(n.x, b, c), product(n.y, c, a), product(n.z, a, b));
-
-    let power_of = |(product, power): Power<T>| {
-        if product == Vec3::ZERO {
-            i32::MIN
-        } else {
-            power
-        }
-    };
-    let highest = power_of(x).max(power_of(y)).max(power_of(z));
-    let lower = |v: Vec3<T>| v * (T::ONE / T::EXTREME);
-    let share = |(product, power): Power<T>| {
-        if power == highest {
-            product
-        } else if power + 1 == highest {
-            lower(product)
-        } else if power + 2 == highest {
-            lower(lower(product)) // counts only if EXTREME is small, as for an IEEE half
-        } else {
-            Vec3::ZERO
-        }
-    };
-    Vec3::ZERO + share(x) + share(y) + share(z)
-}
-
-/// A vector times a `power` of [`EXTREME`](Real::EXTREME), returned as a rescaled vector and a power.
-#[inline(never)]
-fn tame_power<T: Real + PartialOrd>(v: Vec3<T>, power: i32) -> (Vec3<T>, i32) {
-    let (rescaled, scale) = v.rescaled_from(Vec3::ZERO);
-    let grown = i32::from(scale > T::ONE) - i32::from(scale < T::ONE);
-    (rescaled, power - grown)
 }
 
 /// The normal of a surface with a normal map: a sample of the map, interpreted in the frame of the
@@ -192,8 +154,7 @@ fn tame_power<T: Real + PartialOrd>(v: Vec3<T>, power: i32) -> (Vec3<T>, i32) {
 #[doc(alias = "normal map")]
 #[doc(alias = "tangent space")]
 #[doc(alias = "bump")]
-#[cfg_attr(target_os = "none", inline)]
-#[cfg_attr(not(target_os = "none"), inline(always))]
+#[inline(always)]
 #[must_use]
 pub fn mapped<T: Real + Scalar>(
     n: UnitVec3<T>,
@@ -206,6 +167,6 @@ pub fn mapped<T: Real + Scalar>(
         side.cross(n),
         *side * handedness.if_positive(T::ONE, T::NEG_ONE),
     );
-    let sample = sample.rescaled();
+    let sample = sample.unit()?;
     (t * sample.x + b * sample.y + *n * sample.z).unit()
 }

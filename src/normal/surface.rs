@@ -1,7 +1,7 @@
 //! Normals of planes, triangles, spheres, implicit and parametric surfaces.
 
 use crate::dual::Dual;
-use crate::real::{Real, Scalar};
+use crate::real::{Real, Scalar, epsilon};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -51,11 +51,10 @@ pub fn plane<T: Real + Scalar>(a: T, b: T, c: T) -> Option<UnitVec3<T>> {
 /// assert_eq!(normal::triangle(a, b, b), None);
 /// ```
 #[doc(alias = "face")]
-#[cfg_attr(target_os = "none", inline)]
-#[cfg_attr(not(target_os = "none"), inline(always))]
+#[inline(always)]
 #[must_use]
 pub fn triangle<T: Real + Scalar>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Option<UnitVec3<T>> {
-    v2.rescaled_from(v1).0.cross(v3.rescaled_from(v1).0).unit()
+    v2.tamed_from(v1).cross(v3.tamed_from(v1)).unit()
 }
 
 /// The outward normal of a sphere at a point p on it.
@@ -77,11 +76,10 @@ pub fn triangle<T: Real + Scalar>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Opti
 /// assert_eq!(normal::sphere(center, Vec3::new(1.0, 1.0, 4.0)), Some(UnitVec3::Z));
 /// assert_eq!(normal::sphere(center, center), None);
 /// ```
-#[cfg_attr(target_os = "none", inline)]
-#[cfg_attr(not(target_os = "none"), inline(always))]
+#[inline(always)]
 #[must_use]
 pub fn sphere<T: Real + Scalar>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitVec3<T>> {
-    p.rescaled_from(center).0.unit()
+    p.tamed_from(center).unit()
 }
 
 /// The normal of the implicit surface f(x, y, z) = 0 at a point p on it, from f itself.
@@ -192,8 +190,7 @@ pub fn from_gradient<T: Real + Scalar>(gradient: Vec3<T>) -> Option<UnitVec3<T>>
 /// assert_eq!(normal::parametric(sphere, 1.0, core::f64::consts::PI), None);
 /// ```
 #[doc(alias = "tangent")]
-#[cfg_attr(target_os = "none", inline)]
-#[cfg_attr(not(target_os = "none"), inline(always))]
+#[inline(always)]
 #[must_use]
 pub fn parametric<T: Real + Scalar>(
     s: impl FnOnce(Dual<T>, Dual<T>) -> Vec3<Dual<T>>,
@@ -203,31 +200,13 @@ pub fn parametric<T: Real + Scalar>(
     let parameters = Dual::point(Vec3::new(u, v, T::ZERO));
     let s = s(parameters.x, parameters.y);
     let (s_u, s_v) = (s.map(|s| s.gradient.x), s.map(|s| s.gradient.y));
-    let sizes @ [less, more] = sizes(s_u, s_v);
-    if less <= more * noise() {
-        None
-    } else {
-        unit_product(s_u, s_v, sizes)
-    }
-}
-
-/// The sizes of the largest components of two vectors, the smaller one first.
-#[inline(always)]
-fn sizes<T: Real>(a: Vec3<T>, b: Vec3<T>) -> [T; 2] {
-    let largest = |v: Vec3<T>| v.x.abs().at_least(v.y.abs()).at_least(v.z.abs());
-    let (a, b) = (largest(a), largest(b));
-    [a.at_most(b), a.at_least(b)]
-}
-
-/// The share of the longer tangent below which the other may be rounding noise. It allows two
-/// roundings for each of the 16 control points of a bicubic patch. On the teapot, the noise reaches
-/// 14u.
-#[inline]
-fn noise<T: Real>() -> T {
-    // in any binary float, 4/3 is rounded by a third of ε, which is 2u (Kahan)
-    let three = T::ONE + T::ONE + T::ONE;
-    let epsilon = (three * ((T::ONE + three) / three - T::ONE) - T::ONE).abs();
-    (T::ONE + three) * (T::ONE + three) * epsilon
+    let size = |v: Vec3<T>| v.x.abs().at_least(v.y.abs()).at_least(v.z.abs());
+    let (a, b) = (size(s_u), size(s_v));
+    // two roundings for each of the 16 control points of a bicubic patch; on the teapot, the noise
+    // reaches 14u
+    let noise = T::of_f32(16.0) * epsilon();
+    let is_noise = a.at_most(b) <= a.at_least(b) * noise;
+    from_tangents(s_u, s_v).filter(|_| !is_noise)
 }
 
 /// The normal of a parametric surface, from its two tangents.
@@ -252,35 +231,10 @@ fn noise<T: Real>() -> T {
 /// assert_eq!(normal::from_tangents(s_u, s_v), Some(UnitVec3::Z));
 /// assert_eq!(normal::from_tangents(s_u, s_u), None);
 /// ```
-#[cfg_attr(target_os = "none", inline)]
-#[cfg_attr(not(target_os = "none"), inline(always))]
+#[inline(always)]
 #[must_use]
 pub fn from_tangents<T: Real + Scalar>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<UnitVec3<T>> {
-    unit_product(s_u, s_v, sizes(s_u, s_v))
-}
-
-/// The direction of a × b, given the [`sizes`] of a and b.
-#[inline(always)]
-fn unit_product<T: Real + Scalar>(a: Vec3<T>, b: Vec3<T>, sizes: [T; 2]) -> Option<UnitVec3<T>> {
-    if T::is_any_extreme(sizes) {
-        // taken apart, so that the result of the other branch need not lie in memory
-        let [x, y, z] = unit_product_of_any_size(a.x, a.y, a.z, b.x, b.y, b.z)?.into();
-        Some(UnitVec3::assume_unit(Vec3::new(x, y, z)))
-    } else {
-        a.cross(b).unit()
-    }
-}
-
-#[cfg_attr(target_os = "none", inline(always))]
-#[cfg_attr(not(target_os = "none"), cold, inline(never))]
-fn unit_product_of_any_size<T: Real + Scalar>(
-    ax: T,
-    ay: T,
-    az: T,
-    bx: T,
-    by: T,
-    bz: T,
-) -> Option<UnitVec3<T>> {
-    let (a, b) = (Vec3::new(ax, ay, az), Vec3::new(bx, by, bz));
-    a.rescaled().cross(b.rescaled()).unit()
+    s_u.tamed_from(Vec3::ZERO)
+        .cross(s_v.tamed_from(Vec3::ZERO))
+        .unit()
 }

@@ -1,17 +1,16 @@
 //! The number type that every formula is written over.
 
-mod angle;
+mod exponent;
 mod float;
-pub(crate) mod root;
-mod scalar;
-mod several;
-pub(crate) mod triple;
-pub(crate) mod whole_power;
+mod length;
+pub(crate) mod power;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-pub use scalar::Scalar;
-pub(crate) use several::Several;
+pub use exponent::Exponent;
+pub(crate) use exponent::by_squaring;
+pub(crate) use float::const_sqrt;
+pub(crate) use length::{is_extreme, tamed};
 
 /// A real number: `f32`, `f64`, a dual number, a set of SIMD lanes, or a type of your own.
 ///
@@ -33,23 +32,18 @@ pub(crate) use several::Several;
 ///
 /// # A number of your own
 ///
-/// Write the items without a default: the constants, [`of`](Real::of), [`sqrt`](Real::sqrt),
-/// [`if_positive`](Real::if_positive) and [`any_positive`](Real::any_positive). The other methods
-/// are derived from them. If a processor has a better way, override the method, provided that it
-/// gives the same result.
+/// Write the items without a default. The other methods are derived from them; override one if a
+/// processor has a better way to the same result.
 ///
-/// - No operation may panic. A division by zero gives an infinity or, in a type without infinities,
-///   any number.
-/// - [`if_positive`](Real::if_positive) selects lane by lane and computes nothing.
-///   [`any_positive`](Real::any_positive) says whether it would select `then` in some lane.
+/// - No operation may panic. A division by zero may give any number.
 /// - If the operations round correctly, results have the same bits on every machine, and the error
 ///   bounds of [`guide::precision`](mod@crate::guide::precision) hold in units of the type's
 ///   roundoff. If they do not, nothing else is lost.
 ///
-/// [`guide::invariants`](mod@crate::guide::invariants) explains how to test such a type.
+/// [`guide::numbers`](mod@crate::guide::numbers) has a complete one, and says how to test it.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a number type that this crate computes with",
-    label = "expected `f32`, `f64`, `Fixed`, `Dual<_>` or SIMD lanes",
+    label = "expected `f32`, `f64`, `Dual<_>` or SIMD lanes",
     note = "write numbers with a decimal point: `Vec3::new(0.0, 0.0, 1.0)`, not `Vec3::new(0, 0, 1)`"
 )]
 pub trait Real:
@@ -73,13 +67,10 @@ pub trait Real:
     ///
     /// Choose p so that a sum of three squares within [1/p, p] loses no bits, the largest vector
     /// divided by p has its square below p, and the smallest number times p is not below 1/p. For
-    /// `f32` p is 2¹⁰⁰ and for `f64` 2⁷²⁰. For a fixed-point number with 16 bits before the point
-    /// and 16 after it, 2⁹ is best.
+    /// `f32` p is 2¹⁰⁰ and for `f64` 2⁷²⁰.
     const EXTREME: Self;
 
-    /// The number nearest to a literal. The literal is an `f64`, so that users of `f64` lose
-    /// nothing. If single precision holds the literal, [`of_f32`](Real::of_f32) avoids `f64` even
-    /// in constants.
+    /// The number nearest to a literal, an `f64`, so that users of `f64` lose nothing.
     #[must_use]
     fn of(literal: f64) -> Self;
 
@@ -149,230 +140,75 @@ pub trait Real:
         self.if_above(limit, limit, self)
     }
 
-    /// Whether `self` or, for lanes, any lane is outside [low, high]. The limits must not be
-    /// negative. NaN is outside. For −0 and for the limits themselves, except a `high` of 1, the
-    /// result is unspecified.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn any_outside(self, low: Self, high: Self) -> bool {
-        let outside = (self - low).if_positive(Self::ZERO, Self::ONE);
-        (high - self).if_positive(outside, Self::ONE).any_positive()
-    }
+    // the methods below are for numbers whose precision is not relative, as that of fixed point is not
 
-    // What is computed of three numbers at once, or of a cosine. The defaults are for floats; a number
-    // whose precision is not relative overrides them.
-
-    /// The dot product.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn dot([ax, ay, az]: [Self; 3], [bx, by, bz]: [Self; 3]) -> Self {
-        ax * bx + ay * by + az * bz
-    }
-
-    /// Each number times a factor.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn scaled([x, y, z]: [Self; 3], factor: Self) -> [Self; 3] {
-        [x * factor, y * factor, z * factor]
-    }
-
-    /// Each number divided by a divisor.
-    #[doc(hidden)]
+    /// A vector w in the direction of v, its length, and the length of v: (w, |w|, |v|). The squares
+    /// of w and of its sums with other vectors of its length neither overflow nor vanish.
+    ///
+    /// The direction is w/|w|. A vector that is zero, infinite or NaN has none; its |w| is 0. A |v|
+    /// that overflows is the largest finite number, and that of an infinite vector is infinite.
+    ///
+    /// For a float, w is v, or v times a power of two if the square of v is out of range. A number of
+    /// even precision may divide by |v| here, and return 1 for |w|.
     #[inline(always)]
     #[must_use]
-    fn divided(numbers: [Self; 3], divisor: Self) -> [Self; 3] {
-        root::divided(numbers, divisor)
+    fn direction(v: [Self; 3]) -> ([Self; 3], Self, Self) {
+        length::direction(v)
     }
 
-    /// self/whole, where `whole` may be infinite; in a type without infinities, `MAX` counts as infinite.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn ratio(self, whole: Self) -> Self {
-        self / whole
-    }
-
-    /// The share of a light that its range r leaves, which may be infinite as for [`ratio`](Real::ratio).
+    /// The power of the cosine between a direction n and a vector v of any length, limited to 1. It is
+    /// 0 if n·v ≤ 0 or if v is 0.
     ///
     /// ```text
-    /// max(0, 1 − (q/r)⁴), or its square
+    /// max(0, n·v/|v|)ᵐ
     /// ```
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn window(q: Self, r: Self, is_squared: bool) -> Self {
-        triple::window(q, r, is_squared)
-    }
-
-    /// The distance from 1 to the next number above.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn epsilon() -> Self {
-        epsilon()
-    }
-
-    /// The cosine of a half-angle in radians; `None` outside [0, π].
-    #[doc(hidden)]
-    #[must_use]
-    fn cosine_of_half_angle(self) -> Option<Self>
-    where
-        Self: PartialOrd,
-    {
-        angle::cosine_of_half_angle(self)
-    }
-
-    /// v/(a + bq + cq²), where 1/(a + bq + cq²) counts as `limit` at most, given the two q of
-    /// [`direction_and_distance`](Real::direction_and_distance).
-    #[doc(hidden)]
     #[inline(always)]
     #[must_use]
-    fn attenuated(
-        v: [Self; 3],
-        coefficients: [Self; 3],
-        q: [Self; 2],
-        limit: impl FnOnce() -> Self,
-    ) -> [Self; 3] {
-        triple::attenuated(v, coefficients, q[0], limit)
+    fn cosine_power(n: [Self; 3], v: [Self; 3], m: impl Exponent<Self>) -> Self {
+        length::cosine_power(n, v, m)
     }
 
-    /// The same times the [`window`](Real::window) of a range r and whether it is squared. q is the
-    /// length of `to_light`.
-    #[doc(hidden)]
+    /// A color of light at the distance q ≥ 0, attenuated by a factor of at most `limit`.
+    ///
+    /// ```text
+    /// color · min(limit, 1/(a + bq + cq²))
+    /// ```
+    ///
+    /// The factor is 0 if the denominator is negative or NaN. A product that overflows is the largest
+    /// finite number.
     #[inline(always)]
     #[must_use]
-    fn attenuated_within(
-        (r, is_squared): (Self, bool),
-        v: [Self; 3],
-        coefficients: [Self; 3],
-        q: [Self; 2],
-        _to_light: impl FnOnce() -> [Self; 3],
-        limit: impl FnOnce() -> Self,
-    ) -> [Self; 3] {
-        let v = Self::scaled(v, Self::window(q[0], r, is_squared));
-        Self::attenuated(v, coefficients, q, limit)
-    }
-
-    /// |v|.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn length(v: [Self; 3]) -> Self {
-        triple::length(v)
-    }
-
-    /// v/|v|, and a number that is positive exactly if v has a direction.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn unit(v: [Self; 3]) -> ([Self; 3], Self) {
-        triple::unit(v)
-    }
-
-    /// `to` − `from`, times a power of two that keeps its products within range, and that power, for
-    /// [`rescaled_by`](Real::rescaled_by).
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn rescaled_difference(to: [Self; 3], from: [Self; 3]) -> ([Self; 3], Self) {
-        triple::rescaled_difference(to, from)
-    }
-
-    /// Whether the product of two vectors may need them [rescaled](Real::rescaled_difference), given the sizes
-    /// of their largest components, the smaller one first.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn is_any_extreme(sizes: [Self; 2]) -> bool {
-        triple::is_any_extreme(sizes)
-    }
-
-    /// Three vectors times one power of two, likewise, if there is one for all.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn rescaled_together(vectors: [[Self; 3]; 3]) -> Option<([[Self; 3]; 3], Self)> {
-        triple::rescaled_together(vectors)
-    }
-
-    /// v times a power that rescaled another vector.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn rescaled_by(v: [Self; 3], power: Self) -> [Self; 3] {
-        Self::scaled(v, power)
-    }
-
-    /// L, q and the distance of a light, given its position and the point, and the way to the light. There
-    /// are two q: one to compute with, and one that may be finer, for [`attenuated`](Real::attenuated) alone.
-    /// A light without a direction has a q at which it is black or [`is_lit`](Real::is_lit) is false.
-    #[doc(hidden)]
-    #[inline(always)]
-    #[must_use]
-    fn direction_and_distance(
-        light_and_p: impl FnOnce() -> [[Self; 3]; 2],
-        to_light: [Self; 3],
-    ) -> ([Self; 3], [Self; 2], Self) {
-        triple::direction_and_distance(light_and_p, to_light)
-    }
-
-    /// Whether light may arrive from q.
-    #[doc(hidden)]
-    #[inline(always)]
-    #[must_use]
-    fn is_lit(_q: Self) -> bool {
-        true
-    }
-
-    /// N·H, where H is the half vector of L and V, or its square; 0 if L = −V.
-    #[doc(hidden)]
-    #[inline(always)]
-    #[must_use]
-    fn half_cosine(n: [Self; 3], l: [Self; 3], v: [Self; 3], squared: bool) -> Self {
-        triple::half_cosine(n, l, v, squared)
-    }
-
-    /// m/2, if the square of N·H costs less than N·H itself and is raised instead.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn half_of(m: u32) -> Option<u32> {
-        (m % 2 == 0).then_some(m / 2)
-    }
-
-    /// R·V, where R is the reflection of L.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn reflected_cosine(n: [Self; 3], l: [Self; 3], v: [Self; 3]) -> Self {
-        Self::dot(triple::reflection(n, l), v)
-    }
-
-    /// The m-th power of a cosine, as a function of the cosine.
-    #[doc(hidden)]
-    #[inline]
-    #[must_use]
-    fn cosine_power(m: u32) -> impl Fn(Self) -> Self {
-        whole_power::of_cosine(m)
+    fn attenuated(color: [Self; 3], [a, b, c]: [Self; 3], q: Self, limit: Self) -> [Self; 3] {
+        let factor = Self::ONE / (a + q * (b + c * q));
+        let factor = factor.at_least(Self::ZERO).at_most(limit);
+        let [red, green, blue] = color;
+        let dimmed = |channel: Self| (channel * factor).at_most(Self::MAX);
+        [dimmed(red), dimmed(green), dimmed(blue)]
     }
 }
 
-/// The distance from 1 to the next number above, or 2⁻¹⁰⁰ if that is smaller: what is computed from
-/// a sum of two numbers, as some types are, errs by more than the next number above 1 tells.
-fn epsilon<T: Real>() -> T {
-    let half = T::ONE / (T::ONE + T::ONE);
-    let mut epsilon = T::ONE;
-    for _ in 0..100 {
-        let smaller = epsilon * half;
-        if !(T::ONE + smaller - T::ONE).any_positive() {
-            break;
-        }
-        epsilon = smaller;
-    }
-    epsilon
+/// A number that can be compared as a whole. Every [`PartialOrd`] type is a scalar. SIMD lanes are
+/// not, because one lane may be greater where another is less.
+///
+/// A function that decides whether to return `Some` or `None` asks for a scalar. In generic code,
+/// write `T: Real + PartialOrd`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` cannot be compared as a whole, and this function must decide whether there is a result",
+    label = "expected `f32`, `f64` or `Dual<_>`",
+    note = "with SIMD lanes, call it for each lane, or call a function that returns no `Option`: `Vec3::unit_or` or `cast`",
+    note = "in generic code, write `T: Real + PartialOrd`"
+)]
+pub trait Scalar: PartialOrd {}
+
+#[diagnostic::do_not_recommend] // the trait's own message says what to do
+impl<T: PartialOrd> Scalar for T {}
+
+/// ε, the distance from 1 to the next number above: in any binary float, 4/3 is rounded by a third
+/// of it (Kahan).
+#[inline]
+pub(crate) fn epsilon<T: Real>() -> T {
+    let three = T::ONE + T::ONE + T::ONE;
+    (three * ((T::ONE + three) / three - T::ONE) - T::ONE).abs()
 }
 
 /// A constant as the sum of three numbers in single precision, split by the compiler.

@@ -25,7 +25,7 @@ const WITHOUT_A_ROW: &[(&str, &[&str])] = &[
         &["new", "from_bits", "from_f32", "to_bits", "to_f32"],
     ),
     // lanes, which `lanes.txt` pins or `tests/lanes` compares with what it pins
-    ("_", &["all_at", "packed", "sum_of_lanes"]),
+    ("_", &["packed", "sum_of_lanes"]),
     ("Lanes", &["first", "from_fn", "sum"]),
 ];
 

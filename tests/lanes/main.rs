@@ -1,7 +1,6 @@
 //! Each SIMD lane has the bits of the scalar, whatever the other lanes hold. Lights in lanes add up to
 //! those bits, in the order that their page gives; several at a time at one point, in their own order.
 
-mod all_at;
 mod lights;
 
 use std::fmt::Debug;
@@ -119,15 +118,6 @@ macro_rules! lanes {
                     #[test]
                     fn packs_hold_each_light_once(lights in lights::kinds()) {
                         lights::packs_hold::<wide::$lanes>(&lights);
-                    }
-
-                    #[test]
-                    fn several_at_a_time_are_as_one_by_one(
-                        surface in surfaces(),
-                        lights in lights::kinds(),
-                        m in shininess(),
-                    ) {
-                        all_at::are_as_one_by_one::<wide::$lanes>(surface[0], &lights, m);
                     }
 
                     #[test]

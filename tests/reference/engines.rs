@@ -1,7 +1,7 @@
 //! The edges of lights against three.js, Filament, and the glTF extension `KHR_lights_punctual`, by
 //! the formulas of their shaders.
 
-use shading::{Attenuation, Ranged, UnitVec3, Vec3};
+use shading::{Attenuation, UnitVec3, Vec3};
 use support::number::{Number, for_f32_and_f64};
 
 use crate::table::Tally;
@@ -85,7 +85,7 @@ fn ranges<T: Float>() {
     let mut tally = Tally::new::<T>("ranges");
     let free = T::attenuation([0.0, 0.0, 1.0]).expect("coefficients");
     for r in [0.5, 1.0, 3.0, 12.5] {
-        let ranged = Ranged::of(free, T::of(r)).expect("a range");
+        let ranged = (free).of_range(T::of(r)).expect("a range");
         for k in 1..=60 {
             let q = T::of(r * f64::from(k) / 50.0);
             let [actual, unsquared] = [ranged, ranged.unsquared()].map(|r| r.at(q).to_f64());
@@ -107,12 +107,13 @@ fn ranges<T: Float>() {
     tally.close(226, &[("three.js clamps", 14)]);
 
     // in three.js a `distance` of 0 means no range; here 0 is refused, and ∞ means no range
-    assert_eq!(Ranged::of(free, T::ZERO), None);
+    assert_eq!((free).of_range(T::ZERO), None);
     assert_eq!(
-        Ranged::of(free, T::INFINITY)
+        (free)
+            .of_range(T::INFINITY)
             .expect("no range")
             .at(T::of(2.0)),
         T::of(0.25)
     );
-    assert_eq!(Ranged::of(Attenuation::NONE, T::NAN), None);
+    assert_eq!((Attenuation::NONE).of_range(T::NAN), None);
 }

@@ -2,7 +2,7 @@
 
 use core::f64::consts::FRAC_1_PI;
 
-use shading::{Attenuation, Material, PointLight, Ranged, Rgb, SpotLight, UnitVec3, shade};
+use shading::{Attenuation, Material, PointLight, Rgb, SpotLight, UnitVec3, shade};
 use support::number::{Number, direction, for_f32_and_f64, vector};
 
 use crate::table::{Row, Tally, rows};
@@ -62,7 +62,7 @@ fn pixel<T: Number>(row: &Row) -> [T; 3] {
 }
 
 /// In three.js the attenuation is 1/q^decay times a window, and a range of 0 means no range.
-fn ranged<T: Number>(row: &Row) -> Ranged<T> {
+fn ranged<T: Number>(row: &Row) -> Attenuation<T> {
     let [a, b, c] = match row.text("decay") {
         "0" => [1.0, 0.0, 0.0],
         "1" => [0.0, 1.0, 0.0],

@@ -1,13 +1,16 @@
 //! What the constructors let through, and what they make of it.
 
 use shading::{Attenuation, Cone, Ranged, SoftCone, UnitVec3};
-use shading_laws::proof::{Goal, Range};
+use shading_proofs::{Goal, Range};
 
 use super::*;
 
 /// Below 0, infinite or NaN.
 fn invalid(given: Given, name: &str) -> Term {
-    let below = Range { minus_zero: false, ..Range::within(-INF, -given.format().tiny()) };
+    let below = Range {
+        minus_zero: false,
+        ..Range::within(-INF, -given.format().tiny())
+    };
     given.number(name, [below, Range::NOT_FINITE][given.one_of(2) as usize])
 }
 /// Outside of [−limit, limit], or NaN.
@@ -21,7 +24,10 @@ fn zero_of(given: Given, name: &str) -> Term {
 }
 fn lit(given: Given, soft: SoftCone<Term>) -> Vec<Goal> {
     let (axis, l) = (any_direction(given, "axis"), any_direction(given, "l"));
-    within([soft.factor(axis, l), soft.smoothstep().factor(axis, l)], UP_TO_ONE)
+    within(
+        [soft.factor(axis, l), soft.smoothstep().factor(axis, l)],
+        UP_TO_ONE,
+    )
 }
 
 claims! {

@@ -3,7 +3,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use shading::Real;
-use shading_laws::proof::{Goal, Term};
+use shading_proofs::{Goal, Term};
 
 use super::*;
 

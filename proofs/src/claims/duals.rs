@@ -1,12 +1,15 @@
 //! Dual numbers.
 
 use shading::{Dual, Elementary, Real, normal};
-use shading_laws::proof::{Goal, Range};
+use shading_proofs::{Goal, Range};
 
 use super::*;
 
 fn dual(given: Given, name: &str, value: Range, gradient: Range) -> Dual<Term> {
-    let (value, gradient) = (given.number(name, value), given.vector(&format!("∇{name}"), gradient));
+    let (value, gradient) = (
+        given.number(name, value),
+        given.vector(&format!("∇{name}"), gradient),
+    );
     Dual { value, gradient }
 }
 fn any_dual(given: Given, name: &str) -> Dual<Term> {
@@ -20,13 +23,20 @@ fn zero() -> Range {
     Range::within(0.0, 0.0)
 }
 fn below() -> Range {
-    Range { minus_zero: false, ..Range::within(-INF, -f64::MIN_POSITIVE) }
+    Range {
+        minus_zero: false,
+        ..Range::within(-INF, -f64::MIN_POSITIVE)
+    }
 }
 fn not_finite(x: Dual<Term>) -> Vec<Goal> {
     components(x.gradient, Range::NOT_FINITE)
 }
 fn is_finite(given: Given, x: Dual<Term>) -> Vec<Goal> {
-    [within([x.value], finite(given)), components(x.gradient, finite(given))].concat()
+    [
+        within([x.value], finite(given)),
+        components(x.gradient, finite(given)),
+    ]
+    .concat()
 }
 
 claims! {

@@ -1,7 +1,9 @@
 //! The light that arrives at a point.
 
-use shading::{DirectionalLight, IncidentLight, Light, PointLight, Ranged, Rgb, SoftCone, SpotLight};
-use shading_laws::proof::{Goal, Range};
+use shading::{
+    DirectionalLight, IncidentLight, Light, PointLight, Ranged, Rgb, SoftCone, SpotLight,
+};
+use shading_proofs::{Goal, Range};
 
 use super::*;
 
@@ -16,13 +18,21 @@ fn black(light: IncidentLight<Term>) -> Vec<Goal> {
 }
 fn ranged_lamp(given: Given) -> PointLight<Term, Ranged<Term>> {
     let position = any_vector(given, "position");
-    PointLight { position, intensity: given.rgb("I"), attenuation: any_ranged(given) }
+    PointLight {
+        position,
+        intensity: given.rgb("I"),
+        attenuation: any_ranged(given),
+    }
 }
 type Spot = SpotLight<Term, SoftCone<Term>>;
 type Kind = Light<Term, SoftCone<Term>>;
 fn spot(given: Given, position: Vec3<Term>) -> Spot {
     let (point, axis) = (lamp(given, position), any_direction(given, "axis"));
-    SpotLight { point, axis, cone: soft_cone(given).smoothstep() }
+    SpotLight {
+        point,
+        axis,
+        cone: soft_cone(given).smoothstep(),
+    }
 }
 
 claims! {

@@ -11,9 +11,11 @@ mod sums;
 mod terms;
 mod vectors;
 
-use shading::{Attenuation, Cone, IncidentLight, Material, PointLight, Ranged, Real, Rgb, SoftCone};
+use shading::{
+    Attenuation, Cone, IncidentLight, Material, PointLight, Ranged, Real, Rgb, SoftCone,
+};
 use shading::{UnitVec3, Vec3};
-use shading_laws::proof::{Format, Given, Goal, Range, Term};
+use shading_proofs::{Format, Given, Goal, Range, Term};
 
 pub struct Claim {
     pub name: &'static str,
@@ -22,9 +24,17 @@ pub struct Claim {
 }
 
 pub fn all() -> impl Iterator<Item = &'static Claim> {
-    [vectors::CLAIMS, constructors::CLAIMS, duals::CLAIMS, normals::CLAIMS, terms::CLAIMS, lights::CLAIMS, sums::CLAIMS]
-        .into_iter()
-        .flatten()
+    [
+        vectors::CLAIMS,
+        constructors::CLAIMS,
+        duals::CLAIMS,
+        normals::CLAIMS,
+        terms::CLAIMS,
+        lights::CLAIMS,
+        sums::CLAIMS,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// The claims that intervals leave open, and Bitwuzla decides.
@@ -44,7 +54,13 @@ macro_rules! claims {
 use claims;
 
 const INF: f64 = f64::INFINITY;
-const UP_TO_ONE: Range = Range { low: 0.0, high: 1.0, nan: false, minus_zero: true, finite: true };
+const UP_TO_ONE: Range = Range {
+    low: 0.0,
+    high: 1.0,
+    nan: false,
+    minus_zero: true,
+    finite: true,
+};
 
 fn finite(given: Given) -> Range {
     Range::within(-given.format().max(), given.format().max())
@@ -64,7 +80,10 @@ fn any_direction(given: Given, name: &str) -> UnitVec3<Term> {
 }
 /// Any vector with one component of a kind, whichever it is.
 fn with_one(given: Given, name: &str, kind: Range) -> Vec3<Term> {
-    let (mut v, one) = (any_vector(given, name), given.number(&format!("{name}'"), kind));
+    let (mut v, one) = (
+        any_vector(given, name),
+        given.number(&format!("{name}'"), kind),
+    );
     *[&mut v.x, &mut v.y, &mut v.z][given.one_of(3) as usize] = one;
     v
 }
@@ -84,7 +103,10 @@ fn zero(given: Given, name: &str) -> Vec3<Term> {
 }
 
 fn within(terms: impl IntoIterator<Item = Term>, range: Range) -> Vec<Goal> {
-    terms.into_iter().map(|term| Goal::Within(term, range)).collect()
+    terms
+        .into_iter()
+        .map(|term| Goal::Within(term, range))
+        .collect()
 }
 fn components(v: impl Into<Vec3<Term>>, range: Range) -> Vec<Goal> {
     let v = v.into();
@@ -94,7 +116,11 @@ fn channels(color: Rgb<Term>, range: Range) -> Vec<Goal> {
     within([color.r, color.g, color.b], range)
 }
 fn same(a: impl Into<[Term; 3]>, b: impl Into<[Term; 3]>) -> Vec<Goal> {
-    a.into().into_iter().zip(b.into()).map(|(a, b)| Goal::Same(a, b)).collect()
+    a.into()
+        .into_iter()
+        .zip(b.into())
+        .map(|(a, b)| Goal::Same(a, b))
+        .collect()
 }
 /// `None`, or a vector of finite components.
 fn none_or_finite(given: Given, n: Option<UnitVec3<Term>>) -> Vec<Goal> {
@@ -126,8 +152,13 @@ fn attenuation_of(coefficients: [Term; 3]) -> Attenuation<Term> {
     Attenuation::<f32>::NONE.cast(|_| fields.next().unwrap())
 }
 fn ranged(given: Given, r: Range) -> Ranged<Term> {
-    let mut fields = coefficients(given).into_iter().chain([given.number("r", r)]);
-    Attenuation::<f32>::NONE.within(1.0).unwrap().cast(|_| fields.next().unwrap())
+    let mut fields = coefficients(given)
+        .into_iter()
+        .chain([given.number("r", r)]);
+    Attenuation::<f32>::NONE
+        .within(1.0)
+        .unwrap()
+        .cast(|_| fields.next().unwrap())
 }
 /// Any range that `Attenuation::within` takes.
 fn any_ranged(given: Given) -> Ranged<Term> {
@@ -149,18 +180,33 @@ fn soft_cone(given: Given) -> SoftCone<Term> {
 }
 fn soft_cone_of(inner: Term, outer: Term) -> SoftCone<Term> {
     let mut fields = [inner, outer].into_iter();
-    SoftCone::<f32>::from_cosines(0.9, 0.5).unwrap().cast(|_| fields.next().unwrap())
+    SoftCone::<f32>::from_cosines(0.9, 0.5)
+        .unwrap()
+        .cast(|_| fields.next().unwrap())
 }
 fn material(given: Given, m: u32) -> Material<Term, u32> {
-    Material { k_a: given.rgb("k_a"), k_d: given.rgb("k_d"), k_s: given.rgb("k_s"), m }
+    Material {
+        k_a: given.rgb("k_a"),
+        k_d: given.rgb("k_d"),
+        k_s: given.rgb("k_s"),
+        m,
+    }
 }
 /// A light that arrives along a direction of length 1.
 fn incident(given: Given, name: &str) -> IncidentLight<Term> {
     let intensity = given.rgb(&format!("{name}.intensity"));
-    IncidentLight { l: given.unit(name), intensity, distance: given.not_negative("distance") }
+    IncidentLight {
+        l: given.unit(name),
+        intensity,
+        distance: given.not_negative("distance"),
+    }
 }
 fn lamp(given: Given, position: Vec3<Term>) -> PointLight<Term> {
-    PointLight { position, intensity: given.rgb("I"), attenuation: attenuation(given) }
+    PointLight {
+        position,
+        intensity: given.rgb("I"),
+        attenuation: attenuation(given),
+    }
 }
 fn number(x: f64) -> Term {
     Term::of(x)

@@ -1,18 +1,29 @@
 //! Normals of surfaces.
 
 use shading::{Dual, Real, normal};
-use shading_laws::proof::Range;
+use shading_proofs::Range;
 
 use super::*;
 
 /// A point of a surface with the partial derivatives that a user's function may give.
 fn surface(s_u: Vec3<Term>, s_v: Vec3<Term>, value: Term) -> Vec3<Dual<Term>> {
-    let dual = |u, v| Dual { value, gradient: Vec3::new(u, v, Term::ZERO) };
-    Vec3 { x: dual(s_u.x, s_v.x), y: dual(s_u.y, s_v.y), z: dual(s_u.z, s_v.z) }
+    let dual = |u, v| Dual {
+        value,
+        gradient: Vec3::new(u, v, Term::ZERO),
+    };
+    Vec3 {
+        x: dual(s_u.x, s_v.x),
+        y: dual(s_u.y, s_v.y),
+        z: dual(s_u.z, s_v.z),
+    }
 }
 fn parametric(given: Given, s_u: Vec3<Term>, s_v: Vec3<Term>) -> Option<UnitVec3<Term>> {
     let value = given.any("s");
-    normal::parametric(|_, _| surface(s_u, s_v, value), given.any("u"), given.any("v"))
+    normal::parametric(
+        |_, _| surface(s_u, s_v, value),
+        given.any("u"),
+        given.any("v"),
+    )
 }
 fn implicit(given: Given, gradient: Vec3<Term>) -> Option<UnitVec3<Term>> {
     let value = given.any("f");

@@ -1,14 +1,18 @@
 //! The reflected light.
 
 use shading::{
-    DirectionalLight, IncidentLight, Light, Material, Ranged, Real, Rgb, Shaded, SoftCone, SpotLight, shade,
+    DirectionalLight, IncidentLight, Light, Material, Ranged, Real, Rgb, Shaded, SoftCone,
+    SpotLight, shade,
 };
-use shading_laws::proof::{Goal, Node, Range, Test, with};
+use shading_proofs::{Goal, Node, Range, Test, with};
 
 use super::*;
 
 fn of_sum(s: Shaded<Term>) -> Vec<Goal> {
-    [s.ambient, s.diffuse, s.specular, s.total()].into_iter().flat_map(|color| channels(color, light())).collect()
+    [s.ambient, s.diffuse, s.specular, s.total()]
+        .into_iter()
+        .flat_map(|color| channels(color, light()))
+        .collect()
 }
 /// A surface, the eye and the ambient light.
 struct Scene {
@@ -18,10 +22,19 @@ struct Scene {
     i_a: Rgb<Term>,
 }
 fn scene(given: Given, m: u32) -> Scene {
-    Scene { n: given.unit("n"), v: given.unit("v"), material: material(given, m), i_a: given.rgb("I_a") }
+    Scene {
+        n: given.unit("n"),
+        v: given.unit("v"),
+        material: material(given, m),
+        i_a: given.rgb("I_a"),
+    }
 }
 fn of_any_directions(given: Given, m: u32) -> Scene {
-    Scene { n: any_direction(given, "n"), v: any_direction(given, "v"), ..scene(given, m) }
+    Scene {
+        n: any_direction(given, "n"),
+        v: any_direction(given, "v"),
+        ..scene(given, m)
+    }
 }
 impl Scene {
     fn lambert<const N: usize>(&self, lights: [IncidentLight<Term>; N]) -> Shaded<Term> {
@@ -34,7 +47,11 @@ impl Scene {
         shade::blinn_phong(self.n, self.v, &self.material, self.i_a, lights)
     }
     fn all<const N: usize>(&self, lights: [IncidentLight<Term>; N]) -> [Shaded<Term>; 3] {
-        [self.lambert(lights), self.phong(lights), self.blinn_phong(lights)]
+        [
+            self.lambert(lights),
+            self.phong(lights),
+            self.blinn_phong(lights),
+        ]
     }
 }
 /// A light that adds nothing, to the bit, in each of the three models.
@@ -52,13 +69,19 @@ fn added(channel: Term) -> Vec<Term> {
             Node::Select(Test::Above(sum, 3), 3, _) => Some(sum),
             _ => None,
         };
-        let Node::Mul(a, b) = g.nodes[channel.0 as usize] else { panic!("no product") };
+        let Node::Mul(a, b) = g.nodes[channel.0 as usize] else {
+            panic!("no product")
+        };
         let mut sum = limit_of(a).or(limit_of(b)).expect("a limit");
         let mut terms = Vec::new();
         while let Node::Add(a, b) = g.nodes[sum as usize] {
             // the earlier node is the sum so far
-            let (rest, term) =
-                if matches!(g.nodes[a as usize], Node::Add(..)) || a == Term::ZERO.0 { (a, b) } else { (b, a) };
+            let (rest, term) = if matches!(g.nodes[a as usize], Node::Add(..)) || a == Term::ZERO.0
+            {
+                (a, b)
+            } else {
+                (b, a)
+            };
             terms.push(Term(term));
             sum = rest;
         }
@@ -70,8 +93,16 @@ fn added(channel: Term) -> Vec<Term> {
 /// A spot with a soft edge and a range.
 fn any_spot(given: Given) -> SpotLight<Term, SoftCone<Term>, Ranged<Term>> {
     let position = any_vector(given, "position");
-    let point = PointLight { position, intensity: given.rgb("I"), attenuation: any_ranged(given) };
-    SpotLight { point, axis: any_direction(given, "axis"), cone: soft_cone(given) }
+    let point = PointLight {
+        position,
+        intensity: given.rgb("I"),
+        attenuation: any_ranged(given),
+    };
+    SpotLight {
+        point,
+        axis: any_direction(given, "axis"),
+        cone: soft_cone(given),
+    }
 }
 
 claims! {

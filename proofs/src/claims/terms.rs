@@ -1,7 +1,7 @@
 //! The factors of the formulas.
 
 use shading::{Exponent, Falloff, Real, attenuation as plain, term};
-use shading_laws::proof::{Goal, Range};
+use shading_proofs::{Goal, Range};
 
 use super::*;
 
@@ -21,7 +21,11 @@ fn denominator([a, b, c]: [Term; 3], q: Term) -> Term {
 fn octave(given: Given) -> Range {
     let exponents = if is_single(given) { 128 } else { 1024 };
     match given.one_of(exponents + 1) {
-        0 => Range { low: -INF, high: 1.0, ..Range::ANY },
+        0 => Range {
+            low: -INF,
+            high: 1.0,
+            ..Range::ANY
+        },
         n => {
             let power = f64::from(n - 1).exp2();
             Range::within(power, if n == exponents { INF } else { 2.0 * power })

@@ -1,7 +1,7 @@
 //! Numbers, vectors and directions.
 
 use shading::{Elementary, Real, Rgb, UnitVec3, half_vector, reflection};
-use shading_laws::proof::{Goal, Range, Term};
+use shading_proofs::{Goal, Range, Term};
 
 use super::*;
 

@@ -8,10 +8,11 @@ use std::fs;
 use std::path::Path;
 
 use shading::{
-    Attenuation, Exponent, IncidentLight, Material, PointLight, Ranged, Real, Rgb, SoftCone, UnitVec3, Vec3,
+    Attenuation, Exponent, IncidentLight, Material, PointLight, Ranged, Real, Rgb, SoftCone,
+    UnitVec3, Vec3,
 };
 use shading::{attenuation, half_vector, normal, reflection, shade, term};
-use shading_laws::proof::{Format, Given, Node, Range, Term, Test, paths, with};
+use shading_proofs::{Format, Given, Node, Range, Term, Test, paths, with};
 
 use script::Script;
 
@@ -34,7 +35,10 @@ struct Formula {
 
 impl From<Vec<Term>> for Formula {
     fn from(results: Vec<Term>) -> Self {
-        Self { results, ..Self::default() }
+        Self {
+            results,
+            ..Self::default()
+        }
     }
 }
 
@@ -55,7 +59,12 @@ fn lamp(given: Given) -> IncidentLight<Term> {
     let mut fields = coefficients(given).into_iter();
     let attenuation = Attenuation::<f32>::NONE.cast(|_| fields.next().unwrap());
     let intensity = Rgb::gray(number(given, "I", 0.1, 1.0));
-    PointLight { position: vector(given, "s"), intensity, attenuation }.at(vector(given, "p"))
+    PointLight {
+        position: vector(given, "s"),
+        intensity,
+        attenuation,
+    }
+    .at(vector(given, "p"))
 }
 fn first(v: Option<UnitVec3<Term>>) -> Formula {
     v.map_or(vec![], |v| vec![v.x]).into()
@@ -64,14 +73,22 @@ fn first(v: Option<UnitVec3<Term>>) -> Formula {
 /// The power of a cosine that is off by so many u.
 fn power(given: Given, m: u32, off: f64, low: f64) -> Formula {
     let cosine = number(given, "cosine", low, 1.0);
-    Formula { results: vec![m.raise(cosine)], taken: vec![(cosine, off, [low / 1.2, 1.0])], ..Formula::default() }
+    Formula {
+        results: vec![m.raise(cosine)],
+        taken: vec![(cosine, off, [low / 1.2, 1.0])],
+        ..Formula::default()
+    }
 }
 
 fn ranged(given: Given, is_squared: bool) -> Formula {
     let [q, r] = ["q", "r"].map(|name| number(given, name, (-30.0_f64).exp2(), 4.0));
     let mut fields = coefficients(given).into_iter().chain([r]);
     let ranged = Attenuation::<f32>::NONE.within(1.0).unwrap();
-    let ranged = if is_squared { ranged } else { ranged.unsquared() };
+    let ranged = if is_squared {
+        ranged
+    } else {
+        ranged.unsquared()
+    };
     let ranged: Ranged<Term> = ranged.cast(|_| fields.next().unwrap());
     given.assume_at_most(q / r, Term::ONE);
     let free = ranged.attenuation().at(q);
@@ -83,7 +100,13 @@ fn ranged(given: Given, is_squared: bool) -> Formula {
     Formula {
         results: vec![ranged.at(q)],
         exact: vec![(share, [(-30.0_f64).exp2(), 1.0]), (fourth, [0.0, 1.0])],
-        names: vec![('f', free), ('w', window), ('l', a + q * (b + c * q)), ('s', share), ('v', fourth)],
+        names: vec![
+            ('f', free),
+            ('w', window),
+            ('l', a + q * (b + c * q)),
+            ('s', share),
+            ('v', fourth),
+        ],
         rules: RANGED,
         ..Formula::default()
     }
@@ -105,10 +128,16 @@ fn unlimited(limited: Term) -> Term {
 /// The factor of a soft cone, given the cosine between its axis and L.
 fn soft_cone(given: Given, is_smooth: bool) -> Formula {
     let [axis, l] = ["axis", "l"].map(|name| direction(given, name));
-    let cosine_of = |name| given.number(name, Range::within(2.0 * TINY.sqrt() - 1.0, 1.0 - 2.0 * TINY.sqrt()));
+    let cosine_of = |name| {
+        given.number(
+            name,
+            Range::within(2.0 * TINY.sqrt() - 1.0, 1.0 - 2.0 * TINY.sqrt()),
+        )
+    };
     let mut fields = ["inner", "outer"].map(cosine_of).into_iter();
     let cone = SoftCone::<f32>::from_cosines(0.9, 0.5).unwrap();
-    let cone: SoftCone<Term> = if is_smooth { cone.smoothstep() } else { cone }.cast(|_| fields.next().unwrap());
+    let cone: SoftCone<Term> =
+        if is_smooth { cone.smoothstep() } else { cone }.cast(|_| fields.next().unwrap());
     let [inner, outer] = cone.cosines().map(unlimited);
     let factor = cone.factor(axis, l);
 
@@ -120,7 +149,10 @@ fn soft_cone(given: Given, is_smooth: bool) -> Formula {
     given.assume_above(t, Term::ZERO);
     given.assume_at_most(t.at_least(Term::ZERO), Term::ONE);
     let limited = to_inner.if_positive(t.at_least(Term::ZERO).at_most(Term::ONE), Term::ONE);
-    let (square, rest) = (limited * limited, Term::ONE + Term::ONE + Term::ONE - (limited + limited));
+    let (square, rest) = (
+        limited * limited,
+        Term::ONE + Term::ONE + Term::ONE - (limited + limited),
+    );
     given.assume_at_most(square * rest, Term::ONE);
 
     let names = [('o', over), ('w', width), ('t', t)];
@@ -128,8 +160,15 @@ fn soft_cone(given: Given, is_smooth: bool) -> Formula {
     Formula {
         results: vec![factor],
         taken: vec![(cosine, COSINE, [-1.0, 1.0])],
-        exact: vec![(width, [0.01, 1.0]), (t, [-0.001, 1.001]), (over, [-0.001, 1.001])],
-        names: names.into_iter().chain(of_smooth.into_iter().filter(|_| is_smooth)).collect(),
+        exact: vec![
+            (width, [0.01, 1.0]),
+            (t, [-0.001, 1.001]),
+            (over, [-0.001, 1.001]),
+        ],
+        names: names
+            .into_iter()
+            .chain(of_smooth.into_iter().filter(|_| is_smooth))
+            .collect(),
         rules: if is_smooth { SMOOTHSTEP } else { SQUARE },
     }
 }
@@ -173,7 +212,8 @@ fn shaded(given: Given, model: Model) -> Formula {
     let [n, v] = ["n", "v"].map(|name| direction(given, name));
     let share = |name: &str| number(given, name, TINY, 1.0);
     let [k_a, k_d, k_s, i_a] = ["k_a", "k_d", "k_s", "I_a"].map(|name| Rgb::gray(share(name)));
-    let lights = [1, 2, 3, 4].map(|i| (direction(given, &format!("l{i}")), share(&format!("I{i}"))));
+    let lights =
+        [1, 2, 3, 4].map(|i| (direction(given, &format!("l{i}")), share(&format!("I{i}"))));
     let mut taken = Vec::new();
     for (l, _) in lights {
         given.assume_above(n.dot(l), Term::of(TINY));
@@ -193,14 +233,27 @@ fn shaded(given: Given, model: Model) -> Formula {
         given.assume_above(highlight, Term::of(TINY));
         taken.push((highlight, model.highlight(), [0.0, 1.0]));
     }
-    let material = Material { k_a, k_d, k_s, m: 32 };
-    let lit = lights.map(|(l, i)| IncidentLight { l, intensity: Rgb::gray(i), distance: Term::MAX });
+    let material = Material {
+        k_a,
+        k_d,
+        k_s,
+        m: 32,
+    };
+    let lit = lights.map(|(l, i)| IncidentLight {
+        l,
+        intensity: Rgb::gray(i),
+        distance: Term::MAX,
+    });
     let shaded = match model {
         Model::Lambert => shade::lambert(n, &material, i_a, lit),
         Model::Phong => shade::phong(n, v, &material, i_a, lit),
         Model::BlinnPhong => shade::blinn_phong(n, v, &material, i_a, lit),
     };
-    Formula { results: vec![shaded.total().r], taken, ..Formula::default() }
+    Formula {
+        results: vec![shaded.total().r],
+        taken,
+        ..Formula::default()
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -248,20 +301,50 @@ struct Bound {
     formula: fn(Given) -> Formula,
 }
 
-const fn bound(name: &'static str, function: &'static str, most: f64, of: Of, formula: fn(Given) -> Formula) -> Bound {
-    Bound { name, function, most, of, formula }
+const fn bound(
+    name: &'static str,
+    function: &'static str,
+    most: f64,
+    of: Of,
+    formula: fn(Given) -> Formula,
+) -> Bound {
+    Bound {
+        name,
+        function,
+        most,
+        of,
+        formula,
+    }
 }
 
 const BOUNDS: &[Bound] = &[
-    bound("length", "`Vec3::length`", 2.5, Of::Result, |given| vec![vector(given, "v").length()].into()),
-    bound("unit", "`Vec3::unit`, `normal::plane`", 3.5, Of::Result, |given| first(vector(given, "v").unit())),
+    bound("length", "`Vec3::length`", 2.5, Of::Result, |given| {
+        vec![vector(given, "v").length()].into()
+    }),
+    bound(
+        "unit",
+        "`Vec3::unit`, `normal::plane`",
+        3.5,
+        Of::Result,
+        |given| first(vector(given, "v").unit()),
+    ),
     bound("sphere", "`normal::sphere`", 5.5, Of::Result, |given| {
         first(normal::sphere(vector(given, "c"), vector(given, "p")))
     }),
-    bound("paraboloid", "`normal::parametric`, a paraboloid", 5.4, Of::Result, |given| {
-        let [u, v] = ["u", "v"].map(|name| given.number(name, Range::within(-1.0, 1.0)));
-        first(normal::parametric(|u, v| Vec3::new(u, v, u * u + u * v + v * v), u, v))
-    }),
+    bound(
+        "paraboloid",
+        "`normal::parametric`, a paraboloid",
+        5.4,
+        Of::Result,
+        |given| {
+            let [u, v] = ["u", "v"].map(|name| given.number(name, Range::within(-1.0, 1.0)));
+            first(normal::parametric(
+                |u, v| Vec3::new(u, v, u * u + u * v + v * v),
+                u,
+                v,
+            ))
+        },
+    ),
     bound("reflection", "`reflection`", 9.0, Of::One, mirrored),
     bound("half_vector", "`half_vector`", 5.5, Of::Result, |given| {
         first(half_vector(direction(given, "l"), direction(given, "v")))
@@ -271,55 +354,152 @@ const BOUNDS: &[Bound] = &[
         given.assume_above(n.dot(l), Term::ZERO);
         vec![term::lambert(n, l)].into()
     }),
-    bound("phong_1", "`phong`, m = 1", COSINE, Of::Magnitudes, |given| {
-        let [r, v] = ["r", "v"].map(|name| direction(given, name));
-        given.assume_above(r.dot(v), Term::of(TINY));
-        given.assume_at_most(r.dot(v), Term::ONE);
-        vec![term::phong(r, v, 1)].into()
+    bound(
+        "phong_1",
+        "`phong`, m = 1",
+        COSINE,
+        Of::Magnitudes,
+        |given| {
+            let [r, v] = ["r", "v"].map(|name| direction(given, name));
+            given.assume_above(r.dot(v), Term::of(TINY));
+            given.assume_at_most(r.dot(v), Term::ONE);
+            vec![term::phong(r, v, 1)].into()
+        },
+    ),
+    bound("phong_32", "`phong`, m = 32", 111.5, Of::One, |given| {
+        power(given, 32, COSINE, 0.125)
     }),
-    bound("phong_32", "`phong`, m = 32", 111.5, Of::One, |given| power(given, 32, COSINE, 0.125)),
-    bound("blinn_128", "`blinn`, m = 128", 447.5, Of::One, |given| power(given, 128, COSINE, 0.6)),
-    bound("raise_32", "`Exponent::raise`, m = 32", 31.0, Of::Result, |given| {
-        vec![32_u32.raise(number(given, "c", 0.125, 1.0))].into()
+    bound("blinn_128", "`blinn`, m = 128", 447.5, Of::One, |given| {
+        power(given, 128, COSINE, 0.6)
     }),
-    bound("raise_1000", "`Exponent::raise`, m = 1000", 999.0, Of::Result, |given| {
-        vec![1000_u32.raise(number(given, "c", 0.94, 1.0))].into()
-    }),
-    bound("phong_normalization", "`phong_normalization`", 3.0, Of::Result, |given| {
-        vec![term::phong_normalization(number(given, "m", TINY, 1e6))].into()
-    }),
-    bound("blinn_normalization", "`blinn_normalization`", 11.75, Of::Result, |given| {
-        vec![term::blinn_normalization(number(given, "m", TINY, 1e6))].into()
-    }),
+    bound(
+        "raise_32",
+        "`Exponent::raise`, m = 32",
+        31.0,
+        Of::Result,
+        |given| vec![32_u32.raise(number(given, "c", 0.125, 1.0))].into(),
+    ),
+    bound(
+        "raise_1000",
+        "`Exponent::raise`, m = 1000",
+        999.0,
+        Of::Result,
+        |given| vec![1000_u32.raise(number(given, "c", 0.94, 1.0))].into(),
+    ),
+    bound(
+        "phong_normalization",
+        "`phong_normalization`",
+        3.0,
+        Of::Result,
+        |given| vec![term::phong_normalization(number(given, "m", TINY, 1e6))].into(),
+    ),
+    bound(
+        "blinn_normalization",
+        "`blinn_normalization`",
+        11.75,
+        Of::Result,
+        |given| vec![term::blinn_normalization(number(given, "m", TINY, 1e6))].into(),
+    ),
     bound("attenuation", "`attenuation`", 5.0, Of::Result, |given| {
         let [a, b, c] = coefficients(given);
-        vec![attenuation(a, b, c, number(given, "q", (-30.0_f64).exp2(), 4.0))].into()
+        vec![attenuation(
+            a,
+            b,
+            c,
+            number(given, "q", (-30.0_f64).exp2(), 4.0),
+        )]
+        .into()
     }),
-    bound("ranged", "`Ranged::at`", 8.5, Of::Named('f'), |given| ranged(given, true)),
-    bound("ranged_unsquared", "`Ranged::at`, unsquared", 7.0, Of::Named('f'), |given| ranged(given, false)),
-    bound("soft_cone", "`SoftCone::factor`", 11.9, Of::Named('w'), |given| soft_cone(given, false)),
-    bound("smoothstep", "`SoftCone::factor`, a smoothstep", 8.6, Of::Named('w'), |given| soft_cone(given, true)),
-    bound("lamp_direction", "`PointLight::at`, direction", 6.5, Of::Result, |given| vec![lamp(given).l.x].into()),
-    bound("lamp_intensity", "`PointLight::at`, intensity", 13.0, Of::Result, |given| {
-        vec![lamp(given).intensity.r].into()
+    bound("ranged", "`Ranged::at`", 8.5, Of::Named('f'), |given| {
+        ranged(given, true)
     }),
-    bound("shade_lambert", "`shade::lambert`, four lights", 9.0, Of::Magnitudes, |given| shaded(given, Model::Lambert)),
-    bound("highlight_phong", "`shade::phong`, m = 32", 399.5, Of::One, |given| power(given, 32, 12.0, 0.125)),
-    bound("shade_phong", "`shade::phong`, m = 32", 405.5, Of::Magnitudes, |given| shaded(given, Model::Phong)),
-    bound("highlight_blinn", "`shade::blinn_phong`, m = 32", 183.5, Of::One, |given| power(given, 16, 11.0, 0.125)),
-    bound("shade_blinn", "`shade::blinn_phong`, m = 32", 193.0, Of::Magnitudes, |given| {
-        shaded(given, Model::BlinnPhong)
-    }),
+    bound(
+        "ranged_unsquared",
+        "`Ranged::at`, unsquared",
+        7.0,
+        Of::Named('f'),
+        |given| ranged(given, false),
+    ),
+    bound(
+        "soft_cone",
+        "`SoftCone::factor`",
+        11.9,
+        Of::Named('w'),
+        |given| soft_cone(given, false),
+    ),
+    bound(
+        "smoothstep",
+        "`SoftCone::factor`, a smoothstep",
+        8.6,
+        Of::Named('w'),
+        |given| soft_cone(given, true),
+    ),
+    bound(
+        "lamp_direction",
+        "`PointLight::at`, direction",
+        6.5,
+        Of::Result,
+        |given| vec![lamp(given).l.x].into(),
+    ),
+    bound(
+        "lamp_intensity",
+        "`PointLight::at`, intensity",
+        13.0,
+        Of::Result,
+        |given| vec![lamp(given).intensity.r].into(),
+    ),
+    bound(
+        "shade_lambert",
+        "`shade::lambert`, four lights",
+        9.0,
+        Of::Magnitudes,
+        |given| shaded(given, Model::Lambert),
+    ),
+    bound(
+        "highlight_phong",
+        "`shade::phong`, m = 32",
+        399.5,
+        Of::One,
+        |given| power(given, 32, 12.0, 0.125),
+    ),
+    bound(
+        "shade_phong",
+        "`shade::phong`, m = 32",
+        405.5,
+        Of::Magnitudes,
+        |given| shaded(given, Model::Phong),
+    ),
+    bound(
+        "highlight_blinn",
+        "`shade::blinn_phong`, m = 32",
+        183.5,
+        Of::One,
+        |given| power(given, 16, 11.0, 0.125),
+    ),
+    bound(
+        "shade_blinn",
+        "`shade::blinn_phong`, m = 32",
+        193.0,
+        Of::Magnitudes,
+        |given| shaded(given, Model::BlinnPhong),
+    ),
 ];
 
 /// What is wrong with the last columns of the table of `docs/precision.md`: "Gappa" needs a bound that is proved, and
 /// "hand" a derivation. "hand; Gappa 2.7" is a row whose derivation goes below what Gappa proves.
 pub fn complaints(page: &str) -> Vec<String> {
     let rows = page.lines().filter(|line| line.starts_with("| `"));
-    let rows: Vec<Vec<&str>> = rows.map(|row| row.trim_matches(['|', ' ']).split(" | ").collect()).collect();
+    let rows: Vec<Vec<&str>> = rows
+        .map(|row| row.trim_matches(['|', ' ']).split(" | ").collect())
+        .collect();
     let unknown = |bound: &&Bound| rows.iter().all(|row| row[0] != bound.function);
-    let unknown = BOUNDS.iter().filter(unknown).map(|bound| format!("docs/precision.md has no row {}", bound.function));
-    unknown.chain(rows.iter().filter_map(|row| complaint(page, row))).collect()
+    let unknown = BOUNDS
+        .iter()
+        .filter(unknown)
+        .map(|bound| format!("docs/precision.md has no row {}", bound.function));
+    unknown
+        .chain(rows.iter().filter_map(|row| complaint(page, row)))
+        .collect()
 }
 
 fn complaint(page: &str, row: &[&str]) -> Option<String> {
@@ -330,23 +510,37 @@ fn complaint(page: &str, row: &[&str]) -> Option<String> {
     let units = if unit.starts_with("of 1") { 0.5 } else { 1.0 };
     let tenths = |bound: &Bound| format!("{:.1}", (bound.most * units * 10.0 - 1e-9).ceil() / 10.0);
     // the sum comes after the highlights that it takes
-    let proved = BOUNDS.iter().rfind(|bound| bound.function == function).map(tenths);
+    let proved = BOUNDS
+        .iter()
+        .rfind(|bound| bound.function == function)
+        .map(tenths);
     let name = function.split_inclusive('`').take(2).collect::<String>();
-    let is_derived =
-        page.split("\n- **").skip(1).any(|part| part.split("**").next().is_some_and(|of| of.contains(&name)));
+    let is_derived = page
+        .split("\n- **")
+        .skip(1)
+        .any(|part| part.split("**").next().is_some_and(|of| of.contains(&name)));
     match (by, proved) {
         ("hand", None) if is_derived => None,
         ("Gappa", Some(proved)) if proved == most => None,
         ("Gappa, hand", Some(proved)) if proved == most && is_derived => None,
         (by, Some(proved)) if is_derived && by == format!("hand; Gappa {proved}") => None,
-        (_, proved) => Some(format!("{function}: {most} by {by}, but Gappa proves {proved:?}")),
+        (_, proved) => Some(format!(
+            "{function}: {most} by {by}, but Gappa proves {proved:?}"
+        )),
     }
 }
 
 /// Writes one script for a share of each bound, format and way through the formula, but for vectors that are rescaled.
 pub fn write(folder: &Path, share: f64) -> std::io::Result<()> {
     fs::create_dir_all(folder)?;
-    for Bound { name, most, of, formula, .. } in BOUNDS {
+    for Bound {
+        name,
+        most,
+        of,
+        formula,
+        ..
+    } in BOUNDS
+    {
         for format in [Format::F32, Format::F64] {
             let mut scripts = Vec::new();
             paths(format, formula, |run, formula| {
@@ -354,8 +548,13 @@ pub fn write(folder: &Path, share: f64) -> std::io::Result<()> {
                     answer && matches!(test, Test::Outside(_, _, high) if high == Term::EXTREME.0)
                 };
                 if !run.path.iter().any(is_rescaled) {
-                    let write =
-                        |&result| Script::new(&run.graph, run.known.clone(), &formula).text(result, *most * share, *of);
+                    let write = |&result| {
+                        Script::new(&run.graph, run.known.clone(), &formula).text(
+                            result,
+                            *most * share,
+                            *of,
+                        )
+                    };
                     scripts.extend(formula.results.iter().map(write));
                 }
             });

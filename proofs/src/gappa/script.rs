@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use shading_laws::proof::{Format, Graph, Known, Node, Term};
+use shading_proofs::{Format, Graph, Known, Node, Term};
 
 use super::{Formula, Of, TINY};
 
@@ -17,7 +17,14 @@ pub struct Script<'a> {
 
 impl<'a> Script<'a> {
     pub fn new(g: &'a Graph, known: Known, formula: &'a Formula) -> Self {
-        Self { g, known, formula, definitions: String::new(), facts: Vec::new(), rules: String::new() }
+        Self {
+            g,
+            known,
+            formula,
+            definitions: String::new(),
+            facts: Vec::new(),
+            rules: String::new(),
+        }
     }
 
     /// That the result is off by at most so many units of roundoff.
@@ -39,7 +46,8 @@ impl<'a> Script<'a> {
             let id = self.name(name, term);
             let range = self.known.range(self.g, id);
             if range.low.abs() <= 1.0 && range.high.abs() <= 1.0 {
-                self.facts.push(format!("n{id} in [{},{}]", range.low, range.high));
+                self.facts
+                    .push(format!("n{id} in [{},{}]", range.low, range.high));
             }
         }
         self.name('x', result);
@@ -63,7 +71,11 @@ impl<'a> Script<'a> {
     fn name(&mut self, name: char, term: Term) -> u32 {
         let id = self.plain(term.0);
         let exact = self.exact(id);
-        let _ = writeln!(self.definitions, "{name} = n{id};\n{} = {exact};", name.to_uppercase());
+        let _ = writeln!(
+            self.definitions,
+            "{name} = n{id};\n{} = {exact};",
+            name.to_uppercase()
+        );
         id
     }
 
@@ -101,7 +113,11 @@ impl<'a> Script<'a> {
     /// By how much a node that is taken as it is is off, and its range without that error.
     fn taken(&mut self, id: u32) -> Option<(f64, [f64; 2])> {
         let formula = self.formula;
-        formula.taken.iter().find(|(term, ..)| self.plain(term.0) == id).map(|&(_, off, range)| (off, range))
+        formula
+            .taken
+            .iter()
+            .find(|(term, ..)| self.plain(term.0) == id)
+            .map(|&(_, off, range)| (off, range))
     }
 
     /// The node's parts, unless it is taken as it is.
@@ -138,9 +154,15 @@ impl<'a> Script<'a> {
     /// The node without rounding: a variable is what it is.
     fn exact(&mut self, id: u32) -> String {
         let id = self.plain(id);
-        let is_given =
-            matches!(self.g.nodes[id as usize], Node::Var(_) | Node::Constant(_) | Node::Max | Node::Extreme);
-        let case = if is_given && self.taken(id).is_none() { 'n' } else { 'N' };
+        let is_given = matches!(
+            self.g.nodes[id as usize],
+            Node::Var(_) | Node::Constant(_) | Node::Max | Node::Extreme
+        );
+        let case = if is_given && self.taken(id).is_none() {
+            'n'
+        } else {
+            'N'
+        };
         format!("{case}{id}")
     }
 
@@ -156,15 +178,27 @@ impl<'a> Script<'a> {
         match self.g.nodes[id as usize] {
             _ if is_taken => {}
             Node::Add(a, b) if a == b => {
-                let _ = writeln!(text, "n{id} = n{0} + n{0};\nN{id} = {1} + {1};", parts[0], exact[0]);
+                let _ = writeln!(
+                    text,
+                    "n{id} = n{0} + n{0};\nN{id} = {1} + {1};",
+                    parts[0], exact[0]
+                );
             }
             Node::Add(..) => binary('+'),
-            Node::Sub(..) if parts.len() == 1 => _ = writeln!(text, "n{id} = -n{};\nN{id} = -{};", parts[0], exact[0]),
+            Node::Sub(..) if parts.len() == 1 => {
+                _ = writeln!(text, "n{id} = -n{};\nN{id} = -{};", parts[0], exact[0]);
+            }
             Node::Sub(..) => binary('-'),
             Node::Mul(..) => binary('*'),
             Node::Div(..) => binary('/'),
             Node::Neg(_) => _ = writeln!(text, "n{id} = -n{};\nN{id} = -{};", parts[0], exact[0]),
-            Node::Sqrt(_) => _ = writeln!(text, "n{id} rnd= sqrt(n{});\nN{id} = sqrt({});", parts[0], exact[0]),
+            Node::Sqrt(_) => {
+                _ = writeln!(
+                    text,
+                    "n{id} rnd= sqrt(n{});\nN{id} = sqrt({});",
+                    parts[0], exact[0]
+                );
+            }
             Node::Constant(bits) => _ = writeln!(text, "n{id} = {};", f64::from_bits(bits)),
             Node::Var(_) | Node::Power(..) => _ = writeln!(text, "n{id} = rnd(v{id});"),
             node => panic!("{node:?} is not on this way"),
@@ -172,7 +206,10 @@ impl<'a> Script<'a> {
         if let Some((off, [low, high])) = self.taken(id) {
             let _ = writeln!(self.definitions, "n{id} = rnd(v{id});");
             let error = off * 65_536.0;
-            self.facts.push(format!("N{id} in [{low},{high}] /\\ |n{id} - N{id}| <= {error}b-{}", digits + 16));
+            self.facts.push(format!(
+                "N{id} in [{low},{high}] /\\ |n{id} - N{id}| <= {error}b-{}",
+                digits + 16
+            ));
             let least = self.known.range(self.g, id).low;
             let is_given = matches!(self.g.nodes[id as usize], Node::Var(_));
             if least > 0.0 && !is_given {
@@ -199,18 +236,24 @@ impl<'a> Script<'a> {
             }
             Node::Power(..) => {
                 // the power of √½ by m, which `power` makes of a cosine that is off by 0.71 u
-                self.facts.push(format!("n{id} in [0,1] /\\ N{id} in [0,1] /\\ |n{id} - N{id}| <= 19b-{}", digits + 2));
+                self.facts.push(format!(
+                    "n{id} in [0,1] /\\ N{id} in [0,1] /\\ |n{id} - N{id}| <= 19b-{}",
+                    digits + 2
+                ));
             }
             Node::Add(_, b) if matches!(self.g.nodes[b as usize], Node::Power(..)) => {
                 self.facts.push(format!("N{id} >= 1")); // m + 2^(−m/2) is least for m = 0
             }
             Node::Add(..)
-                if parts.len() == 2 && of != Of::Magnitudes && parts.iter().all(|&part| self.is_positive(part)) =>
+                if parts.len() == 2
+                    && of != Of::Magnitudes
+                    && parts.iter().all(|&part| self.is_positive(part)) =>
             {
                 self.facts.push(format!("{} / N{id} in [0,1]", exact[0]));
             }
             Node::Add(..) | Node::Sub(..) if parts.len() == 2 && is_tame && of == Of::Result => {
-                self.facts.push(format!("|N{id}| in [{TINY},{}]", 1.0 / TINY));
+                self.facts
+                    .push(format!("|N{id}| in [{TINY},{}]", 1.0 / TINY));
             }
             _ => {}
         }
@@ -225,31 +268,48 @@ impl<'a> Script<'a> {
         let magnitude = match (self.g.nodes[id as usize], parts, exact) {
             (Node::Add(..), [a, b], _) => {
                 self.facts.push(format!("M{a} / M{id} in [0,1]"));
-                let (sum, all) = (format!("(n{a} + n{b})"), format!("((m{a} + m{b}) - M{id}) / M{id}"));
-                rule(format!("(m{id} - M{id}) / M{id} -> {all} + (n{id} - {sum}) / M{id} {{ M{id} <> 0 }}"));
+                let (sum, all) = (
+                    format!("(n{a} + n{b})"),
+                    format!("((m{a} + m{b}) - M{id}) / M{id}"),
+                );
+                rule(format!(
+                    "(m{id} - M{id}) / M{id} -> {all} + (n{id} - {sum}) / M{id} {{ M{id} <> 0 }}"
+                ));
                 rule(format!(
                     "(n{id} - {sum}) / M{id} -> ((n{id} - {sum}) / {sum}) * ({sum} / M{id}) {{ M{id} <> 0, {sum} <> 0 }}"
                 ));
-                rule(format!("{sum} / M{id} -> {e} / M{id} + {all} {{ M{id} <> 0 }}"));
+                rule(format!(
+                    "{sum} / M{id} -> {e} / M{id} + {all} {{ M{id} <> 0 }}"
+                ));
                 format!("M{a} + M{b}")
             }
             (Node::Mul(..), [a, b], [x, y]) => {
                 let product = format!("(n{a} * n{b})");
-                let mut error = format!("((n{id} - {product}) / {product}) * ((n{a} / M{a}) * (n{b} / M{b}))");
+                let mut error =
+                    format!("((n{id} - {product}) / {product}) * ((n{a} / M{a}) * (n{b} / M{b}))");
                 let off = |id: &u32| format!("((m{id} - M{id}) / M{id})");
-                let [of_a, of_b] = [(a, x), (b, y)].map(|(part, exact)| exact.starts_with('N').then(|| off(part)));
+                let [of_a, of_b] =
+                    [(a, x), (b, y)].map(|(part, exact)| exact.starts_with('N').then(|| off(part)));
                 for (part, exact, of) in [(a, x, &of_a), (b, y, &of_b)] {
                     if let Some(of) = of {
-                        rule(format!("n{part} / M{part} -> {exact} / M{part} + {of} {{ M{part} <> 0 }}"));
+                        rule(format!(
+                            "n{part} / M{part} -> {exact} / M{part} + {of} {{ M{part} <> 0 }}"
+                        ));
                     }
                 }
                 let of_a = of_a.map(|of| (format!(" + {of} * ({y} / M{b})"), of));
                 let of_b = of_b.map(|of| (format!(" + ({x} / M{a}) * {of}"), of));
-                error += &[&of_a, &of_b].into_iter().flatten().map(|(text, _)| text.as_str()).collect::<String>();
+                error += &[&of_a, &of_b]
+                    .into_iter()
+                    .flatten()
+                    .map(|(text, _)| text.as_str())
+                    .collect::<String>();
                 if let (Some((_, a)), Some((_, b))) = (of_a, of_b) {
                     let _ = write!(error, " + {a} * {b}");
                 }
-                rule(format!("(m{id} - M{id}) / M{id} -> {error} {{ M{a} <> 0, M{b} <> 0, {product} <> 0 }}"));
+                rule(format!(
+                    "(m{id} - M{id}) / M{id} -> {error} {{ M{a} <> 0, M{b} <> 0, {product} <> 0 }}"
+                ));
                 format!("M{a} * M{b}")
             }
             (Node::Neg(_), [a], _) => format!("M{a}"),
@@ -260,8 +320,15 @@ impl<'a> Script<'a> {
             (_, [], _) => format!("|{e}|"),
             (node, ..) => panic!("{node:?} has no magnitude"),
         };
-        let error = if e.starts_with('N') { format!(" + (n{id} - {e})") } else { String::new() };
-        let _ = writeln!(self.definitions, "M{id} = {magnitude};\nm{id} = M{id}{error};");
+        let error = if e.starts_with('N') {
+            format!(" + (n{id} - {e})")
+        } else {
+            String::new()
+        };
+        let _ = writeln!(
+            self.definitions,
+            "M{id} = {magnitude};\nm{id} = M{id}{error};"
+        );
         self.facts.push(format!("{e} / M{id} in [-1,1]"));
     }
 }

@@ -34,7 +34,7 @@ fn of_half_angles<T: Number, E: Error>(outer: T, inner: T) -> Result<SoftCone<T>
 fn of_cosines<T: Number, E: Error>(outer: T, inner: T) -> Result<SoftCone<T>, E> {
     of_cosine(outer)?;
     let complaint = || Complaint("inner_cosine", Problem::NotInnerCosine(inner, outer));
-    SoftCone::of_cosines(inner, outer).ok_or_else(|| E::custom(complaint()))
+    SoftCone::from_cosines(inner, outer).ok_or_else(|| E::custom(complaint()))
 }
 
 fn smoothed<T: Number>(cone: SoftCone<T>, smoothstep: bool) -> SoftCone<T> {

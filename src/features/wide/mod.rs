@@ -4,19 +4,14 @@
 //! Maximum and minimum are comparisons. Those of `wide` choose between zeros, and between a number
 //! and NaN, as the processor does.
 
-mod arriving;
-mod gather;
 mod pack;
 mod sum;
 
-pub use arriving::InLanes;
-
 use wide::bytemuck::cast;
-use wide::{f32x4, f32x8, f32x16, f64x4, f64x8, i32x4, i32x8, i32x16};
+use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8, i32x4, i32x8, i32x16, u64x2, u64x4, u64x8};
 
-use crate::exponent::Exponent;
-use crate::exponent::power::{Binary32, EXPONENT, LEAST, power};
-use crate::real::{Real, Several};
+use crate::real::power::{Bits, EXPONENT, LEAST, double, single};
+use crate::real::{Exponent, Real};
 
 // x87 rounds a number in a register differently from a number in memory
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
@@ -24,9 +19,6 @@ compile_error!(
     "the feature `wide` needs SSE2: without it, a SIMD lane would not have the bits of the scalar. \
      Enable SSE2, or compute with `f32` and `f64`; lanes would be no faster here"
 );
-
-/// The most lanes that there are.
-const MOST: usize = 16;
 
 /// Whether lanes are SSE2 registers. The maximum and minimum of SSE2 return the second operand
 /// unless the first is greater or less. That is exactly a comparison and a selection.
@@ -50,7 +42,7 @@ const HAS_ROOT: bool = cfg!(any(
 /// | not in lanes | in lanes |
 /// |---|---|
 /// | `Vec3::unit` | [`Vec3::unit_or`](crate::Vec3::unit_or) |
-/// | `UnitVec3::of`, `Attenuation::of`, `Ranged::of`, `Cone::of_half_angle`, `Cone::of_cosine`, `SoftCone::of_half_angles`, `SoftCone::of_cosines` | `cast` of what was made from scalars |
+/// | `UnitVec3::of`, `Attenuation::new`, `Attenuation::within`, `Cone::from_cosines` | `cast` of what was made from scalars |
 /// | `half_vector` | [`Vec3::unit_or`](crate::Vec3::unit_or) of L + V; the sums of [`shade`](mod@crate::shade) |
 /// | `normal::plane`, `normal::triangle`, `normal::sphere`, `normal::implicit`, `normal::from_gradient`, `normal::parametric`, `normal::from_tangents`, `normal::transformed`, `normal::mapped`, `normal::tangent` | [`normal::corner`](crate::normal::corner), then [`Vec3::unit_or`](crate::Vec3::unit_or) |
 ///
@@ -73,7 +65,7 @@ const HAS_ROOT: bool = cfg!(any(
 /// assert_eq!(splat::<f32x8>(2.0), f32x8::splat(2.0));
 /// assert_eq!(splat::<f32x8>(2.0).sum(), 16.0);
 /// ```
-pub trait Lanes: Several<<Self as Lanes>::Lane> {
+pub trait Lanes: Real {
     /// The number in one lane.
     type Lane: Real;
 
@@ -83,14 +75,6 @@ pub trait Lanes: Several<<Self as Lanes>::Lane> {
     /// The number of each lane, by its index.
     #[must_use]
     fn from_fn(lane: impl FnMut(usize) -> Self::Lane) -> Self;
-
-    /// The columns of a matrix with four numbers in each row: in each lane the number of one row.
-    #[doc(hidden)]
-    #[inline(always)]
-    #[must_use]
-    fn columns(row: impl Fn(usize) -> [Self::Lane; 4]) -> [Self; 4] {
-        [0, 1, 2, 3].map(|k| Self::from_fn(|i| row(i)[k]))
-    }
 
     /// The number in the first lane.
     #[must_use]
@@ -102,12 +86,27 @@ pub trait Lanes: Several<<Self as Lanes>::Lane> {
 }
 
 macro_rules! real {
-    ($lanes:ident of $count:literal $float:ident $(, $columns:item, $added:item)?) => {
+    ($lanes:ident of $count:literal $float:ident, $power:ident) => {
+        /// One m for all lanes.
+        #[diagnostic::do_not_recommend] // the trait's own message names the types
+        impl Exponent<$lanes> for $float {
+            #[inline]
+            fn raise(self, cosine: $lanes) -> $lanes {
+                $power(
+                    cosine,
+                    $lanes::splat(self.at_least(0.0).at_most($float::MAX)),
+                )
+            }
+
+            #[inline]
+            fn raise_root(self, square: $lanes) -> $lanes {
+                (0.5 * self).raise(square)
+            }
+        }
+
         impl Lanes for $lanes {
             type Lane = $float;
             const COUNT: usize = $count;
-
-            $($columns)?
 
             #[inline]
             fn from_fn(lane: impl FnMut(usize) -> $float) -> Self {
@@ -131,20 +130,6 @@ macro_rules! real {
                 }
                 lanes[0]
             }
-        }
-
-        impl Several<$float> for $lanes {
-            #[inline(always)]
-            fn in_each(x: $float) -> Self {
-                Self::splat(x)
-            }
-
-            #[inline(always)]
-            fn added_to(self, sum: $float) -> $float {
-                self.to_array().into_iter().fold(sum, |sum, x| sum + x)
-            }
-
-            $($added)?
         }
 
         #[diagnostic::do_not_recommend] // the trait's own message names the types
@@ -175,11 +160,6 @@ macro_rules! real {
             }
 
             #[inline]
-            fn epsilon() -> Self {
-                Self::splat($float::EPSILON)
-            }
-
-            #[inline]
             fn if_positive(self, then: Self, otherwise: Self) -> Self {
                 self.if_above(Self::ZERO, then, otherwise)
             }
@@ -187,11 +167,6 @@ macro_rules! real {
             #[inline]
             fn any_positive(self) -> bool {
                 self.simd_gt(Self::ZERO).any()
-            }
-
-            #[inline]
-            fn any_outside(self, low: Self, high: Self) -> bool {
-                !(self.simd_ge(low) & self.simd_le(high)).all()
             }
 
             #[inline]
@@ -227,81 +202,57 @@ macro_rules! real {
 
 /// Lanes of `f32`, with as many integer lanes for the power.
 macro_rules! single {
-    ($lanes:ident * $count:literal, $integers:ident, $from_integers:ident $(, $columns:item, $added:item)?) => {
-        real!($lanes of $count f32 $(, $columns, $added)?);
+    ($lanes:ident * $count:literal, $integers:ident, $from_integers:ident) => {
+        real!($lanes of $count f32, single);
 
-        impl Binary32 for $lanes {
+        impl Bits for $lanes {
             #[inline]
             fn split(self) -> (Self, Self) {
                 let bits: $integers = cast(self);
-                let above = bits - $integers::splat(LEAST);
-                let z = bits - (above & $integers::splat(EXPONENT));
+                let above = bits - $integers::splat(LEAST.0);
+                let z = bits - (above & $integers::splat(EXPONENT.0));
                 (Self::$from_integers(above >> 23), cast(z))
             }
 
             #[inline]
-            fn two_to_low_byte(self) -> Self {
+            fn two_to_low_bits(self) -> Self {
                 let bits: $integers = cast(self);
                 cast(bits << 23)
             }
         }
-
-        /// One m for all lanes.
-        #[diagnostic::do_not_recommend] // the trait's own message names the types
-        impl Exponent<$lanes> for f32 {
-            #[inline]
-            fn raise(self, cosine: $lanes) -> $lanes {
-                // `+ 0.0` quiets a signaling NaN, which `at_least` may let through
-                power(cosine, $lanes::splat((self + 0.0).at_least(0.0)))
-            }
-
-            #[inline]
-            fn half(self) -> Option<Self> {
-                Some(0.5 * self)
-            }
-        }
     };
 }
 
-/// Lanes of `f64`. The power is computed lane by lane.
+/// Lanes of `f64`. SSE2 cannot convert integers of 64 bits, so the exponent becomes a float as the low
+/// bits of one.
 macro_rules! double {
-    ($lanes:ident * $count:literal) => {
-        real!($lanes of $count f64);
+    ($lanes:ident * $count:literal, $integers:ident) => {
+        real!($lanes of $count f64, double);
 
-        /// One m for all lanes.
-        #[diagnostic::do_not_recommend] // the trait's own message names the types
-        impl Exponent<$lanes> for f64 {
+        impl Bits for $lanes {
             #[inline]
-            fn raise(self, cosine: $lanes) -> $lanes {
-                $lanes::new(cosine.to_array().map(|cosine| self.raise(cosine)))
+            #[allow(clippy::cast_sign_loss)] // only the bits matter
+            fn split(self) -> (Self, Self) {
+                let bits: $integers = cast(self);
+                let above = bits - $integers::splat(LEAST.1 as u64);
+                let z = bits - (above & $integers::splat(EXPONENT.1 as u64));
+                let e = (above + $integers::splat(1 << 63)) >> 52_u32; // e + 2048
+                let e: Self = cast(e | $integers::splat(4_503_599_627_370_496.0_f64.to_bits()));
+                (e - Self::splat(4_503_599_627_372_544.0), cast(z)) // 2⁵² + 2048
             }
 
             #[inline]
-            fn half(self) -> Option<Self> {
-                Some(0.5 * self)
+            fn two_to_low_bits(self) -> Self {
+                let bits: $integers = cast(self);
+                cast(bits << 52_u32)
             }
         }
     };
 }
 
-single!(
-    f32x4 * 4,
-    i32x4,
-    from_i32x4,
-    // each row is loaded at once
-    #[inline(always)]
-    fn columns(row: impl Fn(usize) -> [f32; 4]) -> [f32x4; 4] {
-        f32x4::transpose(core::array::from_fn(|i| f32x4::new(row(i))))
-    },
-    #[inline(always)]
-    fn all_added_to([a, b, c]: [f32x4; 3], sum: [f32; 4]) -> [f32; 4] {
-        let rows = f32x4::transpose([a, b, c, c]);
-        rows.into_iter()
-            .fold(f32x4::new(sum), |sum, row| sum + row)
-            .to_array()
-    }
-);
+single!(f32x4 * 4, i32x4, from_i32x4);
 single!(f32x8 * 8, i32x8, from_i32x8);
 single!(f32x16 * 16, i32x16, from_i32x16);
-double!(f64x4 * 4);
-double!(f64x8 * 8);
+double!(f64x2 * 2, u64x2);
+double!(f64x4 * 4, u64x4);
+double!(f64x8 * 8, u64x8);

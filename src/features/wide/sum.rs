@@ -45,10 +45,10 @@ impl<L: Lanes> Shaded<L> {
     /// /// Whether a ball of radius 1 around (0, 0, 3) stands between p and the light.
     /// fn is_blocked(p: Vec3, light: &IncidentLight) -> bool {
     ///     let to_center = Vec3::new(0.0, 0.0, 3.0) - p;
-    ///     let along = to_center.dot(*light.l);
+    ///     let along = to_center.dot(light.l());
     ///     let aside_squared = to_center.dot(to_center) - along * along;
     ///     let t = along - (1.0 - aside_squared).sqrt(); // NaN where the ray misses the ball
-    ///     0.0 < t && t < light.distance
+    ///     0.0 < t && t < light.distance()
     /// }
     ///
     /// /// These lights, black where they are behind the surface or in shadow.
@@ -58,10 +58,10 @@ impl<L: Lanes> Shaded<L> {
     ///     lights: shading::IncidentLight<f32x8>,
     /// ) -> shading::IncidentLight<f32x8> {
     ///     let open = std::array::from_fn(|i| {
-    ///         let light = lights.cast(|x| x.to_array()[i]).in_front(n);
-    ///         f32::from(light.is_some_and(|light| !is_blocked(p, &light)))
+    ///         let light = lights.cast(|x| x.to_array()[i]);
+    ///         f32::from(light.is_in_front(n) && !is_blocked(p, &light))
     ///     });
-    ///     shading::IncidentLight { intensity: lights.intensity * f32x8::new(open), ..lights }
+    ///     lights * f32x8::new(open)
     /// }
     ///
     /// let lamp = |x: i8, z| PointLight {
@@ -76,7 +76,7 @@ impl<L: Lanes> Shaded<L> {
     /// let (p8, n8, v8) = (p.map(f32x8::splat), n.cast(f32x8::splat), v.cast(f32x8::splat));
     ///
     /// let lit = PointLight::packed::<f32x8>(&lamps)
-    ///     .filter_map(|pack| pack.in_front(p8, n8))
+    ///     .map(|pack| pack.at(p8))
     ///     .map(|lights| unblocked(p, n, lights));
     /// let clay8 = clay.cast(f32x8::splat);
     /// let shaded = shade::blinn_phong(n8, v8, &clay8, Rgb::BLACK.map(f32x8::splat), lit).sum_of_lanes();

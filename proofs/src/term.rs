@@ -1,0 +1,154 @@
+//! A number that records a formula instead of computing it.
+//!
+//! Every operation adds a node to the graph of the [run](super::run), and every comparison is a decision of it.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use shading::{Elementary, Exponent, Real};
+
+use super::graph::{Function, Node, ONE, Test, ZERO};
+use super::range::Range;
+use super::run::{decide, node, with};
+
+/// A number that records the formula which it is put into. It implements [`Real`], and so every
+/// formula that is generic over it can be proved.
+#[derive(Clone, Copy, Debug)]
+pub struct Term(#[doc(hidden)] pub u32);
+
+/// A variable with a range.
+pub(super) fn var(name: &str, range: Range) -> Term {
+    with(|g| {
+        g.names.push((name.into(), range));
+        let index = u32::try_from(g.names.len() - 1).expect("fewer than 2³² variables");
+        Term(g.node(Node::Var(index)))
+    })
+}
+
+/// Makes a vector one of length 1, in a run with numbers.
+pub(super) fn normalize(v: [Term; 3]) {
+    with(|g| {
+        let [x, y, z] = v.map(|c| g.values[c.0 as usize]);
+        let length = (x * x + y * y + z * z).sqrt();
+        if g.is_numeric() {
+            let divisible = length > 0.1 && length.is_finite();
+            let unit = if divisible {
+                [x, y, z].map(|c| c / length)
+            } else {
+                [0.0, 0.0, 1.0]
+            };
+            for (c, x) in v.into_iter().zip(unit) {
+                g.values[c.0 as usize] = g.format.round(x);
+            }
+        }
+    });
+}
+
+macro_rules! operator {
+    ($trait:ident::$method:ident) => {
+        impl $trait for Term {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                Self(node(Node::$trait(self.0, other.0)))
+            }
+        }
+    };
+}
+operator!(Add::add);
+operator!(Sub::sub);
+operator!(Mul::mul);
+operator!(Div::div);
+
+impl Neg for Term {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(node(Node::Neg(self.0)))
+    }
+}
+
+impl PartialEq for Term {
+    fn eq(&self, other: &Self) -> bool {
+        decide(Test::Equal(self.0, other.0))
+    }
+}
+
+impl PartialOrd for Term {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        if self > other {
+            Some(Ordering::Greater)
+        } else if self < other {
+            Some(Ordering::Less)
+        } else {
+            (self == other).then_some(Ordering::Equal)
+        }
+    }
+    fn gt(&self, other: &Self) -> bool {
+        decide(Test::Above(self.0, other.0))
+    }
+    fn lt(&self, other: &Self) -> bool {
+        decide(Test::Above(other.0, self.0))
+    }
+    fn le(&self, other: &Self) -> bool {
+        decide(Test::AtMost(self.0, other.0))
+    }
+    fn ge(&self, other: &Self) -> bool {
+        decide(Test::AtMost(other.0, self.0))
+    }
+}
+
+impl Real for Term {
+    const ZERO: Self = Self(ZERO);
+    const ONE: Self = Self(ONE);
+    const NEG_ONE: Self = Self(2);
+    const MAX: Self = Self(3);
+    const EXTREME: Self = Self(4);
+
+    fn of(literal: f64) -> Self {
+        let bits = with(|g| g.format.round(literal).to_bits());
+        Self(node(Node::Constant(bits)))
+    }
+    fn sqrt(self) -> Self {
+        Self(node(Node::Sqrt(self.0)))
+    }
+    fn if_positive(self, then: Self, otherwise: Self) -> Self {
+        self.if_above(Self::ZERO, then, otherwise)
+    }
+    fn any_positive(self) -> bool {
+        decide(Test::Above(self.0, ZERO))
+    }
+    // Floats override these three, too, and give the same results.
+    fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
+        if then.0 == otherwise.0 {
+            return then;
+        }
+        let test = Test::Above(self.0, threshold.0);
+        Self(node(Node::Select(test, then.0, otherwise.0)))
+    }
+    fn abs(self) -> Self {
+        Self(node(Node::Abs(self.0)))
+    }
+    fn any_outside(self, low: Self, high: Self) -> bool {
+        decide(Test::Outside(self.0, low.0, high.0))
+    }
+}
+
+impl Elementary for Term {
+    fn sin(self) -> Self {
+        Self(node(Node::Call(Function::Sin, self.0)))
+    }
+    fn cos(self) -> Self {
+        Self(node(Node::Call(Function::Cos, self.0)))
+    }
+    fn exp(self) -> Self {
+        Self(node(Node::Call(Function::Exp, self.0)))
+    }
+    fn ln(self) -> Self {
+        Self(node(Node::Call(Function::Ln, self.0)))
+    }
+}
+
+impl Exponent<Self> for Term {
+    fn raise(self, cosine: Self) -> Self {
+        Self(node(Node::Power(cosine.0, self.0)))
+    }
+}

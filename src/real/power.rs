@@ -1,0 +1,193 @@
+//! Powers of a cosine by a real m, for floats and SIMD lanes of them.
+//!
+//! ```text
+//! cᵐ = 2^(m log₂ c)
+//! ```
+//!
+//! The computation uses only correctly rounded + − × ÷ and integer operations on the bits, in a
+//! fixed order and without branches. Every processor and every lane therefore gives the same bits.
+//!
+//! **The logarithm needs no extra precision.** Let y = m log₂ c ≤ 0. A relative error ε in the
+//! logarithm changes the result by 2^y |y| ln 2 · ε. Since x e⁻ˣ ≤ 1/e, the *absolute* error of the
+//! result is at most ε/e, for every c and m, although a tiny result may have a large relative
+//! error. It is therefore enough that the logarithm has a small relative error, including near
+//! c = 1, where it vanishes.
+//!
+//! **The power is monotone within one unit in the last place.** The computed logarithm never falls
+//! as c rises. From one float to the next, the true logarithm rises by more than a unit in its last
+//! place; at √½, where z wraps around, P has almost no error. The rounded product with m then never
+//! falls either. Only 2^y may step back, by one unit in the last place of the result.
+//!
+//! The polynomials are summed in pairs, which wait less for each other than the terms of Horner's
+//! scheme do.
+
+use super::Real;
+
+/// The operations of the powers on the bits of a float, lane by lane.
+pub(crate) trait Bits: Real {
+    /// For a positive normal number, returns `(e, z)` such that self = 2^e z and z is within
+    /// [√½, √2) times 2²⁴ (`f32`) or 2⁵³ (`f64`).
+    fn split(self) -> (Self, Self);
+
+    /// 2^(n − 127) for the low byte n of the bits of an `f32`, from 0 to 254, or 2^(n − 1023) for the
+    /// low eleven bits n of those of an `f64`, from 0 to 2046; +0 for n = 0.
+    fn two_to_low_bits(self) -> Self;
+
+    /// self − `shift`, for self = `shift` + n.
+    #[inline]
+    fn unshifted(self, shift: Self) -> Self {
+        self - shift
+    }
+}
+
+/// The bits of 2²⁴ √½, the least z of `f32`, and of 2⁵³ √½, that of `f64`.
+pub(crate) const LEAST: (i32, i64) = (0x4B35_04F3, 0x4336_A09E_667F_3BCD);
+/// The bits of the sign and the exponent.
+pub(crate) const EXPONENT: (i32, i64) = (-0x0080_0000, -0x0010_0000_0000_0000);
+
+macro_rules! bits {
+    ($float:ident $integer:ident $part:tt, $digits:literal) => {
+        impl Bits for $float {
+            #[inline]
+            #[allow(
+                                clippy::cast_possible_wrap,  // only the bits matter
+                                clippy::cast_sign_loss,      // likewise
+                                clippy::cast_lossless,       // e has eleven bits
+                                clippy::cast_precision_loss  // likewise
+                            )]
+            fn split(self) -> (Self, Self) {
+                let bits = self.to_bits() as $integer;
+                let above = bits.wrapping_sub(LEAST.$part);
+                let z = bits.wrapping_sub(above & EXPONENT.$part);
+                let e = (above >> $digits) as i32;
+                (e as $float, $float::from_bits(z as _))
+            }
+
+            #[inline]
+            fn two_to_low_bits(self) -> Self {
+                $float::from_bits(self.to_bits() << $digits)
+            }
+
+            // The driver of a GPU may simplify (y + c) − c to y. It cannot simplify the bits.
+            #[cfg(target_arch = "spirv")]
+            #[inline]
+            fn unshifted(self, shift: Self) -> Self {
+                self.to_bits().wrapping_sub(shift.to_bits()) as $integer as $float
+            }
+        }
+    };
+}
+
+bits!(f32 i32 0, 23);
+bits!(f64 i64 1, 52);
+
+/// log₂ z = s P(s²), s = (z − 1)/(z + 1), for z in [√½, √2).
+///
+/// P is the minimax polynomial of degree 2, weighted for the relative error of log₂ c. That error
+/// is 2.0 · 2⁻²⁴ with exact coefficients and 2.5 · 2⁻²⁴ with these.
+const LOG: [f32; 3] = [
+    2.885_390_5,  // 0x4038AA3D
+    0.961_551_8,  // 0x3F762842
+    0.597_326_93, // 0x3F18EA6B
+];
+
+/// 2^(1 + r) = (2 + r) + r Q(r) for r in [−½, ½].
+///
+/// Q is the minimax polynomial of degree 5, weighted for the absolute error of 2^y, y ≤ 0. That
+/// error is 0.03 · 2⁻²⁴ with exact coefficients and with these, and 0.74 · 2⁻²⁴ with all roundings.
+const EXP: [f32; 6] = [
+    0.386_294_43,     // 0x3EC5C862
+    0.480_453_1,      // 0x3EF5FDF3
+    0.111_006_565,    // 0x3DE35769
+    0.019_235_516,    // 0x3C9D93CD
+    0.002_679_750_8,  // 0x3B2F9EC2
+    0.000_310_134_72, // 0x39A29994
+];
+
+/// Between 2²³ and 2²⁴ the `f32` numbers are the integers. Adding this constant therefore rounds a
+/// small number to the nearest integer, with ties to even, and leaves that integer plus 126 in the
+/// low bits.
+const SHIFT: f32 = 12_583_038.0; // 1.5 · 2²³ + 126
+
+/// cᵐ in single precision, for c in [0, 1] and a finite m ≥ 0.
+///
+/// The absolute error is below 2⁻²² for every c > 0, subnormal or not, and every m. 1ᵐ and c⁰ are
+/// exactly 1. A result below 2^−125.5 becomes 0, so no result is subnormal, and a processor that
+/// flushes subnormal numbers gives the same bits. The power of 0 is some number within [0, 1].
+#[inline(always)]
+pub(crate) fn single<T: Bits>(c: T, m: T) -> T {
+    // not `LOG.map`, as rust-gpu cannot compile it
+    let of = T::of_f32;
+
+    // Scaling by 2²⁴ is exact and makes even the least subnormal number normal. The quotient s does
+    // not change.
+    let scale = of(16_777_216.0);
+    let (e, z) = (c * scale).split();
+    let s = (z - scale) / (z + scale);
+    let x = s * s;
+    let [p0, p1, p2] = LOG;
+    let log2_c = e + s * ((of(p0) + x * of(p1)) + x * x * of(p2));
+
+    // y = n + r within [−126, 0]; the result is 2^(n − 1) 2^(1 + r), or 0 for n = −126
+    let y = (m * log2_c).at_least(of(-126.0));
+    let shifted = y + of(SHIFT);
+    let r = y - shifted.unshifted(of(SHIFT));
+    let x = r * r;
+    let [q0, q1, q2, q3, q4, q5] = EXP;
+    let pair = |a, b| of(a) + of(b) * r;
+    let q = pair(q0, q1) + x * pair(q2, q3) + x * x * pair(q4, q5);
+    ((of(2.0) + r) + r * q) * shifted.two_to_low_bits()
+}
+
+/// log₂ z as for single precision. P has degree 7, and its relative error is 2⁻⁵⁹.
+const LOG_DOUBLE: [f64; 8] = [
+    2.885_390_081_777_926_8,
+    0.961_796_693_925_989_8,
+    0.577_078_016_345_470_4,
+    0.412_198_585_851_064_56,
+    0.320_598_533_926_462_26,
+    0.262_334_401_745_152,
+    0.220_911_866_857_804_67,
+    0.213_670_779_463_431_35,
+];
+
+/// 2^(1 + r) = 2 + 4r/(Q(r²) − r) for r in [−½, ½], because r(2^r + 1)/(2^r − 1) is even. Q has degree
+/// 5, and the error is 2⁻⁶² of 2^y. A polynomial in r would need twice as many terms.
+const EXP_DOUBLE: [f64; 6] = [
+    2.885_390_081_777_926_8,
+    0.115_524_530_093_322_43,
+    -0.000_925_068_477_691_848_2,
+    1.058_218_826_580_622_2e-5,
+    -1.271_012_696_423_044_7e-7,
+    1.526_815_949_401_570_2e-9,
+];
+
+const SHIFT_DOUBLE: f64 = 6_755_399_441_056_766.0; // 1.5 · 2⁵² + 1022
+
+/// cᵐ in double precision, as [`single`]. The absolute error is below 2⁻⁵¹, and a result below about
+/// 2⁻¹⁰²² becomes 0.
+#[inline(always)]
+pub(crate) fn double<T: Bits>(c: T, m: T) -> T {
+    let of = T::of;
+
+    let scale = of(9_007_199_254_740_992.0); // 2⁵³
+    let (e, z) = (c * scale).split();
+    let s = (z - scale) / (z + scale);
+    let x = s * s;
+    let x2 = x * x;
+    let [p0, p1, p2, p3, p4, p5, p6, p7] = LOG_DOUBLE;
+    let pair = |a, b| of(a) + of(b) * x;
+    let low = pair(p0, p1) + x2 * pair(p2, p3);
+    let high = pair(p4, p5) + x2 * pair(p6, p7);
+    let log2_c = e + s * (low + x2 * x2 * high);
+
+    let y = (m * log2_c).at_least(of(-1022.0));
+    let shifted = y + of(SHIFT_DOUBLE);
+    let r = y - shifted.unshifted(of(SHIFT_DOUBLE));
+    let x = r * r;
+    let x2 = x * x;
+    let [q0, q1, q2, q3, q4, q5] = EXP_DOUBLE;
+    let pair = |a, b| of(a) + of(b) * x;
+    let q = pair(q0, q1) + x2 * (pair(q2, q3) + x2 * pair(q4, q5));
+    (of(2.0) + of(4.0) * r / (q - r)) * shifted.two_to_low_bits()
+}

@@ -1,0 +1,207 @@
+//! Calls every public function with numbers from any source, for the tests with arbitrary bits and
+//! for the fuzzer. Bits that are not valid input must not cause a panic, and whatever the table of
+//! functions promises for them holds. Finite valid input gives neither NaN nor negative light.
+
+use std::vec::Vec;
+
+use shading::{
+    Attenuation, Dual, Exponent, Light, Material, Real, Rgb, Shaded, UnitVec3, Vec3, shade,
+};
+
+use crate::promise::{self, Promise};
+use crate::{Float, Given, Input, Number, Sink, Value, row};
+
+/// The source of the numbers.
+pub struct Numbers<'a, T> {
+    pub next: &'a mut dyn FnMut() -> T,
+    /// An integer m.
+    pub m: u32,
+}
+
+impl<T: Float> Numbers<'_, T> {
+    fn number(&mut self) -> T {
+        (self.next)()
+    }
+
+    fn vector(&mut self) -> Vec3<T> {
+        Vec3::new(self.number(), self.number(), self.number())
+    }
+
+    fn input(&mut self) -> Input<T> {
+        let rgb = |v: Vec3<T>| Rgb::new(v.x, v.y, v.z);
+        Input {
+            is_valid: false,
+            p: self.vector(),
+            a: self.vector(),
+            b: self.vector(),
+            c: self.vector(),
+            n: self.vector(),
+            l: self.vector(),
+            v: self.vector(),
+            axis: self.vector(),
+            x: self.number(),
+            y: self.number(),
+            cosine: self.number(),
+            rgb: rgb(self.vector()),
+            k_a: rgb(self.vector()),
+            k_d: rgb(self.vector()),
+            k_s: rgb(self.vector()),
+            intensity: rgb(self.vector()),
+            coefficients: self.vector(),
+            range: self.number(),
+            edge: self.number(),
+            edges: [self.number(), self.number()],
+            integer_m: self.m,
+            real_m: self.number(),
+            bits: self.m,
+        }
+    }
+}
+
+/// The numbers of a result.
+#[derive(Default)]
+struct Result(Vec<f64>);
+
+impl Sink for Result {
+    fn number(&mut self, number: impl Number) {
+        self.0.push(number.double());
+    }
+
+    fn bytes<const N: usize>(&mut self, _: [u8; N]) {}
+}
+
+/// Every row of the table: its name, its call, and what holds of the result.
+struct Of<T>(T);
+
+type Row<T> = (&'static str, fn(&Given<T>, &mut Result), Promise<T>);
+
+macro_rules! rows {
+    ($($section:ident: $bound:ident {
+        $($row:ident $name:literal |$given:ident| $call:expr => $promise:ident;)*
+    })*) => {
+        impl<T: Float> Of<T> {
+            const ROWS: &[Row<T>] = &[$($(
+                ($name, |given, result| row::$row(given).give(result), promise::$promise)
+            ),*),*];
+        }
+    };
+}
+for_each_function!(rows);
+
+fn keeps_promises<T: Float>(given: &Given<T>) {
+    for (name, call, promise) in Of::<T>::ROWS {
+        let mut result = Result::default();
+        call(given, &mut result);
+        assert!(promise(given, &result.0), "{name}: {:?}", result.0);
+    }
+}
+
+/// Calls every public function with numbers of arbitrary bits.
+pub fn any_bits<T: Float>(mut numbers: Numbers<T>) {
+    let given = Given::new(&numbers.input());
+    keeps_promises(&given);
+
+    let single = given.rgb.map(T::single);
+    let bytes = single.to_srgb8();
+    assert_eq!(Rgb::from_srgb8(bytes).to_srgb8(), bytes);
+    assert_eq!(single.clamped().to_rgb565(), single.to_rgb565());
+    assert_eq!(
+        Rgb::from_rgb565(single.to_rgb565()).to_rgb565(),
+        single.to_rgb565()
+    );
+    assert_eq!(single.clamped().to_linear8(), single.to_linear8());
+    assert_eq!(single.clamped().to_linear565(), single.to_linear565());
+}
+
+/// Runs everything on finite valid input made from any finite numbers. Light is never negative and
+/// never NaN, and whatever is promised to be finite is finite.
+pub fn finite_and_valid<T: Float>(numbers: Numbers<T>) {
+    let Numbers { next, m } = numbers;
+    let mut finite = || {
+        let x = next();
+        if x.double().is_finite() { x } else { T::ONE }
+    };
+    let next = &mut finite;
+    let input = Numbers { next, m }.input();
+    let given = Given::new(&valid(input));
+    keeps_promises(&given);
+    assert_eq!(Attenuation::NONE.at(given.real.m).double(), 1.0);
+    dual_values(&given);
+}
+
+/// Directions of length 1, and nothing negative that must not be.
+fn valid<T: Float>(input: Input<T>) -> Input<T> {
+    let unit = |v: Vec3<T>| *v.unit_or(UnitVec3::Z);
+    // −0 is not negative, so it is kept
+    let positive = |x: T| if x < T::ZERO { -x } else { x };
+    let Input { n, l, v, axis, .. } = input;
+    let Input {
+        rgb,
+        k_a,
+        k_d,
+        k_s,
+        intensity,
+        ..
+    } = input;
+    let [n, l, v, axis] = [n, l, v, axis].map(unit);
+    let [rgb, k_a, k_d, k_s, intensity] =
+        [rgb, k_a, k_d, k_s, intensity].map(|color| color.map(positive));
+    Input {
+        is_valid: true,
+        n,
+        l,
+        v,
+        axis,
+        rgb,
+        k_a,
+        k_d,
+        k_s,
+        intensity,
+        cosine: positive(input.cosine).at_most(T::ONE),
+        coefficients: input.coefficients.map(positive),
+        range: positive(input.range),
+        real_m: positive(input.real_m),
+        ..input
+    }
+}
+
+/// The value of a dual number has the bits that its plain number computes.
+fn dual_values<T: Float>(given: &Given<T>) {
+    let &Given {
+        n,
+        v,
+        rgb,
+        lights,
+        p,
+        ..
+    } = given;
+    let plain = shade_all(n, v, &given.integer, rgb, &lights, p);
+    let dual = shade_all(
+        n.cast(Dual::constant),
+        v.cast(Dual::constant),
+        &given.integer.cast(Dual::constant),
+        rgb.map(Dual::constant),
+        &lights.map(|light| light.cast(Dual::constant)),
+        Dual::point(p),
+    );
+    for (plain, dual) in plain.into_iter().zip(dual) {
+        let value = |x: Dual<T>| x.value;
+        assert_eq!(plain.diffuse, dual.diffuse.map(value));
+        assert_eq!(plain.specular, dual.specular.map(value));
+    }
+}
+
+fn shade_all<T: Real, M: Exponent<T>>(
+    n: UnitVec3<T>,
+    v: UnitVec3<T>,
+    material: &Material<T, M>,
+    i_a: Rgb<T>,
+    lights: &[Light<T>],
+    p: Vec3<T>,
+) -> [Shaded<T>; 2] {
+    let each = || lights.iter().map(|light| light.at(p));
+    [
+        shade::phong(n, v, material, i_a, each()),
+        shade::blinn_phong(n, v, material, i_a, each()),
+    ]
+}

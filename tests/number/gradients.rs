@@ -1,0 +1,117 @@
+//! The gradients of the sums and of what they are made of, against differences in `f64`.
+
+use kit::invariants::Case;
+use kit::{direction, rgb, vector};
+use shading::{Dual, Elementary, Material, UnitVec3, Vec3, half_vector, normal, shade};
+
+/// What moves with p: the direction to an eye, a bent normal, and all lights.
+fn everything<T: Elementary + PartialOrd>(c: &Case<T>, p: Vec3<T>) -> Vec<T> {
+    let v = (vector::<T>([3.0, -5.0, 9.0]) - p).unit_or(UnitVec3::Z);
+    let n = (vector::<T>([0.0, 0.0, 4.0]) + p * T::of(0.25)).unit_or(UnitVec3::Z);
+    let lights = || c.lights().map(|light| light.at(p));
+    let sums = [
+        shade::lambert(n, &c.material, c.rgb, lights()),
+        shade::phong(n, v, &c.material, c.rgb, lights()),
+        shade::blinn_phong(n, v, &c.material, c.rgb, lights()),
+    ];
+    let sums = sums
+        .map(|s| [s.diffuse.r, s.diffuse.g, s.specular.b])
+        .concat();
+    let h = half_vector(n, v).map_or(Vec3::ZERO, |h| *h);
+    let normals = [
+        normal::sphere(p, Vec3::ZERO).map_or(Vec3::ZERO, |n| *n),
+        normal::triangle(p, c.b, c.c).map_or(Vec3::ZERO, |n| *n),
+        normal::corner(c.b, p, c.c),
+        normal::transformed(n, [c.b, p, c.c]).map_or(Vec3::ZERO, |n| *n),
+        h,
+    ];
+    let functions = [
+        p.x.sin(),
+        p.y.cos(),
+        p.z.exp(),
+        (p.x * p.x + T::ONE).ln(),
+        p.y.powi(-3),
+    ];
+    let lamp = c.lamp.at(p);
+    let falloff = [
+        lamp.distance(),
+        lamp.intensity().r,
+        c.spot.at(p).intensity().g,
+        p.length(),
+    ];
+    let vectors = normals.map(|n| <[T; 3]>::from(n)).concat();
+    [sums, vectors, functions.to_vec(), falloff.to_vec()].concat()
+}
+
+fn scene() -> Case<f64> {
+    let mut c = Case::sample();
+    c.sun.l = direction([1.0, 2.0, 4.0]);
+    c.spot.point.position = vector([0.5, 0.25, 6.0]);
+    c.spot.axis = direction([0.3, 0.1, -1.0]);
+    c.lamp.position = vector([-2.0, 1.0, 5.0]);
+    c.far.position = vector([2.0, -3.0, 4.0]);
+    let [k_a, k_d, k_s] = [[0.1, 0.2, 0.3], [0.5, 0.75, 1.0], [1.0, 0.5, 0.25]].map(rgb);
+    c.material = Material {
+        k_a,
+        k_d,
+        k_s,
+        m: 9,
+    };
+    c
+}
+
+/// A central difference of step h is off by h² times the third derivative: 10⁻⁶ here, at most.
+#[test]
+fn gradients_are_the_differences() {
+    let c = scene();
+    let dual = c.cast(Dual::constant);
+    for p in [[1.0, -0.5, 0.25], [-0.75, 1.5, 0.5], [0.4, 0.6, -1.0]] {
+        let gradients = everything(&dual, Dual::point(vector(p)));
+        let values = everything(&c, vector(p));
+        for axis in 0..3 {
+            let moved = |by: f64| {
+                let mut p = p;
+                p[axis] += by;
+                everything(&c, vector(p))
+            };
+            let (below, above) = (moved(-1e-4), moved(1e-4));
+            for (i, gradient) in gradients.iter().enumerate() {
+                assert_eq!(gradient.value.to_bits(), values[i].to_bits(), "{i}");
+                let slope = (above[i] - below[i]) / 2e-4;
+                let is = <[f64; 3]>::from(gradient.gradient)[axis];
+                let is_near = (is - slope).abs() <= 2e-6 * (1.0 + slope.abs());
+                assert!(
+                    is_near,
+                    "number {i} along {axis} at {p:?}: {is} instead of {slope}"
+                );
+            }
+        }
+    }
+    let values = everything(&c, vector([1.0, -0.5, 0.25]));
+    let dark: Vec<_> = (0..values.len()).filter(|&i| values[i] == 0.0).collect();
+    assert_eq!(
+        dark,
+        [2],
+        "Lambert has no highlight, and everything else shines"
+    );
+}
+
+/// The same three variables at both levels: both gradients are those of one level.
+#[test]
+fn duals_of_duals_differentiate_twice() {
+    let c = scene();
+    let p = vector([1.0, -0.5, 0.25]);
+    let once = everything(&c.cast(Dual::constant), Dual::point(p));
+    let twice = everything(
+        &c.cast(Dual::constant).cast(Dual::constant),
+        Dual::point(Dual::point(p)),
+    );
+    for (once, twice) in once.iter().zip(twice) {
+        assert_eq!(format!("{:?}", twice.value), format!("{once:?}"));
+        assert_eq!(twice.gradient.map(|x| x.value), once.gradient);
+        let [x, y, z]: [Dual<f64>; 3] = twice.gradient.into();
+        let scale = 1e-9 * (1.0 + x.gradient.length() + y.gradient.length() + z.gradient.length());
+        assert!((x.gradient.y - y.gradient.x).abs() <= scale);
+        assert!((y.gradient.z - z.gradient.y).abs() <= scale);
+    }
+}

@@ -1,0 +1,223 @@
+//! Numbers that a user might write, from the page of [`Real`] alone: the items without a default, and
+//! nothing else.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use kit::invariants::Tried;
+use shading::Real;
+
+/// A float by way of `f64`, which has enough digits that rounding twice rounds once.
+macro_rules! float {
+    ($name:ident, $text:literal, bits: $bits:literal, least: $least:literal, max: $max:expr, extreme: $extreme:literal) => {
+        #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+        pub struct $name(f64);
+
+        impl $name {
+            fn round(x: f64) -> Self {
+                if x == 0.0 || !x.is_finite() {
+                    return Self(x);
+                }
+                let spacing = (x.abs().log2().floor() + 1.0 - f64::from($bits))
+                    .max($least)
+                    .exp2();
+                let rounded = (x / spacing).round_ties_even() * spacing;
+                Self(if rounded.abs() > $max {
+                    f64::INFINITY.copysign(x)
+                } else {
+                    rounded
+                })
+            }
+        }
+
+        operators!($name, |x, y, op| Self::round(op(x.0, y.0)));
+
+        impl Real for $name {
+            const ZERO: Self = Self(0.0);
+            const ONE: Self = Self(1.0);
+            const NEG_ONE: Self = Self(-1.0);
+            const MAX: Self = Self($max);
+            const EXTREME: Self = Self($extreme);
+
+            fn of(literal: f64) -> Self {
+                Self::round(literal)
+            }
+
+            fn sqrt(self) -> Self {
+                Self::round(self.0.sqrt())
+            }
+
+            fn if_positive(self, then: Self, otherwise: Self) -> Self {
+                if self.0 > 0.0 { then } else { otherwise }
+            }
+
+            fn any_positive(self) -> bool {
+                self.0 > 0.0
+            }
+        }
+
+        impl Tried for $name {
+            const NAME: &str = $text;
+            const U: f64 = 1.0 / (1_u64 << $bits) as f64;
+            const STEP: f64 = Self::SMALLEST / 2.0;
+            const SMALLEST: f64 = f64::from_bits(((1023.0 + $least) as u64) << 52);
+            const LARGEST: f64 = $max;
+            const LARGE: f64 = $extreme;
+            const IS_FLOAT: bool = true;
+
+            fn exact(self) -> f64 {
+                self.0
+            }
+        }
+    };
+}
+
+macro_rules! operators {
+    ($name:ident, |$x:ident, $y:ident, $op:ident| $apply:expr) => {
+        operators!($name, |$x, $y, $op| $apply; Add add, Sub sub, Mul mul, Div div);
+
+        impl Neg for $name {
+            type Output = Self;
+            fn neg(self) -> Self {
+                Self(-self.0)
+            }
+        }
+    };
+    ($name:ident, |$x:ident, $y:ident, $op:ident| $apply:expr; $($trait:ident $method:ident),*) => {
+        $(impl $trait for $name {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                let ($x, $y, $op) = (self, other, <f64 as $trait>::$method);
+                $apply
+            }
+        })*
+    };
+}
+
+// (2 − 2⁻¹⁰) 2¹⁵ and (2 − 2⁻⁷) 2¹²⁷. A half's EXTREME: 3·65504²/p² < p for p > 2345, and the smallest
+// number is 2⁻²⁴
+float!(Half, "half", bits: 11, least: -24.0, max: 65_504.0, extreme: 4096.0);
+float!(Bf16, "bf16", bits: 8, least: -133.0, max: 3.389_531_389_251_535_5e38, extreme: 1_267_650_600_228_229_401_496_703_205_376.0);
+
+/// Fixed point with 16 bits behind the point, which saturates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Q16(i32);
+
+impl Q16 {
+    const SCALE: f64 = 65_536.0;
+
+    #[allow(clippy::cast_possible_truncation)] // saturates, and NaN is 0
+    fn round(x: f64) -> Self {
+        Self(((x * Self::SCALE).round() as i32).max(-i32::MAX))
+    }
+}
+
+operators!(Q16, |x, y, op| Self::round(op(x.exact(), y.exact())));
+
+impl Real for Q16 {
+    const ZERO: Self = Self(0);
+    const ONE: Self = Self(1 << 16);
+    const NEG_ONE: Self = Self(-1 << 16);
+    const MAX: Self = Self(i32::MAX);
+    const EXTREME: Self = Self(1 << 24);
+
+    fn of(literal: f64) -> Self {
+        Self::round(literal)
+    }
+
+    fn sqrt(self) -> Self {
+        Self::round(self.exact().max(0.0).sqrt())
+    }
+
+    fn if_positive(self, then: Self, otherwise: Self) -> Self {
+        if self.0 > 0 { then } else { otherwise }
+    }
+
+    fn any_positive(self) -> bool {
+        self.0 > 0
+    }
+}
+
+impl Tried for Q16 {
+    const NAME: &str = "Q16.16";
+    const U: f64 = 0.0;
+    const STEP: f64 = 0.5 / Self::SCALE;
+    const SMALLEST: f64 = 1.0 / Self::SCALE;
+    const LARGEST: f64 = i32::MAX as f64 / Self::SCALE;
+    const LARGE: f64 = 256.0;
+    const IS_FLOAT: bool = false;
+
+    fn exact(self) -> f64 {
+        f64::from(self.0) / Self::SCALE
+    }
+}
+
+/// `f32`, with a fault: a root, a product, a quotient, a selection or a sum that is wrong.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Broken<const FAULT: u8>(f32);
+
+macro_rules! broken {
+    ($($trait:ident $method:ident: $fault:literal),*) => {
+        $(impl<const FAULT: u8> $trait for Broken<FAULT> {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                let wrong = if FAULT == $fault { 1.0 + 4.0 * f32::EPSILON } else { 1.0 };
+                Self(self.0.$method(other.0) * wrong)
+            }
+        })*
+    };
+}
+
+broken!(Add add: 5, Sub sub: 0, Mul mul: 2, Div div: 3);
+
+impl<const FAULT: u8> Neg for Broken<FAULT> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl<const FAULT: u8> Real for Broken<FAULT> {
+    const ZERO: Self = Self(0.0);
+    const ONE: Self = Self(1.0);
+    const NEG_ONE: Self = Self(-1.0);
+    const MAX: Self = Self(f32::MAX);
+    const EXTREME: Self = Self(f32::EXTREME);
+
+    fn of(literal: f64) -> Self {
+        Self(f32::of(literal))
+    }
+
+    fn sqrt(self) -> Self {
+        Self(
+            self.0.sqrt()
+                * if FAULT == 1 {
+                    1.0 + 4.0 * f32::EPSILON
+                } else {
+                    1.0
+                },
+        )
+    }
+
+    fn if_positive(self, then: Self, otherwise: Self) -> Self {
+        let is_positive = self.0 > 0.0 || FAULT == 4 && self.0 >= 0.0;
+        if is_positive { then } else { otherwise }
+    }
+
+    fn any_positive(self) -> bool {
+        self.0 > 0.0
+    }
+}
+
+impl<const FAULT: u8> Tried for Broken<FAULT> {
+    const NAME: &str = "broken";
+    const U: f64 = f32::U;
+    const STEP: f64 = f32::STEP;
+    const SMALLEST: f64 = f32::SMALLEST;
+    const LARGEST: f64 = f32::LARGEST;
+    const LARGE: f64 = f32::LARGE;
+    const IS_FLOAT: bool = true;
+
+    fn exact(self) -> f64 {
+        self.0.into()
+    }
+}
