@@ -107,23 +107,19 @@ impl Evidence {
         let exact = || faults.iter().filter(|fault| !is_rough(fault)).copied();
         // of some lights or models alone
         let scoped = || exact().flat_map(|fault| Scope::OTHERS.map(|of| Fault { of, ..fault }));
-        let single = || {
-            let all = self.best(profile, exact().map(|fault| vec![fault]), NEARLY_ALL);
-            match &all {
-                Some(cause) if cause.explained == cause.of => all,
-                _ => {
-                    let scoped = self.best(profile, scoped().map(|fault| vec![fault]), NEARLY_ALL);
-                    let explained =
-                        |cause: &Option<Cause>| cause.as_ref().map(|cause| cause.explained);
-                    if explained(&scoped) > explained(&all) {
-                        scoped
-                    } else {
-                        all
-                    }
-                }
-            }
+        let best = |faults: &mut dyn Iterator<Item = Fault>, least| {
+            self.best(profile, faults.map(|fault| vec![fault]), least)
         };
-        if let Some(cause) = single() {
+        let mut single = best(&mut exact(), NEARLY_ALL);
+        if single.as_ref().is_none_or(|(errors, _)| *errors > 0) {
+            let of_some = best(&mut scoped(), NEARLY_ALL);
+            let errors =
+                |found: &Option<(usize, Cause)>| found.as_ref().map_or(usize::MAX, |it| it.0);
+            if errors(&of_some) < errors(&single) {
+                single = of_some;
+            }
+        }
+        if let Some((_, cause)) = single {
             // what one mistake does not explain, another may
             let is_all = cause.explained * 100 >= cause.of * 97;
             let explains_more = |pair: &Cause| pair.explained * 20 > cause.explained * 21;
@@ -134,7 +130,7 @@ impl Evidence {
         let mut rough = faults.iter().filter(is_rough);
         let rough = rough.find_map(|fault| self.roughness(profile, *fault));
         let pair = || self.pair(profile, exact());
-        let half = || self.best(profile, exact().map(|fault| vec![fault]), 0.5);
+        let half = || Some(best(&mut exact(), 0.5)?.1);
         rough.or_else(pair).or_else(half)
     }
 
@@ -150,12 +146,13 @@ impl Evidence {
         }
     }
 
+    /// The best of the candidates, and the number of colors that it gets wrong.
     fn best(
         &self,
         profile: &Profile,
         candidates: impl Iterator<Item = Vec<Fault>>,
         least: f64,
-    ) -> Option<Cause> {
+    ) -> Option<(usize, Cause)> {
         let mut ranked: Vec<(usize, usize, Vec<Fault>)> = candidates
             .filter_map(|faults| {
                 let (explained, errors) = self.score(profile, &faults, least)?;
@@ -169,12 +166,13 @@ impl Evidence {
             .skip(1)
             .filter(|(others, ..)| *others == errors)
             .map(|(.., faults)| faults);
-        Some(Cause {
+        let cause = Cause {
             mistakes,
             explained,
             of: self.wrong.len(),
             alternatives: alternatives.collect(),
-        })
+        };
+        Some((errors, cause))
     }
 
     /// The number of wrong colors that the mistakes give and that of colors that they do not, if the first is at least
@@ -270,7 +268,7 @@ impl Evidence {
             let others = some[..i].iter().filter(|b| b.mistake.id != a.mistake.id);
             others.map(move |b| vec![*b, *a])
         });
-        self.best(profile, pairs, 0.97)
+        Some(self.best(profile, pairs, 0.97)?.1)
     }
 
     /// Whether a cause gives nearly all wrong colors of a law.

@@ -187,6 +187,7 @@ impl<'a> Formula<'a> {
     }
 
     /// The same as a renderer: it rounds every value.
+    #[cfg(test)]
     pub fn rounding(mut self) -> Self {
         self.how.rounds = true;
         self

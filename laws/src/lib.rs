@@ -31,6 +31,9 @@ mod plan;
 mod report;
 mod run;
 
+#[cfg(test)]
+mod tests;
+
 pub use cause::Cause;
 pub use coverage::Exercised;
 pub use mistakes::Fault;

@@ -16,24 +16,16 @@ pub struct Place {
     pub also_without: Vec<&'static str>,
 }
 
-/// What became of a broken case when a thing was taken out.
-#[derive(Clone, Copy, PartialEq)]
-enum Outcome {
-    /// There was no such thing in it.
-    Same,
-    Broken,
-    Repaired,
-}
-
-/// The edits of broken cases: for each what is asked, with the place of the edit and of the case.
+/// Broken cases, from each of which one thing at a time is taken out.
 pub struct Edits {
-    cases: usize,
+    broken: Vec<Case>,
+    /// What is asked, with the edit and the place of the broken case.
     pub edited: Vec<Case>,
-    of: Vec<(usize, usize)>,
+    pub of: Vec<(usize, usize)>,
 }
 
 impl Edits {
-    pub fn new(broken: &[Case], profile: &Profile) -> Self {
+    pub fn new(broken: Vec<Case>, profile: &Profile) -> Self {
         let (mut edited, mut of) = (Vec::new(), Vec::new());
         for (k, knob) in KNOBS.iter().enumerate() {
             for (i, case) in broken.iter().enumerate() {
@@ -45,64 +37,43 @@ impl Edits {
                 }
             }
         }
-        Self {
-            cases: broken.len(),
-            edited,
-            of,
-        }
+        Self { broken, edited, of }
     }
 
-    /// The broken case of an edit.
-    pub fn case_of(&self, edit: usize) -> usize {
-        self.of[edit].1
-    }
-
-    /// The places, if these of the edited cases are still broken: one, or two where no single thing repairs nearly all.
-    pub fn places(&self, still_broken: &[bool]) -> Vec<Place> {
-        let mut table = vec![vec![Outcome::Same; self.cases]; KNOBS.len()];
-        for ((knob, case), broken) in self.of.iter().zip(still_broken) {
-            table[*knob][*case] = if *broken {
-                Outcome::Broken
-            } else {
-                Outcome::Repaired
+    /// The place of some of the broken cases, if these of the edited ones are still broken.
+    pub fn place(&self, still_broken: &[bool], is_meant: impl Fn(usize) -> bool) -> Place {
+        let mut place = Place::default();
+        let meant = (0..self.broken.len())
+            .filter(|case| is_meant(*case))
+            .count();
+        for (k, knob) in KNOBS.iter().enumerate() {
+            let count = |broken: bool| {
+                let edits = self.of.iter().zip(still_broken);
+                edits
+                    .filter(|((of, case), is)| *of == k && **is == broken && is_meant(*case))
+                    .count()
             };
+            let repaired = count(false);
+            if repaired > 0 && repaired * 10 >= meant * 9 {
+                place.only_with.push(knob.id);
+            } else if count(true) > repaired {
+                place.also_without.push(knob.id);
+            }
         }
-        let all: Vec<usize> = (0..self.cases).collect();
-        let whole = place(&table, &all);
-        if !whole.only_with.is_empty() || all.len() < 4 {
-            return vec![whole];
-        }
-        // two things may be wrong: what repairs many of the cases splits them
-        let repairs = |knob: &usize| {
-            let row = table[*knob].iter();
-            row.filter(|outcome| **outcome == Outcome::Repaired).count()
-        };
-        let best = (0..KNOBS.len()).rev().max_by_key(repairs).unwrap_or(0);
-        let (repaired, left): (Vec<usize>, Vec<usize>) = all
-            .iter()
-            .partition(|case| table[best][**case] == Outcome::Repaired);
-        let places = [repaired, left].map(|cases| (cases.len(), place(&table, &cases)));
-        let is_told = |(count, place): &(usize, Place)| {
-            *count * 5 >= all.len() && !place.only_with.is_empty()
-        };
-        if places.iter().all(is_told) {
-            places.map(|(_, place)| place).into()
-        } else {
-            vec![whole]
-        }
+        place
     }
-}
 
-fn place(table: &[Vec<Outcome>], cases: &[usize]) -> Place {
-    let mut place = Place::default();
-    for (knob, row) in KNOBS.iter().zip(table) {
-        let count = |of| cases.iter().filter(|case| row[**case] == of).count();
-        let (repaired, broken) = (count(Outcome::Repaired), count(Outcome::Broken));
-        if repaired > 0 && repaired * 10 >= cases.len() * 9 {
-            place.only_with.push(knob.id);
-        } else if broken > repaired {
-            place.also_without.push(knob.id);
-        }
+    /// The edit that repairs the most cases, those that it repairs, and the others after it: two things may be wrong.
+    pub fn split(&self, still_broken: &[bool]) -> Option<(Vec<usize>, Vec<usize>)> {
+        let by = |k: usize, broken: bool| {
+            let edits = self.of.iter().zip(still_broken).enumerate();
+            edits.filter(move |(_, ((of, _), is))| *of == k && **is == broken)
+        };
+        let best = (0..KNOBS.len())
+            .rev()
+            .max_by_key(|k| by(*k, false).count())?;
+        let repaired: Vec<usize> = by(best, false).map(|(_, ((_, case), _))| *case).collect();
+        let left = by(best, true).map(|(edit, _)| edit).collect();
+        (repaired.len() * 5 >= self.broken.len()).then_some((repaired, left))
     }
-    place
 }

@@ -630,32 +630,57 @@ impl Run<'_> {
         if broken.is_empty() {
             return Vec::new();
         }
-        let edits = Edits::new(&broken, self.profile);
+        let edits = Edits::new(broken, self.profile);
+        let Some(still_broken) = self.try_edits(&edits, &of_law, stopped) else {
+            return Vec::new();
+        };
+        let whole = edits.place(&still_broken, |_| true);
+        let halves = edits
+            .split(&still_broken)
+            .filter(|_| whole.only_with.is_empty());
+        if let Some((repaired, left)) = halves {
+            let first = edits.place(&still_broken, |case| repaired.contains(&case));
+            let of_law: Vec<usize> = left.iter().map(|edit| of_law[edits.of[*edit].1]).collect();
+            let left = left.into_iter().map(|edit| edits.edited[edit].clone());
+            let edits = Edits::new(left.collect(), self.profile);
+            if let Some(still_broken) = self.try_edits(&edits, &of_law, stopped) {
+                let second = edits.place(&still_broken, |_| true);
+                // ambient light and that of lights alike is everything
+                let is_told = second.only_with.iter().any(|knob| *knob != "lights");
+                if is_told && !first.only_with.is_empty() {
+                    return vec![first, second];
+                }
+            }
+        }
+        vec![whole]
+    }
+
+    /// Whether each edited case is still broken; nothing if the renderer ended.
+    fn try_edits(
+        &mut self,
+        edits: &Edits,
+        of_law: &[usize],
+        stopped: &mut Option<String>,
+    ) -> Option<Vec<bool>> {
         let mut still_broken = vec![true; edits.edited.len()];
-        for law in laws {
-            let tried_law = self.plan.tries[*law].law;
+        for law in 0..self.plan.tries.len() {
+            let tried_law = self.plan.tries[law].law;
             let (places, tried): (Vec<usize>, Vec<Tried>) = (0..edits.edited.len())
-                .filter(|edit| of_law[edits.case_of(*edit)] == *law)
+                .filter(|edit| of_law[edits.of[*edit].1] == law)
                 .filter_map(|edit| {
                     let case = edits.edited[edit].clone();
                     Some((edit, Tried::new(tried_law, case, self.profile)?))
                 })
                 .unzip();
             for (places, tried) in places.chunks(256).zip(tried.chunks(256)) {
-                match self.judge(tried_law, tried, None) {
-                    Ok(failures) => {
-                        for (place, failure) in places.iter().zip(failures) {
-                            still_broken[*place] = failure.is_some();
-                        }
-                    }
-                    Err(why) => {
-                        *stopped = Some(why);
-                        return Vec::new();
-                    }
+                let failures = self.judge(tried_law, tried, None);
+                *stopped = failures.as_ref().err().cloned();
+                for (place, failure) in places.iter().zip(failures.ok()?) {
+                    still_broken[*place] = failure.is_some();
                 }
             }
         }
-        edits.places(&still_broken)
+        Some(still_broken)
     }
 
     /// Whether colors depend on what was asked before, or on nothing that is known; nothing where it cannot be asked.

@@ -63,7 +63,6 @@ pub const ROWS: &[Row] = &[
     ("DenominatorPlus", "{} is added to a + bq + cq²", &[1.0, 0.1, 0.01, 0.001, 1e-4, 1e-5, 1e-6], &[(Denominator, |x, at| x.map(|c| c + at.number()))]),
     ("AttenuationInverted", "the light is multiplied by a + bq + cq², not divided", &[], &[(Falloff, |_, at| one(at.denominator))]),
     ("AttenuationRoot", "the attenuation is 1/√(a + bq + cq²)", &[], &[(Denominator, |x, _| x.map(Bounded::sqrt))]),
-    ("AttenuatedTwice", "the light is attenuated twice", &[], &[(Denominator, |x, _| x.map(|c| c * c))]),
     ("InverseSquareAlone", "the attenuation is 1/q², whatever a, b and c", &[], &[(Denominator, |_, at| one(at.q * at.q))]),
     ("InverseAlone", "the attenuation is 1/q, whatever a, b and c", &[], &[(Denominator, |_, at| one(at.q))]),
     ("NotAttenuated", "the light is not attenuated", &[], &[(Falloff, |_, _| one(ONE))]),
@@ -163,6 +162,7 @@ pub const ROWS: &[Row] = &[
     // lights
     ("LightsAtMost", "only the first {} lights count", &[4.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 32.0, 64.0], &[(OfLight, |x, at| if at.i as f64 >= at.value { BLACK } else { x })]),
     ("BrightestLightOnly", "the brightest light is taken, in place of the sum", &[], &[(OfLight, |x, at| subtract(max(x, at.lit), at.lit))]),
+    ("LightsAssigned", "each light replaces the color, in place of adding to it: = for +=", &[], &[(OfLight, |x, at| if_positive(at.n_l, subtract(x, add(at.lit, at.ambients))))]),
     ("LightsAveraged", "the light is divided by the number of lights", &[], &[(Sum, |_, at| add(at.ambients, at.lit.map(|c| c / exact(at.count.max(1) as f64))))]),
     ("CosineCutBelow", "light with N·L below {} is left out", &[0.01, 0.001, 0.0001, 0.00001, 0.05, 0.1], &[(OfLight, |x, at| if_positive(at.n_l - at.number(), x))]),
     ("LitFromEyeOnly", "only a surface that faces the eye is lit: light needs N·V > 0", &[], &[(OfLight, |x, at| if_positive(dot(at.n, at.v), x))]),
