@@ -41,7 +41,7 @@ doc:
 
 # build the page to play with, and serve it
 page:
-    clients/web/serve.sh
+    clients/web/build.sh --serve
 
 # test every f32 of a domain: takes minutes
 exhaustive:

@@ -1,88 +1,194 @@
-//! Counts the instructions of each public function under valgrind, whose counts are exactly
-//! reproducible, and compares them with the table in `instructions.txt`.
+//! Counts the instructions of each public function under valgrind, whose counts repeat exactly.
 //!
-//! - `cargo bench -p shading-benches --bench instructions` prints the table;
-//! - with `-- --check`, it fails if a count differs from the table by more than 3%;
-//! - with `-- --write`, it writes the table.
-//!
-//! Each function is called out of line for 4,096 random arguments; `nothing` is the cost of that
-//! alone. The bench builds itself again with the feature `wide`, for the lights in lanes.
+//! `cargo bench -p shading-benches --bench instructions` prints the table; with `-- --check`, it fails if a count differs from
+//! `instructions.txt` by more than 3%; with `-- --write`, it writes that file. Each function is called out of line at the
+//! ordinary places of the digests; `nothing` is the cost of that alone.
 
-#[path = "support/functions.rs"]
-mod functions;
-#[path = "support/rebuilt.rs"]
-mod rebuilt;
-#[path = "support/table.rs"]
-mod table;
-
+use std::fmt::Write;
+use std::hint::black_box;
 use std::process::{Command, ExitCode};
 
-use table::Table;
+use kit::{Given, places::places, row};
+
+type Place = Given<f32>;
 
 const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/instructions.txt");
+const TOLERANCE: f64 = 0.03;
+const PREFIX: &str = "shading_counted_";
+
+macro_rules! counted {
+    ($($row:ident $name:literal $call:path;)*) => {
+        &[$({
+            #[unsafe(export_name = concat!("shading_counted_", stringify!($row)))]
+            #[inline(never)]
+            extern "C" fn $row(place: &Place) {
+                black_box($name); // without a difference, the compiler would merge equal functions
+                black_box($call(place));
+            }
+            ($name, stringify!($row), $row)
+        }),*]
+    };
+}
+
+macro_rules! rows {
+    (
+        ARITHMETIC: Number $arithmetic:tt SWEEPS: Number $sweeps:tt SERIES: Float $series:tt
+        $($section:ident: $bound:ident {
+            $($row:ident $name:literal |$given:ident| $call:expr => $promise:ident;)*
+        })*
+    ) => {
+        counted! { $($($row $name row::$row;)*)* }
+    };
+}
+
+type Function = (&'static str, &'static str, extern "C" fn(&Place));
+const ROWS: &[Function] = kit::for_each_function!(rows);
+const OTHERS: &[Function] = counted! {
+    baseline "nothing" others::nothing;
+    packed "PointLight::packed, eight" others::packed;
+    four_integer "shade::blinn_phong, integer m, four lanes" others::four_integer;
+    four_real "shade::blinn_phong, real m, four lanes" others::four_real;
+    eight_integer "shade::blinn_phong, integer m, eight lanes" others::eight_integer;
+    eight_real "shade::blinn_phong, real m, eight lanes" others::eight_real;
+};
+
+mod others {
+    use super::Place;
+    use shading::{Exponent, Lanes, Material, PointLight, Rgb, Shaded, shade};
+    use wide::{f32x4, f32x8};
+
+    pub fn nothing(place: &Place) -> f32 {
+        place.x
+    }
+
+    pub fn packed(place: &Place) -> Option<PointLight<f32x8>> {
+        PointLight::packed(&[place.lamps[0]; 8]).next()
+    }
+
+    /// A sum in lanes, each of which has the same lamp.
+    #[inline]
+    fn sum<L: Lanes<Lane = f32>, M: Exponent<L>>(
+        g: &Place,
+        material: Material<f32, M>,
+    ) -> Shaded<f32> {
+        let splat = |x| L::from_fn(|_| x);
+        let [n, v] = [g.n, g.v].map(|direction| direction.cast(splat));
+        let lamp = g.lamps[0].cast(splat).at(g.p.map(splat));
+        shade::blinn_phong(n, v, &material.cast(splat), Rgb::WHITE, [lamp]).sum_of_lanes()
+    }
+
+    pub fn four_integer(place: &Place) -> Shaded<f32> {
+        sum::<f32x4, _>(place, place.integer)
+    }
+
+    pub fn four_real(place: &Place) -> Shaded<f32> {
+        sum::<f32x4, _>(place, place.real)
+    }
+
+    pub fn eight_integer(place: &Place) -> Shaded<f32> {
+        sum::<f32x8, _>(place, place.integer)
+    }
+
+    pub fn eight_real(place: &Place) -> Shaded<f32> {
+        sum::<f32x8, _>(place, place.real)
+    }
+}
+
+fn all() -> impl Iterator<Item = &'static Function> {
+    OTHERS[..1].iter().chain(ROWS).chain(&OTHERS[1..])
+}
 
 fn main() -> ExitCode {
-    if cfg!(not(feature = "wide")) {
-        rebuilt::with_lanes("instructions");
+    let given = |option: &str| std::env::args().any(|a| a == option);
+    let mut places: Vec<Place> = places()
+        .enumerate()
+        .filter(|(i, _)| i % 8 < 5)
+        .map(|(_, place)| place)
+        .collect();
+    for place in &mut places {
+        (place.integer.m, place.real.m) = (50, 50.5);
+    }
+    if given("--call") {
+        for (_, _, function) in all() {
+            for place in &places {
+                function(place);
+            }
+        }
         return ExitCode::SUCCESS;
     }
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    if let Some(name) = arguments.iter().find_map(|a| a.strip_prefix("--call=")) {
-        call(name);
-        return ExitCode::SUCCESS;
-    }
-    let given = |option: &str| arguments.iter().any(|a| a == option);
-    match report(given("--check"), given("--write")) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("instructions: {message}");
-            ExitCode::FAILURE
+    let kept = std::fs::read_to_string(TABLE).unwrap_or_default();
+    let counts = counts(f64::from(u16::try_from(places.len()).unwrap()));
+    let (mut table, mut off) = (
+        format!(
+            "# instructions per call on x86-64, compiled by {}\n",
+            rustc()
+        ),
+        0,
+    );
+    for (name, row, _) in all() {
+        let count = counts
+            .iter()
+            .find(|(counted, _)| counted == row)
+            .map_or(f64::NAN, |(_, count)| *count);
+        writeln!(table, "{name:48} {count:8.1}").unwrap();
+        let before = kept
+            .lines()
+            .find_map(|line| line.strip_prefix(name)?.trim().parse::<f64>().ok());
+        if given("--check")
+            && !before.is_some_and(|before| (count / before - 1.0).abs() <= TOLERANCE)
+        {
+            eprintln!("{name}: {count:.1} instead of {before:?}");
+            off += 1;
         }
     }
-}
-
-fn report(check: bool, write: bool) -> Result<(), String> {
-    let counts = functions::all().map(|(name, _)| Ok((*name, count(name)?)));
-    let table = Table(counts.collect::<Result<_, String>>()?);
     print!("{table}");
-    if write {
-        std::fs::write(TABLE, table.to_string()).map_err(|error| format!("{TABLE}: {error}"))?;
+    if given("--check") && kept.lines().count() != table.lines().count() {
+        eprintln!("instructions.txt has other rows than the table of functions");
+        off += 1;
     }
-    if check {
-        let kept = std::fs::read_to_string(TABLE).map_err(|error| format!("{TABLE}: {error}"))?;
-        table.compare(&kept)?;
+    if given("--write") {
+        std::fs::write(TABLE, table).unwrap();
     }
-    Ok(())
+    ExitCode::from(u8::from(off > 0))
 }
 
-/// The number of instructions per call.
-fn count(name: &str) -> Result<f64, String> {
-    let this = std::env::current_exe().map_err(|error| error.to_string())?;
-    let output = Command::new("valgrind")
-        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
-        .args(["--collect-atstart=no", "--toggle-collect=shading_counted_*"])
+/// The instructions of a call by row.
+fn counts(calls: f64) -> Vec<(String, f64)> {
+    let out = concat!(env!("CARGO_TARGET_TMPDIR"), "/callgrind.out");
+    let this = std::env::current_exe().unwrap();
+    let counted = Command::new("valgrind")
+        .args([
+            "--tool=callgrind",
+            "--quiet",
+            &format!("--callgrind-out-file={out}"),
+        ])
         .arg(this)
-        .arg(format!("--call={name}"))
+        .arg("--call")
+        .status();
+    assert!(
+        counted.is_ok_and(|status| status.success()),
+        "valgrind counted nothing"
+    );
+    let shown = Command::new("callgrind_annotate")
+        .args(["--inclusive=yes", "--threshold=100", out])
         .output()
-        .map_err(|error| format!("cannot run valgrind: {error}"))?;
-    let said = String::from_utf8_lossy(&output.stderr);
-    let collected = said
-        .lines()
-        .find_map(|line| line.split_once("Collected : "));
-    let instructions: Option<f64> = collected.and_then(|(_, number)| number.trim().parse().ok());
-    match instructions {
-        Some(instructions) if output.status.success() => {
-            Ok(instructions / f64::from(functions::CALLS))
-        }
-        _ => Err(format!("valgrind counted nothing for {name}: {said}")),
-    }
+        .unwrap();
+    let shown = String::from_utf8(shown.stdout).unwrap();
+    let count = |line: &str| {
+        let (number, name) = (line.split_whitespace().next()?, line.split_once(PREFIX)?.1);
+        let row = name
+            .split(|c: char| !c.is_alphanumeric() && c != '_')
+            .next()?;
+        Some((
+            row.to_owned(),
+            number.replace(',', "").parse::<f64>().ok()? / calls,
+        ))
+    };
+    shown.lines().filter_map(count).collect()
 }
 
-/// Calls a function at each of the random places.
-fn call(name: &str) {
-    let found = functions::all().find(|(known, _)| *known == name);
-    let (_, function) = found.unwrap_or_else(|| panic!("no function {name}"));
-    for place in &functions::places() {
-        function(place);
-    }
+/// The version of the compiler: another one may give other counts.
+fn rustc() -> String {
+    let version = Command::new("rustc").arg("--version").output().unwrap();
+    String::from_utf8(version.stdout).unwrap().trim().to_owned()
 }

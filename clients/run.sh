@@ -1,37 +1,32 @@
 #!/usr/bin/env bash
-# Checks the clients: their tests, each command of README.md but the shader's and its picture, and the page in a
-# browser. Installs what is missing. With a folder, the page's screenshots go there.
+# Checks the clients but the shader: their tests, each command of README.md, the chip's picture against this machine's, and
+# the page in a browser. Installs what is missing. With a folder, the page's screenshots go there.
 set -euo pipefail
+pictures=${1:+$(realpath "$1")}
 cd "$(dirname "$0")"
-out=$PWD/target/pictures
-mkdir -p "$out"
+. ../tests/firmware/toolchain.sh
+install_packages qemu-system-arm
+command -v "${CHROMIUM:-chromium}" >/dev/null || install_packages chromium
+command -v npm >/dev/null || install_packages nodejs npm
+installer rustup --quiet target add thumbv7em-none-eabihf
+built=${CARGO_TARGET_DIR:-$PWD/target}
+mkdir -p "$built"
 
-cargo fmt --all --check
+cargo fmt --check -p clients -p languages -p web
 cargo clippy --quiet --workspace --all-targets -- -D warnings
+cargo clippy --quiet -p languages --features python --lib -- -D warnings
 cargo test --quiet --workspace
 
-cargo run --quiet --release -p rasterizer -- "$out/teapot.png"
-for vectors in glam nalgebra; do
-    cargo run --quiet --release -p tracer -- $vectors "$out/tracer_$vectors.png"
-done
-cargo run --quiet --release -p tracer --example many_lamps # fails if lanes draw another picture
-bunny/frame.sh "$out/bunny.png"
-web/test/run.sh "$@"
+cargo build --quiet --release --workspace --bins
+(cd "$built" && release/tracer && release/teapot && release/dispatch)
 
-# refused with one line, and without a picture
-refuses() {
-    local status=0
-    cargo run --quiet --release -p "$@" >target/out 2>target/message || status=$?
-    [ "$status" = 1 ] && [ "$(wc -l <target/message)" = 1 ] && [ ! -s target/out ] || {
-        echo "not refused as it should be (status $status): $*" >&2
-        cat target/message >&2
-        exit 1
-    }
-    cat target/message
-}
-printf 'v 0 0 0\nf 1 1 1\n' >target/point.obj
-refuses tracer -- glam target/point.obj
-refuses tracer -- nalgebra missing.obj
-refuses tracer -- vek
-refuses tracer -- glam target/no/such/folder.png
-refuses rasterizer -- target/no/such/folder.png
+(cd chip && cargo fmt --check && cargo clippy --quiet --release -- -D warnings)
+(cd chip && timeout 60 cargo run --quiet --release) >"$built/chip.txt"
+cargo run --quiet --manifest-path chip/Cargo.toml | cmp - "$built/chip.txt"
+[ "$(wc -l <"$built/chip.txt")" = 384 ] # twelve frames
+
+languages/run.sh
+
+(cd web/test && npm ci --silent --no-audit --no-fund)
+web/build.sh
+node web/test/page.mjs "$built/release/draw" $pictures

@@ -52,7 +52,8 @@ impl<T: Real> Cone<T> {
     /// `axis` is the direction in which the spot shines, away from the light, and L the direction
     /// from the surface to the light. inner and outer are the half-angles, and equal for a hard edge.
     /// [`smoothstep`](Cone::smoothstep) replaces t² with t²(3 − 2t). On the axis, the factor is 1 for
-    /// every cone; if a direction is NaN, too. It never falls, to the bit, as L turns toward the axis.
+    /// every cone; if a direction is NaN, too. It never falls, to the bit, as the computed −L·axis rises,
+    /// which rounding may lower by a unit or two as L turns toward the axis.
     ///
     /// Source: *The OpenGL Graphics System: A Specification*, version 2.1, 2006, §2.14.1, with a
     /// spot exponent of 0; Khronos, *KHR_lights_punctual*, a glTF 2.0 extension, “Inner and Outer
@@ -93,7 +94,7 @@ impl<T: Real> Cone<T> {
     }
 
     /// The same cone, with a soft edge that begins as smoothly as it ends: t²(3 − 2t) in place of t².
-    /// As L turns toward the axis, the factor never falls by more than a unit in the last place.
+    /// As the computed −L·axis rises, the factor never falls by more than a unit in the last place.
     ///
     /// Source: three.js, `getSpotAttenuation`; POV-Ray 3.7, `radius` and `falloff` with a
     /// `tightness` of 0.

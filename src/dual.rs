@@ -280,10 +280,7 @@ impl<T: Real> Real for Dual<T> {
     #[inline]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        Self {
-            value: root,
-            gradient: self.gradient / (root + root),
-        }
+        self.chain(root, T::ONE / (root + root))
     }
 
     #[inline]

@@ -9,8 +9,10 @@ use crate::real::by_squaring;
 /// The formulas of illumination use none of them. [`normal::implicit`](crate::normal::implicit) and
 /// [`normal::parametric`](crate::normal::parametric) differentiate through all of them.
 ///
-/// For `f32` and `f64` they come from `libm`, so they have the same bits on every machine. `libm`'s
-/// `sinf` and `cosf` compute in double precision internally.
+/// For `f32` and `f64` they come from `libm`, so they have the same bits on every machine. In code
+/// that is generic over `T`, `x.sin()` is this trait's; in `f32` or `f64`, the standard library's
+/// method of that name comes first, and its bits differ between machines: write
+/// `Elementary::sin(x)`. `libm`'s `sinf` and `cosf` compute in double precision internally.
 ///
 /// ```
 /// use shading::{Elementary, Vec3};
@@ -35,14 +37,23 @@ pub trait Elementary: Real {
     #[must_use]
     fn ln(self) -> Self;
 
+    /// The absolute value. Its derivative at 0 is taken to be 0, the mean of the slopes on the two
+    /// sides.
+    #[inline]
+    #[must_use]
+    fn abs(self) -> Self {
+        // 0, −0 and NaN are neither above nor below 0; NaN stays NaN
+        self.if_positive(self, (-self).if_positive(-self, self + -self))
+    }
+
     /// An integer power, computed by repeated squaring. A negative exponent gives 1 over the
     /// positive power. The power 0 is 1 for every base, even for 0 and NaN.
     ///
     /// ```
     /// use shading::Elementary;
     ///
-    /// assert_eq!(3.0_f32.powi(4), 81.0);
-    /// assert_eq!(2.0_f32.powi(-2), 0.25);
+    /// assert_eq!(Elementary::powi(3.0_f32, 4), 81.0);
+    /// assert_eq!(Elementary::powi(2.0_f32, -2), 0.25);
     /// ```
     #[inline]
     #[must_use]

@@ -93,7 +93,7 @@ impl<T: Real> IncidentLight<T> {
     ///     attenuation: Attenuation::NONE,
     /// };
     /// let ceiling = |l: UnitVec3, distance: f32| 3.0 < distance * l.z;
-    /// let lit = [lamp].iter().filter_map(|lamp| lamp.at(Vec3::ZERO).unless_blocked(UnitVec3::Z, ceiling));
+    /// let lit = [lamp].into_iter().filter_map(|lamp| lamp.at(Vec3::ZERO).unless_blocked(UnitVec3::Z, ceiling));
     /// assert_eq!(lit.count(), 0);
     /// ```
     #[doc(alias = "shadow")]
@@ -113,7 +113,7 @@ impl<T: Real> IncidentLight<T> {
             distance,
             intensity,
         } = self.arriving();
-        let l = UnitVec3::assume_unit(way / length);
+        let l = UnitVec3::assume_unit(T::divided(way.into(), length).into());
         (!is_blocked(l, distance)).then(|| DirectionalLight { l, intensity }.into())
     }
 
@@ -130,8 +130,8 @@ impl<T: Real> IncidentLight<T> {
     /// q, the distance to the light. A shadow ray ends there; geometry beyond the light does not block
     /// it.
     ///
-    /// It is always finite. It is [`MAX`](Real::MAX) if the light has no position, like the sun, or
-    /// if q overflows.
+    /// It is finite unless a coordinate is NaN. It is [`MAX`](Real::MAX) if the light has no position,
+    /// like the sun, or if q overflows.
     #[inline]
     #[must_use]
     pub fn distance(&self) -> T {
@@ -217,6 +217,17 @@ impl<T: Real> Mul<Rgb<T>> for IncidentLight<T> {
 /// ```
 #[doc(alias = "sun")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        deny_unknown_fields,
+        bound(
+            serialize = "T: Real + crate::Scalar + serde::Serialize",
+            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>"
+        )
+    )
+)]
 pub struct DirectionalLight<T = f32> {
     /// L, the direction **to** the light, opposite to the direction in which it shines.
     pub l: UnitVec3<T>,
@@ -229,7 +240,7 @@ impl<T: Real> DirectionalLight<T> {
     /// the largest finite number.
     #[inline]
     #[must_use]
-    pub fn at(&self, _p: Vec3<T>) -> IncidentLight<T> {
+    pub fn at(&self, _p: impl Into<[T; 3]>) -> IncidentLight<T> {
         (*self).into()
     }
 
@@ -273,6 +284,17 @@ impl<T: Real> From<DirectionalLight<T>> for IncidentLight<T> {
 /// ```
 #[doc(alias = "lamp")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        deny_unknown_fields,
+        bound(
+            serialize = "T: Real + crate::Scalar + serde::Serialize",
+            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>"
+        )
+    )
+)]
 pub struct PointLight<T = f32> {
     /// P_light, the position of the light.
     pub position: Vec3<T>,
@@ -289,8 +311,8 @@ impl<T: Real> PointLight<T> {
     /// L = (P_light − p)/q,  q = |P_light − p|,  intensity I / (a + bq + cq²)
     /// ```
     ///
-    /// The light is black at its own position (q = 0) and if a coordinate is infinite. A distance
-    /// or an intensity that overflows is the largest finite number.
+    /// The light is black at its own position (q = 0), and where a coordinate of P_light − p is NaN or
+    /// overflows. A distance or an intensity that overflows is the largest finite number.
     ///
     /// ```
     /// use shading::f32::{Attenuation, PointLight, Rgb, UnitVec3, Vec3};
@@ -308,10 +330,10 @@ impl<T: Real> PointLight<T> {
     /// ```
     #[inline]
     #[must_use]
-    pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
+    pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
         IncidentLight {
             light: Light::Point(*self),
-            way: self.position - p,
+            way: self.position - Vec3::from(p.into()),
         }
     }
 
@@ -357,6 +379,17 @@ impl<T: Real> PointLight<T> {
 /// ```
 #[doc(alias = "spotlight")]
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        deny_unknown_fields,
+        bound(
+            serialize = "T: Real + crate::Scalar + serde::Serialize",
+            deserialize = "T: crate::Elementary + crate::Scalar + serde::Deserialize<'de>"
+        )
+    )
+)]
 #[repr(C)] // begins with its point light, as `Light::Point` does, so `Light` finds both at one offset
 pub struct SpotLight<T = f32> {
     /// The light at the tip of the cone.
@@ -372,10 +405,10 @@ impl<T: Real> SpotLight<T> {
     /// [factor](Cone::factor) of the cone.
     #[inline]
     #[must_use]
-    pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
+    pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
         IncidentLight {
             light: Light::Spot(*self),
-            way: self.point.position - p,
+            way: self.point.position - Vec3::from(p.into()),
         }
     }
 
@@ -418,6 +451,17 @@ impl<T: Real> SpotLight<T> {
 ///
 /// In a `static`, write the kind: `static LIGHTS: [Light; 1] = [Light::Directional(SUN)];`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        rename_all = "snake_case",
+        bound(
+            serialize = "T: Real + crate::Scalar + serde::Serialize",
+            deserialize = "T: crate::Elementary + crate::Scalar + serde::Deserialize<'de>"
+        )
+    )
+)]
 pub enum Light<T = f32> {
     /// A light from one direction.
     Directional(DirectionalLight<T>),
@@ -432,12 +476,14 @@ impl<T: Real> Light<T> {
     /// and [`SpotLight::at`].
     #[inline(always)]
     #[must_use]
-    pub fn at(&self, p: Vec3<T>) -> IncidentLight<T> {
+    pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
         IncidentLight {
             light: *self,
             way: match self {
                 Self::Directional(light) => *light.l,
-                Self::Point(point) | Self::Spot(SpotLight { point, .. }) => point.position - p,
+                Self::Point(point) | Self::Spot(SpotLight { point, .. }) => {
+                    point.position - Vec3::from(p.into())
+                }
             },
         }
     }

@@ -89,6 +89,17 @@ use crate::vector::Vec3;
 /// };
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(
+        deny_unknown_fields,
+        bound(
+            serialize = "T: Real + crate::Scalar + serde::Serialize, M: serde::Serialize",
+            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>, M: serde::Deserialize<'de>"
+        )
+    )
+)]
 pub struct Material<T = f32, M = u32> {
     /// k_a, the reflectance for ambient light.
     pub k_a: Rgb<T>,
@@ -236,7 +247,7 @@ pub fn lambert<T: Real, M>(
 /// I_r = k_a I_a + Σ I (k_d max(0, N·L) + k_s max(0, R·V)ᵐ)
 /// ```
 ///
-/// R is the [`reflection`] of L. A light with N·L ≤ 0 adds nothing. The [module page](crate::shade)
+/// R is the [`reflection`](crate::reflection()) of L. A light with N·L ≤ 0 adds nothing. The [module page](crate::shade)
 /// lists the arguments and the degenerate cases.
 ///
 /// Source: Bui Tuong Phong, *Illumination for Computer Generated Pictures*, 1975.
@@ -326,7 +337,8 @@ fn sum<T: Real, M>(
                 intensity,
                 ..
             } = light.arriving();
-            let n_dot_l = (n.dot(way) / length).at_least(T::ZERO);
+            // a way that overflowed gives ∞, and its light is black
+            let n_dot_l = (n.dot(way) / length).at_least(T::ZERO).at_most(T::ONE);
             diffuse += intensity * in_front.if_positive(n_dot_l, T::ZERO);
             specular += intensity * in_front.if_positive(highlight(way, length), T::ZERO);
         }

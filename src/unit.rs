@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Deref, Mul, Neg, Sub};
 
-use crate::real::{Real, Scalar, const_sqrt, epsilon, tamed};
+use crate::real::{Real, Scalar, const_sqrt, epsilon, size, tamed};
 use crate::vector::Vec3;
 
 impl<T: Real> Vec3<T> {
@@ -53,7 +53,7 @@ impl<T: Real> Vec3<T> {
         T: Scalar,
     {
         let (w, length, _) = T::direction(self.into());
-        (length > T::ZERO).then(|| UnitVec3(Self::from(w) / length))
+        (length > T::ZERO).then(|| UnitVec3(T::divided(w, length).into()))
     }
 
     /// [`unit`](Vec3::unit), or `fallback` if that is `None`. This method does not branch on the
@@ -69,8 +69,8 @@ impl<T: Real> Vec3<T> {
     #[must_use]
     pub fn unit_or(self, fallback: UnitVec3<T>) -> UnitVec3<T> {
         let (w, length, _) = T::direction(self.into());
-        let or = |w, fallback| length.if_positive(w / length, fallback);
-        let [x, y, z] = w;
+        let or = |w, fallback| length.if_positive(w, fallback);
+        let [x, y, z] = T::divided(w, length);
         UnitVec3(Vec3::new(
             or(x, fallback.x),
             or(y, fallback.y),
@@ -161,7 +161,7 @@ impl<T: Real> UnitVec3<T> {
     {
         let two = T::ONE + T::ONE;
         let v = Vec3::new(x, y, z);
-        let is_unit = (v.dot(v) - T::ONE).abs() <= two * two * epsilon();
+        let is_unit = size(v.dot(v) - T::ONE) <= two * two * epsilon();
         is_unit.then_some(Self(v))
     }
 
@@ -213,8 +213,12 @@ macro_rules! literals {
                 let (x, y, z) = (x * scale, y * scale, z * scale);
                 let square = x * x + y * y + z * z;
                 if square > 0.0 && square <= $float::MAX {
-                    let length = const_sqrt(square as f64) as $float;
-                    Some(Self(Vec3::new(x / length, y / length, z / length)))
+                    let reciprocal = 1.0 / const_sqrt(square as f64) as $float;
+                    Some(Self(Vec3::new(
+                        x * reciprocal,
+                        y * reciprocal,
+                        z * reciprocal,
+                    )))
                 } else {
                     None
                 }

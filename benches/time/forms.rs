@@ -99,19 +99,19 @@ macro_rules! forms {
                 });
                 form!("once(sun).chain(lamps)" * 5: |_n, p| once(sun.at(p)).chain(lamps.iter().map(|l| l.at(p))); |sum| {
                     sum.add_sun(black_box(V::X));
-                    by_hand.iter().for_each(|lamp| sum.add(lamp, |_, _| 1.0));
+                    for lamp in by_hand { sum.add(lamp, |_, _| 1.0); }
                 });
                 form!("lamps.filter(not blocked)" * 4:
                     |_n, p| lamps.iter().map(|l| l.at(p)).filter(|l| !blocked(p.z, l.l().z, l.distance())); |sum| {
                     let z = sum.p.z;
                     let share = |l: V, q| if blocked(z, l.z, q) { 0.0 } else { 1.0 };
-                    by_hand.iter().for_each(|lamp| sum.add(lamp, share));
+                    for lamp in by_hand { sum.add(lamp, share); }
                 });
                 form!("lamps.filter(in front, not blocked)" * 4:
                     |n, p| lamps.iter().map(|l| l.at(p)).filter(|l| l.is_in_front(n) && !blocked(p.z, l.l().z, l.distance())); |sum| {
                     let z = sum.p.z;
                     let share = |l: V, q| if blocked(z, l.z, q) { 0.0 } else { 1.0 };
-                    by_hand.iter().for_each(|lamp| sum.add(lamp, share));
+                    for lamp in by_hand { sum.add(lamp, share); }
                 });
                 form!("lights of mixed kinds" * 4: |_n, p| mixed.iter().map(|l| l.at(p)); |sum| for kind in kinds {
                     match kind {
@@ -127,7 +127,7 @@ macro_rules! forms {
                     sum.add(lamp, |l, _| soft(*axis, l));
                 });
                 form!("lamps with ranges" * 4: |_n, p| ranged.iter().map(|l| l.at(p)); |sum| {
-                    by_hand.iter().for_each(|lamp| sum.add(lamp, |_, q| window(q)));
+                    for lamp in by_hand { sum.add(lamp, |_, q| window(q)); }
                 });
             }
         }

@@ -31,14 +31,18 @@ macro_rules! hand {
             }
 
             pub struct Material {
-                k_a: V,
-                k_d: V,
-                k_s: V,
+                ambient: V,
+                diffuse: V,
+                specular: V,
             }
 
             pub fn material() -> Material {
-                let [k_a, k_d, k_s] = [K_A, K_D, K_S].map(vector);
-                Material { k_a, k_d, k_s }
+                let [ambient, diffuse, specular] = [K_A, K_D, K_S].map(vector);
+                Material {
+                    ambient,
+                    diffuse,
+                    specular,
+                }
             }
 
             /// The sum over the lights of a point. `highlight` has N, V, L and N·L.
@@ -54,7 +58,7 @@ macro_rules! hand {
             impl<'a, H: Fn(V, V, V, $float) -> $float> Point<'a, H> {
                 #[inline(always)]
                 pub fn new(&[n, v, p]: &[V; 3], material: &'a Material, highlight: H) -> Self {
-                    let sum = material.k_a * 0.2;
+                    let sum = material.ambient * 0.2;
                     Self {
                         n,
                         v,
@@ -95,7 +99,7 @@ macro_rules! hand {
                 #[inline(always)]
                 fn reflected(&self, l: V, n_dot_l: $float) -> V {
                     let highlight = (self.highlight)(self.n, self.v, l, n_dot_l);
-                    self.material.k_d * n_dot_l + self.material.k_s * highlight
+                    self.material.diffuse * n_dot_l + self.material.specular * highlight
                 }
             }
 

@@ -2,9 +2,9 @@
 
 use crate::race::{Output, Pass, pass};
 use crate::scene::{ATTENUATION, K_A, K_D, K_S, List};
+use cpu_time::ThreadTime;
 use shading::{Exponent, Lanes, Material, PointLight, Rgb, UnitVec3, Vec3, shade};
 use std::hint::black_box;
-use std::time::Instant;
 use wide::f32x8;
 
 type V = [f32x8; 3];
@@ -33,8 +33,8 @@ pub fn ours<'a, M: Exponent<f32x8> + 'a>(
     let lights: Vec<_> = lamps.iter().map(|lamp| lamp.cast(f32x8::splat)).collect();
     let material = material.cast(f32x8::splat);
     pass::<false, _, _>(points, EIGHT * lamps.len(), move |&[n, v, p]| {
-        let [n, v] = [n, v].map(|v| UnitVec3::assume_unit(v.into()));
-        let lights = lights.iter().map(|light| light.at(p.into()));
+        let [n, v] = [n, v].map(|v| UnitVec3::assume_unit(Vec3::from(v)));
+        let lights = lights.iter().map(|light| light.at(Vec3::from(p)));
         let i_a = Rgb::gray(f32x8::splat(0.2));
         let total = shade::blinn_phong(n, v, black_box(&material), i_a, lights).total();
         <V>::from(total).map(f32x8::to_array)
@@ -95,7 +95,7 @@ pub fn in_c(points: &[List<List<f64>>], lamps: &[List<f64>], m: f32) -> Pass<'st
     let material = [(); 13].map(|()| numbers.next().unwrap());
     let mut image = [(); 3].map(|()| vec![0.0_f32; count]);
     Box::new(move |sum| {
-        let start = Instant::now();
+        let start = ThreadTime::now();
         let inputs = inputs.each_mut().map(Vec::as_mut_ptr);
         let channels = image.each_mut().map(Vec::as_mut_ptr);
         // SAFETY: every array has `count` elements, and the inputs are only read.
@@ -107,7 +107,7 @@ pub fn in_c(points: &[List<List<f64>>], lamps: &[List<f64>], m: f32) -> Pass<'st
                 count,
                 &inputs,
                 &channels,
-            )
+            );
         }
         let nanoseconds = start.elapsed().as_secs_f64() * 1e9;
         let total = if sum {
@@ -131,7 +131,7 @@ where
     let packs: Vec<PointLight<L>> = PointLight::packed(lamps).collect();
     let material = material.cast(splat::<L>);
     pass::<false, _, _>(points, lamps.len(), move |&[n, v, p]| {
-        let [n, v] = [n, v].map(|v| UnitVec3::assume_unit(v.into()).cast(splat));
+        let [n, v] = [n, v].map(|v| UnitVec3::assume_unit(Vec3::from(v)).cast(splat));
         let p = Vec3::from(p).map(splat);
         let lights = packs.iter().map(|pack| pack.at(p));
         let i_a = Rgb::gray(L::of(0.2));

@@ -29,7 +29,7 @@ macro_rules! sums {
             /// N or V.
             #[inline]
             pub fn unit(v: [$float; 3]) -> s::UnitVec3 {
-                s::UnitVec3::assume_unit(v.into())
+                s::UnitVec3::assume_unit(s::Vec3::from(v))
             }
 
             /// The sums of Blinn by an even m, an odd m and a real m, and of Phong.
@@ -42,7 +42,7 @@ macro_rules! sums {
                 macro_rules! sum {
                     ($sum:ident, $material:ident) => {
                         pass::<CALL, _, _>(points, lamps.len(), move |&[n, v, p]| {
-                            let lights = lamps.iter().map(|lamp| lamp.at(p.into()));
+                            let lights = lamps.iter().map(|lamp| lamp.at(s::Vec3::from(p)));
                             let material = black_box(&$material);
                             <[$float; 3]>::from(
                                 shade::$sum(unit(n), unit(v), material, i_a, lights).total(),
@@ -88,13 +88,17 @@ pub fn normals<const CALL: bool>(triangles: &[[[f32; 3]; 3]]) -> [Pass<'_>; 5] {
     [
         pass::<CALL, _, _>(triangles, 1, move |&[a, ..]| list(Vec3::from(a).unit())),
         pass::<CALL, _, _>(triangles, 1, move |&[a, b, c]| {
-            list(normal::triangle(a.into(), b.into(), c.into()))
+            list(normal::triangle(
+                Vec3::from(a),
+                Vec3::from(b),
+                Vec3::from(c),
+            ))
         }),
         pass::<CALL, _, _>(triangles, 1, move |&[a, b, c]| {
-            <[f32; 3]>::from(normal::corner(a.into(), b.into(), c.into()))
+            <[f32; 3]>::from(normal::corner(Vec3::from(a), Vec3::from(b), Vec3::from(c)))
         }),
         pass::<CALL, _, _>(triangles, 1, move |&[a, ..]| {
-            list(normal::implicit(torus::<Dual>, a.into()))
+            list(normal::implicit(torus::<Dual>, Vec3::from(a)))
         }),
         pass::<CALL, _, _>(triangles, 1, move |&[a, ..]| {
             list(normal::parametric(saddle::<Dual>, a[0], a[1]))

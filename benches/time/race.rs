@@ -4,6 +4,8 @@ use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Instant;
 
+use cpu_time::ThreadTime;
+
 /// How often a ratio above its limit is measured again. A busy machine disturbs a race, but seldom five.
 const ATTEMPTS: usize = 5;
 
@@ -18,12 +20,13 @@ pub fn pass<'a, const CALL: bool, I, O: Output + Clone + Default + 'a>(
 ) -> Pass<'a> {
     let mut results = vec![O::default(); inputs.len()];
     Box::new(move |sum| {
-        let start = Instant::now();
+        let start = ThreadTime::now();
         let places = black_box(&mut results).iter_mut();
         for (result, input) in places.zip(black_box(inputs)) {
-            *result = match CALL {
-                true => call(&function, input),
-                false => function(input),
+            *result = if CALL {
+                call(&function, input)
+            } else {
+                function(input)
             };
         }
         black_box(&mut results);
@@ -79,7 +82,7 @@ pub struct Races {
     /// How far the results of ours and theirs may be apart.
     pub tolerance: f64,
     title: &'static str,
-    ratios: Vec<f64>,
+    ratios: Vec<(String, f64)>,
 }
 
 impl Races {
@@ -114,7 +117,7 @@ impl Races {
         for mut pair in pairs {
             let [ours, theirs] = self.least(&mut pair, limit, name);
             let ratio = ours / theirs;
-            self.ratios.push(ratio);
+            self.ratios.push((name.to_owned(), ratio));
             self.check(name, ratio, limit);
             let mark = if ratio > limit { "**" } else { "" };
             print!(" | {ours:.2} / {theirs:.2} = {mark}{ratio:.2}{mark}");
@@ -139,11 +142,15 @@ impl Races {
         }
     }
 
-    /// Ends a table with the geometric mean of its ratios.
-    pub fn mean(&mut self, limit: f64) {
-        let logarithms = self.ratios.iter().map(|ratio| ratio.ln());
-        let mean = (logarithms.sum::<f64>() / self.ratios.len() as f64).exp();
-        println!("\ngeometric mean {mean:.2}, limit {limit:.2}");
+    /// Ends a table with the geometric mean of some rows.
+    pub fn mean(&mut self, limit: f64, rows: impl Fn(&str) -> bool) {
+        let some = self.ratios.iter().filter(|(name, _)| rows(name));
+        let logarithms: Vec<f64> = some.map(|(_, ratio)| ratio.ln()).collect();
+        let mean = (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp();
+        println!(
+            "\ngeometric mean of {} {mean:.2}, limit {limit:.2}",
+            logarithms.len()
+        );
         self.check("geometric mean", mean, limit);
     }
 

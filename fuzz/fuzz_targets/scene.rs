@@ -74,7 +74,7 @@ fn is_valid(scene: &Scene) {
         three(point.position.into());
         three(point.intensity.into());
         assert!(point.attenuation.range() > 0.0, "{point:?}");
-        let coefficients = point.attenuation.attenuation().coefficients();
+        let coefficients = point.attenuation.coefficients();
         three(coefficients);
         assert!(coefficients.iter().all(|x| *x >= 0.0) && coefficients != [0.0; 3]);
     }

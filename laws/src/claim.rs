@@ -53,6 +53,7 @@ impl Claim {
     }
 
     /// The same about these scenes.
+    #[allow(clippy::unnecessary_wraps)] // a law may say nothing
     pub fn of<const N: usize>(self, scenes: [Scene; N]) -> Option<Group> {
         Some(Group {
             scenes: scenes.into(),

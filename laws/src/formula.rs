@@ -41,8 +41,8 @@ pub struct At<'a> {
     pub ambient: Bounded3,
     /// The light, its place among the others, and their number.
     pub light: Option<Light>,
-    pub i: usize,
-    pub count: usize,
+    pub i: f64,
+    pub count: f64,
     pub intensity: Bounded3,
     pub position: Bounded3,
     pub way: Bounded3,
@@ -94,8 +94,8 @@ impl<'a> At<'a> {
             i_a: BLACK,
             ambient: BLACK,
             light: None,
-            i: 0,
-            count: 0,
+            i: 0.0,
+            count: 0.0,
             intensity: BLACK,
             position: BLACK,
             way: BLACK,
@@ -213,11 +213,13 @@ impl<'a> Formula<'a> {
     /// The color in linear light, before the range of the renderer.
     pub fn linear(&self, scene: &Scene) -> Bounded3 {
         let at = &mut At::new(self.profile, self.how);
-        at.count = scene.lights.len();
+        #[allow(clippy::cast_precision_loss)] // the count of lights
+        let number = |count: usize| count as f64;
+        at.count = number(scene.lights.len());
         self.surface(scene, at);
         let n = at.n;
         for (i, light) in scene.lights.iter().enumerate() {
-            (at.light, at.i, at.n) = (Some(*light), i, n);
+            (at.light, at.i, at.n) = (Some(*light), number(i), n);
             self.arriving(scene, at);
             self.reflected(at);
         }
@@ -500,10 +502,10 @@ impl Scope {
             Self::Lamps => kind.is_some() && kind != Some(Kind::Directional),
             Self::Phong => at.model == Model::Phong,
             Self::Blinn => at.model == Model::BlinnPhong,
-            Self::First => kind.is_some() && at.i == 0,
-            Self::Later => kind.is_some() && at.i > 0,
-            Self::Last => kind.is_some() && at.i + 1 == at.count,
-            Self::Earlier => kind.is_some() && at.i + 1 < at.count,
+            Self::First => kind.is_some() && at.i == 0.0,
+            Self::Later => kind.is_some() && at.i > 0.0,
+            Self::Last => kind.is_some() && at.i + 1.0 == at.count,
+            Self::Earlier => kind.is_some() && at.i + 1.0 < at.count,
         }
     }
 

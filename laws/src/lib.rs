@@ -1,5 +1,5 @@
-//! The laws of local illumination, as a test suite for whatever shades: a renderer in any language,
-//! or a shader on a GPU.
+//! [format]: crate::format
+#![doc = include_str!("../README.md")]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 #![allow(clippy::float_cmp)] // special cases are exact

@@ -268,16 +268,17 @@ impl Report {
 
     /// What gives the colors of these scenes again.
     fn reproduction(&self, scenes: &[Scene]) -> String {
-        let lines = scenes.iter().map(Scene::to_json);
+        let each = |line: &dyn Fn(String) -> String| -> String {
+            let lines: Vec<_> = scenes.iter().map(|scene| line(scene.to_json())).collect();
+            lines.concat()
+        };
         match &self.command {
             // a line has neither a quote of this kind nor a backslash
-            Some(command) => format!(
-                "printf '%s\\n' '{{\"shading-laws\":1}}'{} '' | {command}\n",
-                lines.map(|line| format!(" '{line}'")).collect::<String>()
-            ),
-            None => lines
-                .map(|line| format!("Scene::from_json(r#\"{line}\"#)\n"))
-                .collect(),
+            Some(command) => {
+                let lines = each(&|line| format!(" '{line}'"));
+                format!("printf '%s\\n' '{{\"shading-laws\":1}}'{lines} '' | {command}\n")
+            }
+            None => each(&|line| format!("Scene::from_json(r#\"{line}\"#)\n")),
         }
     }
 
@@ -352,7 +353,7 @@ impl fmt::Display for Report {
                 }
                 Verdict::Holds { .. } => writeln!(f, "{name} holds{but_known}")?,
                 Verdict::NotTried { because } => {
-                    writeln!(f, "{name} is not tried: {because}{but_known}")?
+                    writeln!(f, "{name} is not tried: {because}{but_known}")?;
                 }
                 Verdict::NotReached => writeln!(f, "{name} is NOT REACHED, so this is no pass")?,
                 Verdict::Broken {

@@ -26,7 +26,7 @@ const SIMPLER: usize = 32;
 const SETTLED: usize = 32;
 
 /// The most broken cases from which things are taken out.
-const PLACED: usize = 40;
+const PLACED: f64 = 40.0;
 
 /// A run of the laws. It is deterministic: the same seed gives the same scenes.
 ///
@@ -617,7 +617,7 @@ impl Run<'_> {
         });
         let affordable = left.as_secs_f64() / (per_scene.as_secs_f64() * 22.0).max(1e-9);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 2 to 40
-        let most = affordable.clamp(2.0, PLACED as f64) as usize / chosen.len();
+        let most = affordable.clamp(2.0, PLACED) as usize / chosen.len();
         let (mut broken, mut of_law) = (Vec::new(), Vec::new());
         for law in chosen {
             let left: Vec<&Failure> = self.failures[law].iter().filter(is_left).collect();

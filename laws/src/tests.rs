@@ -242,7 +242,10 @@ fn no_two_rows_give_the_same_colors() {
     let colors: Vec<Vec<Bounded3>> = faults.iter().map(of).collect();
     let is_same = |a: &Bounded3, b: &Bounded3| {
         let mut channels = a.iter().zip(b);
-        channels.all(|(a, b)| !((a.value - b.value).abs() > a.error + b.error))
+        channels.all(|(a, b)| {
+            let off = (a.value - b.value).abs();
+            off.is_nan() || off <= a.error + b.error
+        })
     };
     let right = of(&Fault::named("Leak")); // it changes no ingredient
     let changes = |colors: &Vec<Bounded3>| !colors.iter().zip(&right).all(|(a, b)| is_same(a, b));

@@ -306,7 +306,7 @@ fn too_many_answers_are_refused() {
 fn a_renderer_that_hangs_is_refused() {
     let begin = Instant::now();
     let late = |script: &str, parts: &[&str]| {
-        refused(try_script("sh", script, &["--timeout", "2"]), parts)
+        refused(try_script("sh", script, &["--timeout", "2"]), parts);
     };
     let few = python("if n == 3: continue");
     let few = || try_script("python3", &few, &["--timeout", "2"]);
@@ -318,7 +318,7 @@ fn a_renderer_that_hangs_is_refused() {
             late(
                 "echo '{}'; exec sleep 1000",
                 &["scene 1: no answer within 2s", SCENE],
-            )
+            );
         });
         scope.spawn(|| refused(few(), &["no answer within 2s", SCENE]));
         // this one keeps the laws, and does not end by itself
@@ -326,7 +326,7 @@ fn a_renderer_that_hangs_is_refused() {
             assert_eq!(
                 try_script("python3", &endless, &["--cases", "4"]).0,
                 Some(0)
-            )
+            );
         });
     });
     assert!(begin.elapsed() < Duration::from_secs(100)); // 1000 is how long they sleep

@@ -1,6 +1,7 @@
 //! What a report says, and what prevents one.
 
 #![allow(missing_docs)]
+#![allow(clippy::float_cmp)] // short numbers, compared exactly
 
 use std::time::Duration;
 

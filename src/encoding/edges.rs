@@ -82,22 +82,6 @@ const fn times(mut number: Whole, factor: u64, exponent: u32) -> Whole {
     number
 }
 
-/// 255 E + ½, by a straight line between two edges, from which the curve is 0.004 away at most.
-pub(super) const fn encoded(light: f64) -> f64 {
-    const EDGES: [f64; 256] = edges();
-    let mut level = 1;
-    while level < 255 && EDGES[level] <= light {
-        level += 1;
-    }
-    // in the straight part of the curve, one level below level 1 is −L
-    let below = if level == 1 {
-        -EDGES[1]
-    } else {
-        EDGES[level - 1]
-    };
-    (level - 1) as f64 + (light - below) / (EDGES[level] - below)
-}
-
 /// The standard's decoding, used only at compile time. The error is at most 2⁻⁵⁰ of the result. That
 /// suffices: the light of no byte is within 2⁻³⁶ of a tie.
 pub(super) const fn decoded(encoded: f64) -> f64 {

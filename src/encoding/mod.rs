@@ -2,9 +2,9 @@
 //!
 //! The levels of an encoding rise with the light, so each level begins at a certain number, which
 //! [`edges`] finds exactly. Encoding a number means finding the last level that begins at or below it,
-//! with integer operations and small tables that the compiler computes ([`levels`]). The result is
-//! correctly rounded. It needs no powers, no division and, on a chip without an FPU, no floating-point
-//! routine.
+//! with integer operations and a table that the compiler computes: a large one that needs one entry a
+//! channel (`steps`), or a small one for chips (`lines`). The result is correctly rounded. It needs no
+//! powers, no division and, on a chip without an FPU, no floating-point routine.
 
 #![allow(
     clippy::cast_possible_truncation, // levels fit their bits; edges are rounded
@@ -14,11 +14,16 @@
 )]
 
 mod edges;
+#[cfg(target_os = "none")]
+#[path = "lines.rs"]
+mod levels;
+#[cfg(not(target_os = "none"))]
+#[path = "steps.rs"]
 mod levels;
 
 use crate::rgb::Rgb;
 use edges::decoded;
-use levels::{eight_bits, five_bits, in_order, six_bits};
+use levels::{clamped, eight_bits, five_bits, six_bits};
 
 /// Colors on a display, whose light is encoded as sRGB, and linear colors for programs that
 /// encode elsewhere or not at all. Single precision is more than any display shows; convert with
@@ -205,7 +210,7 @@ const fn packed(r: u32, g: u32, b: u32) -> u16 {
 #[inline]
 const fn linear(channel: f32, highest: u32) -> u32 {
     // 2⁻⁹ is dark for every highest level
-    let bits = in_order(channel, 1.0 / 512.0, 1.0);
+    let bits = clamped(channel, 1.0 / 512.0, 1.0);
     let significand = bits & 0x007F_FFFF | 0x0080_0000;
     let shift = 150 - (bits >> 23); // 23 to 32
     (((significand * highest) >> (shift - 1)) + 1) >> 1

@@ -1,4 +1,4 @@
-//! Vectors and colors as bytes, for buffers. `docs/buffers.md` explains such buffers.
+//! Vectors and colors as bytes, for buffers. `docs/gpu.md` explains such buffers.
 //!
 //! Lights and materials have no such form: `Light` is an enum, and a shader's structs have their
 //! own padding.

@@ -5,8 +5,8 @@ use defmt::{Format, Formatter, write};
 #[cfg(feature = "fixed")]
 use crate::fixed::Fixed;
 use crate::{
-    Attenuation, Cone, DirectionalLight, Dual, IncidentLight, Light, Material, PointLight, Ranged,
-    Real, Rgb, Shaded, SoftCone, SpotLight, UnitVec3, Vec3,
+    Attenuation, Cone, DirectionalLight, Dual, IncidentLight, Light, Material, PointLight, Real,
+    Rgb, Shaded, SpotLight, UnitVec3, Vec3,
 };
 
 macro_rules! format {
@@ -24,24 +24,22 @@ format! {
     UnitVec3, self: "UnitVec3({}, {}, {})", self.x, self.y, self.z;
     Rgb, self: "Rgb({}, {}, {})", self.r, self.g, self.b;
     Dual, self: "Dual({}, {})", self.value, self.gradient;
-    Attenuation, self: "Attenuation({}, clamped: {})", self.coefficients(), self.is_clamped();
-    Ranged, self: "Ranged({}, range: {}, unsquared: {})",
-        self.attenuation(), self.range(), self.is_unsquared();
-    Cone, self: "Cone(cosine: {})", self.cosine();
-    SoftCone, self: "SoftCone(cosines: {}, smoothstep: {})", self.cosines(), self.is_smoothstep();
+    Attenuation, self: "Attenuation({}, clamped: {}, range: {}, unsquared: {})",
+        self.coefficients(), self.is_clamped(), self.range(), self.is_unsquared();
+    Cone, self: "Cone(cosines: {}, smoothstep: {})", self.cosines(), self.is_smoothstep();
     IncidentLight, self: "IncidentLight(l: {}, intensity: {}, distance: {})",
-        self.l, self.intensity, self.distance;
+        self.l(), self.intensity(), self.distance();
     DirectionalLight, self: "DirectionalLight(l: {}, intensity: {})", self.l, self.intensity;
-    PointLight<A>, self: "PointLight(position: {}, intensity: {}, attenuation: {})",
+    PointLight, self: "PointLight(position: {}, intensity: {}, attenuation: {})",
         self.position, self.intensity, self.attenuation;
-    SpotLight<C, A>, self: "SpotLight({}, axis: {}, cone: {})", self.point, self.axis, self.cone;
+    SpotLight, self: "SpotLight({}, axis: {}, cone: {})", self.point, self.axis, self.cone;
     Material<M>, self: "Material(k_a: {}, k_d: {}, k_s: {}, m: {})",
         self.k_a, self.k_d, self.k_s, self.m;
     Shaded, self: "Shaded(ambient: {}, diffuse: {}, specular: {})",
         self.ambient, self.diffuse, self.specular;
 }
 
-impl<T: Real + Format, C: Format, A: Format> Format for Light<T, C, A> {
+impl<T: Real + Format> Format for Light<T> {
     fn format(&self, f: Formatter) {
         match self {
             Self::Directional(light) => light.format(f),

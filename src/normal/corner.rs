@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, SQRT_2};
 
-use crate::real::{Real, constant, parts};
+use crate::real::{Real, constant, parts, size};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -84,7 +84,7 @@ fn angle<T: Real>(sine: T, cosine: T) -> T {
         constant(const { parts(SQRT_2 - 1.0) }),
         constant(const { parts(SQRT_2 + 1.0) }),
     ];
-    let size = cosine.abs();
+    let size = size(cosine);
     let sign = cosine.if_positive(T::ONE, T::NEG_ONE);
     let x = (size * tan_3_pi_8).if_above(sine, sign, T::ZERO);
     let y = sine.if_above(size * tan_pi_8, T::ONE, T::ZERO);

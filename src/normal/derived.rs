@@ -1,7 +1,7 @@
 //! Normals made from normals: turned to the eye, transformed, or perturbed by a normal map.
 
 use super::surface::from_tangents;
-use crate::real::{Real, Scalar, is_extreme};
+use crate::real::{Real, Scalar, is_extreme, size};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -89,13 +89,13 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
         // the least length that counts keeps the quotients within range
         let none = UnitVec3::assume_unit(Vec3::ZERO);
         let [x, y, z] = columns.map(Vec3::length);
-        let counts = |n: T, length| n.abs().if_positive(length, T::MAX);
+        let counts = |n: T, length| size(n).if_positive(length, T::MAX);
         let least = counts(n.x, x)
             .at_most(counts(n.y, y))
             .at_most(counts(n.z, z));
         let share = |n: T, length: T| {
             let share = length.if_above(least, n * (least / length), n);
-            n.abs().if_positive(share, T::ZERO)
+            size(n).if_positive(share, T::ZERO)
         };
         let n = Vec3::new(share(n.x, x), share(n.y, y), share(n.z, z));
         // the product with 0 keeps what is not finite
@@ -125,7 +125,7 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
 /// made for Direct3D, y points down: negate it. A valid texel has a blue channel above ½. A black
 /// texel is the direction (−1, −1, −1), below the surface.
 ///
-/// The result is `None` if T is zero or parallel to N, if the sample is zero, or if a number is not
+/// The result is `None` if T is zero or parallel to N, if the sample is zero, or if a coordinate is not
 /// finite. The nearer T is to N, the more its rounding errors matter, as in
 /// [`from_tangents`](crate::normal::from_tangents).
 ///

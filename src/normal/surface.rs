@@ -1,7 +1,7 @@
 //! Normals of planes, triangles, spheres, implicit and parametric surfaces.
 
 use crate::dual::Dual;
-use crate::real::{Real, Scalar, epsilon};
+use crate::real::{Real, Scalar, epsilon, is_extreme, size};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -54,7 +54,7 @@ pub fn plane<T: Real + Scalar>(a: T, b: T, c: T) -> Option<UnitVec3<T>> {
 #[inline(always)]
 #[must_use]
 pub fn triangle<T: Real + Scalar>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Option<UnitVec3<T>> {
-    v2.tamed_from(v1).cross(v3.tamed_from(v1)).unit()
+    product(v2, v3, v1).unit()
 }
 
 /// The outward normal of a sphere at a point p on it.
@@ -200,8 +200,8 @@ pub fn parametric<T: Real + Scalar>(
     let parameters = Dual::point(Vec3::new(u, v, T::ZERO));
     let s = s(parameters.x, parameters.y);
     let (s_u, s_v) = (s.map(|s| s.gradient.x), s.map(|s| s.gradient.y));
-    let size = |v: Vec3<T>| v.x.abs().at_least(v.y.abs()).at_least(v.z.abs());
-    let (a, b) = (size(s_u), size(s_v));
+    let largest = |v: Vec3<T>| size(v.x).at_least(size(v.y)).at_least(size(v.z));
+    let (a, b) = (largest(s_u), largest(s_v));
     // two roundings for each of the 16 control points of a bicubic patch; on the teapot, the noise
     // reaches 14u
     let noise = T::of_f32(16.0) * epsilon();
@@ -234,7 +234,16 @@ pub fn parametric<T: Real + Scalar>(
 #[inline(always)]
 #[must_use]
 pub fn from_tangents<T: Real + Scalar>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<UnitVec3<T>> {
-    s_u.tamed_from(Vec3::ZERO)
-        .cross(s_v.tamed_from(Vec3::ZERO))
-        .unit()
+    product(s_u, s_v, Vec3::ZERO).unit()
+}
+
+/// (a − origin) × (b − origin), times a power of two if it would overflow or vanish.
+#[inline(always)]
+pub(super) fn product<T: Real>(a: Vec3<T>, b: Vec3<T>, origin: Vec3<T>) -> Vec3<T> {
+    let product = (a - origin).cross(b - origin);
+    if is_extreme(product.dot(product)) {
+        a.tamed_from(origin).cross(b.tamed_from(origin))
+    } else {
+        product
+    }
 }

@@ -1,6 +1,6 @@
 //! The tangent that a normal map needs.
 
-use crate::real::{Real, Scalar};
+use crate::real::{Real, Scalar, size};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -60,12 +60,12 @@ pub fn tangent<T: Real + Scalar>(
     let d = x2 * y3 - x3 * y2;
     let h = d.if_positive(T::ONE, T::NEG_ONE);
     let t = (e2 / edge * y3 - e3 / edge * y2) * h;
-    t.unit().filter(|_| d.abs() > T::ZERO).map(|t| (t, h))
+    t.unit().filter(|_| size(d) > T::ZERO).map(|t| (t, h))
 }
 
 /// Two numbers in shares of the larger one. If both are 0, they are NaN.
 #[inline]
 fn shares<T: Real>(a: T, b: T) -> (T, T) {
-    let larger = a.abs().at_least(b.abs());
+    let larger = size(a).at_least(size(b));
     (a / larger, b / larger)
 }

@@ -87,7 +87,7 @@ pub trait Exponent<T: Real>: Copy {
 impl<T: Real> Exponent<T> for u32 {
     #[inline]
     fn raise(self, cosine: T) -> T {
-        by_squaring(cosine.if_above(least(self), cosine, T::ZERO), self)
+        by_squaring(least::<T>(self).if_above(cosine, T::ZERO, cosine), self)
     }
 
     #[inline]

@@ -64,10 +64,7 @@ fn tamed_by<T: Real>(v: Triple<T>, origin: Triple<T>, square: T) -> (Triple<T>, 
 /// Whether |v|² overflowed, underflowed or may be inexact, in any lane.
 #[inline(always)]
 pub(crate) fn is_extreme<T: Real>(square: T) -> bool {
-    let not_small = square.if_above(T::ONE / T::EXTREME, T::ZERO, T::ONE);
-    T::EXTREME
-        .if_above(square, not_small, T::ONE)
-        .any_positive()
+    square.any_outside(T::ONE / T::EXTREME, T::EXTREME)
 }
 
 #[inline(always)]

@@ -114,15 +114,6 @@ pub trait Real:
         (self - threshold).if_positive(then, otherwise)
     }
 
-    /// The absolute value. Its derivative at 0 is taken to be 0, the mean of the slopes on the two
-    /// sides.
-    #[inline]
-    #[must_use]
-    fn abs(self) -> Self {
-        // 0, −0 and NaN are neither above nor below 0; NaN stays NaN
-        self.if_positive(self, (-self).if_positive(-self, self + -self))
-    }
-
     /// The maximum, max(self, floor); `floor` if `self` is NaN. A signaling NaN, which no operation
     /// produces, may stay NaN on AArch64 and POWER.
     #[doc(alias = "max")]
@@ -138,6 +129,22 @@ pub trait Real:
     #[must_use]
     fn at_most(self, limit: Self) -> Self {
         self.if_above(limit, limit, self)
+    }
+
+    /// Whether `self` is outside of the range from `low` to `high`, both positive, or NaN; for lanes,
+    /// whether any lane is. The ends may count as either.
+    #[inline]
+    #[must_use]
+    fn any_outside(self, low: Self, high: Self) -> bool {
+        let above_low = self.if_above(low, Self::ZERO, Self::ONE);
+        high.if_above(self, above_low, Self::ONE).any_positive()
+    }
+
+    /// Three numbers over one divisor. Some processors divide several numbers at once.
+    #[inline(always)]
+    #[must_use]
+    fn divided([x, y, z]: [Self; 3], divisor: Self) -> [Self; 3] {
+        [x / divisor, y / divisor, z / divisor]
     }
 
     // the methods below are for numbers whose precision is not relative, as that of fixed point is not
@@ -203,12 +210,18 @@ pub trait Scalar: PartialOrd {}
 #[diagnostic::do_not_recommend] // the trait's own message says what to do
 impl<T: PartialOrd> Scalar for T {}
 
+/// |x|
+#[inline]
+pub(crate) fn size<T: Real>(x: T) -> T {
+    x.at_least(-x)
+}
+
 /// ε, the distance from 1 to the next number above: in any binary float, 4/3 is rounded by a third
 /// of it (Kahan).
 #[inline]
 pub(crate) fn epsilon<T: Real>() -> T {
     let three = T::ONE + T::ONE + T::ONE;
-    (three * ((T::ONE + three) / three - T::ONE) - T::ONE).abs()
+    size(three * ((T::ONE + three) / three - T::ONE) - T::ONE)
 }
 
 /// A constant as the sum of three numbers in single precision, split by the compiler.

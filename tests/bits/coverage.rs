@@ -1,32 +1,31 @@
-//! Every public function has a row in the table of `tests/functions`.
+//! Every public function has a row in the table of `tests/kit`, and a row calls what it names.
 
 use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
 
-use crate::interface::{last, public_functions};
-
-/// Functions that only move or convert numbers, or that are pinned elsewhere, and so need no row.
-/// An owner of `_` stands for every type.
-const WITHOUT_A_ROW: &[(&str, &[&str])] = &[
-    // store what they are given
-    ("Vec3", &["new"]),
-    ("Rgb", &["new"]),
-    ("Dual", &["constant", "point"]),
-    // apply the user's own function; `PointLight::cast` has a row for all
-    ("_", &["cast", "map"]),
-    // the constructors in constants, which `tests/constructors.rs` compares with those that have a row
-    ("Attenuation", &["new", "within"]),
-    ("Cone", &["from_cosine", "from_half_angle"]),
-    ("SoftCone", &["from_cosines", "from_half_angles"]),
-    ("UnitVec3", &["new"]),
-    // round a literal
-    ("Real", &["of", "of_f32"]),
-    (
-        "Fixed",
-        &["new", "from_bits", "from_f32", "to_bits", "to_f32"],
-    ),
-    // lanes, which `lanes.txt` pins or `tests/lanes` compares with what it pins
-    ("_", &["packed", "sum_of_lanes"]),
-    ("Lanes", &["first", "from_fn", "sum"]),
+/// Functions without a row: they store what they are given, apply a function of the user's, round a
+/// literal, differ in nothing but that they work in constants (`tests/totality` compares them), or are those
+/// of lanes (`lanes.txt`, `tests/lanes.rs`).
+const WITHOUT_A_ROW: [&str; 18] = [
+    "new",
+    "constant",
+    "point",
+    "cast",
+    "map",
+    "of",
+    "of_f32",
+    "const_new",
+    "const_within",
+    "const_from_half_angle",
+    "const_from_half_angles",
+    "const_from_cosines",
+    "from_fn",
+    "first",
+    "packed",
+    "sum_of_lanes",
+    "sum",
+    "splat",
 ];
 
 macro_rules! names {
@@ -38,56 +37,72 @@ macro_rules! names {
 }
 
 /// The name and the call of each row.
-const ROWS: &[(&str, &str)] = functions::for_each_function!(names);
+const ROWS: &[(&str, &str)] = kit::for_each_function!(names);
 
 /// The public name of the function of a row.
 fn function_of(name: &str) -> &str {
-    name.split(',').next().unwrap_or_default()
+    let path = name.split(',').next().unwrap_or_default();
+    path.rsplit("::").next().unwrap_or_default()
 }
 
-fn needs_no_row(function: &str) -> bool {
-    let (owner, name) = function.split_once("::").unwrap_or_default();
-    WITHOUT_A_ROW
-        .iter()
-        .any(|(of, names)| ["_", owner].contains(of) && names.contains(&name))
+/// The names of public functions and of the methods of public traits, in the files of a folder.
+fn public_functions(folder: &Path, names: &mut BTreeSet<String>) {
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.ends_with("features") {
+            continue; // integrations with other crates, which tests/features calls
+        }
+        if path.is_dir() {
+            public_functions(&path, names);
+            continue;
+        }
+        let (text, mut is_trait) = (fs::read_to_string(&path).expect("a file"), false);
+        for line in text.lines() {
+            if !line.starts_with(' ') {
+                is_trait = line.starts_with("pub trait ");
+            }
+            let declaration = line.trim_start();
+            let public = declaration
+                .strip_prefix("pub ")
+                .or(is_trait.then_some(declaration));
+            let function = public.map(|rest| rest.strip_prefix("const ").unwrap_or(rest));
+            if let Some(rest) = function.and_then(|rest| rest.strip_prefix("fn ")) {
+                let name = rest.split(['(', '<']).next().unwrap_or_default();
+                names.insert(name.to_owned());
+            }
+        }
+    }
 }
 
 #[test]
 fn every_public_function_has_a_row() {
+    let mut functions = BTreeSet::new();
+    public_functions(
+        &Path::new(env!("CARGO_MANIFEST_DIR")).join("src"),
+        &mut functions,
+    );
+    assert!(functions.len() > 70, "{functions:#?}");
     let rows: BTreeSet<_> = ROWS.iter().map(|(name, _)| function_of(name)).collect();
-    let missing: Vec<_> = public_functions()
-        .into_iter()
-        .filter(|function| !needs_no_row(function) && !rows.contains(function.as_str()))
-        .collect();
+    let has_row =
+        |name: &&String| rows.contains(name.as_str()) || WITHOUT_A_ROW.contains(&name.as_str());
+    let missing: Vec<_> = functions.iter().filter(|name| !has_row(name)).collect();
     assert!(
         missing.is_empty(),
-        "no row in tests/functions/src/table.rs: {missing:#?}"
+        "no row in tests/kit/src/table.rs: {missing:#?}"
     );
 }
 
-/// A row names what it calls. Operators and conversions have no name of their own.
 #[test]
 fn every_row_calls_what_it_names() {
-    let functions = public_functions();
     let mut seen = BTreeSet::new();
     for (name, call) in ROWS {
         assert!(seen.insert(name), "{name} has two rows");
         let function = function_of(name);
-        let is_called = call
-            .split(|c: char| !c.is_alphanumeric() && c != '_')
-            .any(|word| last(function) == word)
-            || call.contains("T ::"); // a checked constructor, which differs by number
-        let is_type = function.starts_with(char::is_uppercase) && !function.contains("::");
+        // operators and conversions have no name of their own
+        let is_type = function.starts_with(char::is_uppercase);
+        let is_word = |word: &str| word == function;
+        let mut words = call.split(|c: char| !c.is_alphanumeric() && c != '_');
+        let is_called = words.any(is_word) || call.contains("T ::") || call.contains("T::");
         assert!(is_type || is_called, "{name} does not call {function}");
-        assert!(
-            is_type || is_inherited(function) || functions.contains(function),
-            "{name}: there is no public function {function}"
-        );
     }
-}
-
-/// Whether a row names the method of a trait by the type that implements it.
-fn is_inherited(function: &str) -> bool {
-    let (owner, name) = function.split_once("::").unwrap_or_default();
-    name == "sum" || owner == "Dual"
 }

@@ -6,10 +6,6 @@ const SETTINGS = ["surface", "model", "ka", "kd", "ks", "m", "x", "y", "z", "a",
 const PROBE = ["seen", "P", "N", "V", "AMBIENT", "DIFFUSE", "SPECULAR", "TOTAL", "SRGB", "L", "R", "H",
   "q", "nl", "rv", "nh", "highlight", "attenuation", "cone"];
 
-// a function of one instruction of SIMD
-const SIMD = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0,
-  253, 15, 253, 98, 11]);
-
 const $ = (id) => document.getElementById(id);
 const [canvas, form, frame] = [$("canvas"), $("controls"), $("frame")];
 const context = canvas.getContext("2d");
@@ -18,8 +14,7 @@ const cross = { x: 0.45, y: 0.42 }; // in shares of the picture
 
 let shader;
 try {
-  const scalar = new URLSearchParams(location.search).has("scalar") || !WebAssembly.validate(SIMD);
-  const file = await fetch(scalar ? "scalar.wasm" : "simd.wasm");
+  const file = await fetch("web.wasm");
   if (!file.ok) throw new Error(`${file.url}: ${file.status}`);
   shader = (await WebAssembly.instantiate(await file.arrayBuffer())).instance.exports;
 } catch (error) {

@@ -5,19 +5,12 @@
 //! code, and the tests compare the two pictures byte by byte.
 
 pub mod camera;
-pub mod lanes;
-pub mod one_by_one;
 pub mod page;
 pub mod scene;
 pub mod surface;
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-#[cfg(all(target_family = "wasm", not(target_feature = "simd128")))]
-use one_by_one::Prepared;
-
-#[cfg(not(all(target_family = "wasm", not(target_feature = "simd128"))))]
-use lanes::Prepared;
 use page::Page;
 use scene::Part;
 

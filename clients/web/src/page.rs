@@ -1,9 +1,8 @@
 //! The picture and the numbers of one pixel.
 
-use shading::f32::{UnitVec3, Vec3};
+use shading::f32::{Rgb, UnitVec3, Vec3};
 use shading::{half_vector, reflection, term};
 
-use crate::Prepared;
 use crate::camera::{Camera, EYE};
 use crate::scene::{Model, Part, SETTINGS, Scene};
 use crate::surface::{Point, Surface};
@@ -28,7 +27,6 @@ struct View {
     surface: Surface,
     size: [usize; 2],
     points: Vec<Point>,
-    prepared: Prepared,
 }
 
 impl Page {
@@ -51,8 +49,10 @@ impl Page {
                 self.pixels.resize(4 * area, 0);
                 let view = view(&mut self.views, surface(&self.settings), [width, height]);
                 self.message = trouble(&scene, &view.points);
-                view.prepared
-                    .draw(&view.points, &scene, part, &mut self.pixels);
+                for point in &view.points {
+                    let [r, g, b] = part.of(scene.shaded(point)).to_srgb8();
+                    self.pixels[4 * point.pixel..][..4].copy_from_slice(&[r, g, b, 255]);
+                }
             }
             _ => self.message = "The window is larger than 2048 × 2048 pixels: make it smaller.",
         }
@@ -124,10 +124,11 @@ fn trouble(scene: &Scene, points: &[Point]) -> &'static str {
     let Some(lamp) = scene.lamp else {
         return "1/(a + bq + cq²) has no value where a, b and c are 0. The lamp is off: raise one of them.";
     };
-    if points
-        .iter()
-        .any(|point| lamp.in_front(point.p, point.n).is_some())
-    {
+    let is_lit = |point: &Point| {
+        let light = lamp.at(point.p);
+        light.is_in_front(point.n) && light.intensity() != Rgb::BLACK
+    };
+    if points.iter().any(is_lit) {
         ""
     } else if lamp.point.position == EYE {
         "The lamp is at the eye, and its cone misses what is seen."
@@ -139,12 +140,10 @@ fn trouble(scene: &Scene, points: &[Point]) -> &'static str {
 impl View {
     fn new(surface: Surface, size: [usize; 2]) -> Self {
         let points = surface.seen_by(&Camera::new(size[0], size[1]));
-        let prepared = Prepared::new(&points);
         Self {
             surface,
             size,
             points,
-            prepared,
         }
     }
 }
@@ -152,7 +151,7 @@ impl View {
 /// Each letter of the formula at a point.
 fn numbers(scene: &Scene, point: &Point) -> [f32; PROBE] {
     let Point { p, n, v, .. } = *point;
-    let shaded = Prepared::shaded(point, scene);
+    let shaded = scene.shaded(point);
     let total = shaded.total();
     let mut numbers = [0.0; PROBE];
     let mut places = numbers.iter_mut();
@@ -175,7 +174,7 @@ fn numbers(scene: &Scene, point: &Point) -> [f32; PROBE] {
     .as_flattened());
     if let Some(lamp) = scene.lamp {
         let incident = lamp.at(p);
-        let (l, q) = (incident.l, incident.distance);
+        let (l, q) = (incident.l(), incident.distance());
         let r = reflection(n, l);
         let h = half_vector(l, v).unwrap_or(UnitVec3::assume_unit(Vec3::ZERO));
         let (r_dot_v, n_dot_h) = (r.dot(v), n.dot(h));

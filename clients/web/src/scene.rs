@@ -1,7 +1,9 @@
 //! The page's controls as a material and a lamp, and the light from one point.
 
-use shading::f32::{Attenuation, Rgb, UnitVec3, Vec3};
-use shading::{Exponent, Material, PointLight, Real, Shaded, SoftCone, SpotLight, shade};
+use shading::f32::{Attenuation, Cone, PointLight, Rgb, Shaded, SpotLight, UnitVec3, Vec3};
+use shading::{Material, shade};
+
+use crate::surface::Point;
 
 /// What the controls hold, in the order of `SETTINGS` in `page.js`.
 pub const SETTINGS: usize = 17;
@@ -24,15 +26,12 @@ pub enum Part {
     Specular,
 }
 
-pub type Lamp<T = f32> = SpotLight<T, SoftCone<T>>;
-
-/// The scene, in scalars or in lanes.
 #[derive(Clone, Copy, Debug)]
-pub struct Scene<T = f32> {
+pub struct Scene {
     pub model: Model,
-    pub material: Material<T, f32>,
+    pub material: Material<f32, f32>,
     /// `None` where a = b = c = 0.
-    pub lamp: Option<Lamp<T>>,
+    pub lamp: Option<SpotLight>,
 }
 
 impl Scene {
@@ -77,18 +76,19 @@ impl Scene {
         }
     }
 
-    #[must_use]
-    pub fn cast<U: Real>(self, mut f: impl FnMut(f32) -> U) -> Scene<U> {
-        Scene {
-            model: self.model,
-            material: self.material.cast(&mut f),
-            lamp: self.lamp.map(|lamp| lamp.cast(f)),
+    /// The light from a point, part by part.
+    pub fn shaded(&self, &Point { p, n, v, .. }: &Point) -> Shaded {
+        let lights = self.lamp.iter().map(|lamp| lamp.at(p));
+        match self.model {
+            Model::Lambert => shade::lambert(n, &self.material, WHITE, lights),
+            Model::Phong => shade::phong(n, v, &self.material, WHITE, lights),
+            Model::BlinnPhong => shade::blinn_phong(n, v, &self.material, WHITE, lights),
         }
     }
 }
 
 /// A lamp that points to the origin. The soft edge begins `edge` degrees inside the cone.
-fn lamp(position: Vec3, [a, b, c]: [f32; 3], angle: f32, edge: f32) -> Option<Lamp> {
+fn lamp(position: Vec3, [a, b, c]: [f32; 3], angle: f32, edge: f32) -> Option<SpotLight> {
     use std::f32::consts::PI;
     let radians = |degrees: f32| (degrees * (PI / 180.0)).clamp(0.0, PI);
     Some(SpotLight {
@@ -98,35 +98,12 @@ fn lamp(position: Vec3, [a, b, c]: [f32; 3], angle: f32, edge: f32) -> Option<La
             attenuation: Attenuation::new(a, b, c)?,
         },
         axis: (-position).unit_or(UnitVec3::NEG_Z),
-        cone: SoftCone::<f32>::from_half_angles(radians(angle - edge.max(0.0)), radians(angle))?,
+        cone: Cone::from_half_angles(radians(angle - edge.max(0.0)), radians(angle))?,
     })
 }
 
-impl<T: Real> Scene<T> {
-    /// The light from a point, part by part.
-    #[inline]
-    pub fn shaded(
-        &self,
-        p: shading::Vec3<T>,
-        n: shading::UnitVec3<T>,
-        v: shading::UnitVec3<T>,
-    ) -> Shaded<T>
-    where
-        f32: Exponent<T>,
-    {
-        let lights = self.lamp.iter().map(|lamp| lamp.at(p));
-        let i_a = WHITE.map(T::of_f32);
-        match self.model {
-            Model::Lambert => shade::lambert(n, &self.material, i_a, lights),
-            Model::Phong => shade::phong(n, v, &self.material, i_a, lights),
-            Model::BlinnPhong => shade::blinn_phong(n, v, &self.material, i_a, lights),
-        }
-    }
-}
-
 impl Part {
-    #[inline]
-    pub fn of<T: Real>(self, shaded: Shaded<T>) -> shading::Rgb<T> {
+    pub fn of(self, shaded: Shaded) -> Rgb {
         match self {
             Self::Total => shaded.total(),
             Self::Ambient => shaded.ambient,

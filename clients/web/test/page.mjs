@@ -32,13 +32,13 @@ const browser = await chromium.launch({
 });
 
 /** A page whose errors and foreign requests fail the test. */
-async function open(options = {}, query = "") {
+async function open(options = {}) {
   const page = await browser.newPage({ viewport: { width: 1200, height: 890 }, ...options });
-  const fail = (what) => assert.fail(`${query}: ${what}`);
+  const fail = (what) => assert.fail(String(what));
   page.on("console", (message) => message.type() === "error" && fail(message.text()));
   page.on("pageerror", fail);
   page.on("request", (request) => request.url().startsWith(home) || fail(request.url()));
-  await page.goto(home + query);
+  await page.goto(home);
   await page.waitForSelector("html[data-ready]");
   await page.evaluate(() => import("./page.js").then((module) => Object.assign(window, { module })));
   await drawn(page);
@@ -102,19 +102,19 @@ const LAST_WORDS = {
   "everything at its least": /lights nothing/,
 };
 
-for (const query of ["", "?scalar"]) {
-  const page = await open({}, query);
+{
+  const page = await open();
   let before;
   for (const [what, values] of Object.entries(CASES)) {
     await set(page, values);
-    const data = await same_as_host(page, `${query} ${what}`);
+    const data = await same_as_host(page, what);
     assert.ok(!before?.equals(data), `${what}: nothing changed`);
     before = data;
     const message = await page.textContent("#message");
     assert.match(message, LAST_WORDS[what] ?? /^$/, what);
   }
   await page.close();
-  console.log(`${query || "simd"}: ${Object.keys(CASES).length} pictures, each with the host's bits`);
+  console.log(`${Object.keys(CASES).length} pictures, each with the host's bits`);
 }
 
 // the numbers beside the picture, by the formula in doubles, and the pixel by the numbers
@@ -215,8 +215,8 @@ for (const colorScheme of ["light", "dark"]) {
 }
 console.log("axe-core finds nothing wrong, light or dark, wide or on a phone");
 
-for (const query of ["", "?scalar"]) {
-  const page = await open({}, query);
+{
+  const page = await open();
   const { size, times, frames } = await page.evaluate(async () => {
     const { redraw } = window.module;
     const input = document.querySelector("[name=x]");
@@ -234,15 +234,13 @@ for (const query of ["", "?scalar"]) {
   });
   assert.deepEqual(size, [400, 400]);
   const median = times[times.length >> 1];
-  console.log(`${query || "simd"}: ${frames} frames a second at 400 × 400, ${median.toFixed(1)} ms each in the median`);
+  console.log(`${frames} frames a second at 400 × 400, ${median.toFixed(1)} ms each in the median`);
   assert.ok(frames >= 30, `${frames} frames a second`);
   await page.close();
 }
 
-for (const name of ["simd.wasm", "scalar.wasm"]) {
-  const { size } = await stat(join(folder, name));
-  assert.ok(size < 61_440, `${name}: ${size} bytes`);
-}
+const { size } = await stat(join(folder, "web.wasm"));
+assert.ok(size < 61_440, `${size} bytes`);
 
 await browser.close();
 server.close();

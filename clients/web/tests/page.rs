@@ -2,9 +2,8 @@
 
 use shading::f32::Rgb;
 use web::camera::{Camera, EYE};
-use web::one_by_one::Prepared;
 use web::page::{MOST_PIXELS, Page};
-use web::scene::{Part, SETTINGS, Scene};
+use web::scene::{Part, SETTINGS};
 use web::surface::Surface;
 
 /// As the page opens: the teapot, Blinn–Phong.
@@ -123,30 +122,6 @@ fn mean_of_lambert_is_the_integral() {
         (mean - integral).abs() < 2e-3,
         "{mean}, by the integral {integral}"
     );
-}
-
-#[test]
-fn lanes_have_the_bits_of_the_scalars() {
-    for (surface, kind) in [(0.0, Surface::Sphere), (1.0, Surface::Teapot)] {
-        for model in [0.0, 1.0, 2.0] {
-            let settings = with(&[
-                (SURFACE, surface),
-                (MODEL, model),
-                (ANGLE, 30.0),
-                (EDGE, 10.0),
-            ]);
-            let mut page = page(settings);
-            let points = kind.seen_by(&Camera::new(SIZE, SIZE));
-            for part in [Part::Total, Part::Ambient, Part::Diffuse, Part::Specular] {
-                let mut expected = vec![0; 4 * SIZE * SIZE];
-                Prepared::new(&points).draw(&points, &Scene::new(&settings), part, &mut expected);
-                assert!(
-                    page.draw(part, SIZE, SIZE) == expected,
-                    "{surface} {model} {part:?}"
-                );
-            }
-        }
-    }
 }
 
 #[test]

@@ -2,8 +2,10 @@
 
 use std::f64::consts::{FRAC_1_PI, PI};
 
+#[allow(clippy::wildcard_imports)] // what the rows are made of
 use super::*;
 use crate::bounded::{add, multiply, subtract, unit};
+#[allow(clippy::enum_glob_use)]
 use crate::formula::Part::*;
 use crate::formula::{BLACK, Change};
 use crate::profile::{from_srgb, to_srgb};
@@ -156,14 +158,14 @@ pub const ROWS: &[Row] = &[
     ("AmbientTimesDiffuse", "the ambient term is multiplied by k_d", &[], &[(Ambient, |x, at| multiply(x, at.k_d))]),
     ("AmbientWithoutMaterial", "the ambient term is not multiplied by k_a", &[], &[(Ka, |_, _| one(ONE))]),
     ("AmbientWithoutLight", "the ambient term is not multiplied by I_a", &[], &[(Ia, |_, _| one(ONE))]),
-    ("BlackWithoutLights", "without lights there is no ambient term", &[], &[(Once, |x, at| if at.count == 0 { BLACK } else { x })]),
-    ("UnlitWithoutLights", "without lights the surface is shown unlit: k_d is added", &[], &[(Once, |x, at| if at.count == 0 { add(x, at.k_d) } else { x })]),
+    ("BlackWithoutLights", "without lights there is no ambient term", &[], &[(Once, |x, at| if at.count == 0.0 { BLACK } else { x })]),
+    ("UnlitWithoutLights", "without lights the surface is shown unlit: k_d is added", &[], &[(Once, |x, at| if at.count == 0.0 { add(x, at.k_d) } else { x })]),
     ("AmbientAtLeast", "the ambient term is the least color, in place of a term of the sum", &[], &[(Sum, |_, at| max(at.ambients, at.lit))]),
     // lights
-    ("LightsAtMost", "only the first {} lights count", &[4.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 32.0, 64.0], &[(OfLight, |x, at| if at.i as f64 >= at.value { BLACK } else { x })]),
+    ("LightsAtMost", "only the first {} lights count", &[4.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 32.0, 64.0], &[(OfLight, |x, at| if at.i >= at.value { BLACK } else { x })]),
     ("BrightestLightOnly", "the brightest light is taken, in place of the sum", &[], &[(OfLight, |x, at| subtract(max(x, at.lit), at.lit))]),
     ("LightsAssigned", "each light replaces the color, in place of adding to it: = for +=", &[], &[(OfLight, |x, at| if_positive(at.n_l, subtract(x, add(at.lit, at.ambients))))]),
-    ("LightsAveraged", "the light is divided by the number of lights", &[], &[(Sum, |_, at| add(at.ambients, at.lit.map(|c| c / exact(at.count.max(1) as f64))))]),
+    ("LightsAveraged", "the light is divided by the number of lights", &[], &[(Sum, |_, at| add(at.ambients, at.lit.map(|c| c / exact(at.count.max(1.0)))))]),
     ("CosineCutBelow", "light with N·L below {} is left out", &[0.01, 0.001, 0.0001, 0.00001, 0.05, 0.1], &[(OfLight, |x, at| if_positive(at.n_l - at.number(), x))]),
     ("LitFromEyeOnly", "only a surface that faces the eye is lit: light needs N·V > 0", &[], &[(OfLight, |x, at| if_positive(dot(at.n, at.v), x))]),
     ("EachLightClamped", "each light is clamped before the sum, in place of the sum", &[], &[(OfLight, |x, at| at.clamped(x)), (Clamp, |_, at| of_linear(at, |x| x))]),

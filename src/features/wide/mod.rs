@@ -175,11 +175,6 @@ macro_rules! real {
             }
 
             #[inline]
-            fn abs(self) -> Self {
-                self.abs()
-            }
-
-            #[inline]
             fn at_least(self, floor: Self) -> Self {
                 if SSE2 {
                     self.fast_max(floor)

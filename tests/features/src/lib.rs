@@ -1,14 +1,9 @@
-//! Code that users of the features write, for the tests and for fuzzing.
-
-pub mod gpu;
+//! A scene as a renderer loads it, for the tests and for fuzzing.
 
 use serde::{Deserialize, Serialize};
-use shading::f32::{Material, Ranged, Rgb, SoftCone};
+use shading::f32::{Light, Material, Rgb};
 
-/// A light of any kind, with or without a range, with a hard or a soft edge.
-pub type Light = shading::Light<f32, SoftCone, Ranged>;
-
-/// A scene as a renderer loads it.
+/// What a file holds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
@@ -20,16 +15,9 @@ pub struct Scene {
     pub materials: Vec<Material<f32>>,
 }
 
-/// The examples of the pages that the library alone cannot compile.
 #[cfg(doctest)]
-mod pages {
-    #[doc = include_str!("../../../docs/buffers.md")]
-    struct Buffers;
-    #[doc = include_str!("../../../docs/renderers.md")]
-    struct Renderers;
-    #[doc = include_str!("../../../docs/schema.md")]
-    struct Schema;
-}
+#[doc = include_str!("../../../docs/schema.md")]
+struct Schema;
 
 /// A direction cannot be read from bytes, since they may hold a vector of any length.
 ///

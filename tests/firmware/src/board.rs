@@ -1,69 +1,119 @@
-//! The board: text and the exit status through the debugger, an instruction counter, and the depth
-//! of the stack.
+//! The board: text and the exit status through the debugger, an instruction counter, and the depth of the stack.
 
+use core::arch::asm;
 use core::hint::black_box;
-use core::panic::PanicInfo;
 
 #[cfg(target_arch = "arm")]
 pub use cortex_m_rt::entry;
 #[cfg(target_arch = "riscv32")]
 pub use riscv_rt::entry;
-pub use semihosting::println;
+pub use semihosting::{print, println, process::exit};
 
-#[cfg_attr(target_arch = "arm", path = "board/arm.rs")]
-#[cfg_attr(target_arch = "riscv32", path = "board/riscv.rs")]
-mod chip;
+/// A program that prints numbers.
+#[macro_export]
+macro_rules! program {
+    ($($number:expr),+) => {
+        #[firmware::board::entry]
+        fn main() -> ! {
+            $(firmware::board::print!("{} ", $number);)+
+            firmware::board::println!();
+            firmware::board::exit(0)
+        }
 
-pub use chip::thousand_instructions;
-
-/// Ends the program with success.
-pub fn done() -> ! {
-    semihosting::process::exit(0)
+        #[panic_handler]
+        fn panic(info: &core::panic::PanicInfo) -> ! {
+            firmware::board::println!("{info}");
+            firmware::board::exit(1)
+        }
+    };
 }
 
-/// Reports a panic and ends the program with failure.
-pub fn fail(info: &PanicInfo) -> ! {
-    println!("{info}");
-    semihosting::process::exit(1)
+/// Counts with SysTick: under `-icount`, QEMU's clock advances by the same step for each instruction, and the core's timer
+/// counts that clock, down, in 24 bits.
+#[cfg(target_arch = "arm")]
+mod counter {
+    const CONTROL: *mut u32 = 0xe000_e010 as *mut u32;
+    const RELOAD: *mut u32 = 0xe000_e014 as *mut u32;
+    const CURRENT: *mut u32 = 0xe000_e018 as *mut u32;
+    const WIDTH: u32 = 0x00ff_ffff;
+
+    /// Enabled, driven by the core clock, without an interrupt.
+    pub fn start() {
+        // SAFETY: these registers are in every Cortex-M, and nothing else here uses them.
+        unsafe {
+            RELOAD.write_volatile(WIDTH);
+            CURRENT.write_volatile(0);
+            CONTROL.write_volatile(0b101);
+        }
+        while now() == WIDTH {} // it counts from the next reload on
+    }
+
+    #[inline(always)]
+    pub fn now() -> u32 {
+        // SAFETY: as in `start`.
+        WIDTH - unsafe { CURRENT.read_volatile() }
+    }
+
+    pub fn since(start: u32) -> u32 {
+        now().wrapping_sub(start) & WIDTH
+    }
+}
+
+/// Counts with the core's own counter.
+#[cfg(target_arch = "riscv32")]
+mod counter {
+    pub fn start() {}
+
+    #[inline(always)]
+    pub fn now() -> u32 {
+        let retired;
+        // SAFETY: every RISC-V core has this counter, and reading it changes nothing.
+        unsafe { core::arch::asm!("csrr {}, minstret", out(reg) retired, options(nomem, nostack)) }
+        retired
+    }
+
+    pub fn since(start: u32) -> u32 {
+        now().wrapping_sub(start)
+    }
 }
 
 /// How many instructions `work` takes, including the call: fewer than four million.
 pub fn instructions(work: impl Fn()) -> u32 {
-    let [work, thousand] = ticks(work);
-    (work * 1000 + thousand / 2) / thousand
-}
-
-/// The same for work of any length.
-pub fn many_instructions(work: impl Fn()) -> u64 {
-    let [work, thousand] = ticks(work).map(u64::from);
-    (work * 1000 + thousand / 2) / thousand
-}
-
-/// How long `work` takes, and how long a thousand instructions take.
-#[inline(always)]
-fn ticks(work: impl Fn()) -> [u32; 2] {
     let ticks = |work: &dyn Fn()| {
-        let start = black_box(chip::now());
+        let start = black_box(counter::now());
         work();
-        black_box(chip::since(start))
+        black_box(counter::since(start))
     };
-    chip::start();
+    counter::start();
     let nothing = ticks(&|| {});
-    let thousand = ticks(&chip::thousand_instructions) - nothing;
-    [ticks(&work) - nothing, thousand]
+    let thousand = ticks(&thousand_instructions) - nothing;
+    ((ticks(&work) - nothing) * 1000 + thousand / 2) / thousand
 }
 
-/// How many bytes of stack are taken by the one function that `work` calls, measured by painting
-/// the memory below the stack pointer. This function is inlined, so the stack pointer is the
-/// caller's, and the caller's own frame does not count.
+#[inline(never)]
+fn thousand_instructions() {
+    // SAFETY: the instructions do nothing. Compressed or not, each counts as one.
+    unsafe { asm!(".rept 1000", "nop", ".endr", options(nomem, nostack)) }
+}
+
+/// How many bytes of stack the one function that `work` calls takes, measured by painting the memory below the stack pointer.
+/// This function is inlined, so the stack pointer is the caller's, and the caller's own frame does not count.
 #[inline(always)]
 pub fn stack(work: impl FnOnce()) -> usize {
     const PAINT: u32 = 0xa5a5_5a5a;
     const WORDS: usize = 512;
-    let top = chip::stack_pointer();
+    let top: *mut u32;
+    // SAFETY: this only reads a register.
+    #[cfg(target_arch = "arm")]
+    unsafe {
+        asm!("mov {}, sp", out(reg) top, options(nomem, nostack))
+    }
+    #[cfg(target_arch = "riscv32")]
+    unsafe {
+        asm!("mv {}, sp", out(reg) top, options(nomem, nostack))
+    }
     let mut depth = WORDS;
-    // SAFETY: the memory below the stack pointer is unused, nothing interrupts, and nothing is
-    // called before `work`.
+    // SAFETY: the memory below the stack pointer is unused, nothing interrupts, and nothing is called before `work`.
     while depth > 0 {
         unsafe { top.wrapping_sub(depth).write_volatile(PAINT) };
         depth -= 1;

@@ -15,7 +15,8 @@
 macro_rules! for_each_function {
     ($callback:ident) => { $callback! {
         ARITHMETIC: Number {
-            abs "Real::abs" |g| g.x.abs() => nothing;
+            divided "Real::divided" |g| T::divided(g.a.into(), g.x) => nothing;
+            any_outside "Real::any_outside" |g| if g.x.any_outside(T::of(0.25), T::of(4.0)) { T::ONE } else { T::ZERO } => nothing;
             if_positive "Real::if_positive" |g| g.x.if_positive(g.y, g.cosine) => nothing;
             if_above "Real::if_above" |g| g.x.if_above(g.y, g.cosine, g.x) => nothing;
             at_least "Real::at_least" |g| g.x.at_least(g.y) => nothing;

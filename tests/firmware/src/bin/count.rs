@@ -1,37 +1,34 @@
-//! Prints how many instructions a point light costs, with an integer and with a real shininess:
-//! Blinn–Phong, three channels, attenuation; 8 points, each lit by all of 4 lights.
+//! Prints how many instructions a point light costs in Blinn–Phong, with attenuation: with an integer and with a real m, and
+//! in fixed point with an integer m. Four points, each lit by four lamps.
 #![no_std]
 #![no_main]
 
 use core::hint::black_box;
 
-use firmware::scene::{AMBIENT, CAP, LAMPS, brass};
-use firmware::{board, broken};
-use shading::{Exponent, Material, UnitVec3, shade};
+use firmware::{AMBIENT, CAP, LAMPS, board, brass};
+use shading::{Exponent, Real, UnitVec3, shade};
 
-#[board::entry]
-fn main() -> ! {
-    let whole = point_light(&brass(32));
-    let real = point_light(&brass(32.0));
-    board::println!("{whole} {real}");
-    board::done()
-}
+#[cfg(not(feature = "fixed"))]
+firmware::program!(point_light::<f32, _>(32), point_light::<f32, _>(32.0));
+#[cfg(feature = "fixed")]
+firmware::program!(
+    point_light::<f32, _>(32),
+    point_light::<f32, _>(32.0),
+    point_light::<shading::fixed::Fixed, _>(32)
+);
 
-fn point_light<M: Exponent<f32>>(material: &Material<f32, M>) -> u32 {
+fn point_light<T: Real, M: Exponent<T>>(m: M) -> u32 {
+    let (material, i_a) = (brass(m), AMBIENT.map(T::of_f32));
+    let lamps = LAMPS.map(|lamp| lamp.cast(T::of_f32));
     let calls = CAP.map(|n| {
-        let (n, v, material) = (black_box(&n), black_box(&UnitVec3::Z), black_box(material));
-        let (i_a, lamps) = (black_box(&AMBIENT), black_box(&LAMPS));
+        let (n, v) = (n.cast(T::of_f32), UnitVec3::Z);
+        let (n, v, material) = (black_box(&n), black_box(&v), black_box(&material));
+        let (i_a, lamps) = (black_box(&i_a), black_box(&lamps));
         board::instructions(|| {
             let lights = lamps.iter().map(|lamp| lamp.at(**n));
             black_box(&shade::blinn_phong(*n, *v, material, *i_a, lights));
-            broken::promise(0.0);
         })
     });
     let lights = (CAP.len() * LAMPS.len()) as u32;
     (calls.iter().sum::<u32>() + lights / 2) / lights
-}
-
-#[panic_handler]
-fn panic(info: &core::panic::PanicInfo) -> ! {
-    board::fail(info)
 }

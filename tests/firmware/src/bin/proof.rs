@@ -1,17 +1,23 @@
-//! Proves, if it links, that nothing which the crate computes with `f32` or in fixed point can panic: a panic would
-//! call an undefined function. The finished program is searched for double-precision routines.
+//! Proves, if it links, that nothing which the crate computes in `f32` or in fixed point can panic: a panic would call an
+//! undefined function. The finished program is searched for double-precision routines.
 #![no_std]
 #![no_main]
 
 use core::hint::black_box;
 
-use firmware::{board, digest};
+use firmware::absorb_all;
+use kit::digest::{Fnv, Of};
 
-#[board::entry]
+#[firmware::board::entry]
 fn main() -> ! {
-    black_box(digest::without_doubles());
-    black_box(digest::fixed_without_doubles());
-    loop {}
+    let mut digest = Fnv::EMPTY;
+    absorb_all(Of::<f32>::WITHOUT_DOUBLES, &mut digest);
+    absorb_all(Of::<f32>::OF_FLOATS, &mut digest);
+    #[cfg(feature = "fixed")]
+    absorb_all(Of::<shading::fixed::Fixed>::WITHOUT_DOUBLES, &mut digest);
+    loop {
+        black_box(digest.0);
+    }
 }
 
 unsafe extern "C" {

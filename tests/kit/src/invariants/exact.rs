@@ -227,7 +227,7 @@ laws! {
         half_a_turn_changes_nothing: |c| sums(&scene_turned(c), &scene_turned(c).arriving()) => sums(c, &c.arriving());
         opposite_the_eye_nothing_shines: |c| shade::blinn_phong(c.n, -c.l, &c.material, c.rgb, [c.sun.at(c.p)]).specular => gray(T::ZERO);
         // numbers
-        derived_methods: |c| n([c.x.abs(), (-c.x).abs(), c.x.at_least(c.y), c.x.at_most(c.y), c.x.if_above(c.y, c.q, c.x), T::of_f32(0.375)]) => n([c.x, c.x, if c.x > c.y { c.x } else { c.y }, if c.x > c.y { c.y } else { c.x }, if c.x > c.y { c.q } else { c.x }, T::of(0.375)]);
+        derived_methods: |c| n([c.x.at_least(-c.x), (-c.x).at_least(c.x), c.x.at_least(c.y), c.x.at_most(c.y), c.x.if_above(c.y, c.q, c.x), T::of_f32(0.375)]) => n([c.x, c.x, if c.x > c.y { c.x } else { c.y }, if c.x > c.y { c.y } else { c.x }, if c.x > c.y { c.q } else { c.x }, T::of(0.375)]);
         zero_and_one: |c| n([c.x + T::ZERO, c.x - T::ZERO, c.x * T::ONE, c.x / T::ONE, c.x - c.x, c.x * T::ZERO, c.x * T::NEG_ONE, T::ZERO.sqrt(), T::ONE.sqrt()]) => n([c.x, c.x, c.x, c.x, T::ZERO, T::ZERO, -c.x, T::ZERO, T::ONE]);
         constants: |c| n([T::of(0.0) * c.x, T::of(1.0), T::of(-1.0), T::of(T::LARGEST), T::of(T::LARGE)]) => n([T::ZERO, T::ONE, T::NEG_ONE, T::MAX, T::EXTREME]);
         a_dual_number_has_the_value_of_its_number: |c| { let d = c.cast(Dual::constant); sums(&d, &d.arriving()).map(|s| [s.diffuse, s.specular].map(|rgb| rgb.map(|x| x.value))) } => sums(c, &c.arriving()).map(|s| [s.diffuse, s.specular]);

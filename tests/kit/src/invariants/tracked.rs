@@ -125,7 +125,8 @@ impl<T: Tried> Mul for Tracked<T> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         let exact = self.exact * other.exact;
-        if self.is_zero() || other.is_zero() {
+        let is_finite = self.exact.is_finite() && other.exact.is_finite();
+        if (self.is_zero() || other.is_zero()) && is_finite {
             return Self::ZERO;
         }
         let error = self.error * other.exact.abs() + other.error * self.exact.abs();

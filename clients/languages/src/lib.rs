@@ -1,0 +1,101 @@
+//! `shading` for C and whatever can call C: `shading.h` declares and explains the functions. With the feature `python`, it is
+//! a module for Python.
+//!
+//! Nothing here panics. If it did, the panic would end the program and not unwind into C.
+
+mod buffer;
+#[cfg(feature = "python")]
+mod python;
+mod scene;
+#[cfg(test)]
+mod tests;
+
+use buffer::{addresses, input, output};
+use scene::{Light, Material, Model, Scene};
+use shading::f32::Rgb;
+
+/// What a function returns, as in `shading.h`.
+#[derive(Clone, Copy, Debug)]
+#[repr(i32)]
+enum Status {
+    Null = 1,
+    Alignment,
+    Size,
+    Overlap,
+    Model,
+    Material,
+    Light,
+}
+
+fn code(result: Result<(), Status>) -> i32 {
+    result.map_or_else(|status| status as i32, |()| 0)
+}
+
+/// # Safety
+///
+/// A pointer that is not null must be valid for as many numbers as `shading.h` says.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shading_shade(
+    model: u32,
+    count: usize,
+    points: *const [f32; 3],
+    normals: *const [f32; 3],
+    eye: *const [f32; 3],
+    material: *const Material,
+    ambient: *const [f32; 3],
+    lights: *const Light,
+    light_count: usize,
+    out: *mut [f32; 3],
+) -> i32 {
+    // SAFETY: as the caller promises
+    let shade = || unsafe {
+        let (points, normals) = (input(points, count)?, input(normals, count)?);
+        let (eye, ambient) = (input(eye, 1)?, input(ambient, 1)?);
+        let (material, lights) = (input(material, 1)?, input(lights, light_count)?);
+        let inputs = [points, normals, eye, ambient].map(addresses);
+        let [a, b, c, d] = inputs;
+        let out = output(
+            out,
+            count,
+            &[a, b, c, d, addresses(material), addresses(lights)],
+        )?;
+        let scene = Scene {
+            model: Model::of(model)?,
+            points,
+            normals,
+            eye: eye[0],
+            material: material[0],
+            ambient: ambient[0],
+            lights,
+        };
+        scene.shade(out)
+    };
+    code(shade())
+}
+
+/// # Safety
+///
+/// A pointer that is not null must be valid for `count` colors.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shading_to_srgb8(
+    count: usize,
+    colors: *const [f32; 3],
+    out: *mut [u8; 3],
+) -> i32 {
+    // SAFETY: as the caller promises
+    let encode = || unsafe {
+        let colors = input(colors, count)?;
+        for (color, out) in colors.iter().zip(output(out, count, &[addresses(colors)])?) {
+            *out = Rgb::from(*color).to_srgb8();
+        }
+        Ok(())
+    };
+    code(encode())
+}
+
+/// Room in the module's memory for so many floats, for JavaScript. It stays until the module goes.
+#[cfg(target_family = "wasm")]
+#[unsafe(no_mangle)]
+pub extern "C" fn shading_room(floats: usize) -> *mut f32 {
+    vec![0.0; floats].leak().as_mut_ptr()
+}

@@ -1,0 +1,171 @@
+//! Lights and materials in files. `docs/schema.md` describes the format.
+//!
+//! Types with public fields derive the traits where they are defined. The types here check what
+//! they read, and vectors and colors also what they write, so that every value that was written can
+//! be read again.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser};
+
+use crate::real::epsilon;
+use crate::{Attenuation, Cone, Elementary, Real, Rgb, Scalar, UnitVec3, Vec3};
+
+macro_rules! list {
+    ($type:ident by $new:expr, $is_valid:ident or $reason:literal) => {
+        impl<T: Real + Scalar + Serialize> Serialize for $type<T> {
+            fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+                let list = <[T; 3]>::from(*self);
+                if $is_valid(list) {
+                    list.serialize(to)
+                } else {
+                    Err(ser::Error::custom($reason))
+                }
+            }
+        }
+
+        impl<'de, T: Real + Scalar + Deserialize<'de>> Deserialize<'de> for $type<T> {
+            fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+                let list = <[T; 3]>::deserialize(from)?;
+                checked($is_valid(list).then(|| $new(list)), $reason)
+            }
+        }
+    };
+}
+
+list!(Vec3 by Self::from, is_finite or "vector: a coordinate is not finite");
+list!(Rgb by Self::from, is_light or "color: a channel is negative or not finite");
+list!(UnitVec3 by |v| Self::assume_unit(Vec3::from(v)), is_unit or "direction: its length is not 1");
+
+fn is_finite<T: Real + Scalar>(v: [T; 3]) -> bool {
+    v.iter().all(|x| x.abs() <= T::MAX)
+}
+
+fn is_light<T: Real + Scalar>(color: [T; 3]) -> bool {
+    color.iter().all(|x| T::ZERO <= *x && *x <= T::MAX)
+}
+
+fn is_unit<T: Real + Scalar>(v: [T; 3]) -> bool {
+    let v = Vec3::from(v);
+    // Six decimals must suffice. They change each number by 10⁻⁶/2 and |v|² by √3 · 10⁻⁶ < 2⁻¹⁹.
+    let roundoff = T::of_f32(4.0) * epsilon();
+    (v.dot(v) - T::ONE).abs() <= roundoff.at_least(T::of_f32(1.0 / 262_144.0))
+}
+
+fn checked<V, E: de::Error>(value: Option<V>, reason: &str) -> Result<V, E> {
+    value.ok_or_else(|| E::custom(reason))
+}
+
+/// All fields are always written, because formats without names need them.
+#[derive(Serialize, Deserialize)]
+#[serde(
+    rename = "Attenuation",
+    expecting = "an attenuation with a, b and c",
+    deny_unknown_fields
+)]
+struct RawAttenuation<T> {
+    a: T,
+    b: T,
+    c: T,
+    #[serde(default)]
+    clamped: bool,
+    #[serde(default = "Option::default")]
+    range: Option<T>,
+    #[serde(default)]
+    unsquared: bool,
+}
+
+impl<T: Real + Scalar + Serialize> Serialize for Attenuation<T> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let [a, b, c] = self.coefficients();
+        RawAttenuation {
+            a,
+            b,
+            c,
+            clamped: self.is_clamped(),
+            range: (self.range() < T::MAX).then_some(self.range()),
+            unsquared: self.is_unsquared(),
+        }
+        .serialize(to)
+    }
+}
+
+impl<'de, T: Real + Scalar + Deserialize<'de>> Deserialize<'de> for Attenuation<T> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        const INVALID: &str = "attenuation: a, b and c must be finite, 0 or more, and not all 0";
+        let raw = RawAttenuation::deserialize(from)?;
+        let mut attenuation = checked(Self::new(raw.a, raw.b, raw.c), INVALID)?;
+        if let Some(r) = raw.range {
+            attenuation = checked(attenuation.within(r), "range: it must be above 0")?;
+        }
+        if raw.clamped {
+            attenuation = attenuation.clamped();
+        }
+        if raw.unsquared {
+            attenuation = attenuation.unsquared();
+        }
+        Ok(attenuation)
+    }
+}
+
+/// It is written by its cosines, because half-angles would not keep the bits.
+#[derive(Serialize, Deserialize)]
+#[serde(rename = "Cone", rename_all = "snake_case")]
+enum RawCone<T> {
+    Cosine(T),
+    HalfAngle(T),
+    Cosines(Edges<T>),
+    HalfAngles(Edges<T>),
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Edges<T> {
+    inner: T,
+    outer: T,
+    #[serde(default)]
+    smoothstep: bool,
+}
+
+impl<T: Real + Scalar + Serialize> Serialize for Cone<T> {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let ([inner, outer], smoothstep) = (self.cosines(), self.is_smoothstep());
+        let raw = if inner == outer && !smoothstep {
+            RawCone::Cosine(inner)
+        } else {
+            RawCone::Cosines(Edges {
+                inner,
+                outer,
+                smoothstep,
+            })
+        };
+        raw.serialize(to)
+    }
+}
+
+impl<'de, T: Elementary + Scalar + Deserialize<'de>> Deserialize<'de> for Cone<T> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let (cone, reason, smoothstep) = match RawCone::deserialize(from)? {
+            RawCone::Cosine(cosine) => (
+                Self::from_cosine(cosine),
+                "cosine: it must be between -1 and 1",
+                false,
+            ),
+            RawCone::HalfAngle(radians) => (
+                Self::from_half_angle(radians),
+                "half_angle: it must be between 0 and π; write half of the opening angle, in radians",
+                false,
+            ),
+            RawCone::Cosines(edges) => (
+                Self::from_cosines(edges.inner, edges.outer),
+                "cosines: they must be between -1 and 1, and the inner one not below the outer",
+                edges.smoothstep,
+            ),
+            RawCone::HalfAngles(edges) => (
+                Self::from_half_angles(edges.inner, edges.outer),
+                "half_angles: they must be between 0 and π radians, and the inner one not above the outer",
+                edges.smoothstep,
+            ),
+        };
+        let cone = checked(cone, reason)?;
+        Ok(if smoothstep { cone.smoothstep() } else { cone })
+    }
+}
