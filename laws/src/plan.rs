@@ -15,7 +15,7 @@ use crate::run::Laws;
 use crate::scene::{Light, Scene, Triple};
 
 /// The sizes of the batches of a law: first few cases of every law, so that a slow renderer tries them all.
-const SIZES: [usize; 3] = [2, 16, 256];
+const SIZES: [usize; 4] = [1, 4, 32, 256];
 
 /// All cases of a run over renderers of one profile.
 #[derive(Clone)]
@@ -89,7 +89,7 @@ impl Plan {
         let most = self.tries.iter().map(|tries| tries.cases.len()).max();
         let (mut batches, mut start, mut sizes) = (Vec::new(), 0, SIZES.iter());
         while start < most.unwrap_or(0) {
-            let end = start + sizes.next().unwrap_or(&SIZES[2]);
+            let end = start + sizes.next().unwrap_or(&SIZES[3]);
             for (law, tries) in self.tries.iter().enumerate() {
                 let count = tries.cases.len();
                 if start < count {

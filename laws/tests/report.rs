@@ -109,7 +109,7 @@ fn what_prevents_a_report_is_said_in_one_line() {
         let report = laws().run(&mut Answers(answer, Profile::default()));
         report.expect("a report").error.expect("an error")
     };
-    assert_eq!(ended(Ok(vec![])), "0 colors for 2 scenes");
+    assert_eq!(ended(Ok(vec![])), "0 colors for 1 scenes");
     assert_eq!(ended(Err("it is gone".into())), "it is gone");
     let refused = |laws: Laws, profile| {
         laws.run(&mut Answers(Ok(vec![]), profile))
