@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Compiles the kernel to a Vulkan shader and to PTX, runs the first on a Vulkan device, and fails where a number
-# differs from the CPU's by more than docs/shader.md states: `clients/shader/run.sh [DEVICE]`. Where no graphics
-# driver is installed, Mesa's runs it on the CPU.
+# Compiles the kernel to a Vulkan shader, runs it on a Vulkan device, and fails where a number differs from the CPU's by more
+# than `src/main.rs` derives: `clients/shader/run.sh [DEVICE]`. Where no graphics driver is installed, Mesa's runs it on the
+# CPU.
 #
 # It installs what is missing: Debian packages, and rust-gpu's nightly by rustup, beside the default toolchain. The
 # first run also compiles rust-gpu, in some 15 minutes.
@@ -16,7 +16,8 @@ rustup toolchain list | grep -q "^$toolchain" ||
         --component rust-src --component rustc-dev --component llvm-tools
 
 echo "== the shader"
-cargo +$toolchain run --release --package compiler -- target/kernel.spv
+mkdir -p target
+cargo +$toolchain run --release --example compiler -- target/kernel.spv
 module=$(spirv-dis target/kernel.spv)
 for unwanted in Float64 Int64 Int8 Fma; do
     if grep --word-regexp "$unwanted" <<<"$module"; then
@@ -27,7 +28,4 @@ done
 grep OpCapability <<<"$module"
 
 echo "== on the GPU and on the CPU"
-cargo run --release --package host -- target/kernel.spv target/pictures "${1-0}"
-
-echo "== for CUDA, not run"
-./ptx.sh $toolchain
+cargo run --release -- target/kernel.spv "${1-0}"
