@@ -2,6 +2,8 @@
 //! derivation stands over the row. The tolerance counts the roundings, in units u of 1 or of the largest
 //! number of the row; 0 means to the bit.
 
+#![allow(clippy::float_cmp)] // results without rounding are compared exactly
+
 use std::f64::consts::{FRAC_1_PI, PI};
 
 use kit::{Float, Number, Sink, Value, direction, rgb, vector};
