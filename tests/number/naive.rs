@@ -18,7 +18,7 @@ macro_rules! float {
                     return Self(x);
                 }
                 let spacing = (x.abs().log2().floor() + 1.0 - f64::from($bits))
-                    .max($least)
+                    .max(-f64::from($least))
                     .exp2();
                 let rounded = (x / spacing).round_ties_even() * spacing;
                 Self(if rounded.abs() > $max {
