@@ -108,6 +108,7 @@ fn edges_agree<L: Simd>() {
             a.if_above(b, T::ONE, b),
             a.at_least(b),
             a.at_most(b),
+            T::divided([b, T::ONE, a], b)[2],
             term::lambert(UnitVec3::Z, tilted(a)),
         ]
     }

@@ -96,7 +96,6 @@ macro_rules! for_each_function {
                 => nothing;
             hook_cosine_power "Real::cosine_power" |g| T::cosine_power(g.n.into(), g.a.into(), g.integer.m) => share;
             raise_root "Exponent::raise_root" |g| INTEGER.map(|m| m.raise_root(g.cosine)) => nothing;
-            unless_blocked "IncidentLight::unless_blocked" |g| g.soft_spot.at(g.p).unless_blocked(g.n, |l, q| l.z * q < g.x) => nothing;
             hook_attenuated "Real::attenuated" |g| T::attenuated(g.rgb.into(), g.attenuation.coefficients(), g.x.abs(), T::ONE) => light;
             every_lambert "shade::lambert, every light" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lights()) => light;
             every_phong "shade::phong, every light" |g| shade::phong(g.n, g.v, &g.integer, g.rgb,
