@@ -96,7 +96,7 @@ fn tilted<T: Real>(c: T) -> UnitVec3<T> {
 
 /// Each operation of the number type, on each pair of edges, and each power of each edge.
 fn edges_agree<L: Simd>() {
-    fn operations<T: Real>(a: T, b: T) -> [T; 11] {
+    fn operations<T: Real>(a: T, b: T) -> [T; 12] {
         [
             a + b,
             a - b,
