@@ -77,7 +77,6 @@ macro_rules! for_each_function {
             hook_direction "Real::direction" |g| { let (w, w_length, length) = T::direction(g.a.into()); [w, [w_length, length, T::ZERO]] } => nothing;
             hook_cosine_power "Real::cosine_power" |g| T::cosine_power(g.n.into(), g.a.into(), g.integer.m) => share;
             raise_root "Exponent::raise_root" |g| INTEGER.map(|m| m.raise_root(g.cosine)) => nothing;
-            unless_blocked "IncidentLight::unless_blocked" |g| g.soft_spot.at(g.p).unless_blocked(g.n, |l, q| l.z * q < g.x) => nothing;
             hook_attenuated "Real::attenuated" |g| T::attenuated(g.rgb.into(), g.attenuation.coefficients(), g.x.abs(), T::ONE) => light;
             every_lambert "shade::lambert, every light" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lights()) => light;
             every_phong "shade::phong, every light" |g| shade::phong(g.n, g.v, &g.integer, g.rgb, g.from_lights().filter(|light| light.is_in_front(g.n))) => light;
