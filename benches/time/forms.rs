@@ -107,12 +107,6 @@ macro_rules! forms {
                     let share = |l: V, q| if blocked(z, l.z, q) { 0.0 } else { 1.0 };
                     for lamp in by_hand { sum.add(lamp, share); }
                 });
-                form!("lamps.filter(in front, not blocked)" * 4:
-                    |n, p| lamps.iter().map(|l| l.at(p)).filter(|l| l.is_in_front(n) && !blocked(p.z, l.l().z, l.distance())); |sum| {
-                    let z = sum.p.z;
-                    let share = |l: V, q| if blocked(z, l.z, q) { 0.0 } else { 1.0 };
-                    for lamp in by_hand { sum.add(lamp, share); }
-                });
                 form!("lights of mixed kinds" * 4: |_n, p| mixed.iter().map(|l| l.at(p)); |sum| for kind in kinds {
                     match kind {
                         Kind::Sun(l) => sum.add_sun(*l),
