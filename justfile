@@ -8,7 +8,7 @@ default:
 quick:
     cargo fmt --all
     cargo clippy --all-targets --all-features -- -D warnings
-    cargo test --test formulas --test conventions
+    cargo test --test formulas --test totality
 
 # run every test, with all features
 test:

@@ -15,8 +15,7 @@ use crate::rgb::Rgb;
 ///
 /// If the denominator is 0, the factor is the largest finite number; if it is negative or NaN, 0.
 ///
-/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
-/// 1990, §16.1.2; *The OpenGL Graphics System: A Specification*, version 2.1, 2006, §2.14.1.
+/// Source: Foley, van Dam et al. 1990, §16.1.2; OpenGL 2.1, §2.14.1.
 ///
 /// ```
 /// use shading::attenuation;
@@ -104,7 +103,7 @@ impl<T: Real> Attenuation<T> {
         let is_finite = |x: T| x >= T::ZERO && x <= T::MAX;
         let is_positive = a > T::ZERO || b > T::ZERO || c > T::ZERO;
         (is_finite(a) && is_finite(b) && is_finite(c) && is_positive)
-            .then(|| Self::unchecked(a + T::ZERO, b, c)) // the reciprocal of −0 would be −∞
+            .then(|| Self::unchecked(a + T::ZERO, b + T::ZERO, c + T::ZERO)) // the reciprocal of −0 would be −∞
     }
 
     /// The same attenuation, ended by a range: the factor is 0 from the distance r on. Returns `None`
@@ -150,9 +149,8 @@ impl<T: Real> Attenuation<T> {
     /// max(0, 1 − (q/r)⁴) in place of its square. The light is brighter toward r and ends there with
     /// an edge.
     ///
-    /// Source: Khronos, *KHR_lights_punctual*, a glTF 2.0 extension, “Range Property”, and its
-    /// sample viewer. Of the programs that read glTF, Babylon.js, Bevy, Filament and three.js square
-    /// the window.
+    /// Source: KHR_lights_punctual (glTF 2.0), “Range Property”, and its sample viewer. Of the
+    /// programs that read glTF, Babylon.js, Bevy, Filament and three.js square the window.
     ///
     /// ```
     /// use shading::f32::Attenuation;
@@ -250,7 +248,8 @@ impl<T: Real> Attenuation<T> {
     }
 
     /// The same attenuation in another number type. `f` converts each number and may only round it.
-    /// A light without a range has none in the new type.
+    /// A light without a range has none in the new type. A number that the new type cannot hold is the
+    /// least or the largest that it can, so that a coefficient above 0 stays above 0.
     ///
     /// ```
     /// use shading::f32::Attenuation;
@@ -261,20 +260,22 @@ impl<T: Real> Attenuation<T> {
     #[inline]
     #[must_use]
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> Attenuation<U> {
-        let (a, b, c, squared) = (f(self.a), f(self.b), f(self.c), f(self.squared));
-        // MAX of one type is not MAX in another
-        let mut or_max = |x| {
-            let is_below = f((T::MAX - x).if_positive(T::ONE, T::ZERO));
-            is_below.if_positive(f(x).at_most(U::MAX), U::MAX)
+        // what is above 0 or finite stays so, and MAX of one type is not MAX in another
+        let mut number = |x: T| {
+            let mut yes = |x: T| f(x.if_positive(T::ONE, T::ZERO));
+            let (is_positive, is_below) = (yes(x), yes(T::MAX - x));
+            let number = f(x);
+            let positive = number.if_positive(number.at_most(U::MAX), U::ONE / U::MAX);
+            let number = is_positive.if_positive(positive, U::ZERO);
+            is_below.if_positive(number, U::MAX)
         };
-        let (limit, range) = (or_max(self.limit), or_max(self.range));
         Attenuation {
-            a,
-            b,
-            c,
-            limit,
-            range,
-            squared,
+            a: number(self.a),
+            b: number(self.b),
+            c: number(self.c),
+            limit: number(self.limit),
+            range: number(self.range),
+            squared: number(self.squared),
         }
     }
 }
@@ -301,7 +302,7 @@ macro_rules! checked {
             pub const fn const_new(a: $float, b: $float, c: $float) -> Option<Self> {
                 let is_valid = a >= 0.0 && b >= 0.0 && c >= 0.0 && (a > 0.0 || b > 0.0 || c > 0.0);
                 if is_valid && a <= $float::MAX && b <= $float::MAX && c <= $float::MAX {
-                    Some(Self::unchecked(a + 0.0, b, c)) // the reciprocal of −0 would be −∞
+                    Some(Self::unchecked(a + 0.0, b + 0.0, c + 0.0)) // the reciprocal of −0 would be −∞
                 } else {
                     None
                 }

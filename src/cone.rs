@@ -55,9 +55,9 @@ impl<T: Real> Cone<T> {
     /// every cone; if a direction is NaN, too. It never falls, to the bit, as the computed −L·axis rises,
     /// which rounding may lower by a unit or two as L turns toward the axis.
     ///
-    /// Source: *The OpenGL Graphics System: A Specification*, version 2.1, 2006, §2.14.1, with a
-    /// spot exponent of 0; Khronos, *KHR_lights_punctual*, a glTF 2.0 extension, “Inner and Outer
-    /// Cone Angles”, whose sample code and Filament keep a hard edge slightly soft.
+    /// Source: OpenGL 2.1, §2.14.1, with a spot exponent of 0; KHR_lights_punctual (glTF 2.0),
+    /// “Inner and Outer Cone Angles”, whose sample code and Filament keep a hard edge slightly
+    /// soft.
     ///
     /// ```
     /// use shading::f32::{Cone, UnitVec3};

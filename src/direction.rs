@@ -16,8 +16,7 @@ use crate::vector::Vec3;
 /// lights](crate::shade) ensure that such a light adds nothing. The result is defined for all
 /// directions. Its length is 1 up to rounding.
 ///
-/// Source: Bui Tuong Phong, *Illumination for Computer Generated Pictures*, 1975; Foley, van Dam,
-/// Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed., 1990, §16.1.4.
+/// Source: Phong 1975; Foley, van Dam et al. 1990, §16.1.4.
 ///
 /// ```
 /// use shading::f32::{UnitVec3, Vec3};
@@ -51,7 +50,7 @@ pub(crate) fn mirrored<T: Real>(n: UnitVec3<T>, v: Vec3<T>) -> Vec3<T> {
 /// surface. The result is `None` if they are opposite, L = −V, because no direction is then
 /// halfway. Swapping L and V gives the same bits.
 ///
-/// Source: James F. Blinn, *Models of Light Reflection for Computer Synthesized Pictures*, 1977.
+/// Source: Blinn 1977.
 ///
 /// ```
 /// use shading::{UnitVec3, half_vector};

@@ -27,8 +27,8 @@ use crate::vector::Vec3;
 /// assert_eq!(f.gradient, Vec3::new(12.0, 0.0, 9.0)); // (2xz, −sin y, x²)
 /// ```
 ///
-/// Source: William K. Clifford, *Preliminary Sketch of Biquaternions*, 1873; Andreas Griewank and
-/// Andrea Walther, *Evaluating Derivatives*, 2nd ed., 2008.
+/// Source: William K. Clifford, *Preliminary Sketch of Biquaternions*, 1873; Griewank and Walther
+/// 2008.
 #[doc(alias = "autodiff")]
 #[derive(Clone, Copy, Debug)]
 pub struct Dual<T = f32> {

@@ -92,6 +92,18 @@
 //! - [Proofs](guide::proofs): which of that is proved, and how.
 //! - [Precision](guide::precision): how far each function is from its formula.
 //! - [Performance](guide::performance): which way to take, and what it costs.
+//!
+//! # References
+//!
+//! - J. H. Lambert, *Photometria*, 1760.
+//! - B. T. Phong, *Illumination for Computer Generated Pictures*, 1975.
+//! - J. F. Blinn, *Models of Light Reflection for Computer Synthesized Pictures*, 1977; *Simulation of
+//!   Wrinkled Surfaces*, 1978; M. S. Mikkelsen, *Simulation of Wrinkled Surfaces Revisited*, 2008.
+//! - J. D. Foley, A. van Dam, S. K. Feiner, J. F. Hughes, *Computer Graphics: Principles and Practice*,
+//!   2nd ed., 1990.
+//! - *The OpenGL Graphics System: A Specification*, version 2.1, 2006.
+//! - Khronos, *KHR_lights_punctual*, an extension of glTF 2.0.
+//! - A. Griewank, A. Walther, *Evaluating Derivatives*, 2nd ed., 2008.
 #![no_std]
 #![deny(unsafe_code)]
 #![cfg_attr(

@@ -58,8 +58,7 @@
 //! result can then be infinite only through a reflectance above 1 or in the total. It cannot be NaN
 //! if all numbers are finite. Without lights, the result is the ambient term.
 //!
-//! Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
-//! 1990, §16.1; *The OpenGL Graphics System: A Specification*, version 2.1, 2006, §2.14.1.
+//! Source: Foley, van Dam et al. 1990, §16.1; OpenGL 2.1, §2.14.1.
 
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Mul};
@@ -214,8 +213,7 @@ impl<T: Real> Sum for Shaded<T> {
 /// direction to the eye does not matter, so it is not an argument. The [module page](crate::shade)
 /// lists the arguments and the degenerate cases.
 ///
-/// Source: Johann Heinrich Lambert, *Photometria*, 1760; Foley, van Dam, Feiner, Hughes, *Computer
-/// Graphics: Principles and Practice*, 2nd ed., 1990, §16.1.2.
+/// Source: Lambert 1760; Foley, van Dam et al. 1990, §16.1.2.
 ///
 /// ```
 /// use shading::f32::{DirectionalLight, Material, Rgb, UnitVec3, Vec3};
@@ -250,7 +248,7 @@ pub fn lambert<T: Real, M>(
 /// R is the [`reflection`](crate::reflection()) of L. A light with N·L ≤ 0 adds nothing. The [module page](crate::shade)
 /// lists the arguments and the degenerate cases.
 ///
-/// Source: Bui Tuong Phong, *Illumination for Computer Generated Pictures*, 1975.
+/// Source: Phong 1975.
 ///
 /// ```
 /// use shading::f32::{DirectionalLight, Material, Rgb, UnitVec3, Vec3};
@@ -287,7 +285,7 @@ pub fn phong<T: Real, M: Exponent<T>>(
 /// L = −V, there is no half vector and no highlight. The [module page](crate::shade) lists the
 /// arguments and the other degenerate cases.
 ///
-/// Source: James F. Blinn, *Models of Light Reflection for Computer Synthesized Pictures*, 1977.
+/// Source: Blinn 1977.
 ///
 /// ```
 /// use shading::f32::{DirectionalLight, Material, Rgb, UnitVec3, Vec3};
@@ -338,7 +336,7 @@ fn sum<T: Real, M>(
                 ..
             } = light.arriving();
             // a way that overflowed gives ∞, and its light is black
-            let n_dot_l = (n.dot(way) / length).at_least(T::ZERO).at_most(T::ONE);
+            let n_dot_l = (n.dot(way) / length).at_most(T::ONE);
             diffuse += intensity * in_front.if_positive(n_dot_l, T::ZERO);
             specular += intensity * in_front.if_positive(highlight(way, length), T::ZERO);
         }

@@ -26,8 +26,7 @@ use crate::unit::UnitVec3;
 /// light of the scene; both are 0 or more in each channel. Add this term once per scene, not once
 /// per light. It is never attenuated.
 ///
-/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
-/// 1990, §16.1.1.
+/// Source: Foley, van Dam et al. 1990, §16.1.1.
 ///
 /// ```
 /// use shading::{Rgb, term::ambient};
@@ -48,8 +47,7 @@ pub fn ambient<T: Real>(k_a: Rgb<T>, i_a: Rgb<T>) -> Rgb<T> {
 /// N is the normal and L the direction to the light. The result is within [0, 1], up to rounding;
 /// it is 0 for a light behind the surface. Multiply it by k_d and I. It contains no 1/π.
 ///
-/// Source: Johann Heinrich Lambert, *Photometria*, 1760; Foley, van Dam, Feiner, Hughes, *Computer
-/// Graphics: Principles and Practice*, 2nd ed., 1990, §16.1.2.
+/// Source: Lambert 1760; Foley, van Dam et al. 1990, §16.1.2.
 ///
 /// ```
 /// use shading::{UnitVec3, term::lambert};
@@ -80,7 +78,7 @@ pub fn lambert<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> T {
 /// factor is 0 for every m, even m = 0. The factor alone does not know whether the light is behind
 /// the surface; the [sum over lights](crate::shade) does.
 ///
-/// Source: Bui Tuong Phong, *Illumination for Computer Generated Pictures*, 1975.
+/// Source: Phong 1975.
 ///
 /// ```
 /// use shading::{UnitVec3, term::phong};
@@ -113,7 +111,7 @@ pub fn phong<T: Real, M: Exponent<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T
 /// factor is 0 for every m, even m = 0. The factor alone does not know whether the light is behind
 /// the surface; the [sum over lights](crate::shade) does.
 ///
-/// Source: James F. Blinn, *Models of Light Reflection for Computer Synthesized Pictures*, 1977.
+/// Source: Blinn 1977.
 ///
 /// ```
 /// use shading::{UnitVec3, term::blinn};

@@ -106,9 +106,9 @@ fn edges_agree<L: Simd>() {
             a.sqrt(),
             a.if_positive(b, T::ONE),
             a.if_above(b, T::ONE, b),
-            a.abs(),
             a.at_least(b),
             a.at_most(b),
+            T::divided([b, T::ONE, a], b)[2],
             term::lambert(UnitVec3::Z, tilted(a)),
         ]
     }
@@ -191,7 +191,8 @@ impl<S: Scalar> Place<S> {
         let mut vector = || Vec3::from([(); 3].map(|()| S::of(next())));
         let [p, position, aside] = [(); 3].map(|()| vector());
         let [n, v, l, axis] = [(); 4].map(|()| vector().unit_or(UnitVec3::Z));
-        let [intensity, coefficients, rgb, kind] = [(); 4].map(|()| vector().map(S::abs));
+        let [intensity, coefficients, rgb, kind] =
+            [(); 4].map(|()| vector().map(|x| x.at_least(-x)));
         let [a, b, c] = coefficients.into();
         let falloff = Attenuation::new(a, b, c).unwrap_or_default();
         // a lane may have a range, be clamped, or have glTF's window where another has none
@@ -233,7 +234,7 @@ impl<S: Scalar> Place<S> {
             p: if at_the_lamp { position } else { p },
             n,
             v: if kind.y > S::of(3.8) { -l } else { v },
-            q: S::of(next()).abs(),
+            q: S::of(next().abs()),
             sun: DirectionalLight { l, intensity },
             lamp,
             spot: SpotLight {

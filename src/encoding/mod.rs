@@ -2,9 +2,9 @@
 //!
 //! The levels of an encoding rise with the light, so each level begins at a certain number, which
 //! [`edges`] finds exactly. Encoding a number means finding the last level that begins at or below it,
-//! with integer operations and a table that the compiler computes: a large one that needs one entry a
-//! channel (`steps`), or a small one for chips (`lines`). The result is correctly rounded. It needs no
-//! powers, no division and, on a chip without an FPU, no floating-point routine.
+//! with integer operations and one entry of a table that the compiler computes ([`steps`]). The result is
+//! correctly rounded. It needs no powers, no division and, on a chip without an FPU, no floating-point
+//! routine.
 
 #![allow(
     clippy::cast_possible_truncation, // levels fit their bits; edges are rounded
@@ -14,16 +14,11 @@
 )]
 
 mod edges;
-#[cfg(target_os = "none")]
-#[path = "lines.rs"]
-mod levels;
-#[cfg(not(target_os = "none"))]
-#[path = "steps.rs"]
-mod levels;
+mod steps;
 
 use crate::rgb::Rgb;
 use edges::decoded;
-use levels::{clamped, eight_bits, five_bits, six_bits};
+use steps::{clamped, eight_bits, five_bits, six_bits};
 
 /// Colors on a display, whose light is encoded as sRGB, and linear colors for programs that
 /// encode elsewhere or not at all. Single precision is more than any display shows; convert with

@@ -1,5 +1,4 @@
-//! Levels by one entry of a table, for machines with megabytes: 11 KB in all. Over an array it takes half
-//! the time of [`lines`](super), which chips have.
+//! Levels by one entry of a table: 8 KB for 8 bits, 3 KB for RGB565.
 //!
 //! The numbers are divided into intervals so short that each has at most one step from a level to the
 //! next. An entry is the level at the end of its interval, less the part of the interval before the

@@ -133,9 +133,8 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
 /// perpendicular before it adds. Its result is the same at the vertices and differs slightly
 /// between them.
 ///
-/// Source: James F. Blinn, *Simulation of Wrinkled Surfaces*, 1978; Khronos, *glTF 2.0
-/// Specification*, 2021, §3.7.2.1 and §3.9.3; Morten S. Mikkelsen, *Simulation of Wrinkled Surfaces
-/// Revisited*, 2008.
+/// Source: Blinn 1978; Khronos, *glTF 2.0 Specification*, 2021, §3.7.2.1 and §3.9.3; Mikkelsen
+/// 2008.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};

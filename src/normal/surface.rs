@@ -14,8 +14,7 @@ use crate::vector::Vec3;
 /// (a, b, c) may have any length. N points to the side where ax + by + cz + d > 0; d does not
 /// change it. The result is `None` if a = b = c = 0, or if one of them is not finite.
 ///
-/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
-/// 1990, §11.1.3.
+/// Source: Foley, van Dam et al. 1990, §11.1.3.
 ///
 /// ```
 /// use shading::{UnitVec3, normal};
@@ -39,8 +38,7 @@ pub fn plane<T: Real + Scalar>(a: T, b: T, c: T) -> Option<UnitVec3<T>> {
 /// the conditioning |e₁||e₂|/|e₁ × e₂| of the two edges, where u is the unit roundoff. The size of
 /// the triangle does not matter: 10⁻³⁷ and 10³⁷ work as well as 1.
 ///
-/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
-/// 1990, §11.1.3.
+/// Source: Foley, van Dam et al. 1990, §11.1.3.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -66,8 +64,7 @@ pub fn triangle<T: Real + Scalar>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Opti
 /// The radius need not be known. A point inside the sphere gives the direction from the center. The
 /// result is `None` if p is the center, or if a coordinate is not finite.
 ///
-/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
-/// 1990, §15.10.1.
+/// Source: Foley, van Dam et al. 1990, §15.10.1.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -92,9 +89,8 @@ pub fn sphere<T: Real + Scalar>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitVec3<
 /// f > 0. The gradient is exact up to rounding, because f computes with [`Dual`] numbers. The
 /// result is `None` if ∇f is 0 or does not exist, as at the apex of a cone.
 ///
-/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
-/// 1990, §11.4, for the normal; Andreas Griewank and Andrea Walther, *Evaluating Derivatives*, 2nd
-/// ed., 2008, for the differentiation.
+/// Source: Foley, van Dam et al. 1990, §11.4, for the normal; Griewank and Walther 2008, for the
+/// differentiation.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -140,8 +136,7 @@ pub fn implicit<T: Real + Scalar>(
 /// ∇f may have any length. N points to the side where f > 0. The result is `None` if ∇f is 0 or not
 /// finite.
 ///
-/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
-/// 1990, §11.4.
+/// Source: Foley, van Dam et al. 1990, §11.4.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -175,8 +170,7 @@ pub fn from_gradient<T: Real + Scalar>(gradient: Vec3<T>) -> Option<UnitVec3<T>>
 ///   Describe a patch relative to one of its own points, or by the differences of its control
 ///   points, as in de Casteljau's algorithm. The difference of equal points is exactly 0.
 ///
-/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
-/// 1990, §11.3.4.
+/// Source: Foley, van Dam et al. 1990, §11.3.4.
 ///
 /// ```
 /// use shading::{Elementary, UnitVec3, Vec3, normal};
@@ -221,8 +215,7 @@ pub fn parametric<T: Real + Scalar>(
 /// The tangents are scaled before they are multiplied if their squares are out of range, and so is
 /// the product before its length is computed. Nothing overflows or vanishes.
 ///
-/// Source: Foley, van Dam, Feiner, Hughes, *Computer Graphics: Principles and Practice*, 2nd ed.,
-/// 1990, §11.3.4.
+/// Source: Foley, van Dam et al. 1990, §11.3.4.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};

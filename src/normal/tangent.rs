@@ -29,8 +29,8 @@ use crate::vector::Vec3;
 /// over |d T|. As in [`triangle`](crate::normal::triangle), the size of the triangle does not matter,
 /// nor that of the map.
 ///
-/// Source: Eric Lengyel, *Computing Tangent Space Basis Vectors for an Arbitrary Mesh*, 2001; Morten
-/// S. Mikkelsen, *Simulation of Wrinkled Surfaces Revisited*, 2008.
+/// Source: Eric Lengyel, *Computing Tangent Space Basis Vectors for an Arbitrary Mesh*, 2001;
+/// Mikkelsen 2008.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};

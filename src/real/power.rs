@@ -50,11 +50,11 @@ macro_rules! bits {
         impl Bits for $float {
             #[inline]
             #[allow(
-                                                                        clippy::cast_possible_wrap,  // only the bits matter
-                                                                        clippy::cast_sign_loss,      // likewise
-                                                                        clippy::cast_lossless,       // e has eleven bits
-                                                                        clippy::cast_precision_loss  // likewise
-                                                                    )]
+                                                                                                clippy::cast_possible_wrap,  // only the bits matter
+                                                                                                clippy::cast_sign_loss,      // likewise
+                                                                                                clippy::cast_lossless,       // e has eleven bits
+                                                                                                clippy::cast_precision_loss  // likewise
+                                                                                            )]
             fn split(self) -> (Self, Self) {
                 let bits = self.to_bits() as $integer;
                 let above = bits.wrapping_sub(LEAST.$part);

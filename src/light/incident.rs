@@ -1,0 +1,159 @@
+//! The light that arrives at a point.
+
+use core::ops::Mul;
+
+use super::Light;
+use crate::real::Real;
+use crate::rgb::Rgb;
+use crate::unit::UnitVec3;
+use crate::vector::Vec3;
+
+/// The light that arrives at a point: a [`Light`], and the way to it.
+///
+/// The method `at` of every light returns it for a point. The direction, the distance and the
+/// intensity are computed when you ask for them, so a light behind the surface costs a sum almost
+/// nothing.
+///
+/// Multiply it to change what arrives. A falloff, a beam or a filter of your own is a `map`:
+///
+/// ```
+/// use shading::f32::{IncidentLight, PointLight, Vec3};
+///
+/// /// A lamp in fog that dims the light to 1/e over each such length.
+/// struct Foggy {
+///     lamp: PointLight,
+///     length: f32,
+/// }
+///
+/// impl Foggy {
+///     fn at(&self, p: Vec3) -> IncidentLight {
+///         let incident = self.lamp.at(p);
+///         incident * (-incident.distance() / self.length).exp()
+///     }
+/// }
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IncidentLight<T = f32> {
+    pub(super) light: Light<T>,
+    /// From the point to the light; for a light without a position, L.
+    pub(super) way: Vec3<T>,
+}
+
+/// What the sums need to know of an [`IncidentLight`].
+pub(crate) struct Arriving<T> {
+    /// A vector in the direction of L, and its length, which is 0 if there is no such direction.
+    pub(crate) way: Vec3<T>,
+    pub(crate) length: T,
+    pub(crate) distance: T,
+    pub(crate) intensity: Rgb<T>,
+}
+
+impl<T: Real> IncidentLight<T> {
+    /// N·(the way to the light), which has the sign of N·L and needs no root.
+    #[inline]
+    pub(crate) fn in_front_by(&self, n: UnitVec3<T>) -> T {
+        n.dot(self.way)
+    }
+
+    /// Whether the light comes from the front of a surface with the normal N. Otherwise it adds
+    /// nothing to a sum. In lanes, whether it comes from the front in any lane.
+    ///
+    /// ```text
+    /// N·L > 0
+    /// ```
+    ///
+    /// The sums make this test themselves. Make it earlier to save a shadow ray.
+    ///
+    /// ```
+    /// use shading::f32::{DirectionalLight, Rgb, UnitVec3, Vec3};
+    ///
+    /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE }.at(Vec3::ZERO);
+    /// assert!(sun.is_in_front(UnitVec3::Z));
+    /// assert!(!sun.is_in_front(UnitVec3::X)); // it only grazes the surface
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn is_in_front(&self, n: UnitVec3<T>) -> bool {
+        self.in_front_by(n).any_positive()
+    }
+
+    /// L, the direction from the surface **to** the light; the z axis if there is none.
+    #[inline]
+    #[must_use]
+    pub fn l(&self) -> UnitVec3<T> {
+        match &self.light {
+            Light::Directional(light) => light.l,
+            _ => self.way.unit_or(UnitVec3::Z),
+        }
+    }
+
+    /// q, the distance to the light. A shadow ray ends there; geometry beyond the light does not block
+    /// it.
+    ///
+    /// It is finite unless a coordinate is NaN. It is [`MAX`](Real::MAX) if the light has no position,
+    /// like the sun, or if q overflows.
+    #[inline]
+    #[must_use]
+    pub fn distance(&self) -> T {
+        self.arriving().distance.at_most(T::MAX)
+    }
+
+    /// I as it arrives: attenuated, and 0 outside a spot's cone.
+    #[inline]
+    #[must_use]
+    pub fn intensity(&self) -> Rgb<T> {
+        let Arriving {
+            length, intensity, ..
+        } = self.arriving();
+        intensity.map(|channel| length.if_positive(channel, T::ZERO))
+    }
+
+    #[inline(always)]
+    pub(crate) fn arriving(&self) -> Arriving<T> {
+        match &self.light {
+            Light::Directional(light) => Arriving {
+                way: *light.l,
+                length: T::ONE,
+                distance: T::MAX,
+                intensity: light.intensity,
+            },
+            Light::Point(light) => light.along(self.way),
+            Light::Spot(light) => light.along(self.way),
+        }
+    }
+
+    /// The same light in another number type: `f` converts each number, and may do no more than round
+    /// it, or take one of several lanes.
+    #[inline]
+    #[must_use]
+    pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> IncidentLight<U> {
+        IncidentLight {
+            light: self.light.cast(&mut f),
+            way: self.way.map(f),
+        }
+    }
+}
+
+/// What arrives, dimmed or brightened.
+impl<T: Real> Mul<T> for IncidentLight<T> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, factor: T) -> Self {
+        self * Rgb::gray(factor)
+    }
+}
+
+/// What arrives through a colored filter. A channel that overflows is the largest finite number.
+impl<T: Real> Mul<Rgb<T>> for IncidentLight<T> {
+    type Output = Self;
+    #[inline]
+    fn mul(mut self, filter: Rgb<T>) -> Self {
+        let intensity = match &mut self.light {
+            Light::Directional(light) => &mut light.intensity,
+            Light::Point(light) => &mut light.intensity,
+            Light::Spot(light) => &mut light.point.intensity,
+        };
+        *intensity = (*intensity * filter).finite();
+        self
+    }
+}
