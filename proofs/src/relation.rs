@@ -111,19 +111,40 @@ impl Known {
             }
             (Node::Sqrt(p), Node::Sqrt(r)) => is(self, p, r),
             (Node::Neg(p), Node::Neg(r)) => is(self, r, p),
-            (Node::Select(..), Node::Select(..)) => match (limit(g, a), limit(g, b)) {
-                // a minimum passes over a limit that is NaN
-                (Some(Limit::Most(x, l)), Some(Limit::Most(y, m))) => {
-                    let are_numbers = !self.range(g, l).nan && !self.range(g, m).nan;
-                    (l == m || are_numbers) && is(self, x, y) && is(self, l, m)
-                }
-                // a maximum passes over a number that is NaN
-                (Some(Limit::Least(x, l)), Some(Limit::Least(y, m))) => {
-                    !self.range(g, y).nan && is(self, x, y) && is(self, l, m)
-                }
-                _ => false,
-            },
+            (Node::Select(..), _) | (_, Node::Select(..)) => self.is_limited(g, a, b, is),
             _ => false,
+        }
+    }
+
+    /// The same of limits: a minimum passes over a limit that is NaN, and a maximum over a number that is NaN.
+    fn is_limited(
+        &mut self,
+        g: &Graph,
+        a: u32,
+        b: u32,
+        is: impl Fn(&mut Self, u32, u32) -> bool,
+    ) -> bool {
+        let of_both = match (limit(g, a), limit(g, b)) {
+            (Some(Limit::Most(x, l)), Some(Limit::Most(y, m))) => {
+                let are_numbers = !self.range(g, l).nan && !self.range(g, m).nan;
+                (l == m || are_numbers) && is(self, x, y) && is(self, l, m)
+            }
+            (Some(Limit::Least(x, l)), Some(Limit::Least(y, m))) => {
+                !self.range(g, y).nan && is(self, x, y) && is(self, l, m)
+            }
+            _ => false,
+        };
+        let of_first = match limit(g, a) {
+            _ if of_both => true,
+            Some(Limit::Most(x, l)) => is(self, x, b) || !self.range(g, l).nan && is(self, l, b),
+            Some(Limit::Least(x, l)) => is(self, x, b) && is(self, l, b),
+            None => false,
+        };
+        match limit(g, b) {
+            _ if of_first => true,
+            Some(Limit::Most(y, m)) => is(self, a, y) && is(self, a, m),
+            Some(Limit::Least(y, m)) => is(self, a, m) || !self.range(g, y).nan && is(self, a, y),
+            None => false,
         }
     }
 }

@@ -106,25 +106,19 @@ pub fn none<T>(result: Option<T>) -> Vec<Goal> {
     }
 }
 
-/// Any attenuation as it is stored, without a range: a is never −0.
+/// Any attenuation without a range.
 pub fn attenuation(given: Given) -> Attenuation<Term> {
-    stored(given, Term::ZERO, Term::ZERO)
+    let a = given.number("a", Range::unsigned(0.0, given.format().max()));
+    let (b, c) = (given.not_negative("b"), given.not_negative("c"));
+    Attenuation::new(a, b, c).unwrap_or(Attenuation::NONE)
 }
 
 /// Any attenuation with a range below the largest number.
 pub fn ranged(given: Given) -> Attenuation<Term> {
     let format = given.format();
     let below_max = Range::within(format.tiny(), format.next_down(format.max()));
-    stored(given, Term::ONE, given.number("r", below_max))
-}
-
-fn stored(given: Given, has_range: Term, range: Term) -> Attenuation<Term> {
-    let a = given.number("a", Range::unsigned(0.0, given.format().max()));
-    let (b, c) = (given.not_negative("b"), given.not_negative("c"));
-    // the fields in the order in which they are stored; MAX is a limit and a range that is none
-    let fields = [a, b, c, Term::ONE, Term::ZERO, Term::MAX, has_range, range];
-    let mut fields = fields.into_iter();
-    Attenuation::<f32>::NONE.cast(|_| fields.next().expect("a field"))
+    let ranged = attenuation(given).within(given.number("r", below_max));
+    ranged.expect("a range above 0")
 }
 
 /// Any cone as `Cone::from_cosines` makes it of any bits.
