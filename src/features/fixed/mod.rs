@@ -193,6 +193,7 @@ impl Neg for Fixed {
 impl Mul for Fixed {
     type Output = Self;
     #[inline]
+    #[allow(clippy::suspicious_arithmetic_impl)] // ^ is of the signs
     fn mul(self, other: Self) -> Self {
         // not by the sign of the product, which LLVM would compute again
         rounded(product(self.0, other.0), 16, self.0 ^ other.0)
@@ -214,7 +215,7 @@ impl Div for Fixed {
 #[inline(never)]
 fn quotient(of: i32, by: i32) -> Fixed {
     if by == 0 {
-        return Fixed(of.signum().saturating_mul(i32::MAX));
+        return Fixed(if of == 0 { 0 } else { of >> 31 ^ i32::MAX });
     }
     let sign = (of ^ by) >> 31 | 1;
     let steps = (((of as i64) << 17) / by as i64 + sign as i64) / 2;

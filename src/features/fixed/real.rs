@@ -74,7 +74,7 @@ const fn reciprocal(bits: u32) -> u32 {
     upper_unsigned(root, root)
 }
 
-/// A vector with a component from 2²⁹ to 2³⁰, and the power of two that made it of v, if v is not 0.
+/// A vector times a power of two, with a component from 2³⁰ to 2³¹ unless it is 0.
 struct Scaled {
     v: [i32; 3],
     shift: u32,
@@ -90,7 +90,7 @@ const fn scaled([x, y, z]: [i32; 3]) -> Scaled {
     let shift = (bits as u32 | 1).leading_zeros() - 1;
     let v = [x << shift, y << shift, z << shift];
     let [x, y, z] = v;
-    let square = (upper(x, x) + upper(y, y) + upper(z, z)) as u32 | 1;
+    let square = (upper(x, x) as u32 + upper(y, y) as u32 + upper(z, z) as u32) | 1;
     let pairs = square.leading_zeros() >> 1;
     let root = (reciprocal_root(square << (2 * pairs)) << pairs) as i32;
     Scaled {
@@ -137,7 +137,10 @@ fn attenuated_beyond(color: [Fixed; 3], of: [Fixed; 4], is_large: bool) -> [Fixe
     let [a, b, c, q] = of.map(|x| x.0.max(0) as u64);
     let slope = (b << 16) + c * q; // 32 bits after the point
     let (d, shift) = if is_large {
-        ((slope >> 24).saturating_mul(q).saturating_add(a << 8), 68)
+        (
+            (slope >> 24).saturating_mul(q).saturating_add(a << 8) | 1,
+            68,
+        )
     } else {
         ((a << 32).wrapping_add(slope.wrapping_mul(q)) | 1, 44)
     };
@@ -145,7 +148,7 @@ fn attenuated_beyond(color: [Fixed; 3], of: [Fixed; 4], is_large: bool) -> [Fixe
     let factor = reciprocal((d << zeros >> 32) as u32) as i64;
     let shift = shift.max(zeros) - zeros;
     let clamped = |x: i64| Fixed(x.clamp(i32::MIN as i64, i32::MAX as i64) as i32);
-    color.map(|x| clamped(x.0 as i64 * factor >> shift.min(63)))
+    color.map(|x| clamped((x.0 as i64 * factor) >> shift.min(63)))
 }
 
 #[diagnostic::do_not_recommend] // the trait's own message names the types
@@ -206,9 +209,10 @@ impl Real for Fixed {
             v: [x, y, z], root, ..
         } = scaled(v.map(|x| x.0));
         let [a, b, c] = n.map(|x| x.0 << 12);
-        // |n·v| is at most |v|, below 2^31
-        let dot = upper(a, x) + upper(b, y) + upper(c, z);
-        let cosine = upper(dot << 2, root);
+        let dot = upper(a, x)
+            .wrapping_add(upper(b, y))
+            .wrapping_add(upper(c, z));
+        let cosine = upper(dot << 2, root); // 25 bits after the point
         let cosine = Self((cosine + (1 << 8)) >> 9);
         if cosine.0 > 0 {
             m.raise(cosine.at_most(Self(ONE)))
