@@ -192,7 +192,7 @@ fn powers(races: &mut Races) {
         };
     }
     powers!(f32: 1.4, 0.35, f32x4 * 4, f32x8 * 8);
-    powers!(f64: 0.70, 0.25, f64x4 * 4, f64x8 * 8);
+    powers!(f64: 0.70, 0.25, f64x2 * 2, f64x4 * 4);
 }
 
 fn loops(races: &mut Races) {

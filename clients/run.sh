@@ -1,32 +1,104 @@
 #!/usr/bin/env bash
-# Checks the clients but the shader: their tests, each command of README.md, the chip's picture against this machine's, and
-# the page in a browser. Installs what is missing. With a folder, the page's screenshots go there.
+# Checks the clients, or some of them: `run.sh [programs] [chip] [languages] [page] [shader]`. Without a name, it checks all but
+# the shader, whose compiler takes a quarter of an hour to build. Installs what is missing. PICTURES names a folder for the
+# page's screenshots; DEVICE is the number of the Vulkan device, 0 if nothing is said: Mesa's, where no driver is installed.
 set -euo pipefail
-pictures=${1:+$(realpath "$1")}
 cd "$(dirname "$0")"
 . ../tests/firmware/toolchain.sh
-install_packages qemu-system-arm
-command -v "${CHROMIUM:-chromium}" >/dev/null || install_packages chromium
-command -v npm >/dev/null || install_packages nodejs npm
-installer rustup --quiet target add thumbv7em-none-eabihf
 built=${CARGO_TARGET_DIR:-$PWD/target}
 mkdir -p "$built"
 
-cargo fmt --check -p clients -p languages -p web
-cargo clippy --quiet --workspace --all-targets -- -D warnings
-cargo clippy --quiet -p languages --features python --lib -- -D warnings
-cargo test --quiet --workspace
+programs() {
+    cargo fmt --check -p clients -p languages -p web
+    cargo clippy --quiet --workspace --all-targets -- -D warnings
+    cargo clippy --quiet -p languages --features python --lib -- -D warnings
+    cargo test --quiet --workspace
+    cargo build --quiet --release --bins
+    (cd "$built" && release/tracer && release/teapot && release/dispatch)
+}
 
-cargo build --quiet --release --workspace --bins
-(cd "$built" && release/tracer && release/teapot && release/dispatch)
+# the ball on the emulated chip has the bits that it has here
+chip() {
+    install_packages qemu-system-arm
+    installer rustup --quiet target add thumbv7em-none-eabihf
+    (cd chip && cargo fmt --check && cargo clippy --quiet --release -- -D warnings)
+    (cd chip && timeout 60 cargo run --quiet --release) >"$built/chip.txt"
+    cargo run --quiet --manifest-path chip/Cargo.toml | cmp - "$built/chip.txt"
+    [ "$(wc -l <"$built/chip.txt")" = 384 ] # twelve frames
+}
 
-(cd chip && cargo fmt --check && cargo clippy --quiet --release -- -D warnings)
-(cd chip && timeout 60 cargo run --quiet --release) >"$built/chip.txt"
-cargo run --quiet --manifest-path chip/Cargo.toml | cmp - "$built/chip.txt"
-[ "$(wc -l <"$built/chip.txt")" = 384 ] # twelve frames
+# the same scene from C, C++, JavaScript and Python: each bit is the crate's
+languages() {
+    command -v g++ >/dev/null || install_packages g++
+    command -v node >/dev/null || install_packages nodejs
+    installer rustup --quiet target add wasm32-unknown-unknown
+    local work=$built/languages
+    mkdir -p "$work"
+    cargo build --quiet --release -p languages
+    cargo build --quiet --release -p languages --lib --target wasm32-unknown-unknown
+    "$built/release/scene" "$work/expected"
 
-languages/run.sh
+    # the static library from C, the dynamic one from C++
+    local flags=(-O3 -Wall -Wextra -Wpedantic -Werror)
+    cc -std=c11 "${flags[@]}" languages/main.c "$built/release/libshading_c.a" -lm -lpthread -ldl -o "$work/c"
+    c++ -std=c++17 "${flags[@]}" languages/main.cpp -L "$built/release" -lshading_c -Wl,-rpath,"$built/release" -o "$work/c++"
+    draws_the_same C "$work/c"
+    draws_the_same C++ "$work/c++"
+    draws_the_same JavaScript node languages/main.mjs "$built/wasm32-unknown-unknown/release/shading_c.wasm"
 
-(cd web/test && npm ci --silent --no-audit --no-fund)
-web/build.sh
-node web/test/page.mjs "$built/release/draw" $pictures
+    # the wheel, from a copy of the folder that stands alone
+    local python=$work/python/bin/python
+    [ -x "$python" ] || python3 -m venv "$work/python"
+    rm -rf "$work/copy"
+    cp -r languages "$work/copy"
+    sed -i "s#path = \"../..\"#path = \"$(realpath ..)\"#" "$work/copy/Cargo.toml"
+    echo "[workspace]" >>"$work/copy/Cargo.toml"
+    CARGO_TARGET_DIR=$built/wheel "$python" -m pip --quiet --disable-pip-version-check install "$work/copy" pillow nbclient ipykernel
+    cat >"$work/notebook.py" <<'PYTHON'
+import sys, nbformat, nbclient
+notebook = nbformat.read("languages/shading.ipynb", as_version=4)
+notebook.cells.append(nbformat.v4.new_code_cell(f"colors.tofile({sys.argv[1]!r})"))
+nbclient.NotebookClient(notebook).execute()
+PYTHON
+    draws_the_same Python "$python" "$work/notebook.py"
+    "$python" -c 'import shading; assert all("shape (..., 3)" in f.__doc__ for f in (shading.shade, shading.to_srgb8))'
+}
+
+# draws_the_same LANGUAGE COMMAND...: the command writes the colors to the file that follows it
+draws_the_same() {
+    "${@:2}" "$built/languages/from-$1"
+    cmp "$built/languages/from-$1" "$built/languages/expected"
+    echo "$1: every bit is the crate's"
+}
+
+# the page in a browser
+page() {
+    command -v "${CHROMIUM:-chromium}" >/dev/null || install_packages chromium
+    command -v npm >/dev/null || install_packages nodejs npm
+    (cd web/test && npm ci --silent --no-audit --no-fund)
+    web/build.sh
+    cargo build --quiet --release -p web --bin draw
+    node web/test/page.mjs "$built/release/draw" ${PICTURES:+"$(realpath "$PICTURES")"}
+}
+
+# every function and a scene on a Vulkan device
+shader() {
+    local toolchain=nightly-2026-08-15 module=$built/kernel.spv # the toolchain that rust-gpu 0.11 is written for
+    install_packages spirv-tools libvulkan1 mesa-vulkan-drivers
+    rustup toolchain list | grep -q "^$toolchain" ||
+        installer rustup toolchain install $toolchain --profile minimal --no-self-update \
+            --component rust-src --component rustc-dev --component llvm-tools
+    (cd shader && cargo fmt --check && cargo clippy --quiet --lib --bins -- -D warnings)
+    (cd shader && cargo +$toolchain run --quiet --release --example compiler -- "$module")
+    local unwanted
+    for unwanted in Float64 Int64 Int8 Fma; do
+        ! spirv-dis "$module" | grep --word-regexp "$unwanted" || { echo "the module needs $unwanted" >&2; exit 1; }
+    done
+    (cd shader && cargo run --quiet --release -- "$module" "${DEVICE:-0}")
+}
+
+[ $# -gt 0 ] || set -- programs chip languages page
+for step in "$@"; do
+    echo "== $step"
+    $step
+done

@@ -213,12 +213,8 @@ macro_rules! literals {
                 let (x, y, z) = (x * scale, y * scale, z * scale);
                 let square = x * x + y * y + z * z;
                 if square > 0.0 && square <= $float::MAX {
-                    let reciprocal = 1.0 / const_sqrt(square as f64) as $float;
-                    Some(Self(Vec3::new(
-                        x * reciprocal,
-                        y * reciprocal,
-                        z * reciprocal,
-                    )))
+                    let length = const_sqrt(square as f64) as $float;
+                    Some(Self(Vec3::new(x / length, y / length, z / length)))
                 } else {
                     None
                 }

@@ -3,8 +3,8 @@
 #![no_main]
 
 use kit::Float;
-use libfuzzer_sys::fuzz_target;
 use kit::everything::{Numbers, any_bits, finite_and_valid};
+use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|data: &[u8]| {
     let Some((m, bytes)) = data.split_first_chunk() else {

@@ -3,14 +3,15 @@
 //!
 //! Nothing here panics. If it did, the panic would end the program and not unwind into C.
 
-mod buffer;
 #[cfg(feature = "python")]
 mod python;
 mod scene;
 #[cfg(test)]
 mod tests;
 
-use buffer::{addresses, input, output};
+use std::ops::Range;
+use std::slice::{from_raw_parts, from_raw_parts_mut};
+
 use scene::{Light, Material, Model, Scene};
 use shading::f32::Rgb;
 
@@ -29,6 +30,61 @@ enum Status {
 
 fn code(result: Result<(), Status>) -> i32 {
     result.map_or_else(|status| status as i32, |()| 0)
+}
+
+// Pointers from another language are checked as far as a pointer can be.
+
+fn check<T>(data: *const T, count: usize) -> Result<(), Status> {
+    let size = count.checked_mul(size_of::<T>());
+    if data.is_null() {
+        Err(Status::Null)
+    } else if !data.is_aligned() {
+        Err(Status::Alignment)
+    } else if size.is_none_or(|size| isize::try_from(size).is_err()) {
+        Err(Status::Size)
+    } else {
+        Ok(())
+    }
+}
+
+/// # Safety
+///
+/// A pointer that is not null must be valid for `count` values.
+unsafe fn input<'a, T>(data: *const T, count: usize) -> Result<&'a [T], Status> {
+    if count == 0 {
+        return Ok(&[]);
+    }
+    check(data, count)?;
+    // SAFETY: the pointer is neither null nor misaligned, and valid as the caller promises
+    Ok(unsafe { from_raw_parts(data, count) })
+}
+
+/// # Safety
+///
+/// A pointer that is not null must be valid for `count` values, which nothing else uses meanwhile.
+unsafe fn output<'a, T>(
+    data: *mut T,
+    count: usize,
+    inputs: &[Range<usize>],
+) -> Result<&'a mut [T], Status> {
+    if count == 0 {
+        return Ok(&mut []);
+    }
+    check(data, count)?;
+    let start = data.addr();
+    let end = start + count * size_of::<T>();
+    let overlaps = |input: &Range<usize>| start < input.end && input.start < end;
+    if inputs.iter().any(overlaps) {
+        return Err(Status::Overlap);
+    }
+    // SAFETY: as above, and no input overlaps it
+    Ok(unsafe { from_raw_parts_mut(data, count) })
+}
+
+/// The addresses of a buffer.
+fn addresses<T>(buffer: &[T]) -> Range<usize> {
+    let Range { start, end } = buffer.as_ptr_range();
+    start.addr()..end.addr()
 }
 
 /// # Safety

@@ -4,7 +4,6 @@
 //! to which [`draw`] points. There is nothing between the two but these functions. The host runs the same
 //! code, and the tests compare the two pictures byte by byte.
 
-pub mod camera;
 pub mod page;
 pub mod scene;
 pub mod surface;

@@ -3,9 +3,8 @@
 use shading::f32::{Rgb, UnitVec3, Vec3};
 use shading::{half_vector, reflection, term};
 
-use crate::camera::{Camera, EYE};
 use crate::scene::{Model, Part, SETTINGS, Scene};
-use crate::surface::{Point, Surface};
+use crate::surface::{Camera, EYE, Point, Surface};
 
 /// Larger pictures are refused.
 pub const MOST_PIXELS: usize = 2048 * 2048;

@@ -1,10 +1,9 @@
 //! The page on this machine: its picture, and what it does with bad input.
 
 use shading::f32::Rgb;
-use web::camera::{Camera, EYE};
 use web::page::{MOST_PIXELS, Page};
 use web::scene::{Part, SETTINGS};
-use web::surface::Surface;
+use web::surface::{Camera, EYE, Surface};
 
 /// As the page opens: the teapot, Blinn–Phong.
 const OPENING: [f32; SETTINGS] = [
