@@ -106,7 +106,8 @@ impl Evidence {
         let is_rough = |fault: &&Fault| fault.mistake.is_rough();
         let exact = || faults.iter().filter(|fault| !is_rough(fault)).copied();
         // of some lights or models alone
-        let scoped = || exact().flat_map(|fault| Scope::OTHERS.map(|of| Fault { of, ..fault }));
+        let scoped =
+            || exact().flat_map(|fault| Scope::OTHERS.map(|(of, _)| Fault { of, ..fault }));
         let best = |faults: &mut dyn Iterator<Item = Fault>, least| {
             self.best(profile, faults.map(|fault| vec![fault]), least)
         };

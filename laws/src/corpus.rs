@@ -106,23 +106,17 @@ impl Corpus<'_> {
         } else {
             [0.5, 0.25, 0.25]
         };
+        let point = Light::point(intensity, way, attenuation);
         match kind {
             Kind::Directional => Light::Directional {
                 intensity,
                 l: self.profile.unit(way),
             },
-            Kind::Point => Light::Point {
-                intensity,
-                position: way,
-                attenuation,
-            },
-            Kind::Spot => Light::Spot {
-                intensity,
-                position: way,
-                attenuation,
-                axis: self.profile.unit(scale(way, -1.0)),
-                half_angle: self.profile.rounded(0.75),
-            },
+            Kind::Point => point,
+            Kind::Spot => {
+                let axis = self.profile.unit(scale(way, -1.0));
+                point.with_cone(axis, self.profile.rounded(0.75))
+            }
         }
     }
 

@@ -23,11 +23,14 @@ enum Sort {
 
 /// The triples of a case, each with its sort. Positions are relative to the point.
 fn triples(case: &mut Case) -> Vec<(Sort, &mut Triple)> {
-    let Case {
-        scene,
-        ways,
-        factors,
-    } = case;
+    let (scene, ways, factors) = (&mut case.scene, &mut case.ways, &mut case.factors);
+    let lamp = |color, position, attenuation| {
+        [
+            (Sort::Color, color),
+            (Sort::Lamp, position),
+            (Sort::Coefficients, attenuation),
+        ]
+    };
     let mut all = vec![
         (Sort::Point, &mut scene.p),
         (Sort::Direction, &mut scene.n),
@@ -45,26 +48,20 @@ fn triples(case: &mut Case) -> Vec<(Sort, &mut Triple)> {
                 all.extend([(Sort::Color, intensity), (Sort::Unit, l)]);
             }
             Light::Point {
-                intensity,
+                intensity: color,
                 position,
                 attenuation,
-            } => all.extend([
-                (Sort::Color, intensity),
-                (Sort::Lamp, position),
-                (Sort::Coefficients, attenuation),
-            ]),
+            } => all.extend(lamp(color, position, attenuation)),
             Light::Spot {
-                intensity,
+                intensity: color,
                 position,
                 attenuation,
                 axis,
                 ..
-            } => all.extend([
-                (Sort::Color, intensity),
-                (Sort::Lamp, position),
-                (Sort::Coefficients, attenuation),
-                (Sort::Unit, axis),
-            ]),
+            } => {
+                all.extend(lamp(color, position, attenuation));
+                all.push((Sort::Unit, axis));
+            }
         }
     }
     all
@@ -195,16 +192,7 @@ pub fn simpler(case: &Case, profile: &Profile) -> Vec<Case> {
 /// A simpler light from the same direction.
 fn demoted(light: Light, p: Triple, profile: &Profile) -> Light {
     match light {
-        Light::Spot {
-            intensity,
-            position,
-            attenuation,
-            ..
-        } => Light::Point {
-            intensity,
-            position,
-            attenuation,
-        },
+        Light::Spot { .. } => light.without_cone(),
         Light::Point {
             intensity,
             position,
@@ -213,7 +201,7 @@ fn demoted(light: Light, p: Triple, profile: &Profile) -> Light {
             intensity,
             l: profile.unit(sub(position, p)),
         },
-        sun @ Light::Directional { .. } => sun,
+        Light::Directional { .. } => light,
     }
 }
 
