@@ -1,7 +1,6 @@
 //! Every known mistake, planted: it is found, named and placed.
 
 use std::collections::BTreeSet;
-use std::time::Duration;
 
 use crate::bounded::Bounded3;
 use crate::corpus;
@@ -46,7 +45,11 @@ fn planted(plan: &Plan, faults: &[Fault]) -> Report {
 }
 
 fn plan(profile: &Profile, cases: usize) -> Plan {
-    let laws = Laws::new().cases(cases).shrinking(0, Duration::ZERO);
+    let laws = Laws {
+        cases,
+        shrinks: 0,
+        ..Laws::default()
+    };
     laws.plan(profile).expect("a profile")
 }
 
@@ -338,7 +341,6 @@ fn the_formulas_are_those_of_shading() {
         }
     }
     assert!(loose < 360, "{loose} of 6000 bounds are loose");
-    let laws = Laws::new().cases(64).plan(&profile).expect("a plan");
-    let report = laws.run(&mut from_fn(profile.clone(), by_shading));
+    let report = plan(&profile, 64).run(&mut from_fn(profile.clone(), by_shading));
     assert!(report.passes(), "{report}");
 }

@@ -33,7 +33,7 @@ fn usual_mistakes_are_found_and_named() {
     for (right, wrong, mistake) in MISTAKES {
         assert_eq!(PHONG.matches(right).count(), 1, "{right}");
         let mut shader = shader(&PHONG.replace(right, wrong));
-        let report = Laws::new().run(&mut shader).expect("colors");
+        let report = Laws::default().run(&mut shader).expect("colors");
         let cause = report.findings[0].cause.as_ref().expect("a cause");
         let named: Vec<&str> = cause.mistakes.iter().map(shading_laws::Fault::id).collect();
         assert_eq!(named, [mistake], "{wrong}: {report}");
