@@ -26,7 +26,7 @@ mod then {
 }
 
 use race::Races;
-use scene::{COUNTS, DATA, ENCODINGS, KINDS, LIGHTS, MODELS, NORMALS, WAYS};
+use scene::{COUNTS, DATA, KINDS, LIGHTS, LOOPS, MODELS, WAYS};
 use std::process::ExitCode;
 
 /// More is not noise.
@@ -35,24 +35,17 @@ const LIMIT: f64 = 1.05;
 macro_rules! sums {
     ($races:ident, $float:ident) => {
         for data in DATA {
-            let float = |v: &[f64; 3]| v.map(|x| x as $float);
-            let scenes = COUNTS.map(|count| {
-                let points = scene::points(data, count);
-                let lamps: Vec<_> = scene::lamps(count).iter().map(float).collect();
-                let points: Vec<_> = points
-                    .iter()
-                    .map(|point| point.each_ref().map(float))
-                    .collect();
-                (
-                    points,
-                    now::ours::$float::lamps(&lamps),
-                    then::ours::$float::lamps(&lamps),
-                )
-            });
-            let columns = scenes.iter().map(|(points, now, then)| {
+            let scenes = COUNTS.map(|count| (scene::points(data, count), scene::lamps(count)));
+            let now = scenes
+                .each_ref()
+                .map(|(p, lamps)| now::ours::$float::scene(p, lamps));
+            let then = scenes
+                .each_ref()
+                .map(|(p, lamps)| then::ours::$float::scene(p, lamps));
+            let columns = now.iter().zip(&then).map(|(now, then)| {
                 [
-                    now::ours::$float::sums::<false>(points, now),
-                    then::ours::$float::sums::<false>(points, then),
+                    now::ours::$float::sums::<false>(now),
+                    then::ours::$float::sums::<false>(then),
                 ]
             });
             let name = |model| (format!("{} {model}, {data}", stringify!($float)), LIMIT);
@@ -65,37 +58,22 @@ fn main() -> ExitCode {
     let mut races = Races::new(0.2);
     races.table("Now / then: loops", &WAYS);
     let (colors, triangles) = (KINDS.map(scene::colors), KINDS.map(scene::triangles));
-    let both = |c| {
+    let (c, t) = (&colors[0], &triangles[0]);
+    let calls = [
+        now::ours::loops::<true>(c, t),
+        then::ours::loops::<true>(c, t),
+    ];
+    let columns = colors.iter().zip(&triangles);
+    let columns = columns.map(|(c, t)| {
         [
-            now::ours::encodings::<false>(c),
-            then::ours::encodings::<false>(c),
+            now::ours::loops::<false>(c, t),
+            then::ours::loops::<false>(c, t),
         ]
-    };
-    let call = |c| {
-        [
-            now::ours::encodings::<true>(c),
-            then::ours::encodings::<true>(c),
-        ]
-    };
-    let columns = colors.iter().map(|c| both(c)).chain([call(&colors[0])]);
-    races.rows(ENCODINGS.map(|(name, _)| (name.to_owned(), LIMIT)), columns);
-    let both = |t| {
-        [
-            now::ours::normals::<false>(t),
-            then::ours::normals::<false>(t),
-        ]
-    };
-    let call = |t| {
-        [
-            now::ours::normals::<true>(t),
-            then::ours::normals::<true>(t),
-        ]
-    };
-    let columns = triangles
-        .iter()
-        .map(|t| both(t))
-        .chain([call(&triangles[0])]);
-    races.rows(NORMALS.map(|(name, _)| (name.to_owned(), LIMIT)), columns);
+    });
+    races.rows(
+        LOOPS.map(|(name, _)| (name.to_owned(), LIMIT)),
+        columns.chain([calls]),
+    );
     races.table("Now / then: sums", &LIGHTS);
     sums!(races, f32);
     sums!(races, f64);

@@ -15,8 +15,6 @@ mod forms;
 mod hand;
 #[path = "time/lanes.rs"]
 mod lanes;
-#[path = "time/loops.rs"]
-mod loops;
 #[path = "time/ours.rs"]
 mod ours;
 #[path = "time/race.rs"]
@@ -25,7 +23,7 @@ mod race;
 mod scene;
 
 use race::{Races, pass};
-use scene::{COUNTS, DATA, ENCODINGS, KINDS, LIGHTS, MODELS, NORMALS, WAYS};
+use scene::{COUNTS, DATA, KINDS, LIGHTS, LOOPS, MODELS, WAYS};
 use shading::{self as subject, Exponent};
 use std::hint::black_box;
 use std::process::{Command, ExitCode};
@@ -58,38 +56,19 @@ fn main() -> ExitCode {
     races.report()
 }
 
-/// Points and lamps for both contestants.
-macro_rules! scenes {
-    ($float:ident $hand:ident, $data:expr, $counts:expr) => {{
-        let float = |v: &[f64; 3]| v.map(|x| x as $float);
-        $counts.map(|count| {
-            let (points, positions) = (scene::points($data, count), scene::lamps(count));
-            let lamps = ours::$float::lamps(&positions.iter().map(float).collect::<Vec<_>>());
-            let listed: Vec<_> = points
-                .iter()
-                .map(|point| point.each_ref().map(float))
-                .collect();
-            let vectors: Vec<_> = points
-                .iter()
-                .map(|point| point.map(hand::$hand::vector))
-                .collect();
-            let by_hand: Vec<_> = positions.into_iter().map(hand::$hand::lamp).collect();
-            (listed, lamps, vectors, by_hand)
-        })
-    }};
-}
-
 /// The sums in a loop, or by a call, beside a vector type of `glam`.
 macro_rules! sums {
     ($races:ident, $call:literal, $limit:literal, $($float:ident $hand:ident),*) => {$(
         for data in DATA {
-            let scenes = scenes!($float $hand, data, COUNTS);
-            let columns = scenes.iter().map(|(listed, lamps, vectors, by_hand)| [
-                ours::$float::sums::<$call>(listed, lamps),
-                hand::$hand::sums::<$call>(vectors, by_hand),
-            ]);
+            let scenes = COUNTS.map(|count| (scene::points(data, count), scene::lamps(count)));
+            let ours = scenes.each_ref().map(|(points, lamps)| ours::$float::scene(points, lamps));
+            let theirs = scenes.each_ref().map(|(points, lamps)| hand::$hand::scene(points, lamps));
+            let both = |(ours, theirs)| [
+                ours::$float::sums::<$call>(ours),
+                hand::$hand::sums::<$call>(theirs),
+            ];
             let name = |model| (format!("{} {model}, {data}", stringify!($float)), $limit);
-            $races.rows(MODELS.map(name), columns);
+            $races.rows(MODELS.map(name), ours.iter().zip(&theirs).map(both));
         }
     )*};
 }
@@ -137,7 +116,7 @@ fn lanes(races: &mut Races) {
         return;
     }
     let (points, positions) = (scene::points("cube", 4), scene::lamps(4));
-    let [(_, lamps, ..)] = scenes!(f32 vec3, "cube", [4]);
+    let (_, lamps) = ours::f32::scene(&points, &positions);
     let lanes = lanes::eight_points(&points);
     let real = || lanes::ours(&lanes, &lamps, ours::f32::material(50.5));
     let integer = lanes::ours(&lanes, &lamps, ours::f32::material(50));
@@ -153,8 +132,10 @@ fn packed(races: &mut Races) {
     races.table("Lights in lanes, beside `glam`", &["in a loop"]);
     macro_rules! packed {
         ($float:ident $hand:ident, $($lanes:ident * $count:literal: $real:literal $integer:literal),*) => {$(
-            let [(listed, lamps, vectors, by_hand)] = scenes!($float $hand, "cube", [$count]);
-            let [integer, _, real, _] = hand::$hand::sums::<false>(&vectors, &by_hand);
+            let (points, positions) = (scene::points("cube", $count), scene::lamps($count));
+            let (listed, lamps) = ours::$float::scene(&points, &positions);
+            let theirs = hand::$hand::scene(&points, &positions);
+            let [integer, _, real, _] = hand::$hand::sums::<false>(&theirs);
             let name = |m| format!("m = {m}, {} lights in {}", $count, stringify!($lanes));
             let pack = lanes::packed::<wide::$lanes, _>(&listed, &lamps, ours::$float::material(50.5));
             races.row(&name("50.5"), $real, [[pack, real]]);
@@ -192,28 +173,19 @@ fn powers(races: &mut Races) {
         };
     }
     powers!(f32: 1.4, 0.35, f32x4 * 4, f32x8 * 8);
-    powers!(f64: 0.70, 0.25, f64x4 * 4, f64x8 * 8);
+    powers!(f64: 0.70, 0.25, f64x2 * 2, f64x4 * 4);
 }
 
 fn loops(races: &mut Races) {
     races.tolerance = 0.1; // a rival gets one hard triangle in sixteen wrong
     races.table("Loops beside `fast-srgb8`, `powf` and `glam`", &WAYS);
     let (colors, triangles) = (KINDS.map(scene::colors), KINDS.map(scene::triangles));
-    let both = |c| [ours::encodings::<false>(c), loops::encodings::<false>(c)];
-    let call = |c| [ours::encodings::<true>(c), loops::encodings::<true>(c)];
-    let columns = colors.iter().map(|c| both(c)).chain([call(&colors[0])]);
+    let (c, t) = (&colors[0], &triangles[0]);
+    let calls = [ours::loops::<true>(c, t), hand::loops::<true>(c, t)];
+    let columns = colors.iter().zip(&triangles);
+    let columns = columns.map(|(c, t)| [ours::loops::<false>(c, t), hand::loops::<false>(c, t)]);
     races.rows(
-        ENCODINGS.map(|(name, limit)| (name.to_owned(), limit)),
-        columns,
-    );
-    let both = |t| [ours::normals::<false>(t), loops::normals::<false>(t)];
-    let call = |t| [ours::normals::<true>(t), loops::normals::<true>(t)];
-    let columns = triangles
-        .iter()
-        .map(|t| both(t))
-        .chain([call(&triangles[0])]);
-    races.rows(
-        NORMALS.map(|(name, limit)| (name.to_owned(), limit)),
-        columns,
+        LOOPS.map(|(name, limit)| (name.to_owned(), limit)),
+        columns.chain([calls]),
     );
 }

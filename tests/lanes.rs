@@ -234,10 +234,7 @@ impl<S: Scalar> Place<S> {
             p: if at_the_lamp { position } else { p },
             n,
             v: if kind.y > S::of(3.8) { -l } else { v },
-            q: {
-                let q = S::of(next());
-                q.at_least(-q)
-            },
+            q: S::of(next().abs()),
             sun: DirectionalLight { l, intensity },
             lamp,
             spot: SpotLight {

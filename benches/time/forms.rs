@@ -9,8 +9,8 @@ macro_rules! forms {
     ($float:ident, $hand:ident) => {
         pub mod $float {
             use super::*;
-            use crate::hand::$hand::{self as hand, Lamp, Point, V, vector};
-            use crate::ours::$float::{lamps, material, unit};
+            use crate::hand::$hand::{self as hand, Lamp, Point, V};
+            use crate::ours::$float::{material, scene, unit};
             use shading::{$float as s, shade};
 
             const RANGE: $float = 4.0;
@@ -47,9 +47,7 @@ macro_rules! forms {
 
             /// Four lamps.
             pub fn race(races: &mut Races, data: &str, points: &[List<List<f64>>], positions: &[List<f64>]) {
-                let list = |v: &List<f64>| v.map(|x| x as $float);
-                let inputs: Vec<_> = points.iter().map(|point| point.each_ref().map(list)).collect();
-                let lamps = &lamps(&positions.iter().map(list).collect::<Vec<_>>());
+                let (inputs, lamps) = &scene(points, positions);
                 let aimed = |cone: Option<s::Cone>| -> Vec<_> {
                     let axis = |lamp: &s::PointLight| (-lamp.position).unit().unwrap();
                     let spot = |&point| s::SpotLight { axis: axis(&point), cone: cone.unwrap(), point };
@@ -64,8 +62,7 @@ macro_rules! forms {
                 let mixed: &[s::Light] = &[(*sun).into(), lamps[1].into(), spots[2].into(), lamps[3].into()];
                 let ours = &material(50);
 
-                let points: Vec<_> = points.iter().map(|point| point.map(vector)).collect();
-                let by_hand: &Vec<_> = &positions.iter().map(|&p| hand::lamp(p)).collect();
+                let (points, by_hand) = &hand::scene(points, positions);
                 let with_axis = |lamp: &Lamp| (*lamp, -lamp.position.normalize());
                 let hand_spots: &Vec<_> = &by_hand.iter().map(with_axis).collect();
                 let spot = |(lamp, axis)| Kind::Spot(lamp, axis);
@@ -73,14 +70,14 @@ macro_rules! forms {
                 let theirs = &hand::material();
 
                 macro_rules! form {
-                    ($name:literal * $lights:literal: |$n:ident, $p:ident| $lit:expr; |$sum:ident| $added:expr) => {
+                    ($name:literal * $lights:literal: |$p:ident| $lit:expr; |$sum:ident| $added:expr) => {
                         let pair = [
-                            pass::<false, _, _>(&inputs, $lights, |&[n, v, p]| {
-                                let ($n, $p) = (unit(n), s::Vec3::from(p));
-                                let (i_a, m) = (s::Rgb::gray(0.2), black_box(ours));
-                                <[$float; 3]>::from(shade::blinn_phong($n, unit(v), m, i_a, $lit).total())
+                            pass::<false, _, _>(inputs, $lights, |&[n, v, p]| {
+                                let ($p, m) = (s::Vec3::from(p), black_box(ours));
+                                let i_a = s::Rgb::gray(0.2);
+                                <[$float; 3]>::from(shade::blinn_phong(unit(n), unit(v), m, i_a, $lit).total())
                             }),
-                            pass::<false, _, _>(&points, $lights, |point| {
+                            pass::<false, _, _>(points, $lights, |point| {
                                 let m = black_box(50);
                                 let highlight = |n, v, l, n_dot_l| hand::blinn(n, v, l, n_dot_l).powi(m);
                                 let mut $sum = Point::new(point, black_box(theirs), highlight);
@@ -92,35 +89,35 @@ macro_rules! forms {
                         races.row(&name, 0.95, [pair]);
                     };
                 }
-                form!("[lamp.at(p)]" * 1: |_n, p| [lamps[0].at(p)]; |sum| sum.add(&by_hand[0], |_, _| 1.0));
-                form!("[sun.at(p), lamp.at(p)]" * 2: |_n, p| [sun.at(p), lamps[0].at(p)]; |sum| {
+                form!("[lamp.at(p)]" * 1: |p| [lamps[0].at(p)]; |sum| sum.add(&by_hand[0], |_, _| 1.0));
+                form!("[sun.at(p), lamp.at(p)]" * 2: |p| [sun.at(p), lamps[0].at(p)]; |sum| {
                     sum.add_sun(black_box(V::X));
                     sum.add(&by_hand[0], |_, _| 1.0);
                 });
-                form!("once(sun).chain(lamps)" * 5: |_n, p| once(sun.at(p)).chain(lamps.iter().map(|l| l.at(p))); |sum| {
+                form!("once(sun).chain(lamps)" * 5: |p| once(sun.at(p)).chain(lamps.iter().map(|l| l.at(p))); |sum| {
                     sum.add_sun(black_box(V::X));
                     for lamp in by_hand { sum.add(lamp, |_, _| 1.0); }
                 });
                 form!("lamps.filter(not blocked)" * 4:
-                    |_n, p| lamps.iter().map(|l| l.at(p)).filter(|l| !blocked(p.z, l.l().z, l.distance())); |sum| {
+                    |p| lamps.iter().map(|l| l.at(p)).filter(|l| !blocked(p.z, l.l().z, l.distance())); |sum| {
                     let z = sum.p.z;
                     let share = |l: V, q| if blocked(z, l.z, q) { 0.0 } else { 1.0 };
                     for lamp in by_hand { sum.add(lamp, share); }
                 });
-                form!("lights of mixed kinds" * 4: |_n, p| mixed.iter().map(|l| l.at(p)); |sum| for kind in kinds {
+                form!("lights of mixed kinds" * 4: |p| mixed.iter().map(|l| l.at(p)); |sum| for kind in kinds {
                     match kind {
                         Kind::Sun(l) => sum.add_sun(*l),
                         Kind::Lamp(lamp) => sum.add(lamp, |_, _| 1.0),
                         Kind::Spot(lamp, axis) => sum.add(lamp, |l, _| hard(*axis, l)),
                     }
                 });
-                form!("spots" * 4: |_n, p| spots.iter().map(|l| l.at(p)); |sum| for (lamp, axis) in hand_spots {
+                form!("spots" * 4: |p| spots.iter().map(|l| l.at(p)); |sum| for (lamp, axis) in hand_spots {
                     sum.add(lamp, |l, _| hard(*axis, l));
                 });
-                form!("spots, soft edges" * 4: |_n, p| soft_spots.iter().map(|l| l.at(p)); |sum| for (lamp, axis) in hand_spots {
+                form!("spots, soft edges" * 4: |p| soft_spots.iter().map(|l| l.at(p)); |sum| for (lamp, axis) in hand_spots {
                     sum.add(lamp, |l, _| soft(*axis, l));
                 });
-                form!("lamps with ranges" * 4: |_n, p| ranged.iter().map(|l| l.at(p)); |sum| {
+                form!("lamps with ranges" * 4: |p| ranged.iter().map(|l| l.at(p)); |sum| {
                     for lamp in by_hand { sum.add(lamp, |_, q| window(q)); }
                 });
             }

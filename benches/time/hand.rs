@@ -1,7 +1,8 @@
-//! The same by hand on `glam`, with the powers of the standard library.
+//! The same by hand on `glam`, with other crates, and with the powers of the standard library.
 
 use crate::race::{Pass, pass};
 use crate::scene::{ATTENUATION, K_A, K_D, K_S, List};
+use glam::Vec3;
 use std::hint::black_box;
 
 macro_rules! hand {
@@ -9,6 +10,8 @@ macro_rules! hand {
         pub mod $name {
             use super::*;
             pub type V = $vector;
+            /// N, V and p, and the lamps.
+            pub type Scene = (Vec<[V; 3]>, Vec<Lamp>);
 
             pub fn vector(v: List<f64>) -> V {
                 V::from(v.map(|x| x as $float))
@@ -21,28 +24,21 @@ macro_rules! hand {
                 abc: [$float; 3],
             }
 
-            pub fn lamp(position: List<f64>) -> Lamp {
-                let abc = ATTENUATION.map(|x| x as $float);
-                Lamp {
+            pub fn scene(points: &[List<List<f64>>], positions: &[List<f64>]) -> Scene {
+                let lamp = |&position: &_| Lamp {
                     position: vector(position),
                     intensity: V::ONE,
-                    abc,
-                }
+                    abc: ATTENUATION.map(|x| x as $float),
+                };
+                let points = points.iter().map(|point| point.map(vector)).collect();
+                (points, positions.iter().map(lamp).collect())
             }
 
-            pub struct Material {
-                ambient: V,
-                diffuse: V,
-                specular: V,
-            }
+            /// k_a, k_d and k_s.
+            pub type Material = [V; 3];
 
             pub fn material() -> Material {
-                let [ambient, diffuse, specular] = [K_A, K_D, K_S].map(vector);
-                Material {
-                    ambient,
-                    diffuse,
-                    specular,
-                }
+                [K_A, K_D, K_S].map(vector)
             }
 
             /// The sum over the lights of a point. `highlight` has N, V, L and N·L.
@@ -58,7 +54,7 @@ macro_rules! hand {
             impl<'a, H: Fn(V, V, V, $float) -> $float> Point<'a, H> {
                 #[inline(always)]
                 pub fn new(&[n, v, p]: &[V; 3], material: &'a Material, highlight: H) -> Self {
-                    let sum = material.ambient * 0.2;
+                    let sum = material[0] * 0.2;
                     Self {
                         n,
                         v,
@@ -99,7 +95,7 @@ macro_rules! hand {
                 #[inline(always)]
                 fn reflected(&self, l: V, n_dot_l: $float) -> V {
                     let highlight = (self.highlight)(self.n, self.v, l, n_dot_l);
-                    self.material.diffuse * n_dot_l + self.material.specular * highlight
+                    self.material[1] * n_dot_l + self.material[2] * highlight
                 }
             }
 
@@ -114,10 +110,7 @@ macro_rules! hand {
             }
 
             /// The sums of Blinn by an even m, an odd m and a real m, and of Phong.
-            pub fn sums<'a, const CALL: bool>(
-                points: &'a [[V; 3]],
-                lamps: &'a [Lamp],
-            ) -> [Pass<'a>; 4] {
+            pub fn sums<const CALL: bool>((points, lamps): &Scene) -> [Pass<'_>; 4] {
                 macro_rules! sum {
                     ($cosine:ident, $power:ident, $m:expr) => {{
                         let material = material();
@@ -146,3 +139,51 @@ macro_rules! hand {
 hand!(vec3, f32, glam::Vec3);
 hand!(vec3a, f32, glam::Vec3A);
 hand!(dvec3, f64, glam::DVec3);
+
+fn encoded(linear: f32) -> f32 {
+    match linear.clamp(0.0, 1.0) {
+        x if x <= 0.003_130_8 => 12.92 * x,
+        x => 1.055 * x.powf(1.0 / 2.4) - 0.055,
+    }
+}
+
+/// Colors to bytes by `fast-srgb8` and by a power, and normals on `glam`.
+pub fn loops<'a, const CALL: bool>(
+    colors: &'a [List<f32>],
+    triangles: &'a [List<List<f32>>],
+) -> [Pass<'a>; 7] {
+    let level = |channel: f32, highest: f32| (encoded(channel) * highest + 0.5) as u16;
+    let rgb565 =
+        move |&[r, g, b]: &List<f32>| level(r, 31.0) << 11 | level(g, 63.0) << 5 | level(b, 31.0);
+    macro_rules! normal {
+        (|$a:ident, $b:ident, $c:ident| $normal:expr) => {
+            pass::<CALL, _, _>(triangles, 1, |triangle| {
+                let [$a, $b, $c] = triangle.map(Vec3::from);
+                $normal.try_normalize().map(<[f32; 3]>::from)
+            })
+        };
+    }
+    let corner = pass::<CALL, _, _>(triangles, 1, |triangle| {
+        let [a, b, c] = triangle.map(Vec3::from);
+        let (e1, e2) = (b - a, c - a);
+        let angle = (e1.dot(e2) / (e1.length() * e2.length())).acos();
+        <[f32; 3]>::from(
+            e1.cross(e2)
+                .try_normalize()
+                .map_or(Vec3::ZERO, |n| n * angle),
+        )
+    });
+    [
+        pass::<CALL, _, _>(colors, 1, |c| c.map(fast_srgb8::f32_to_srgb8)),
+        pass::<CALL, _, _>(colors, 1, rgb565),
+        normal!(|a, _b, _c| a),
+        normal!(|a, b, c| (b - a).cross(c - a)),
+        corner,
+        normal!(|a, _b, _c| {
+            let from_axis = a.truncate().length();
+            let ring = 2.0 * (from_axis - 2.0) / from_axis;
+            Vec3::new(ring * a.x, ring * a.y, 2.0 * a.z)
+        }),
+        normal!(|a, _b, _c| Vec3::new(1.0, 0.0, 2.0 * a.x).cross(Vec3::new(0.0, 1.0, -2.0 * a.y))),
+    ]
+}

@@ -12,11 +12,9 @@ pub const COUNTS: [usize; 3] = [1, 4, 16];
 pub const LIGHTS: [&str; 3] = ["1 light", "4 lights", "16 lights"];
 
 /// The loops, and how much of a rival's time they may take.
-pub const ENCODINGS: [(&str, f64); 2] = [
-    ("to_srgb8, beside `fast-srgb8`", 0.85),
-    ("to_rgb565, beside `powf`", 0.4),
-];
-pub const NORMALS: [(&str, f64); 5] = [
+pub const LOOPS: [(&str, f64); 7] = [
+    ("to_srgb8", 0.85),
+    ("to_rgb565", 0.4),
     ("unit", 1.3),
     ("triangle", 1.3),
     ("corner", 1.2),

@@ -12,13 +12,44 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::scene::Triple;
 
+/// How a renderer computes.
+#[derive(Clone, Copy, Debug)]
+pub struct Arithmetic {
+    /// The unit roundoff. An exact constant has 0.
+    pub u: f64,
+    /// Each value is rounded, as in the renderer itself. Otherwise values are those of `f64`.
+    pub rounds: bool,
+}
+
+impl Arithmetic {
+    const EXACT: Self = Self {
+        u: 0.0,
+        rounds: false,
+    };
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            u: self.u.max(other.u),
+            rounds: self.rounds || other.rounds,
+        }
+    }
+
+    /// A number as the renderer holds it.
+    fn holds(self, value: f64) -> f64 {
+        if self.rounds && value.is_finite() {
+            rounded(value, self.u)
+        } else {
+            value
+        }
+    }
+}
+
 /// A value, and how far the renderer's may be from it.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounded {
     pub value: f64,
     pub error: f64,
-    /// The unit roundoff of the renderer. An exact constant has 0.
-    u: f64,
+    how: Arithmetic,
 }
 
 /// A vector or a color.
@@ -35,30 +66,31 @@ impl Bounded {
     pub const UNKNOWN: Self = Self {
         value: 0.0,
         error: f64::INFINITY,
-        u: 0.0,
+        how: Arithmetic::EXACT,
     };
 
     pub const fn exact(value: f64) -> Self {
         Self {
             value,
             error: 0.0,
-            u: 0.0,
+            how: Arithmetic::EXACT,
         }
     }
 
     /// A number that the renderer is given. Its type may not hold the number exactly.
-    pub fn given(value: f64, u: f64) -> Self {
-        let is_exact = rounded(value, u) == value;
+    pub fn given(value: f64, how: Arithmetic) -> Self {
+        let is_exact = rounded(value, how.u) == value;
         Self {
-            value,
-            error: if is_exact { 0.0 } else { u * value.abs() },
-            u,
+            value: how.holds(value),
+            error: if is_exact { 0.0 } else { how.u * value.abs() },
+            how,
         }
     }
 
     /// The result of an operation that loses `units` of u. The errors of its operands alone would
     /// make it wrong by `error`.
-    fn rounded(value: f64, error: f64, units: f64, u: f64) -> Self {
+    fn rounded(value: f64, error: f64, units: f64, how: Arithmetic) -> Self {
+        let (value, u) = (how.holds(value), how.u);
         let error = error + units * u * value.abs();
         // beyond the largest f32 there is infinity, and 0 times that is NaN
         let largest = if u > f64::EPSILON {
@@ -68,7 +100,7 @@ impl Bounded {
         };
         let is_known = value.abs() + error < largest;
         let error = if is_known { error } else { f64::INFINITY };
-        Self { value, error, u }
+        Self { value, error, how }
     }
 
     /// The most that underflow takes away: all below the smallest normal number of `f32`, or of a
@@ -92,12 +124,12 @@ impl Bounded {
         } else {
             self.error / (value + least)
         };
-        Self::rounded(value, error, FUNCTION, self.u)
+        Self::rounded(value, error, FUNCTION, self.how)
     }
 
     pub fn cos(self) -> Self {
-        let error = self.error + FUNCTION * self.u; // absolute
-        Self::rounded(self.value.cos(), error, 0.0, self.u)
+        let error = self.error + FUNCTION * self.how.u; // absolute
+        Self::rounded(self.value.cos(), error, 0.0, self.how)
     }
 
     pub fn abs(self) -> Self {
@@ -112,16 +144,16 @@ impl Bounded {
     }
 
     /// A number that a renderer may compute with an error of some units of u.
-    pub fn computed(value: f64, units: f64, u: f64) -> Self {
-        Self::rounded(value, 0.0, units, u)
+    pub fn computed(value: f64, units: f64, how: Arithmetic) -> Self {
+        Self::rounded(value, 0.0, units, how)
     }
 
     /// A number between two.
-    pub fn between(low: f64, high: f64, u: f64) -> Self {
+    pub fn between(low: f64, high: f64, how: Arithmetic) -> Self {
         Self {
             value: f64::midpoint(low, high),
             error: (high - low) / 2.0,
-            u,
+            how,
         }
     }
 
@@ -144,7 +176,7 @@ impl Bounded {
     pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
         let [low, value, high] = [-self.error, 0.0, self.error].map(|off| f(self.value + off));
         let error = (high - value).abs().max((value - low).abs());
-        Self::rounded(value, error, 16.0, self.u)
+        Self::rounded(value, error, 16.0, self.how)
     }
 
     pub fn max(self, other: Self) -> Self {
@@ -195,8 +227,8 @@ impl Bounded {
             (m * self.value.abs().log2()).abs()
         };
         let units = 2.0 * (3.0 + 2.0 * exponent) + 2.0 * 4.0 * exponent * std::f64::consts::LN_2;
-        let error = corner(1.0).max(corner(-1.0)) + Self::underflow(self.u);
-        Self::rounded(value, error, units, self.u)
+        let error = corner(1.0).max(corner(-1.0)) + Self::underflow(self.how.u);
+        Self::rounded(value, error, units, self.how)
     }
 }
 
@@ -213,11 +245,11 @@ impl Neg for Bounded {
 impl Add for Bounded {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        let (value, u) = (self.value + other.value, self.u.max(other.u));
+        let (value, how) = (self.value + other.value, self.how.and(other.how));
         // a sum with 0 does not round
         let is_rounded = self.value != 0.0 && other.value != 0.0;
         let units = if is_rounded { SUM_OR_PRODUCT } else { 0.0 };
-        Self::rounded(value, self.error + other.error, units, u)
+        Self::rounded(value, self.error + other.error, units, how)
     }
 }
 
@@ -231,13 +263,13 @@ impl Sub for Bounded {
 impl Mul for Bounded {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let (value, u) = (self.value * other.value, self.u.max(other.u));
+        let (value, how) = (self.value * other.value, self.how.and(other.how));
         let mut error = self.value.abs() * other.error + other.value.abs() * self.error;
         error += self.error * other.error;
         if value != 0.0 {
-            error += Self::underflow(u);
+            error += Self::underflow(how.u);
         }
-        Self::rounded(value, error, SUM_OR_PRODUCT, u)
+        Self::rounded(value, error, SUM_OR_PRODUCT, how)
     }
 }
 
@@ -248,7 +280,7 @@ impl Div for Bounded {
         let least = (other.value.abs() - other.error).max(0.0);
         let error = self.error + value.abs() * other.error;
         let error = if error == 0.0 { 0.0 } else { error / least };
-        Self::rounded(value, error, FUNCTION, self.u.max(other.u))
+        Self::rounded(value, error, FUNCTION, self.how.and(other.how))
     }
 }
 
@@ -262,8 +294,8 @@ pub fn rounded(x: f64, u: f64) -> f64 {
     away - (away - x)
 }
 
-pub fn given3(v: Triple, u: f64) -> Bounded3 {
-    v.map(|c| Bounded::given(c, u))
+pub fn given3(v: Triple, how: Arithmetic) -> Bounded3 {
+    v.map(|c| Bounded::given(c, how))
 }
 
 pub fn dot(a: Bounded3, b: Bounded3) -> Bounded {

@@ -1,11 +1,13 @@
 //! Which mistakes explain the colors of a run.
 
+use serde::Serialize;
+
 use crate::bounded::Bounded;
-use crate::mistake::{Fault, Mistake};
+use crate::formula::{Formula, Scope};
+use crate::mistakes::Fault;
 use crate::profile::Profile;
 use crate::random::Random;
 use crate::scene::{Scene, Triple};
-use crate::textbook::Textbook;
 
 /// The most scenes of each law that are kept, wrong ones and right ones.
 const WRONG: usize = 24;
@@ -15,7 +17,7 @@ const RIGHT: usize = 12;
 const NEARLY_ALL: f64 = 0.9;
 
 /// What may have caused the wrong colors of a run.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cause {
     /// The mistake, or the mistakes that are made together.
     pub mistakes: Vec<Fault>,
@@ -25,6 +27,14 @@ pub struct Cause {
     pub of: usize,
     /// Other mistakes that give the same colors.
     pub alternatives: Vec<Vec<Fault>>,
+}
+
+impl Cause {
+    /// Whether it explains nearly all wrong colors.
+    #[must_use]
+    pub fn is_nearly_all(&self) -> bool {
+        self.explained * 10 >= self.of * 9
+    }
 }
 
 /// A color, and the law that asked for it.
@@ -86,28 +96,42 @@ impl Evidence {
         }
     }
 
-    /// The causes that explain nearly all wrong colors and no right one away, the best first.
+    /// The causes that explain nearly all wrong colors and no right one away, the best first; else what explains half.
     pub fn cause(&mut self, profile: &Profile) -> Option<Cause> {
         if self.wrong.is_empty() {
             return None;
         }
         self.mix();
         let faults: Vec<Fault> = Fault::all().collect();
-        let singles = faults.iter().map(|fault| vec![*fault]);
         let is_rough = |fault: &&Fault| fault.mistake.is_rough();
-        let exact = singles.filter(|faults| !faults.iter().any(|fault| is_rough(&fault)));
-        let best = self.best(profile, exact, NEARLY_ALL);
-        if let Some(cause) = best {
+        let exact = || faults.iter().filter(|fault| !is_rough(fault)).copied();
+        // of some lights or models alone
+        let scoped = || exact().flat_map(|fault| Scope::OTHERS.map(|of| Fault { of, ..fault }));
+        let best = |faults: &mut dyn Iterator<Item = Fault>, least| {
+            self.best(profile, faults.map(|fault| vec![fault]), least)
+        };
+        let mut single = best(&mut exact(), NEARLY_ALL);
+        if single.as_ref().is_none_or(|(errors, _)| *errors > 0) {
+            let of_some = best(&mut scoped(), NEARLY_ALL);
+            let errors =
+                |found: &Option<(usize, Cause)>| found.as_ref().map_or(usize::MAX, |it| it.0);
+            if errors(&of_some) < errors(&single) {
+                single = of_some;
+            }
+        }
+        if let Some((_, cause)) = single {
             // what one mistake does not explain, another may
             let is_all = cause.explained * 100 >= cause.of * 97;
             let explains_more = |pair: &Cause| pair.explained * 20 > cause.explained * 21;
-            let pair = || self.pair(profile, &faults).filter(explains_more);
+            let pair = || self.pair(profile, exact()).filter(explains_more);
             let pair = if is_all { None } else { pair() };
             return Some(pair.unwrap_or(cause));
         }
         let mut rough = faults.iter().filter(is_rough);
         let rough = rough.find_map(|fault| self.roughness(profile, *fault));
-        rough.or_else(|| self.pair(profile, &faults))
+        let pair = || self.pair(profile, exact());
+        let half = || Some(best(&mut exact(), 0.5)?.1);
+        rough.or_else(pair).or_else(half)
     }
 
     fn mix(&mut self) {
@@ -122,12 +146,13 @@ impl Evidence {
         }
     }
 
+    /// The best of the candidates, and the number of colors that it gets wrong.
     fn best(
         &self,
         profile: &Profile,
         candidates: impl Iterator<Item = Vec<Fault>>,
         least: f64,
-    ) -> Option<Cause> {
+    ) -> Option<(usize, Cause)> {
         let mut ranked: Vec<(usize, usize, Vec<Fault>)> = candidates
             .filter_map(|faults| {
                 let (explained, errors) = self.score(profile, &faults, least)?;
@@ -141,25 +166,26 @@ impl Evidence {
             .skip(1)
             .filter(|(others, ..)| *others == errors)
             .map(|(.., faults)| faults);
-        Some(Cause {
+        let cause = Cause {
             mistakes,
             explained,
             of: self.wrong.len(),
             alternatives: alternatives.collect(),
-        })
+        };
+        Some((errors, cause))
     }
 
     /// The number of wrong colors that the mistakes give and that of colors that they do not, if the first is at least
     /// this share of the wrong ones and nearly no right color is contradicted.
     fn score(&self, profile: &Profile, faults: &[Fault], least: f64) -> Option<(usize, usize)> {
-        let textbook = Textbook::new(profile, faults);
+        let formula = Formula::new(profile, faults);
         #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)]
         #[allow(clippy::cast_sign_loss)] // a part of a small count
         let misses = |count: usize, share: f64| (count as f64 * share) as usize;
         let most = misses(self.wrong.len(), 1.0 - least);
         let (mut unexplained, mut unknown) = (0, 0);
         for (i, sample) in self.wrong.iter().enumerate() {
-            let fits = textbook.fits(&sample.scene, sample.reply);
+            let fits = formula.fits(&sample.scene, sample.reply);
             if fits.is_none() {
                 // such as that of the eye in the surface, which has no direction
                 unknown += 1;
@@ -178,7 +204,7 @@ impl Evidence {
         let most = misses(self.right.len(), 0.02);
         let mut contradicted = 0;
         for sample in &self.right {
-            if textbook.fits(&sample.scene, sample.reply) == Some(false) {
+            if formula.fits(&sample.scene, sample.reply) == Some(false) {
                 contradicted += 1;
                 if contradicted > most {
                     return None;
@@ -192,9 +218,9 @@ impl Evidence {
     /// The cause if the colors are as if they were rounded so: nearly all of them, and, where not each of them shows it,
     /// some too bright and some too dark.
     fn roughness(&self, profile: &Profile, fault: Fault) -> Option<Cause> {
-        let (faults, right) = ([fault], Textbook::new(profile, &[]));
-        let rough = Textbook::new(profile, &faults);
-        let shows = fault.mistake == Mistake::InBits;
+        let (faults, right) = ([fault], Formula::new(profile, &[]));
+        let rough = Formula::new(profile, &faults);
+        let shows = fault.mistake.id == "InBits";
         let (mut explained, mut of, mut brighter) = (0, 0, 0);
         for sample in &self.wrong {
             let is_explained = rough.fits(&sample.scene, sample.reply);
@@ -209,9 +235,9 @@ impl Evidence {
             if (of - explained) * 50 > self.wrong.len() {
                 return None;
             }
-            let expected = right.reply(right.linear(&sample.scene));
-            let mut channels = expected.into_iter().zip(sample.reply);
-            let is_brighter = channels.any(|(ends, c)| ends.is_some_and(|[_, high]| c > high));
+            let mut channels = right.linear(&sample.scene).into_iter().zip(sample.reply);
+            let is_brighter =
+                channels.any(|(linear, c)| right.ends(linear).is_some_and(|[_, high]| c > high));
             brighter += usize::from(is_brighter);
         }
         let balance = brighter.min(of - brighter) * 8;
@@ -225,40 +251,35 @@ impl Evidence {
     }
 
     /// Two mistakes together, each of which gives some of the wrong colors alone.
-    fn pair(&self, profile: &Profile, faults: &[Fault]) -> Option<Cause> {
-        let gives_some = |fault: &&Fault| {
-            let textbook = Textbook::new(profile, std::slice::from_ref(fault));
+    fn pair(&self, profile: &Profile, faults: impl Iterator<Item = Fault>) -> Option<Cause> {
+        let gives_some = |fault: &Fault| {
+            let formula = Formula::new(profile, std::slice::from_ref(fault));
             let first = &self.wrong[..self.wrong.len().min(80)];
-            let gives = |sample: &&Sample| textbook.fits(&sample.scene, sample.reply) == Some(true);
+            let gives = |sample: &&Sample| formula.fits(&sample.scene, sample.reply) == Some(true);
             let (few, others) = first.split_at(first.len() / 2);
             // what gives none of the first few hardly ever gives enough
             let of_few = few.iter().filter(gives).count();
             let is_some = || (of_few + others.iter().filter(gives).count()) * 20 >= first.len();
             !fault.mistake.is_loose() && (of_few > 0 || few.len() < 40) && is_some()
         };
-        let some: Vec<Fault> = faults.iter().filter(gives_some).copied().collect();
+        let some: Vec<Fault> = faults.filter(gives_some).collect();
         let some = &some;
         let pairs = some.iter().enumerate().flat_map(|(i, a)| {
-            let others = some[..i].iter().filter(|b| b.mistake != a.mistake);
+            let others = some[..i].iter().filter(|b| b.mistake.id != a.mistake.id);
             others.map(move |b| vec![*b, *a])
         });
-        self.best(profile, pairs, 0.97)
+        Some(self.best(profile, pairs, 0.97)?.1)
     }
 
     /// Whether a cause gives nearly all wrong colors of a law.
     pub fn explains(&self, profile: &Profile, faults: &[Fault], law: usize) -> bool {
-        let textbook = Textbook::new(profile, faults);
+        let formula = Formula::new(profile, faults);
         let of_law = self.wrong.iter().filter(|sample| sample.law == law);
         let (mut explained, mut of) = (0, 0);
         for sample in of_law {
             of += 1;
-            explained += usize::from(textbook.fits(&sample.scene, sample.reply) == Some(true));
+            explained += usize::from(formula.fits(&sample.scene, sample.reply) == Some(true));
         }
         explained * 10 >= of * 8
-    }
-
-    /// Whether a mistake gives half of the wrong colors or more, and contradicts nearly no right one.
-    pub fn is_suspect(&self, profile: &Profile, fault: Fault) -> bool {
-        !fault.mistake.is_rough() && self.score(profile, &[fault], 0.5).is_some()
     }
 }

@@ -2,12 +2,12 @@
 
 use std::array::from_fn;
 
-use crate::generator::{Base, MOST_SHINY};
+use crate::generator::Case;
 use crate::profile::Profile;
-use crate::scene::{Light, Material, Model, Scene, Triple};
+use crate::scene::{Kind, Light, Model, Scene, Triple, scale};
 
 /// Changes when scenes are added, so that a report says which edges it has tried.
-pub const VERSION: u32 = 3;
+pub const VERSION: u32 = 4;
 
 /// The most lights that a scene of the corpus has.
 pub const MOST_LIGHTS: usize = 1024;
@@ -16,10 +16,10 @@ const BLACK: Triple = [0.0; 3];
 const UP: Triple = [0.0, 0.0, 1.0];
 
 /// The edges that a renderer has.
-pub fn edges(profile: &Profile) -> Vec<Base> {
+pub fn edges(profile: &Profile) -> Vec<Case> {
     let mut corpus = Corpus {
         profile,
-        bases: Vec::new(),
+        cases: Vec::new(),
     };
     corpus.opposite();
     corpus.faces();
@@ -32,12 +32,12 @@ pub fn edges(profile: &Profile) -> Vec<Base> {
     corpus.colors();
     corpus.lengths();
     corpus.many_lights();
-    corpus.bases
+    corpus.cases
 }
 
 struct Corpus<'a> {
     profile: &'a Profile,
-    bases: Vec<Base>,
+    cases: Vec<Case>,
 }
 
 impl Corpus<'_> {
@@ -49,16 +49,14 @@ impl Corpus<'_> {
             p: BLACK,
             n: self.profile.direction(n),
             v: self.profile.direction(v),
-            material: Material {
-                k_a: [0.25, 0.5, 0.125],
-                k_d: [0.5, 0.25, 0.75],
-                k_s: if self.profile.gray_highlight {
-                    [0.5; 3]
-                } else {
-                    k_s
-                },
-                m: 8.0_f64.min(self.profile.most_shiny),
+            k_a: [0.25, 0.5, 0.125],
+            k_d: [0.5, 0.25, 0.75],
+            k_s: if self.profile.gray_highlight {
+                [0.5; 3]
+            } else {
+                k_s
             },
+            m: 8.0_f64.min(self.profile.most_shiny),
             i_a: if self.profile.ambient {
                 [0.25, 0.125, 0.5]
             } else {
@@ -76,12 +74,9 @@ impl Corpus<'_> {
     }
 
     fn add_as(&mut self, model: Model, scene: &Scene) {
-        let k = self.bases.len();
+        let k = self.cases.len();
         let is_lost = |light| scene.has_lamp_at_the_point(light, self.profile.roundoff);
-        if !self.profile.models.contains(&model)
-            || scene.lights.len() > self.profile.most_lights
-            || scene.lights.iter().any(is_lost)
-        {
+        if scene.lights.len() > self.profile.most_lights || scene.lights.iter().any(is_lost) {
             return;
         }
         let ways: [Triple; 6] = [
@@ -94,7 +89,7 @@ impl Corpus<'_> {
         ];
         #[allow(clippy::cast_precision_loss)] // 1 to 8
         let factor = |i: usize| ((k * 3 + i * 5) % 8 + 1) as f64;
-        self.bases.push(Base {
+        self.cases.push(Case {
             scene: Scene {
                 model,
                 ..scene.clone()
@@ -104,44 +99,37 @@ impl Corpus<'_> {
         });
     }
 
-    /// A light from there, of the kind, if the renderer has it.
-    fn light(&self, kind: usize, way: Triple, intensity: Triple) -> Option<Light> {
-        let profile = self.profile;
-        let has = [
-            profile.directional_lights,
-            profile.point_lights,
-            profile.spot_lights,
-        ];
-        let attenuation = if profile.unattenuated {
+    /// A light from there, of the kind.
+    fn light(&self, kind: Kind, way: Triple, intensity: Triple) -> Light {
+        let attenuation = if self.profile.unattenuated {
             [1.0, 0.0, 0.0]
         } else {
             [0.5, 0.25, 0.25]
         };
-        has[kind].then(|| match kind {
-            0 => Light::Directional {
-                l: profile.unit(way),
+        match kind {
+            Kind::Directional => Light::Directional {
                 intensity,
+                l: self.profile.unit(way),
             },
-            1 => Light::Point {
-                position: way,
+            Kind::Point => Light::Point {
                 intensity,
+                position: way,
                 attenuation,
             },
-            _ => Light::Spot {
-                position: way,
+            Kind::Spot => Light::Spot {
                 intensity,
+                position: way,
                 attenuation,
-                axis: profile.unit(way.map(|c| -c)),
-                half_angle: profile.rounded(0.75),
+                axis: self.profile.unit(scale(way, -1.0)),
+                half_angle: self.profile.rounded(0.75),
             },
-        })
+        }
     }
 
     /// Each kind of light that the renderer has, from there.
     fn kinds(&self, way: Triple, intensity: Triple) -> Vec<Light> {
-        (0..3)
-            .filter_map(|kind| self.light(kind, way, intensity))
-            .collect()
+        let kinds = Kind::ALL.into_iter().filter(|kind| self.profile.has(*kind));
+        kinds.map(|kind| self.light(kind, way, intensity)).collect()
     }
 
     /// L = −V, with N·L above and at 0: H has no direction.
@@ -236,12 +224,18 @@ impl Corpus<'_> {
                     }
                     let way = [0.0, 0.6, 0.8].map(|c| c * q);
                     let position = from_fn(|i| self.profile.rounded(p[i] + way[i]));
-                    let kind = if i % 2 == 0 { 1 } else { 2 };
-                    let light = self.light(kind, UP, intensity);
-                    let light = light.or_else(|| self.light(3 - kind, UP, intensity));
-                    let Some(light) = light else {
-                        continue;
+                    let lamps =
+                        [Kind::Point, Kind::Spot].map(|kind| (kind, self.profile.has(kind)));
+                    let Some((kind, _)) = lamps
+                        .into_iter()
+                        .cycle()
+                        .skip(i % 2)
+                        .take(2)
+                        .find(|(_, has)| *has)
+                    else {
+                        return;
                     };
+                    let light = self.light(kind, UP, intensity);
                     let mut scene = self.scene(UP, [0.0, -0.5, 1.0], vec![light]);
                     scene.p = p;
                     if left < 0.1 {
@@ -257,6 +251,9 @@ impl Corpus<'_> {
 
     /// Points within and outside a cone, nearer to its edge than a degree, and angles of whole degrees and others.
     fn spots(&mut self) {
+        if !self.profile.has(Kind::Spot) {
+            return;
+        }
         for degrees in [5.0, 10.0, 22.5, 30.0, 37.9, 45.0, 59.3, 75.6, 89.5, 90.0] {
             for beyond in [-40.0, -2.0, -0.3, 0.3, 2.0] {
                 let off: f64 = degrees + beyond;
@@ -265,21 +262,18 @@ impl Corpus<'_> {
                 }
                 let angle = off.to_radians();
                 let axis = [-angle.sin(), 0.0, -angle.cos()];
-                let Some(mut light) = self.light(2, UP, [1.0, 0.75, 0.5]) else {
-                    return;
-                };
-                let half_angle: f64 = degrees;
+                let mut light = self.light(Kind::Spot, UP, [1.0, 0.75, 0.5]);
                 if let Light::Spot {
                     axis: of_light,
-                    half_angle: of_cone,
+                    half_angle,
                     ..
                 } = &mut light
                 {
                     *of_light = self.profile.unit(axis);
-                    *of_cone = self.profile.rounded(half_angle.to_radians());
-                    *of_cone = of_cone.min(std::f64::consts::FRAC_PI_2);
+                    let right = std::f64::consts::FRAC_PI_2;
+                    *half_angle = self.profile.rounded(f64::to_radians(degrees)).min(right);
                 }
-                let model = self.profile.models[self.bases.len() % self.profile.models.len()];
+                let model = self.profile.models[self.cases.len() % self.profile.models.len()];
                 self.add_as(model, &self.scene(UP, UP, vec![light]));
             }
         }
@@ -287,7 +281,7 @@ impl Corpus<'_> {
 
     /// Whole and real exponents up to the largest, each at its peak and on its slope.
     fn shininess(&mut self) {
-        let most = self.profile.most_shiny.min(MOST_SHINY);
+        let most = self.profile.most_m();
         for m in [
             1.0,
             1.5,
@@ -311,21 +305,17 @@ impl Corpus<'_> {
             most - 0.5,
             most,
         ] {
-            let m = if self.profile.integer_shininess {
-                f64::floor(m)
-            } else {
-                self.profile.rounded(m)
-            };
             if !(1.0..=most).contains(&m) {
                 continue;
             }
+            let m = self.profile.shininess(m);
             for off in [0.0, 0.5, 1.5] {
                 let off = off / f64::sqrt(m);
                 let kinds = self.kinds(UP, [1.0, 0.5, 0.75]);
-                let light = kinds[self.bases.len() % kinds.len()];
+                let light = kinds[self.cases.len() % kinds.len()];
                 let v = [off, 0.0, 1.0].map(|c| self.profile.rounded(c));
                 let mut scene = self.scene(UP, v, vec![light]);
-                scene.material.m = m;
+                scene.m = m;
                 self.add(&scene);
             }
         }
@@ -339,7 +329,7 @@ impl Corpus<'_> {
         ] {
             for light in self.kinds(l, [1.0, 0.5, 0.75]) {
                 let mut scene = self.scene(UP, v, vec![light]);
-                scene.material.m = 1.0;
+                scene.m = 1.0;
                 self.add(&scene);
             }
         }
@@ -348,12 +338,7 @@ impl Corpus<'_> {
     /// The largest exponent, on the slope of the highlight under an N of long components, and at its peak: in few digits,
     /// the light of a lamp may not be known well enough for so large a power.
     fn sharpest_highlights(&mut self) {
-        let most = self.profile.most_shiny.min(MOST_SHINY);
-        let most = if self.profile.integer_shininess {
-            most.floor()
-        } else {
-            self.profile.rounded(most).min(most)
-        };
+        let most = self.profile.most_m();
         for (n, across) in [
             ([0.301, -0.117, 0.946], [0.946, 0.0, -0.301]),
             ([-0.553, 0.719, 0.421], [0.719, 0.553, 0.0]),
@@ -363,15 +348,15 @@ impl Corpus<'_> {
                 let way = way.map(|c| self.profile.rounded(c));
                 let n = self.profile.direction(n.map(|c| self.profile.rounded(c)));
                 let kinds = self.kinds(way, [1.0, 0.5, 0.75]);
-                let light = kinds[self.bases.len() % kinds.len()];
+                let light = kinds[self.cases.len() % kinds.len()];
                 let mut scene = self.scene(n, n, vec![light]);
-                scene.material.m = most;
+                scene.m = most;
                 self.add(&scene);
             }
         }
         for light in self.kinds(UP, [1.0, 0.5, 0.75]) {
             let mut scene = self.scene(UP, UP, vec![light]);
-            scene.material.m = most;
+            scene.m = most;
             self.add(&scene);
         }
     }
@@ -392,10 +377,10 @@ impl Corpus<'_> {
             for light in self.kinds([0.3, 0.2, 1.0], long(i)) {
                 let mut scene = self.scene(UP, [-0.2, 0.1, 1.0], vec![light]);
                 let k = long(k);
-                scene.material.k_a = [k[1], k[2], k[0]];
-                scene.material.k_d = k;
+                scene.k_a = [k[1], k[2], k[0]];
+                scene.k_d = k;
                 if !self.profile.gray_highlight {
-                    scene.material.k_s = [k[2], k[0], k[1]];
+                    scene.k_s = [k[2], k[0], k[1]];
                 }
                 if self.profile.ambient {
                     scene.i_a = long([0.31, 0.77, 0.15]);

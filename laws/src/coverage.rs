@@ -1,11 +1,15 @@
 //! What a run exercised of what the renderer says it has.
 
+use std::fmt;
+
+use serde::Serialize;
+
+use crate::formula::Formula;
 use crate::profile::Profile;
-use crate::scene::{Light, Material, Model, Scene};
-use crate::textbook::Textbook;
+use crate::scene::{Kind, Light, Model, Scene};
 
 /// Something that a renderer says it has, and how much of it was exercised.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Exercised {
     /// What the renderer says it has.
     pub what: &'static str,
@@ -23,7 +27,22 @@ impl Exercised {
     }
 }
 
-#[derive(Default)]
+impl fmt::Display for Exercised {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self {
+            what,
+            exercised,
+            declared,
+        } = self;
+        match *what {
+            "lights in a scene" => write!(f, "{exercised} of {declared} {what}"),
+            "shininess" => write!(f, "{what} up to {exercised} of {declared}"),
+            _ => write!(f, "{what}"),
+        }
+    }
+}
+
+#[derive(Clone, Default)]
 pub struct Coverage {
     models: [bool; 3],
     kinds: [bool; 3],
@@ -35,93 +54,82 @@ pub struct Coverage {
 
 impl Coverage {
     pub fn note(&mut self, scene: &Scene, profile: &Profile) {
-        let has_highlight =
-            scene.model != Model::Lambert && scene.material.k_s.iter().any(|k| *k > 0.0);
+        let formula = Formula::new(profile, &[]);
         let counts = |lights: &[Light]| {
             let alone = Scene {
                 lights: lights.to_vec(),
-                material: Material {
-                    k_a: [0.0; 3],
-                    ..scene.material
-                },
+                k_a: [0.0; 3],
                 ..scene.clone()
             };
-            let color = Textbook::new(profile, &[]).linear(&alone);
-            color.iter().any(|c| c.value > c.error)
+            formula.linear(&alone).iter().any(|c| c.value > c.error)
         };
         if scene.lights.len() > self.lights {
-            let all = scene.lights.chunks(1).filter(|light| counts(light)).count();
-            self.lights = self.lights.max(all);
+            let all = scene.lights.iter().filter(|light| counts(&[**light]));
+            self.lights = self.lights.max(all.count());
         }
         for light in &scene.lights {
-            let kind = match light {
-                Light::Directional { .. } => 0,
-                Light::Point { .. } => 1,
-                Light::Spot { .. } => 2,
-            };
+            let kind = light.kind() as usize;
             self.kinds[kind] = self.kinds[kind] || counts(&[*light]);
         }
-        let is_new = has_highlight && scene.material.m > self.shininess;
+        let has_highlight = scene.model != Model::Lambert && scene.k_s.iter().any(|k| *k > 0.0);
+        let is_new = has_highlight && scene.m > self.shininess;
         let is_shown = is_new || !self.models[scene.model as usize];
         if is_shown && !scene.lights.is_empty() && counts(&scene.lights) {
             self.models[scene.model as usize] = true;
             if is_new {
-                self.shininess = scene.material.m;
+                self.shininess = scene.m;
             }
         }
-        let ambient = (0..3).any(|i| scene.material.k_a[i] * scene.i_a[i] > 0.0);
+        let ambient = (0..3).any(|i| scene.k_a[i] * scene.i_a[i] > 0.0);
         self.is_ambient = self.is_ambient || ambient;
         if let (false, Some([_, high])) = (self.beyond_the_range, profile.range()) {
-            let color = Textbook::new(profile, &[]).linear(scene);
-            self.beyond_the_range = color.iter().any(|c| c.value > high);
+            self.beyond_the_range = formula.linear(scene).iter().any(|c| c.value > high);
         }
     }
 
     /// What was declared, a line each.
     #[allow(clippy::cast_precision_loss)] // small counts
     pub fn of(&self, profile: &Profile) -> Vec<Exercised> {
-        let once = |what, declared: bool, exercised: bool| {
-            let exercised = f64::from(u8::from(exercised));
-            declared.then_some(Exercised {
+        let models = ["Lambert's model", "Phong's model", "Blinn's model"];
+        let kinds = ["directional lights", "point lights", "spot lights"];
+        let models = Model::ALL.into_iter().zip(models).zip(self.models);
+        let kinds = Kind::ALL.into_iter().zip(kinds).zip(self.kinds);
+        let range = profile.range().is_some_and(|[_, high]| high <= 2.0);
+        let parts = models
+            .map(|((model, what), is_shown)| (what, profile.models.contains(&model), is_shown))
+            .chain(kinds.map(|((kind, what), is_shown)| (what, profile.has(kind), is_shown)))
+            .chain([
+                ("ambient light", profile.ambient, self.is_ambient),
+                ("colors beyond the range", range, self.beyond_the_range),
+            ])
+            .map(|(what, has, is_shown)| {
+                (
+                    what,
+                    f64::from(u8::from(is_shown)),
+                    f64::from(u8::from(has)),
+                )
+            });
+        let m = if profile.has_highlights() {
+            profile.shininess(profile.most_shiny)
+        } else {
+            0.0
+        };
+        let sizes = [
+            (
+                "lights in a scene",
+                self.lights as f64,
+                profile.most_lights as f64,
+            ),
+            ("shininess", self.shininess, m),
+        ];
+        parts
+            .chain(sizes)
+            .filter(|(.., declared)| *declared > 0.0)
+            .map(|(what, exercised, declared)| Exercised {
                 what,
                 exercised,
-                declared: 1.0,
+                declared,
             })
-        };
-        let has = |model| profile.models.contains(&model);
-        let has_highlight = profile.models.iter().any(|model| *model != Model::Lambert);
-        let lines = [
-            once("Lambert's model", has(Model::Lambert), self.models[0]),
-            once("Phong's model", has(Model::Phong), self.models[1]),
-            once("Blinn's model", has(Model::BlinnPhong), self.models[2]),
-            once("ambient light", profile.ambient, self.is_ambient),
-            once(
-                "directional lights",
-                profile.directional_lights,
-                self.kinds[0],
-            ),
-            once("point lights", profile.point_lights, self.kinds[1]),
-            once("spot lights", profile.spot_lights, self.kinds[2]),
-            once(
-                "colors beyond the range",
-                profile.range().is_some_and(|[_, high]| high <= 2.0),
-                self.beyond_the_range,
-            ),
-            Some(Exercised {
-                what: "lights in a scene",
-                exercised: self.lights as f64,
-                declared: profile.most_lights as f64,
-            }),
-            has_highlight.then(|| Exercised {
-                what: "shininess",
-                exercised: self.shininess,
-                declared: if profile.integer_shininess {
-                    profile.most_shiny.floor()
-                } else {
-                    profile.rounded(profile.most_shiny).min(profile.most_shiny)
-                },
-            }),
-        ];
-        lines.into_iter().flatten().collect()
+            .collect()
     }
 }

@@ -6,21 +6,33 @@
 
 use std::array::from_fn;
 
-use crate::bounded;
-use crate::profile::Profile;
+use serde::{Deserialize, Serialize};
+
+use crate::profile::{MOST_SHINY, Profile};
 use crate::random::Random;
-use crate::scene::{Light, Material, Scene, Triple};
+use crate::scene::{Kind, Light, Scene, Triple, length, unit};
 
 type Integers = [i32; 3];
 
 /// A scene, and what the laws vary it by.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Base {
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Case {
     pub scene: Scene,
     /// Three vectors like those to the lights, each short enough to be added to another.
     pub ways: [Triple; 3],
     /// Three factors of 1, 2, … 8.
     pub factors: [f64; 3],
+}
+
+impl Case {
+    /// A scene that no law varies.
+    pub fn of(scene: Scene) -> Self {
+        Self {
+            scene,
+            ways: [[0.0, 0.0, 1.0]; 3],
+            factors: [1.0; 3],
+        }
+    }
 }
 
 /// How a vector lies relative to the normal.
@@ -45,44 +57,9 @@ fn vector(integers: Integers) -> Triple {
     integers.map(|c| f64::from(c) / scale)
 }
 
-pub fn unit(v: Triple) -> Triple {
-    let length = length(v);
-    v.map(|c| c / length)
-}
-
-fn length(v: Triple) -> f64 {
-    v.iter().map(|c| c * c).sum::<f64>().sqrt()
-}
-
-impl Profile {
-    /// The number of the renderer that is nearest to x.
-    pub(crate) fn rounded(&self, x: f64) -> f64 {
-        bounded::rounded(x, self.roundoff)
-    }
-
-    /// A direction of length 1, in the numbers of the renderer.
-    pub(crate) fn unit(&self, v: Triple) -> Triple {
-        unit(v).map(|c| self.rounded(c) + 0.0) // no -0
-    }
-
-    /// N or V: of any length, or of length 1 if the renderer needs that.
-    pub(crate) fn direction(&self, v: Triple) -> Triple {
-        if self.unit_vectors {
-            self.unit(v)
-        } else {
-            v.map(|c| c + 0.0) // no -0
-        }
-    }
-
-    /// The most that a light shines: a clamped color mostly has room for it.
-    pub(crate) fn brightest(&self) -> f64 {
-        if self.range().is_some() { 1.0 } else { 2.0 }
-    }
-}
-
 /// A random scene.
-pub fn base(profile: &Profile, random: &mut Random) -> Base {
-    Generator { profile, random }.base()
+pub fn case(profile: &Profile, random: &mut Random) -> Case {
+    Generator { profile, random }.case()
 }
 
 struct Generator<'a> {
@@ -91,13 +68,13 @@ struct Generator<'a> {
 }
 
 impl Generator<'_> {
-    fn base(&mut self) -> Base {
+    fn case(&mut self) -> Case {
         // which numbers of the scene are long
         let is_long = self.random.once_in(2);
         let (profile, n) = (self.profile, self.integers());
         let p = [(); 3].map(|()| f64::from(self.random.integer(-8, 8)) / 4.0);
         let p = if is_long { self.long_point(p) } else { p };
-        let material = self.material(is_long);
+        let ([k_a, k_d, k_s], m) = self.material(is_long);
         let i_a = self.color(profile.brightest(), is_long);
         let i_a = if profile.ambient { i_a } else { [0.0; 3] };
         let mut first = n;
@@ -112,7 +89,7 @@ impl Generator<'_> {
         }
         let far = self.random.one_of(&[1.0, 2.0, 0.25, 8.0]);
         let v = if self.random.once_in(5) {
-            self.mirrored(n, first, material.m, is_long)
+            self.mirrored(n, first, m, is_long)
         } else {
             vector(self.way(n))
         };
@@ -128,13 +105,16 @@ impl Generator<'_> {
             p,
             n: profile.direction(n_of_scene),
             v: profile.direction(v),
-            material,
+            k_a,
+            k_d,
+            k_s,
+            m,
             i_a,
             lights: Vec::new(),
         };
         lights.retain(|light| !scene.has_lamp_at_the_point(light, profile.roundoff));
         scene.lights = lights;
-        Base {
+        Case {
             scene,
             ways: [(); 3].map(|()| vector(self.way(n))),
             factors: [(); 3].map(|()| f64::from(self.random.integer(1, 8))),
@@ -219,7 +199,8 @@ impl Generator<'_> {
         [(); 3].map(|()| self.amount(most, is_long))
     }
 
-    fn material(&mut self, is_long: bool) -> Material {
+    /// k_a, k_d and k_s, and the shininess.
+    fn material(&mut self, is_long: bool) -> ([Triple; 3], f64) {
         let [k_a, k_d, mut k_s] = [(); 3].map(|()| self.color(1.0, is_long));
         if self.profile.gray_highlight {
             k_s = [k_s[0]; 3];
@@ -231,24 +212,12 @@ impl Generator<'_> {
             _ if is_long => self.random.scale(1.0, most),
             _ => self.random.scale(1.0, most).round(),
         };
-        let m = if self.profile.integer_shininess {
-            m.floor()
-        } else {
-            self.profile.rounded(m)
-        };
-        let m = m.min(most).max(1.0);
-        Material { k_a, k_d, k_s, m }
+        ([k_a, k_d, k_s], self.profile.shininess(m).min(most))
     }
 
     fn light(&mut self, p: Triple, way: Triple, is_long: bool) -> Light {
         let profile = self.profile;
-        let kinds = [
-            profile.directional_lights,
-            profile.point_lights,
-            profile.spot_lights,
-        ];
-        let start = self.random.below(3);
-        let kind = (start..start + 3).find(|kind| kinds[kind % 3]);
+        let kind = self.random.one_of(&profile.lights);
         let intensity = self.color(profile.brightest(), is_long);
         let short = self.random.one_of(&[1.0, 2.0, 0.5, 4.0]);
         let distance = match self.random.below(4) {
@@ -269,23 +238,23 @@ impl Generator<'_> {
         // a lamp that the attenuation brightens is dim
         let q = distance * length(way);
         let left = 1.0 / (attenuation[0] + attenuation[1] * q + attenuation[2] * q * q);
-        let is_lamp = kind.unwrap_or(0) % 3 > 0;
+        let is_lamp = kind != Kind::Directional;
         let intensity = if is_lamp && is_long && left > 1.0 {
             intensity.map(|c| profile.rounded(c / left))
         } else {
             intensity
         };
-        match kind.unwrap_or(0) % 3 {
-            0 => Light::Directional {
+        match kind {
+            Kind::Directional => Light::Directional {
                 l: profile.unit(way),
                 intensity,
             },
-            1 => Light::Point {
+            Kind::Point => Light::Point {
                 position,
                 intensity,
                 attenuation,
             },
-            _ => {
+            Kind::Spot => {
                 let (axis, half_angle) = self.spot(way, is_long);
                 Light::Spot {
                     position,
@@ -349,8 +318,5 @@ impl Generator<'_> {
         )
     }
 }
-
-/// The largest shininess that is tried, where the renderer has no limit.
-pub const MOST_SHINY: f64 = 65536.0;
 
 const RIGHT_ANGLE: f64 = std::f64::consts::FRAC_PI_2;

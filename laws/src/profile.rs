@@ -1,6 +1,9 @@
-//! What a renderer says of itself.
+//! What a renderer says of itself, and what its replies mean: their range, their levels and their encoding.
 
-use crate::scene::Model;
+use serde::{Deserialize, Serialize};
+
+use crate::bounded;
+use crate::scene::{Kind, Model, Triple, unit};
 
 /// What a renderer says of itself: how precise it is, what it has, and where it departs from the
 /// formulas on purpose. A law that needs something the renderer lacks is not tried.
@@ -9,11 +12,11 @@ use crate::scene::Model;
 /// follows the formulas.
 ///
 /// ```
-/// use shading_laws::{Model, Profile};
+/// use shading_laws::{Kind, Model, Profile};
 ///
 /// let shader = Profile {
 ///     models: vec![Model::Phong],
-///     spot_lights: false,
+///     lights: vec![Kind::Directional, Kind::Point],
 ///     clamps: Some([0.0, 1.0]),
 ///     srgb: true,
 ///     bits: Some(8),
@@ -22,7 +25,8 @@ use crate::scene::Model;
 /// assert_eq!(shader.roundoff, f64::from(f32::EPSILON) / 2.0);
 /// ```
 #[allow(clippy::struct_excessive_bools)] // each is a fact of its own
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Profile {
     /// The name in the report.
     pub name: String,
@@ -33,12 +37,8 @@ pub struct Profile {
     pub models: Vec<Model>,
     /// It has ambient light.
     pub ambient: bool,
-    /// It has directional lights.
-    pub directional_lights: bool,
-    /// It has point lights.
-    pub point_lights: bool,
-    /// It has spot lights.
-    pub spot_lights: bool,
+    /// The kinds of light that it has.
+    pub lights: Vec<Kind>,
     /// The most lights in a scene.
     pub most_lights: usize,
     /// The largest shininess.
@@ -83,6 +83,9 @@ pub struct Profile {
     pub ambient_times_diffuse: bool,
 }
 
+/// The largest shininess that is tried, where the renderer has no limit.
+pub const MOST_SHINY: f64 = 65536.0;
+
 impl Default for Profile {
     fn default() -> Self {
         Self {
@@ -90,9 +93,7 @@ impl Default for Profile {
             roundoff: f64::from(f32::EPSILON) / 2.0,
             models: Model::ALL.into(),
             ambient: true,
-            directional_lights: true,
-            point_lights: true,
-            spot_lights: true,
+            lights: Kind::ALL.into(),
             most_lights: 8,
             most_shiny: 128.0,
             integer_shininess: false,
@@ -116,6 +117,19 @@ impl Default for Profile {
 }
 
 impl Profile {
+    /// What a renderer wrote of itself: one object, with any of the members.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with the line, or with the profile.
+    pub fn from_json(line: &str) -> Result<Self, String> {
+        if !line.trim_start().starts_with('{') {
+            return Err("expected a JSON object or {}".into());
+        }
+        let profile: Self = serde_json::from_str(line).map_err(|why| why.to_string())?;
+        profile.complaint().map_or(Ok(profile), Err)
+    }
+
     /// Why the profile is contradictory, if it is.
     #[must_use]
     pub fn complaint(&self) -> Option<String> {
@@ -123,7 +137,7 @@ impl Profile {
             format!("roundoff is {}, not between 0 and 0.01", self.roundoff)
         } else if self.models.is_empty() {
             "models is empty".into()
-        } else if !(self.directional_lights || self.point_lights || self.spot_lights) {
+        } else if self.lights.is_empty() {
             "it has no kind of light".into()
         } else if self.most_lights == 0 {
             "most_lights is 0".into()
@@ -147,4 +161,119 @@ impl Profile {
         };
         Some(complaint)
     }
+
+    pub(crate) fn has(&self, kind: Kind) -> bool {
+        self.lights.contains(&kind)
+    }
+
+    pub(crate) fn has_highlights(&self) -> bool {
+        self.models.iter().any(|model| *model != Model::Lambert)
+    }
+
+    /// The largest shininess that is tried.
+    pub(crate) fn most_m(&self) -> f64 {
+        self.shininess(self.most_shiny.min(MOST_SHINY))
+    }
+
+    /// The shininess of the renderer that is nearest to m.
+    pub(crate) fn shininess(&self, m: f64) -> f64 {
+        let m = if self.integer_shininess {
+            m.floor()
+        } else {
+            self.rounded(m)
+        };
+        m.min(self.most_shiny).max(1.0)
+    }
+
+    /// The number of the renderer that is nearest to x.
+    pub(crate) fn rounded(&self, x: f64) -> f64 {
+        bounded::rounded(x, self.roundoff) + 0.0 // no -0
+    }
+
+    /// A direction of length 1, in the numbers of the renderer.
+    pub(crate) fn unit(&self, v: Triple) -> Triple {
+        unit(v).map(|c| self.rounded(c))
+    }
+
+    /// N or V: of any length, or of length 1 if the renderer needs that.
+    pub(crate) fn direction(&self, v: Triple) -> Triple {
+        if self.unit_vectors {
+            self.unit(v)
+        } else {
+            v.map(|c| c + 0.0) // no -0
+        }
+    }
+
+    /// The most that a light shines: a clamped color mostly has room for it.
+    pub(crate) fn brightest(&self) -> f64 {
+        if self.range().is_some() { 1.0 } else { 2.0 }
+    }
+
+    /// The range of its colors. Levels end at 0 and 1.
+    pub(crate) fn range(&self) -> Option<[f64; 2]> {
+        self.clamps.or(self.bits.map(|_| [0.0, 1.0]))
+    }
+
+    /// The distance between two levels of a channel.
+    pub(crate) fn level(&self) -> Option<f64> {
+        Some(1.0 / (f64::from(self.bits?).exp2() - 1.0))
+    }
+
+    /// How far a reply of this size may be from the exact encoding: 0.6 of a level, as for Vulkan's normalized
+    /// formats, or the error of a power in floating point.
+    pub(crate) fn slack(&self, size: f64, roundoff: f64) -> f64 {
+        let of_level = self.level().map_or(0.0, |level| 0.6 * level);
+        let of_power = if self.srgb { 16.0 } else { 2.0 };
+        of_level + of_power * roundoff * size
+    }
+
+    /// The least and the largest linear light that the renderer may have meant by a reply.
+    pub(crate) fn meant(&self, reply: f64) -> [f64; 2] {
+        let slack = self.slack(reply.abs(), self.roundoff);
+        let ends = [reply - slack, reply + slack];
+        let mut ends = if self.srgb { ends.map(from_srgb) } else { ends };
+        if self.range().is_some_and(|[_, high]| reply >= high - slack) {
+            ends[1] = f64::INFINITY;
+        }
+        ends
+    }
+
+    /// How far a finite reply is out of the range or off its level, and how far it may be, where that
+    /// is too far.
+    pub(crate) fn is_not_as_said(&self, reply: f64) -> Option<(f64, f64)> {
+        let slack = 4.0 * self.roundoff;
+        if !reply.is_finite() {
+            return None;
+        }
+        if let Some([low, high]) = self.range() {
+            let beyond = (reply - high).max(low - reply);
+            if beyond > slack {
+                return Some((beyond, slack));
+            }
+        }
+        let level = self.level()?;
+        let off = (reply - (reply / level).round() * level).abs();
+        (off > 0.01 * level).then_some((off, 0.01 * level))
+    }
+}
+
+/// The encoding of sRGB (IEC 61966-2-1), odd about 0.
+pub fn to_srgb(x: f64) -> f64 {
+    let size = x.abs();
+    let encoded = if size <= 0.003_130_8 {
+        12.92 * size
+    } else {
+        1.055 * size.powf(1.0 / 2.4) - 0.055
+    };
+    encoded.copysign(x)
+}
+
+pub fn from_srgb(y: f64) -> f64 {
+    let size = y.abs();
+    let decoded = if size <= 0.040_45 {
+        size / 12.92
+    } else {
+        ((size + 0.055) / 1.055).powf(2.4)
+    };
+    decoded.copysign(y)
 }

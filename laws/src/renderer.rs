@@ -12,7 +12,7 @@ use crate::scene::{Scene, Triple};
 ///
 /// impl Renderer for MyRenderer {
 ///     fn profile(&self) -> Profile {
-///         Profile { spot_lights: false, ..Profile::default() }
+///         Profile { ambient: false, ..Profile::default() }
 ///     }
 ///
 ///     fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<[f64; 3]>, String> {

@@ -1,6 +1,6 @@
 //! One place on a surface and the light on it, as plain numbers.
 
-use std::fmt;
+use serde::{Deserialize, Serialize};
 
 /// Three numbers: the coordinates of a point or a direction, or red, green and blue.
 pub type Triple = [f64; 3];
@@ -11,22 +11,16 @@ pub type Triple = [f64; 3];
 /// exactly.
 ///
 /// ```
-/// use shading_laws::{Light, Material, Model, Scene};
+/// use shading_laws::Scene;
 ///
-/// let [black, gray, white] = [[0.0; 3], [0.5; 3], [1.0; 3]];
-/// let scene = Scene {
-///     model: Model::BlinnPhong,
-///     p: [0.0, 0.0, 0.0],
-///     n: [0.0, 0.0, 1.0],
-///     v: [0.0, 0.0, 2.0],
-///     material: Material { k_a: black, k_d: gray, k_s: gray, m: 8.0 },
-///     i_a: black,
-///     lights: vec![Light::Directional { l: [0.0, 0.0, 1.0], intensity: white }],
-/// };
-/// let rust = scene.to_string(); // to copy into a test
-/// assert!(rust.starts_with("Scene {\n    model: Model::BlinnPhong,"));
+/// let line = r#"{"model":"lambert","p":[0,0,0],"n":[0,0,1],"v":[0,0,2],"k_a":[0,0,0],"k_d":[1,1,1],
+///     "k_s":[0,0,0],"m":1,"i_a":[0,0,0],"lights":[{"kind":"directional","intensity":[1,1,1],"l":[0,0,1]}]}"#;
+/// let scene = Scene::from_json(line).unwrap();
+/// assert_eq!(scene.k_d, [1.0; 3]);
+/// assert!(scene.to_json().starts_with(r#"{"model":"lambert","p":[0.0,0.0,0.0],"#));
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Scene {
     /// The formula to use.
     pub model: Model,
@@ -38,8 +32,14 @@ pub struct Scene {
     /// The vector from the point to the eye, not 0: the eye is at p + v. It has any length unless
     /// the [`Profile`](crate::Profile) asks for unit vectors.
     pub v: Triple,
-    /// What the surface reflects.
-    pub material: Material,
+    /// The ambient reflectance, from 0 to 1.
+    pub k_a: Triple,
+    /// The diffuse reflectance, from 0 to 1.
+    pub k_d: Triple,
+    /// The specular reflectance, from 0 to 1.
+    pub k_s: Triple,
+    /// The shininess, 1 or more.
+    pub m: f64,
     /// The ambient light I_a.
     pub i_a: Triple,
     /// The lights.
@@ -48,7 +48,8 @@ pub struct Scene {
 
 /// The formula of the reflected light. Each has the ambient term k_a I_a and the diffuse term
 /// k_d I max(0, N·L).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Model {
     /// No highlight.
     Lambert,
@@ -59,98 +60,99 @@ pub enum Model {
     BlinnPhong,
 }
 
-/// What a surface reflects, in red, green and blue.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Material {
-    /// The ambient reflectance, from 0 to 1.
-    pub k_a: Triple,
-    /// The diffuse reflectance, from 0 to 1.
-    pub k_d: Triple,
-    /// The specular reflectance, from 0 to 1.
-    pub k_s: Triple,
-    /// The shininess, 1 or more.
-    pub m: f64,
-}
-
 /// A light. All directions have length 1.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Light {
     /// Light from far away, or light that has already been attenuated on its way to the point.
     Directional {
-        /// The direction from the surface to the light.
-        l: Triple,
         /// The light that arrives.
         intensity: Triple,
+        /// The direction from the surface to the light.
+        l: Triple,
     },
     /// A lamp.
     Point {
-        /// Where it is; never at the point itself.
-        position: Triple,
         /// Its light, before the attenuation.
         intensity: Triple,
+        /// Where it is; never at the point itself.
+        position: Triple,
         /// The coefficients a, b, c of the attenuation 1/(a + bq + cq²), where q is the distance.
         attenuation: Triple,
     },
     /// A lamp that lights a cone and nothing outside it.
     Spot {
-        /// Where it is; never at the point itself.
-        position: Triple,
         /// Its light within the cone, before the attenuation.
         intensity: Triple,
+        /// Where it is; never at the point itself.
+        position: Triple,
         /// The coefficients a, b, c of the attenuation 1/(a + bq + cq²), where q is the distance.
         attenuation: Triple,
         /// The direction in which it shines.
         axis: Triple,
         /// The angle between the axis and the edge of the cone, in radians, at most π/2.
+        #[serde(rename = "angle")]
         half_angle: f64,
     },
+}
+
+/// What a light is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// Light from far away.
+    Directional,
+    /// A lamp.
+    Point,
+    /// A lamp with a cone.
+    Spot,
 }
 
 impl Model {
     /// All models.
     pub const ALL: [Self; 3] = [Self::Lambert, Self::Phong, Self::BlinnPhong];
+}
 
-    /// The name in JSON.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Lambert => "lambert",
-            Self::Phong => "phong",
-            Self::BlinnPhong => "blinn_phong",
-        }
-    }
+impl Kind {
+    /// All kinds.
+    pub const ALL: [Self; 3] = [Self::Directional, Self::Point, Self::Spot];
 }
 
 impl Light {
+    /// What it is.
+    #[must_use]
+    pub fn kind(&self) -> Kind {
+        match self {
+            Self::Directional { .. } => Kind::Directional,
+            Self::Point { .. } => Kind::Point,
+            Self::Spot { .. } => Kind::Spot,
+        }
+    }
+
     /// The light before any attenuation.
     #[must_use]
-    pub fn intensity(&self) -> Triple {
-        match *self {
+    pub fn intensity(mut self) -> Triple {
+        *self.intensity_mut()
+    }
+
+    /// The same, to be changed.
+    pub fn intensity_mut(&mut self) -> &mut Triple {
+        match self {
             Self::Directional { intensity, .. }
             | Self::Point { intensity, .. }
             | Self::Spot { intensity, .. } => intensity,
         }
     }
 
-    /// The same light in another color.
-    #[must_use]
-    pub fn with_intensity(mut self, new: Triple) -> Self {
-        match &mut self {
-            Self::Directional { intensity, .. }
-            | Self::Point { intensity, .. }
-            | Self::Spot { intensity, .. } => *intensity = new,
-        }
-        self
-    }
-
     /// The position and the attenuation of a lamp.
-    pub(crate) fn lamp(mut self) -> Option<(Triple, Triple)> {
+    #[must_use]
+    pub fn lamp(mut self) -> Option<(Triple, Triple)> {
         let (position, attenuation) = self.lamp_mut()?;
         Some((*position, *attenuation))
     }
 
     /// The same, to be changed.
-    pub(crate) fn lamp_mut(&mut self) -> Option<(&mut Triple, &mut Triple)> {
+    pub fn lamp_mut(&mut self) -> Option<(&mut Triple, &mut Triple)> {
         match self {
             Self::Directional { .. } => None,
             Self::Point {
@@ -166,18 +168,36 @@ impl Light {
         }
     }
 
-    /// The name of its kind in JSON.
-    #[must_use]
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Self::Directional { .. } => "directional",
-            Self::Point { .. } => "point",
-            Self::Spot { .. } => "spot",
-        }
+    /// What the attenuation leaves of it at a point.
+    pub(crate) fn falloff(self, p: Triple) -> f64 {
+        self.lamp().map_or(1.0, |(position, [a, b, c])| {
+            let q = length(sub(position, p));
+            1.0 / (a + b * q + c * q * q)
+        })
     }
 }
 
 impl Scene {
+    /// The scene of a line of JSON.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with the line.
+    pub fn from_json(line: &str) -> Result<Self, String> {
+        serde_json::from_str(line).map_err(|why| why.to_string())
+    }
+
+    /// The scene as one line of JSON, its members always in the same order. The format is that of the
+    /// program `shading-laws`.
+    ///
+    /// # Panics
+    ///
+    /// Never: numbers and lists of them are JSON.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        serde_json::to_string(self).expect("JSON")
+    }
+
     /// The sum of the largest coordinates of a lamp, of the point and of the way to the eye, to which a renderer that
     /// works in a frame of its own may round the lamp and the point.
     pub(crate) fn extent(&self, lamp: Triple) -> f64 {
@@ -188,46 +208,40 @@ impl Scene {
     /// the eye, both positions round by up to u times their size.
     pub(crate) fn has_lamp_at_the_point(&self, light: &Light, u: f64) -> bool {
         light.lamp().is_some_and(|(position, _)| {
-            let way = std::array::from_fn(|i| position[i] - self.p[i]);
-            size(way) <= 4.0 * u * self.extent(position)
+            size(sub(position, self.p)) <= 4.0 * u * self.extent(position)
         })
     }
 }
 
-fn size(triple: Triple) -> f64 {
-    triple.iter().fold(0.0, |most, c| most.max(c.abs()))
+pub fn size(v: Triple) -> f64 {
+    v.iter().fold(0.0, |most, c| most.max(c.abs()))
 }
 
-/// The scene as Rust.
-impl fmt::Display for Scene {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Self {
-            model,
-            p,
-            n,
-            v,
-            material,
-            i_a,
-            lights,
-        } = self;
-        let Material { k_a, k_d, k_s, m } = material;
-        writeln!(f, "Scene {{")?;
-        writeln!(f, "    model: Model::{model:?},")?;
-        writeln!(f, "    p: {p:?},")?;
-        writeln!(f, "    n: {n:?},")?;
-        writeln!(f, "    v: {v:?},")?;
-        writeln!(f, "    material: Material {{")?;
-        writeln!(f, "        k_a: {k_a:?},")?;
-        writeln!(f, "        k_d: {k_d:?},")?;
-        writeln!(f, "        k_s: {k_s:?},")?;
-        writeln!(f, "        m: {m:?},")?;
-        writeln!(f, "    }},")?;
-        writeln!(f, "    i_a: {i_a:?},")?;
-        writeln!(f, "    lights: vec![")?;
-        for light in lights {
-            writeln!(f, "        Light::{light:?},")?;
-        }
-        writeln!(f, "    ],")?;
-        write!(f, "}}")
-    }
+pub fn dot(a: Triple, b: Triple) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn add(a: Triple, b: Triple) -> Triple {
+    [0, 1, 2].map(|i| a[i] + b[i])
+}
+
+pub fn sub(a: Triple, b: Triple) -> Triple {
+    [0, 1, 2].map(|i| a[i] - b[i])
+}
+
+pub fn mul(a: Triple, b: Triple) -> Triple {
+    [0, 1, 2].map(|i| a[i] * b[i])
+}
+
+pub fn scale(v: Triple, factor: f64) -> Triple {
+    v.map(|c| c * factor)
+}
+
+pub fn length(v: Triple) -> f64 {
+    dot(v, v).sqrt()
+}
+
+pub fn unit(v: Triple) -> Triple {
+    let length = length(v);
+    v.map(|c| c / length)
 }

@@ -26,11 +26,11 @@ pub(super) fn direction<T: Real>(v: Triple<T>) -> (Triple<T>, T, T) {
 /// The power of the cosine between n and v, from the square of the cosine, which needs no root.
 #[inline(always)]
 pub(super) fn cosine_power<T: Real>(n: Triple<T>, v: Triple<T>, m: impl Exponent<T>) -> T {
-    let n_dot_v = dot(n, v).at_least(T::ZERO);
-    let square = dot(v, v);
-    let cosine_squared = square.if_positive(n_dot_v * n_dot_v / square, T::ZERO);
-    let power = m.raise_root(cosine_squared.at_most(T::ONE));
-    cosine_squared.if_positive(power, T::ZERO)
+    let n_dot_v = dot(n, v);
+    let cosine_squared = n_dot_v * n_dot_v / dot(v, v);
+    // at most 1; 0/0 counts as 1, too
+    let cosine_squared = T::ONE.if_above(cosine_squared, cosine_squared, T::ONE);
+    n_dot_v.if_positive(m.raise_root(cosine_squared), T::ZERO)
 }
 
 /// The vector from `origin` to `v`, times a power of two that makes it fit for squares and products.

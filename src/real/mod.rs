@@ -187,7 +187,11 @@ pub trait Real:
     #[must_use]
     fn attenuated(color: [Self; 3], [a, b, c]: [Self; 3], q: Self, limit: Self) -> [Self; 3] {
         let factor = Self::ONE / (a + q * (b + c * q));
-        let factor = factor.at_least(Self::ZERO).at_most(limit);
+        let factor = if factor.any_outside(Self::ONE / Self::EXTREME, Self::ONE) {
+            factor.at_least(Self::ZERO).at_most(limit)
+        } else {
+            factor
+        };
         let [red, green, blue] = color;
         let dimmed = |channel: Self| (channel * factor).at_most(Self::MAX);
         [dimmed(red), dimmed(green), dimmed(blue)]

@@ -60,7 +60,7 @@ fn assert_pinned(file: &str, pinned: &str, lines: impl Iterator<Item = String>) 
         fs::write(&now, lines.join("\n") + "\n").expect("a file");
         panic!(
             "not in tests/bits/{file}:\n{new:#?}\n\
-            If that is meant, say in CHANGELOG.md what changes and why, and copy {now}"
+            If that is meant, say in CHANGELOG.md what changes and why, and run `.ci/renew pins`"
         );
     }
 }

@@ -39,7 +39,7 @@ fn everything<T: Elementary + PartialOrd>(c: &Case<T>, p: Vec3<T>) -> Vec<T> {
         c.spot.at(p).intensity().g,
         p.length(),
     ];
-    let vectors = normals.map(|n| <[T; 3]>::from(n)).concat();
+    let vectors = normals.map(<[T; 3]>::from).concat();
     [sums, vectors, functions.to_vec(), falloff.to_vec()].concat()
 }
 

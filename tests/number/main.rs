@@ -4,9 +4,9 @@
 mod gradients;
 mod naive;
 
-use kit::invariants::check;
+use kit::invariants::{Tried, check};
 use naive::{Bf16, Broken, Half, Q16};
-use shading::Dual;
+use shading::{Attenuation, Cone, Dual, UnitVec3, Vec3};
 
 #[test]
 fn single() {
@@ -59,4 +59,50 @@ fn a_broken_number_is_found() {
         is_found(check::<Broken<5>>),
     ];
     assert_eq!(found, [true; 5]);
+}
+
+/// What a constructor refuses, a cast does not make: coefficients that all round to 0 would light
+/// everything; a cone keeps its axis, and no range stays none.
+#[test]
+fn a_cast_proves_again() {
+    fn proves<T: Tried>() {
+        for [a, b, c] in [
+            [0.0, 0.0, 1e-60],
+            [0.0, 1e-60, 0.0],
+            [1e-60, 0.0, 0.0],
+            [1.0, 0.5, 1e300],
+        ] {
+            let falloff = Attenuation::new(a, b, c).expect("coefficients").cast(T::of);
+            let [x, y, z] = falloff.coefficients();
+            assert!(
+                Attenuation::new(x, y, z).is_some(),
+                "{} {falloff:?}",
+                T::NAME
+            );
+            assert_eq!(falloff.range(), T::MAX);
+        }
+        for cosine in [1.0, 1.0 - 1e-9, -1.0, -1.0 + 1e-9] {
+            let cone = Cone::from_cosine(cosine).expect("a cosine").cast(T::of);
+            let l = UnitVec3::assume_unit(Vec3::new(T::of(0.6), T::ZERO, T::of(0.8)));
+            assert_eq!(cone.factor(l, -l), T::ONE, "{} {cosine}", T::NAME);
+            assert_eq!(
+                cone.factor(l, l) > T::ZERO,
+                cosine < 0.0,
+                "{} {cosine}",
+                T::NAME
+            );
+        }
+        let clamped = Attenuation::<f64>::NONE.clamped().cast(T::of);
+        assert!(clamped.is_clamped() && !Attenuation::<f64>::NONE.cast(T::of).is_clamped());
+        let ranged = Attenuation::NONE
+            .within(4.0)
+            .expect("a range")
+            .unsquared()
+            .cast(T::of);
+        assert!(ranged.range() == T::of(4.0) && ranged.is_unsquared());
+    }
+    proves::<f32>();
+    proves::<Half>();
+    proves::<Bf16>();
+    proves::<Q16>();
 }

@@ -18,7 +18,7 @@ macro_rules! float {
                     return Self(x);
                 }
                 let spacing = (x.abs().log2().floor() + 1.0 - f64::from($bits))
-                    .max($least)
+                    .max(-f64::from($least))
                     .exp2();
                 let rounded = (x / spacing).round_ties_even() * spacing;
                 Self(if rounded.abs() > $max {
@@ -55,11 +55,12 @@ macro_rules! float {
             }
         }
 
+        #[allow(clippy::cast_precision_loss)] // a power of two
         impl Tried for $name {
             const NAME: &str = $text;
             const U: f64 = 1.0 / (1_u64 << $bits) as f64;
             const STEP: f64 = Self::SMALLEST / 2.0;
-            const SMALLEST: f64 = f64::from_bits(((1023.0 + $least) as u64) << 52);
+            const SMALLEST: f64 = f64::from_bits((1023 - $least) << 52);
             const LARGEST: f64 = $max;
             const LARGE: f64 = $extreme;
             const IS_FLOAT: bool = true;
@@ -95,8 +96,8 @@ macro_rules! operators {
 
 // (2 − 2⁻¹⁰) 2¹⁵ and (2 − 2⁻⁷) 2¹²⁷. A half's EXTREME: 3·65504²/p² < p for p > 2345, and the smallest
 // number is 2⁻²⁴
-float!(Half, "half", bits: 11, least: -24.0, max: 65_504.0, extreme: 4096.0);
-float!(Bf16, "bf16", bits: 8, least: -133.0, max: 3.389_531_389_251_535_5e38, extreme: 1_267_650_600_228_229_401_496_703_205_376.0);
+float!(Half, "half", bits: 11, least: 24, max: 65_504.0, extreme: 4096.0);
+float!(Bf16, "bf16", bits: 8, least: 133, max: 3.389_531_389_251_535_5e38, extreme: 1_267_650_600_228_229_401_496_703_205_376.0);
 
 /// Fixed point with 16 bits behind the point, which saturates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

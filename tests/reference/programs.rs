@@ -210,7 +210,8 @@ fn three_js() {
         let expected = fields.three();
 
         // 1/q^decay times a window; a range of 0 means no range
-        let [a, b, c] = [0.0, 1.0, 2.0].map(|power| f64::from(power == decay));
+        let [a, b, c] =
+            [0.0, 1.0, 2.0].map(|power: f64| f64::from(power.total_cmp(&decay).is_eq()));
         let range = if range > 0.0 { range } else { f64::INFINITY };
         let attenuation = Attenuation::new(a, b, c)
             .and_then(|free| free.within(range))

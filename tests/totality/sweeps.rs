@@ -200,7 +200,7 @@ fn an_edge_of_no_width_is_hard<T: Float>() {
 
 /// A bicubic Bézier patch: two of its corners coincide in the teapot's lid and bottom. In exact
 /// arithmetic the derivatives of the weights along such an edge add up to 0.
-fn bezier<T: Real>(control: [[[f64; 3]; 4]; 4], far: f64, u: T, v: T) -> Vec3<T> {
+fn bezier<T: Real>(control: &[[[f64; 3]; 4]; 4], far: f64, u: T, v: T) -> Vec3<T> {
     let line = |mut points: [Vec3<T>; 4], t| {
         for count in [3, 2, 1] {
             for i in 0..count {
@@ -214,7 +214,7 @@ fn bezier<T: Real>(control: [[[f64; 3]; 4]; 4], far: f64, u: T, v: T) -> Vec3<T>
 }
 
 /// The same patch as a sum over Bernstein polynomials.
-fn bernstein<T: Real>(control: [[[f64; 3]; 4]; 4], u: T, v: T) -> Vec3<T> {
+fn bernstein<T: Real>(control: &[[[f64; 3]; 4]; 4], u: T, v: T) -> Vec3<T> {
     let weights = |t: T| {
         let (s, three) = (T::ONE - t, T::of(3.0));
         [s * s * s, three * s * s * t, three * s * t * t, t * t * t]
@@ -247,13 +247,13 @@ fn collapsed_edges_of_the_teapot_have_no_normal<T: Float>() {
     for k in 0..=997 {
         let u = T::of(f64::from(k) / 997.0);
         let normals = [
-            normal::parametric(|u, v| bernstein(LID, u, v), u, T::ZERO),
-            normal::parametric(|v, u| bernstein(LID, u, v), T::ZERO, u),
-            normal::parametric(|u, v| bezier(LID, 0.0, u, v), u, T::ZERO),
-            normal::parametric(|u, v| bezier(LID, 1e3, u, v), u, T::ZERO),
+            normal::parametric(|u, v| bernstein(&LID, u, v), u, T::ZERO),
+            normal::parametric(|v, u| bernstein(&LID, u, v), T::ZERO, u),
+            normal::parametric(|u, v| bezier(&LID, 0.0, u, v), u, T::ZERO),
+            normal::parametric(|u, v| bezier(&LID, 1e3, u, v), u, T::ZERO),
         ];
         assert_eq!(normals, [None; 4], "{u:e}");
-        let inside = normal::parametric(|u, v: Dual<T>| bezier(LID, 0.0, u, v), u, T::of(0.25));
+        let inside = normal::parametric(|u, v: Dual<T>| bezier(&LID, 0.0, u, v), u, T::of(0.25));
         assert!(inside.is_some(), "{u:e}");
     }
 }

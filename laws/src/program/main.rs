@@ -1,27 +1,20 @@
-//! Puts a renderer in any language to the test.
+//! Tries a renderer in any language by the laws of local illumination.
 
-mod example;
-mod filed;
-mod format;
 mod piped;
-mod process;
 
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use clap::builder::PossibleValuesParser;
-use clap::{Args, Parser, Subcommand};
-use indicatif::{ProgressBar, ProgressStyle};
-use shading_laws::{Laws, Profile, Progress, Report, Reproduction};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use shading_laws::{Laws, Plan, Profile, Renderer, Report, Scene, Triple};
 
-use example::Language;
 use piped::Piped;
 
-/// Puts a renderer in any language to the test of the laws of local illumination.
+/// Tries a renderer in any language by the laws of local illumination.
 ///
 /// The renderer reads scenes from its standard input and writes colors to its standard output.
 #[derive(Parser)]
@@ -54,27 +47,21 @@ struct Arguments {
 #[derive(Args)]
 struct Options {
     /// Try other scenes: the seed from which they are generated
-    #[arg(long)]
-    seed: Option<u64>,
+    #[arg(long, default_value = "0")]
+    seed: u64,
     /// The number of random cases of each law
-    #[arg(long)]
-    cases: Option<usize>,
+    #[arg(long, default_value = "256")]
+    cases: usize,
     /// Try this law alone; may be repeated
     #[arg(long = "law", value_name = "NAME", hide_possible_values = true)]
     #[arg(value_parser = PossibleValuesParser::new(Laws::names().map(|(name, _)| name)))]
     laws: Vec<String>,
     /// Print the report as JSON
-    #[arg(long, conflicts_with = "tap")]
-    json: bool,
-    /// Print the report in the Test Anything Protocol
     #[arg(long)]
-    tap: bool,
+    json: bool,
     /// Write the report to this file as JUnit's XML, too
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
-    /// Show broken cases as calls of the example's function in this language, instead of a command
-    #[arg(long)]
-    language: Option<Language>,
     /// The laws that are known to be broken: a file with a name a line
     #[arg(long, value_name = "FILE")]
     known: Option<PathBuf>,
@@ -87,8 +74,8 @@ struct Options {
     /// The most batches in which the smallest case of a broken law is looked for
     #[arg(long, value_name = "N", default_value = "200")]
     shrink: usize,
-    /// The longest time of that
-    #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = seconds)]
+    /// The longest time of that, of all laws together
+    #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = seconds)]
     shrink_time: Duration,
     /// The longest time of the run; a law that is not tried by then is no pass
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
@@ -106,20 +93,18 @@ struct Filed {
 }
 
 impl Filed {
-    fn profile(&self) -> Result<Profile, String> {
-        format::profile(&self.profile, "the renderer").map_err(|why| format!("--profile: {why}"))
+    /// What is asked for, which does not depend on the answers.
+    fn plan(&self) -> Result<Plan, String> {
+        let profile =
+            Profile::from_json(&self.profile).map_err(|why| format!("--profile: {why}"))?;
+        laws(&self.options)?.asking_once().plan(&profile)
     }
 }
 
 #[derive(Subcommand)]
 enum Other {
-    /// Write a small renderer to copy from
-    Example {
-        language: Language,
-        /// The file or folder to write to, instead of the current folder
-        #[arg(long, value_name = "PATH")]
-        to: Option<PathBuf>,
-    },
+    /// Print a small renderer to copy from
+    Example { language: Language },
     /// Print the scenes, one a line, for a renderer that cannot be piped
     Scenes(Filed),
     /// Judge a file with the color of each scene, one a line, that `scenes` with the same options has printed
@@ -131,6 +116,13 @@ enum Other {
     },
 }
 
+#[derive(Clone, Copy, ValueEnum)]
+enum Language {
+    Python,
+    C,
+    Rust,
+}
+
 fn seconds(text: &str) -> Result<Duration, String> {
     let seconds: f64 = text.parse().map_err(|_| "not a number")?;
     let duration = Duration::try_from_secs_f64(seconds).map_err(|error| error.to_string())?;
@@ -140,74 +132,76 @@ fn seconds(text: &str) -> Result<Duration, String> {
     Ok(duration)
 }
 
-/// Ctrl-C was pressed. The renderer is killed then, and that it ended is no news.
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
-
-/// The exit status of a program that was interrupted.
-const INTERRUPT: u8 = 130;
+/// What to print, and whether all is well.
+type Outcome = Result<(String, bool), String>;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
-    match run(arguments) {
-        Ok((text, passes)) => {
-            let mut stdout = io::stdout();
-            let written = stdout
-                .write_all(text.as_bytes())
-                .and_then(|()| stdout.flush());
-            match written {
-                // whoever no longer reads has read enough
-                Err(why) if why.kind() != io::ErrorKind::BrokenPipe => {
-                    let _ = writeln!(io::stderr(), "shading-laws: cannot write the report: {why}");
-                    ExitCode::from(2)
-                }
-                _ => ExitCode::from(u8::from(!passes)),
-            }
+    let (text, status, complaint) = match run(&Arguments::parse()) {
+        Ok((text, passes)) => (text, u8::from(!passes), None),
+        Err(why) => (String::new(), 2, Some(why)),
+    };
+    let mut stdout = io::stdout();
+    let written = stdout
+        .write_all(text.as_bytes())
+        .and_then(|()| stdout.flush());
+    let complaint = match written {
+        // whoever no longer reads has read enough
+        Err(why) if why.kind() != io::ErrorKind::BrokenPipe => {
+            Some(format!("cannot write the report: {why}"))
         }
-        Err(_) if INTERRUPTED.load(Ordering::SeqCst) => ExitCode::from(INTERRUPT),
-        Err(why) => {
+        _ => complaint,
+    };
+    match complaint {
+        Some(why) => {
             let _ = writeln!(io::stderr(), "shading-laws: {why}");
             ExitCode::from(2)
         }
+        None => ExitCode::from(status),
     }
 }
 
-/// What to print, and whether all is well.
-fn run(mut arguments: Arguments) -> Result<(String, bool), String> {
-    match arguments.subcommand.take() {
-        Some(Other::Example { language, to }) => return Ok((example::write(language, to)?, true)),
+fn run(arguments: &Arguments) -> Outcome {
+    match &arguments.subcommand {
+        Some(Other::Example { language }) => {
+            let text = match language {
+                Language::Python => include_str!("../../examples/renderer.py"),
+                Language::C => include_str!("../../examples/renderer.c"),
+                Language::Rust => include_str!("../../examples/renderer.rs"),
+            };
+            Ok((text.into(), true))
+        }
         Some(Other::Scenes(run)) => {
-            let mut scenes = filed::Scenes::new(run.profile()?);
-            unasked(&run.options)?.run(&mut scenes)?;
-            return Ok((scenes.text(), true));
+            let plan = run.plan()?;
+            let lines = plan.scenes().map(|scene| scene.to_json() + "\n");
+            Ok((lines.collect(), true))
         }
         Some(Other::Judge { run, colors }) => {
-            let text = read(&colors)?;
-            let mut renderer = filed::Colors::new(run.profile()?, &text)?;
-            let report = unasked(&run.options)?.run(&mut renderer)?;
-            renderer.finish()?;
-            return printed(report, &run.options);
+            let plan = run.plan()?;
+            let mut renderer = Colors::new(&plan, &read(colors)?)?;
+            let report = plan.run(&mut renderer);
+            told(&report, &run.options)
         }
-        None => {}
+        None if arguments.list => {
+            let lines = Laws::names().map(|(name, says)| format!("{name:17}  {says}\n"));
+            Ok((lines.collect(), true))
+        }
+        None => {
+            let laws = laws(&arguments.options)?;
+            let mut renderer = Piped::start(&arguments.command, arguments.timeout)?;
+            let mut report = laws.run(&mut renderer)?;
+            if report.error.is_none() && report.stopped.is_none() {
+                report.error = renderer.finish().err();
+            }
+            let words = arguments.command.iter();
+            let words: Vec<String> = words.map(|word| quoted(&word.to_string_lossy())).collect();
+            report.command = Some(words.join(" "));
+            told(&report, &arguments.options)
+        }
     }
-    if arguments.list {
-        return Ok((list(), true));
-    }
-    let mut report = report(&arguments)?;
-    if arguments.options.language.is_none() {
-        let words = arguments
-            .command
-            .iter()
-            .map(|word| quoted(&word.to_string_lossy()));
-        report.reproduction = Reproduction::Command(words.collect::<Vec<_>>().join(" "));
-    }
-    printed(report, &arguments.options)
 }
 
 /// The report in the form that was asked for, and whether all is well.
-fn printed(mut report: Report, options: &Options) -> Result<(String, bool), String> {
-    if let Some(language) = options.language {
-        report.reproduction = language.reproduction();
-    }
+fn told(report: &Report, options: &Options) -> Outcome {
     let write = |file: &Option<PathBuf>, text: &dyn Fn() -> String| match file {
         Some(file) => std::fs::write(file, text())
             .map_err(|why| format!("cannot write {}: {why}", file.display())),
@@ -215,12 +209,15 @@ fn printed(mut report: Report, options: &Options) -> Result<(String, bool), Stri
     };
     write(&options.save, &|| report.cases())?;
     write(&options.junit, &|| report.to_junit())?;
-    let text = match () {
-        () if options.json => report.to_json(),
-        () if options.tap => report.to_tap(),
-        () => report.to_string(),
+    if let Some(why) = &report.error {
+        return Err(why.clone());
+    }
+    let text = if options.json {
+        report.to_json() + "\n"
+    } else {
+        report.to_string()
     };
-    Ok((text.trim_end().to_owned() + "\n", report.passes()))
+    Ok((text, report.passes()))
 }
 
 /// A word for a shell.
@@ -237,24 +234,12 @@ fn read(file: &Path) -> Result<String, String> {
     std::fs::read_to_string(file).map_err(|why| format!("cannot read {}: {why}", file.display()))
 }
 
-/// Each law and what it says, a line each.
-fn list() -> String {
-    let width = Laws::names().map(|(name, _)| name.len()).max().unwrap_or(0);
-    let lines: Vec<String> = Laws::names()
-        .map(|(name, says)| format!("{name:width$}  {says}"))
-        .collect();
-    lines.join("\n") + "\n"
-}
-
 /// The laws as the options have them.
 fn laws(options: &Options) -> Result<Laws, String> {
-    let mut laws = Laws::new().shrinking(options.shrink, options.shrink_time);
-    if let Some(seed) = options.seed {
-        laws = laws.seed(seed);
-    }
-    if let Some(cases) = options.cases {
-        laws = laws.cases(cases);
-    }
+    let mut laws = Laws::new()
+        .seed(options.seed)
+        .cases(options.cases)
+        .shrinking(options.shrink, options.shrink_time);
     if let Some(limit) = options.time {
         laws = laws.time(limit);
     }
@@ -262,11 +247,16 @@ fn laws(options: &Options) -> Result<Laws, String> {
         laws = laws.only(law);
     }
     if let Some(file) = &options.known {
-        for line in read(file)?.lines() {
+        for (i, line) in read(file)?.lines().enumerate() {
             let name = line.split('#').next().unwrap_or_default().trim();
-            if !name.is_empty() {
-                laws = laws.known(name);
+            if name.is_empty() {
+                continue;
             }
+            if Laws::names().all(|(known, _)| known != name) {
+                let file = file.display();
+                return Err(format!("{file}: line {}: there is no law {name}", i + 1));
+            }
+            laws = laws.known(name);
         }
     }
     match &options.replay {
@@ -277,34 +267,36 @@ fn laws(options: &Options) -> Result<Laws, String> {
     }
 }
 
-/// The same, and what is asked for does not depend on the answers.
-fn unasked(options: &Options) -> Result<Laws, String> {
-    Ok(laws(options)?.shrinking(0, Duration::ZERO))
+/// A renderer that answers with the colors of a file, in their order.
+struct Colors {
+    profile: Profile,
+    left: std::vec::IntoIter<Triple>,
 }
 
-fn report(arguments: &Arguments) -> Result<Report, String> {
-    let laws = laws(&arguments.options)?;
-    ctrlc::set_handler(|| {
-        INTERRUPTED.store(true, Ordering::SeqCst);
-        process::interrupt(INTERRUPT);
-    })
-    .map_err(|error| error.to_string())?;
-    let mut renderer = Piped::start(&arguments.command, arguments.timeout)?;
-    let bar = ProgressBar::new(0); // on a terminal only
-    if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {wide_msg}") {
-        bar.set_style(style);
+impl Colors {
+    fn new(plan: &Plan, text: &str) -> Result<Self, String> {
+        let lines = text.lines().enumerate();
+        let read = |(i, line)| piped::color(line).map_err(|why| format!("line {}: {why}", i + 1));
+        let all: Vec<Triple> = lines.map(read).collect::<Result<_, _>>()?;
+        let (colors, scenes) = (all.len(), plan.scenes().count());
+        if colors != scenes {
+            return Err(format!(
+                "{colors} colors for {scenes} scenes; `scenes` and `judge` need the same options"
+            ));
+        }
+        Ok(Self {
+            profile: plan.profile().clone(),
+            left: all.into_iter(),
+        })
     }
-    let report = laws.run_with(&mut renderer, &mut |progress: Progress| {
-        bar.set_length(progress.of as u64);
-        bar.set_position(progress.done as u64);
-        let what = match progress.shrinking {
-            0 => String::new(),
-            batches => format!(": broken; looking for a smaller scene, batch {batches}"),
-        };
-        bar.set_message(format!("{}{what}", progress.law));
-    });
-    bar.finish_and_clear();
-    let report = report?;
-    renderer.finish()?;
-    Ok(report)
+}
+
+impl Renderer for Colors {
+    fn profile(&self) -> Profile {
+        self.profile.clone()
+    }
+
+    fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
+        Ok(self.left.by_ref().take(scenes.len()).collect())
+    }
 }

@@ -4,9 +4,7 @@
 
 use std::vec::Vec;
 
-use shading::{
-    Attenuation, Dual, Exponent, Light, Material, Real, Rgb, Shaded, UnitVec3, Vec3, shade,
-};
+use shading::{Attenuation, Rgb, UnitVec3, Vec3};
 
 use crate::promise::{self, Promise};
 use crate::{Float, Given, Input, Number, Sink, Value, row};
@@ -126,7 +124,6 @@ pub fn finite_and_valid<T: Float>(numbers: Numbers<T>) {
     let given = Given::new(&valid(input));
     keeps_promises(&given);
     assert_eq!(Attenuation::NONE.at(given.real.m).double(), 1.0);
-    dual_values(&given);
 }
 
 /// Directions of length 1, and nothing negative that must not be.
@@ -163,45 +160,4 @@ fn valid<T: Float>(input: Input<T>) -> Input<T> {
         real_m: positive(input.real_m),
         ..input
     }
-}
-
-/// The value of a dual number has the bits that its plain number computes.
-fn dual_values<T: Float>(given: &Given<T>) {
-    let &Given {
-        n,
-        v,
-        rgb,
-        lights,
-        p,
-        ..
-    } = given;
-    let plain = shade_all(n, v, &given.integer, rgb, &lights, p);
-    let dual = shade_all(
-        n.cast(Dual::constant),
-        v.cast(Dual::constant),
-        &given.integer.cast(Dual::constant),
-        rgb.map(Dual::constant),
-        &lights.map(|light| light.cast(Dual::constant)),
-        Dual::point(p),
-    );
-    for (plain, dual) in plain.into_iter().zip(dual) {
-        let value = |x: Dual<T>| x.value;
-        assert_eq!(plain.diffuse, dual.diffuse.map(value));
-        assert_eq!(plain.specular, dual.specular.map(value));
-    }
-}
-
-fn shade_all<T: Real, M: Exponent<T>>(
-    n: UnitVec3<T>,
-    v: UnitVec3<T>,
-    material: &Material<T, M>,
-    i_a: Rgb<T>,
-    lights: &[Light<T>],
-    p: Vec3<T>,
-) -> [Shaded<T>; 2] {
-    let each = || lights.iter().map(|light| light.at(p));
-    [
-        shade::phong(n, v, material, i_a, each()),
-        shade::blinn_phong(n, v, material, i_a, each()),
-    ]
 }

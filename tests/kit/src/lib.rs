@@ -4,6 +4,7 @@
 //! `table.rs`: a name, a call, and what holds of the result whatever the bits of the arguments.
 //! [`for_each_function`] hands all rows to a macro of the caller's; [`digest`] is one such caller.
 #![no_std]
+#![allow(clippy::float_cmp)] // floats are compared bit for bit, on purpose
 #![allow(clippy::must_use_candidate, clippy::missing_panics_doc)] // lints for users; a panic is a failed test
 
 #[cfg(feature = "std")]

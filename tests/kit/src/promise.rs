@@ -73,7 +73,6 @@ pub fn light<T: Number>(given: &Given<T>, r: &[f64]) -> bool {
 
 /// Light that arrives, if the arguments are valid: finite light, a distance, and a direction unless
 /// the light is black.
-#[allow(clippy::float_cmp)] // exactly black, on purpose
 pub fn arriving<T: Number>(given: &Given<T>, r: &[f64]) -> bool {
     let Some((direction, rest)) = r.split_first_chunk::<3>() else {
         return true;
@@ -93,7 +92,6 @@ fn n<T: Number>(given: &Given<T>) -> [f64; 3] {
     <[T; 3]>::from(given.n).map(T::double)
 }
 
-#[allow(clippy::float_cmp)] // bit for bit, on purpose
 fn is_same(r: &[f64], v: [f64; 3]) -> bool {
     r.len() == 3
         && r.iter()

@@ -30,14 +30,19 @@ macro_rules! for_each_function {
             vec3_dot_directions "Vec3::dot, with directions" |g| [g.a.dot(g.b), g.a.dot(g.n)] => nothing;
             vec3_cross_directions "Vec3::cross, with directions" |g| [g.a.cross(g.b), g.a.cross(g.n)] => nothing;
             assume_unit "UnitVec3::assume_unit" |g| -UnitVec3::assume_unit(g.a) => nothing;
-            rgb_operators "Rgb, operators" |g| [g.rgb + g.integer.k_a, g.rgb - g.integer.k_a, g.rgb * g.integer.k_a, g.rgb * g.x, g.x.times_rgb(g.rgb), g.rgb / g.x] => nothing;
+            rgb_operators "Rgb, operators" |g| [g.rgb + g.integer.k_a, g.rgb - g.integer.k_a, g.rgb * g.integer.k_a, g.rgb * g.x,
+                g.x.times_rgb(g.rgb), g.rgb / g.x]
+                => nothing;
             rgb_assigned "Rgb, assigned" |g| { let mut c = g.rgb; c += g.integer.k_a; c *= g.x; c -= g.integer.k_d; c } => nothing;
-            rgb_sum "Rgb::sum" |g| [[g.rgb, g.integer.k_a, g.integer.k_d].iter().sum::<Rgb<T>>(), [g.integer.k_d, g.rgb, g.integer.k_a].into_iter().sum()] => nothing;
+            rgb_sum "Rgb::sum" |g| [[g.rgb, g.integer.k_a, g.integer.k_d].iter().sum::<Rgb<T>>(), [g.integer.k_d, g.rgb,
+                g.integer.k_a].into_iter().sum()]
+                => nothing;
             vec3_between "Vec3::lerp" |g| [Vec3::splat(g.y), g.a.lerp(g.b, g.x), g.a + g.n, g.a - g.n, g.n * g.x] => nothing;
             gray "Rgb::gray" |g| Rgb::gray(g.x) => nothing;
             dual_operators "Dual, operators" |g| [g.f + g.h, g.f - g.h, g.f * g.h, g.f / g.h, -g.f] => nothing;
             dual_with_number "Dual, with a number" |g| [g.f + g.y, g.f - g.y, g.f * g.y, g.f / g.y] => nothing;
-            dual_compared "Dual, compared" |g| [g.f.at_least(Dual::ZERO), g.f.at_most(g.h), g.f.abs(), g.f.if_above(g.h, g.h, g.f)] => nothing;
+            dual_compared "Dual, compared" |g| [g.f.at_least(Dual::ZERO), g.f.at_most(g.h), g.f.abs(), g.f.if_above(g.h, g.h, g.f)]
+                => nothing;
             dual_chain "Dual::chain" |g| g.f.chain(g.y, g.x) => nothing;
             shaded_operators "Shaded, operators" |g| [g.shaded + g.shaded * g.x, [g.shaded, g.shaded].into_iter().sum()] => nothing;
             shaded_assigned "Shaded, assigned" |g| { let mut s = g.shaded; s += g.shaded * g.x; s } => nothing;
@@ -60,13 +65,25 @@ macro_rules! for_each_function {
             slivers "normal::triangle, slivers" |g| normal::triangle(g.p, g.p + g.a, g.p + g.a * g.cosine) => unit;
             blob_normals "normal::implicit, blobs" |g| normal::implicit(blobs, g.p) => unit;
             wild_normals "normal::implicit, of any value" |g| normal::implicit(|p| (p.x / p.y).sqrt() + p.z.ln(), g.a) => unit;
-            wild_tangents "normal::parametric, of any value" |g| normal::parametric(|u, v| Vec3::new(u * v, u.exp() / v, (u - v).abs()), g.x, g.y) => unit;
-            encoded "Rgb, encoded and decoded" |g| { let rgb = g.rgb.map(T::single); [Rgb::from_srgb8(rgb.to_srgb8()), Rgb::gray(rgb.to_rgb565().into())] } => not_negative;
+            wild_tangents "normal::parametric, of any value" |g| normal::parametric(|u, v| Vec3::new(u * v, u.exp() / v, (u - v).abs()),
+                g.x, g.y)
+                => unit;
+            encoded "Rgb, encoded and decoded" |g| { let rgb = g.rgb.map(T::single); [Rgb::from_srgb8(rgb.to_srgb8()),
+                Rgb::gray(rgb.to_rgb565().into())] }
+                => not_negative;
             cast "PointLight::cast" |g| g.lamps[0].cast(Dual::constant).at(Dual::point(g.p)) => nothing;
-            dual_directions "Vec3::unit_or, of dual numbers" |g| { let v = Vec3::new(g.f, g.h, Dual::constant(g.x)); [*v.unit_or(UnitVec3::X), v.cross(v)] } => nothing;
-            dual_factors "term::blinn, of dual numbers" |g| { let [n, h] = [g.n, g.l].map(|u| u.cast(Dual::constant)); [term::lambert(n, h), term::phong(n, h, g.integer.m), term::blinn(n, h, g.integer.m)] } => nothing;
-            unsquared "Attenuation::unsquared" |g| { let ranged = g.soft_spot.point.attenuation.unsquared(); [ranged.at(g.x.abs()), ranged.at(g.y.abs())] } => not_negative;
-            unsquared_lamp "PointLight::at, unsquared" |g| { let mut lamp = g.soft_spot.point; lamp.attenuation = lamp.attenuation.unsquared(); lamp.at(g.p) } => arriving;
+            dual_directions "Vec3::unit_or, of dual numbers" |g| { let v = Vec3::new(g.f, g.h, Dual::constant(g.x));
+                [*v.unit_or(UnitVec3::X), v.cross(v)] }
+                => nothing;
+            dual_factors "term::blinn, of dual numbers" |g| { let [n, h] = [g.n, g.l].map(|u| u.cast(Dual::constant));
+                [term::lambert(n, h), term::phong(n, h, g.integer.m), term::blinn(n, h, g.integer.m)] }
+                => nothing;
+            unsquared "Attenuation::unsquared" |g| { let ranged = g.soft_spot.point.attenuation.unsquared(); [ranged.at(g.x.abs()),
+                ranged.at(g.y.abs())] }
+                => not_negative;
+            unsquared_lamp "PointLight::at, unsquared" |g| { let mut lamp = g.soft_spot.point;
+                lamp.attenuation = lamp.attenuation.unsquared(); lamp.at(g.p) }
+                => arriving;
             smooth_factor "Cone::smoothstep" |g| g.soft_spot.cone.smoothstep().factor(g.n, g.l) => share;
             every_lamp "PointLight::at, every lamp" |g| g.lamps.map(|lamp| lamp.at(g.p)) => nothing;
             every_light "Light::at, every light" |g| g.lights.map(|light| light.at(g.p)) => nothing;
@@ -74,31 +91,44 @@ macro_rules! for_each_function {
             light_distance "IncidentLight::distance" |g| g.spot.at(g.p).distance() => nothing;
             light_intensity "IncidentLight::intensity" |g| g.soft_spot.at(g.p).intensity() => nothing;
             light_dimmed "IncidentLight, dimmed and filtered" |g| [g.spot.at(g.p) * g.cosine, g.sun.at(g.p) * g.rgb] => nothing;
-            hook_direction "Real::direction" |g| { let (w, w_length, length) = T::direction(g.a.into()); [w, [w_length, length, T::ZERO]] } => nothing;
+            hook_direction "Real::direction" |g| { let (w, w_length, length) = T::direction(g.a.into()); [w,
+                [w_length, length, T::ZERO]] }
+                => nothing;
             hook_cosine_power "Real::cosine_power" |g| T::cosine_power(g.n.into(), g.a.into(), g.integer.m) => share;
             raise_root "Exponent::raise_root" |g| INTEGER.map(|m| m.raise_root(g.cosine)) => nothing;
             hook_attenuated "Real::attenuated" |g| T::attenuated(g.rgb.into(), g.attenuation.coefficients(), g.x.abs(), T::ONE) => light;
             every_lambert "shade::lambert, every light" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lights()) => light;
-            every_phong "shade::phong, every light" |g| shade::phong(g.n, g.v, &g.integer, g.rgb, g.from_lights().filter(|light| light.is_in_front(g.n))) => light;
-            every_blinn_phong "shade::blinn_phong, every light" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.from_lights()) => light;
+            every_phong "shade::phong, every light" |g| shade::phong(g.n, g.v, &g.integer, g.rgb,
+                g.from_lights().filter(|light| light.is_in_front(g.n)))
+                => light;
+            every_blinn_phong "shade::blinn_phong, every light" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.from_lights())
+                => light;
         }
         SERIES: Float {
             raise_real_sweep "Exponent::raise, every real m" |g| REAL.map(|m| T::from(m).raise(g.cosine)) => nothing;
             raise_root_real "Exponent::raise_root, real m" |g| REAL.map(|m| T::from(m).raise_root(g.cosine)) => nothing;
             raise_invalid "Exponent::raise, invalid m" |g| [f32::INFINITY, -1.0, f32::NAN].map(|m| T::from(m).raise(g.cosine)) => nothing;
-            raise_vanishing "Exponent::raise, where the power vanishes" |g| [2_u16, 5, 33, 1000, 10_000].map(|m| u32::from(m).raise(vanishing(m, g.cosine))) => nothing;
-            raise_difficult "Exponent::raise, where all coefficients count" |g| Each((0_u8..32).map(|i| { let (m, cosine) = difficult(i, g.cosine); m.raise(cosine) })) => nothing;
+            raise_vanishing "Exponent::raise, where the power vanishes" |g| [2_u16, 5, 33, 1000, 10_000]
+                .map(|m| u32::from(m).raise(vanishing(m, g.cosine)))
+                => nothing;
+            raise_difficult "Exponent::raise, where all coefficients count" |g| Each((0_u8..32)
+                .map(|i| { let (m, cosine) = difficult(i, g.cosine); m.raise(cosine) }))
+                => nothing;
             phong_real_sweep "term::phong, every real m" |g| REAL.map(|m| term::phong(g.l, g.v, T::from(m))) => share;
             blinn_real_sweep "term::blinn, every real m" |g| REAL.map(|m| term::blinn(g.n, g.v, T::from(m))) => share;
             number_before_dual "Dual, after a number" |g| g.y.before(g.f) => nothing;
             every_phong_real "shade::phong, real m, every light" |g| shade::phong(g.n, g.v, &g.real, g.rgb, g.from_lights()) => light;
-            every_blinn_phong_real "shade::blinn_phong, real m, every light" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.from_lights()) => light;
+            every_blinn_phong_real "shade::blinn_phong, real m, every light" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb,
+                g.from_lights())
+                => light;
         }
         BYTES: Number {
             to_srgb8 "Rgb::to_srgb8" |g| g.rgb.map(T::single).to_srgb8() => nothing;
             from_srgb8 "Rgb::from_srgb8" |g| { let [r, g, b, _] = g.bits.to_le_bytes(); Rgb::from_srgb8([r, g, b]) } => share;
             to_rgb565 "Rgb::to_rgb565" |g| g.rgb.map(T::single).to_rgb565() => nothing;
-            from_rgb565 "Rgb::from_rgb565" |g| { let [low, high, ..] = g.bits.to_le_bytes(); Rgb::from_rgb565(u16::from_le_bytes([low, high])) } => share;
+            from_rgb565 "Rgb::from_rgb565" |g| { let [low, high, ..] = g.bits.to_le_bytes();
+                Rgb::from_rgb565(u16::from_le_bytes([low, high])) }
+                => share;
             to_linear8 "Rgb::to_linear8" |g| g.rgb.map(T::single).to_linear8() => nothing;
             to_linear565 "Rgb::to_linear565" |g| g.rgb.map(T::single).to_linear565() => nothing;
         }
@@ -147,7 +177,9 @@ macro_rules! for_each_function {
             normal_facing "normal::facing" |g| normal::facing(g.n, g.v) => n_or_opposite;
             normal_transformed "normal::transformed" |g| normal::transformed(g.n, [g.p, g.a, g.b]) => unit;
             normal_corner "normal::corner" |g| normal::corner(g.p, g.a, g.b) => at_most_pi_long;
-            normal_tangent "normal::tangent" |g| normal::tangent([g.p, g.a, g.b], [[g.x, g.y], [g.cosine, g.x], [g.y, g.cosine]]).map(|(t, _)| t) => unit;
+            normal_tangent "normal::tangent" |g| normal::tangent([g.p, g.a, g.b], [[g.x, g.y], [g.cosine, g.x], [g.y, g.cosine]])
+                .map(|(t, _)| t)
+                => unit;
             normal_mapped "normal::mapped" |g| normal::mapped(g.n, g.a, g.cosine, g.b) => unit;
 
             reflection "reflection" |g| shading::reflection(g.n, g.l) => reflected;
@@ -163,7 +195,8 @@ macro_rules! for_each_function {
             attenuation_at "Attenuation::at" |g| g.attenuation.at(g.x.abs()) => nothing;
             attenuation_within "Attenuation::within" |g| g.attenuation.within(g.y.abs()).map(Attenuation::range) => positive_or_infinite;
             attenuation_at_ranged "Attenuation::at, ranged" |g| g.soft_spot.point.attenuation.at(g.x.abs()) => not_negative;
-            cone_from_cosine "Cone::from_cosine" |g| { let c = g.cosine + g.cosine - T::ONE; Cone::from_cosine(c).map(Cone::cosines) } => cosines;
+            cone_from_cosine "Cone::from_cosine" |g| { let c = g.cosine + g.cosine - T::ONE; Cone::from_cosine(c).map(Cone::cosines) }
+                => cosines;
             cone_factor "Cone::factor" |g| g.spot.cone.factor(g.n, g.l) => share;
             cone_from_cosines "Cone::from_cosines" |g| Cone::from_cosines(g.cosine, -g.cosine).map(Cone::cosines) => cosines;
             soft_cone_factor "Cone::factor, soft" |g| g.soft_spot.cone.factor(g.n, g.l) => share;

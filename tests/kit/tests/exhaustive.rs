@@ -12,7 +12,6 @@ use std::thread;
 use shading::{Attenuation, Cone, Exponent, Real, Rgb, UnitVec3, Vec3, attenuation};
 
 #[path = "encoding/srgb.rs"]
-#[allow(dead_code)] // decoding, which the test of encodings uses
 mod srgb;
 
 /// u, the unit roundoff of `f32`.

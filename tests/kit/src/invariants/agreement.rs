@@ -85,6 +85,7 @@ agreements! {
     corner: |c| normal::corner(c.grid[0], c.grid[1], c.grid[2]);
     mapped: |c| normal::mapped(c.n, *c.l, T::ONE, *c.v);
     tangent: |c| normal::tangent([c.a, c.b, c.c], [[c.x, c.y], [c.q, c.x], [c.y, c.q]]).map(|(t, _)| t);
-    dual: |c| { let x = Dual::point(Vec3::new(c.x + T::ONE, c.y, c.q)); let y = (x.x * x.y + x.z / x.x).sqrt(); [Vec3::splat(y.value), y.gradient] };
+    dual: |c| { let x = Dual::point(Vec3::new(c.x + T::ONE, c.y, c.q)); let y = (x.x * x.y + x.z / x.x).sqrt(); [Vec3::splat(y.value),
+        y.gradient] };
     unit_or: |c| (c.b - c.a).unit_or(UnitVec3::Z);
 }

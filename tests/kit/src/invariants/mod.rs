@@ -155,7 +155,7 @@ pub fn check<T: Tried>(cases: u32) {
     for (name, (decided, failure)) in found {
         let too_few = || format!("decided in {decided} of {cases} cases");
         if let Some(why) = failure.or_else(|| (3 * decided < cases).then(too_few)) {
-            failures += &format!("{} {name}: {why}\n", T::NAME);
+            failures = format!("{failures}{} {name}: {why}\n", T::NAME);
         }
     }
     assert!(failures.is_empty(), "{failures}");

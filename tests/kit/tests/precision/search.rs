@@ -27,15 +27,9 @@ impl Numbers<'_> {
 }
 
 /// The largest error found on `hills` hills, for numbers of `digits` binary digits. Each hill has
-/// its own random numbers. If the search `goes_on`, the highest of each 50 hills is climbed for ten
-/// times as long.
-pub fn largest(
-    error: &dyn Fn(&mut Numbers) -> f64,
-    digits: usize,
-    hills: u64,
-    goes_on: bool,
-) -> f64 {
-    let climbs = (0..hills).map(|hill| {
+/// its own random numbers.
+pub fn largest(error: &dyn Fn(&mut Numbers) -> f64, digits: usize, hills: u64) -> f64 {
+    let heights = (0..hills).map(|hill| {
         let mut climb = Climb {
             top: [0.0; MOST],
             height: 0.0,
@@ -44,15 +38,9 @@ pub fn largest(
         };
         climb.look(error);
         climb.steps(error, digits, STEPS);
-        climb
+        climb.height
     });
-    let mut climbs: Vec<_> = climbs.collect();
-    climbs.sort_by(|a, b| b.height.total_cmp(&a.height));
-    let count = if goes_on { climbs.len() / 50 } else { 0 };
-    for climb in climbs.iter_mut().take(count) {
-        climb.steps(error, digits, 10 * STEPS);
-    }
-    climbs.iter().map(|climb| climb.height).fold(0.0, f64::max)
+    heights.fold(0.0, f64::max)
 }
 
 struct Climb {
