@@ -313,7 +313,22 @@ impl Report {
                 writeln!(f, "  Also without: {}.", place.also_without.join(", "))?;
             }
         }
-        writeln!(f, "  Broken laws: {}", finding.laws.join(", "))?;
+        if finding
+            .cause
+            .as_ref()
+            .is_some_and(|it| it.of == 0 || it.is_nearly_all())
+        {
+            writeln!(f, "  Broken laws: {}", finding.laws.join(", "))?;
+        } else {
+            // what they say is what is known
+            for law in self
+                .laws
+                .iter()
+                .filter(|law| finding.laws.contains(&law.law))
+            {
+                writeln!(f, "  Broken: {} ({})", law.says, law.law)?;
+            }
+        }
         let shown = self.laws.iter().find(|law| law.law == finding.shown);
         if let Some((law, smallest)) = shown.and_then(|law| Some((law, law.smallest()?))) {
             write!(f, "\n  {}: {}\n{smallest}", law.law, law.says)?;
