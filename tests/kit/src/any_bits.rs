@@ -2,11 +2,10 @@
 //! without a long multiply computes every product in another way.
 
 use shading::fixed::{Attenuation, Fixed, PointLight, Rgb, Vec3};
-use shading::{Exponent, Falloff, Real};
+use shading::{Elementary, Exponent, Real};
 
-use crate::digest::Fnv;
+use crate::digest::{Each, Fnv};
 use crate::places::Numbers;
-use crate::value::Each;
 
 /// Digests the results for many numbers, half of which have any bits and half of which any size.
 pub fn absorb(digest: &mut Fnv) {
@@ -29,27 +28,22 @@ pub fn absorb(digest: &mut Fnv) {
         digest.absorb([v.unit(), q.unit()]);
         digest.absorb([x.sqrt(), y.sqrt(), share.sqrt(), x.abs(), y.abs()]);
         digest.absorb([1, 2, 5, 32, 33, 1000, u32::MAX].map(|m| m.raise(share)));
-        let [a, b, c] = p.map(Real::abs).into();
+        let [a, b, c] = p.map(Elementary::abs).into();
+        let attenuation = Attenuation::new(a, b, c).unwrap_or_default();
         let lamp = PointLight {
             position: q,
-            intensity: Rgb::new(x, y, share).map(Real::abs),
-            attenuation: Attenuation::new(a, b, c).unwrap_or(Attenuation::NONE),
+            intensity: Rgb::new(x, y, share).map(Elementary::abs),
+            attenuation,
         };
         let near = q + Vec3::new(share, share, Fixed::STEP);
         digest.absorb([v, p, near].map(|p| lamp.at(p)));
         for (p, r) in [(p, x.abs()), (near, share + share)] {
-            let attenuation = lamp.attenuation.clamped().within(r.at_least(Fixed::STEP));
-            let attenuation = attenuation.unwrap_or(lamp.attenuation.into());
-            let PointLight {
-                position,
-                intensity,
-                ..
-            } = lamp;
+            let ranged = attenuation.clamped().within(r.at_least(Fixed::STEP));
+            let attenuation = ranged.unwrap_or(attenuation);
             digest.absorb(
                 PointLight {
-                    position,
-                    intensity,
                     attenuation,
+                    ..lamp
                 }
                 .at(p),
             );
@@ -61,9 +55,13 @@ pub fn absorb(digest: &mut Fnv) {
         let larger = (leading << 15 | leading) >> (leading & 7);
         for steps in [2 * leading, 2 * leading + 1, larger] {
             let (divisor, zero) = (Fixed::from_bits(steps), Fixed::ZERO);
-            let dividends = Rgb::new(Fixed::MAX, Fixed::MIN, Fixed::ONE);
-            let falloff = Attenuation::new(divisor, zero, zero).unwrap_or_default();
-            digest.absorb(falloff.dim(&dividends, Fixed::ONE));
+            let dividends = [Fixed::MAX, -Fixed::MAX, Fixed::ONE];
+            digest.absorb(Fixed::attenuated(
+                dividends,
+                [divisor, zero, zero],
+                zero,
+                Fixed::MAX,
+            ));
         }
     }
 }

@@ -38,7 +38,7 @@ pub trait Tried: Real + PartialOrd + Debug + 'static {
     /// `MAX` and `EXTREME`, for constants.
     const LARGEST: f64;
     const LARGE: f64;
-    /// What precision promises: whether multiplying by a power of two is exact.
+    /// Whether multiplying by a power of two is exact, and no method is replaced.
     const IS_FLOAT: bool;
 
     fn exact(self) -> f64;
@@ -67,6 +67,21 @@ floats! {
     "f32" f32: f32, f64::from;
     "f64" f64: f64, f64::from;
     "Dual<f64>" Dual<f64>: f64, |x: Self| x.value;
+}
+
+#[cfg(feature = "fixed")]
+impl Tried for shading::fixed::Fixed {
+    const NAME: &str = "Fixed";
+    const U: f64 = 0.0;
+    const STEP: f64 = 1.0 / 65_536.0;
+    const SMALLEST: f64 = 1.0 / 65_536.0;
+    const LARGEST: f64 = i32::MAX as f64 / 65_536.0;
+    const LARGE: f64 = 512.0;
+    const IS_FLOAT: bool = false;
+
+    fn exact(self) -> f64 {
+        self.into()
+    }
 }
 
 /// What a law says of a case.
