@@ -40,6 +40,8 @@ pub trait Tried: Real + PartialOrd + Debug + 'static {
     const LARGE: f64;
     /// Whether multiplying by a power of two is exact, and no method is replaced.
     const IS_FLOAT: bool;
+    /// The laws that it does not promise.
+    const EXCEPT: &[&str] = &[];
 
     fn exact(self) -> f64;
 }
@@ -72,12 +74,14 @@ floats! {
 #[cfg(feature = "fixed")]
 impl Tried for shading::fixed::Fixed {
     const NAME: &str = "Fixed";
-    const U: f64 = 0.0;
-    const STEP: f64 = 1.0 / 65_536.0;
+    const U: f64 = <Self as Tried>::STEP;
+    const STEP: f64 = Self::SMALLEST / 2.0;
     const SMALLEST: f64 = 1.0 / 65_536.0;
-    const LARGEST: f64 = i32::MAX as f64 / 65_536.0;
+    const LARGEST: f64 = 32_768.0 - Self::SMALLEST;
     const LARGE: f64 = 512.0;
     const IS_FLOAT: bool = false;
+    // ties go up
+    const EXCEPT: &[&str] = &["half_a_turn_turns_normals"];
 
     fn exact(self) -> f64 {
         self.into()
@@ -155,7 +159,7 @@ pub fn check<T: Tried>(cases: u32) {
     for _ in 0..cases {
         let numbers = strategy.new_tree(&mut runner).expect("numbers").current();
         let case = Case::<T>::new(&numbers);
-        for (name, law) in &laws {
+        for (name, law) in laws.iter().filter(|(name, _)| !T::EXCEPT.contains(name)) {
             let (decided, failure) = found.entry(name).or_default();
             match law(&case) {
                 Verdict::Holds => *decided += 1,
