@@ -143,7 +143,7 @@ impl<T: Real> Mul<T> for IncidentLight<T> {
     }
 }
 
-/// What arrives through a colored filter.
+/// What arrives through a colored filter. A channel that overflows is the largest finite number.
 impl<T: Real> Mul<Rgb<T>> for IncidentLight<T> {
     type Output = Self;
     #[inline]
@@ -153,7 +153,7 @@ impl<T: Real> Mul<Rgb<T>> for IncidentLight<T> {
             Light::Point(light) => &mut light.intensity,
             Light::Spot(light) => &mut light.point.intensity,
         };
-        *intensity = *intensity * filter;
+        *intensity = (*intensity * filter).finite();
         self
     }
 }

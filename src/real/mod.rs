@@ -140,6 +140,13 @@ pub trait Real:
         high.if_above(self, above_low, Self::ONE).any_positive()
     }
 
+    /// The dot product a·b of two vectors, a.x b.x + a.y b.y + a.z b.z.
+    #[inline(always)]
+    #[must_use]
+    fn dot(a: [Self; 3], b: [Self; 3]) -> Self {
+        a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    }
+
     /// Three numbers over one divisor. Some processors divide several numbers at once.
     #[inline(always)]
     #[must_use]
@@ -187,7 +194,11 @@ pub trait Real:
     #[must_use]
     fn attenuated(color: [Self; 3], [a, b, c]: [Self; 3], q: Self, limit: Self) -> [Self; 3] {
         let factor = Self::ONE / (a + q * (b + c * q));
-        let factor = factor.at_least(Self::ZERO).at_most(limit);
+        let factor = if factor.any_outside(Self::ONE / Self::EXTREME, Self::ONE) {
+            factor.at_least(Self::ZERO).at_most(limit)
+        } else {
+            factor
+        };
         let [red, green, blue] = color;
         let dimmed = |channel: Self| (channel * factor).at_most(Self::MAX);
         [dimmed(red), dimmed(green), dimmed(blue)]

@@ -39,15 +39,37 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
         row("`Vec3::length`", "of the result", 2.5, &length::<T>),
         row("`Vec3::unit`, `normal::plane`", "of the result", 3.5, &unit::<T>),
         row("`normal::sphere`", "of the result", 5.5, &sphere::<T>),
+        // u is the unit roundoff; an absolute error of k u is k/2 units in the last place of 1.
+        // A coordinate of an edge is off by 1u, so a product of two is off by 3u, and their difference by 1u more. The vector of
+        // the |aᵢbⱼ| + |aⱼbᵢ| is at most 2/√3 |a||b| long: with pᵢ = |aᵢbᵢ|, its square is |a|²|b|² + (Σp)² − 2Σp², where
+        // Σp² ≥ (Σp)²/3 and Σp ≤ |a||b|. So N is turned by at most (2√3κ + 1)u, κ the conditioning. A component nᵢ gets at
+        // most √(1 − nᵢ²) of this, and 3.5u nᵢ from `unit`: together √((2√3κ + 1)² + 3.5²)u ≤ 5.68κu.
         row("`normal::triangle`", "of 1, times the conditioning", 2.84, &triangle::<T>),
+        // (√(x² + y²) − 2)² + z² − ¼: with ρ = √(x² + y²) ≤ √2, ∇f is along (x(1 − 2/ρ), y(1 − 2/ρ), z). ρ is off by 2u, and
+        // 1 − 2/ρ by 2/(2 − ρ) ≤ 3.42 times as much. The slope and the difference add 1u each: 8.83u for x and y together, which
+        // turns N by half of that at most. Two more products put x and y off by 2u each: 6.42u. √(6.42² + 3.5²)u = 7.32u.
         row("`normal::implicit`, a torus", "of 1", 3.66, &implicit::<T>),
+        // (u, v, u² + uv + v²): one coordinate of each tangent is rounded, and their product is exact: √(1 + 3.5²)u = 3.65u. Gappa
+        // proves 5.4u: it adds the error of a coordinate to that of the length, though one that is too large makes both so.
         row("`normal::parametric`, a paraboloid", "of 1", 1.83, &parametric::<T>),
+        // A product such as b × c is off by 1u of a vector of length 2/√3 |b||c|, as above, and by 1u of itself for the difference.
+        // The product with n_x and the two sums add 3u: 5.16u times κ. √(5.16² + 3.5²)κu = 6.24κu.
         row("`normal::transformed`", "of 1, times the conditioning", 3.12, &transformed::<T>),
+        // The sine is off by (2√3κ + 1)u for the product and 2.5u for its length, the cosine by 5u of 1. An error of the sine turns
+        // θ by the cosine of it, an error of the cosine by the sine, at most θ: (2√3κ + 8.5)u of θ. Most is added where b is π/4,
+        // and θ at least π/8: the argument of the arctangent is off by 3u of at most tan π/8, which is 3.2u of θ; the arctangent
+        // by 2u; b by ½u of at most 2θ, and the last sum by 1u. So the angle is off by (2√3κ + 15.7)u ≤ 19.2κu, N by 5.68κu, and
+        // their product by 1u: 25.9κu.
         row("`normal::corner`", "of its angle, times the conditioning", 25.9, &corner::<T>),
+        // N × T is off by 2.16κu, so with `unit` its direction by (2.16κ + 3.5)u. Its product with N adds 2.16u, and N's own length
+        // 3.5u: (2.16κ + 9.2)u for t. The three products and two sums add 3√3u. With κ ≥ 1, and `unit`, at most 18.2κu.
         row("`normal::mapped`", "of 1, times the conditioning", 9.1, &mapped::<T>),
         row("`reflection`", "of 1", 4.5, &mirrored::<T>),
         row("`half_vector`", "of the result", 5.5, &half::<T>),
         row("`lambert`", "of 1", 1.5, &diffuse::<T>),
+        // The cosine is off by 3u, which the power magnifies at most m times. The intermediate results of an integer power lie
+        // between cᵐ and 1, where rounding is off by at most u/2: together (3m + (m − 1)/2)u. With a real m, 3mu and what the power
+        // adds, which `src/real/power.rs` derives.
         row("`phong`, m = 1", "of 1", whole(1.0), &highlight(phong::<T, _>, 1_u32, 1.0)),
         row("`phong`, m = 32", "of 1", whole(32.0), &highlight(phong::<T, _>, 32_u32, 32.0)),
         row("`phong`, m = 32.5", "of 1", real(32.5), &highlight(phong, t(32.5), 32.5)),
@@ -67,7 +89,12 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
         row("`PointLight::at`, direction", "of the result", 6.5, &lamp_direction::<T>),
         row("`PointLight::at`, intensity", "of the result", 13.0, &lamp_intensity::<T>),
         row("`shade::lambert`, four lights", "of all the light", 9.0, &shaded::<T>(Model::Lambert)),
+        // R·V is off by 6u for 2(N·L), 3u for the rest of R and 3u as a dot product. From these 12u Gappa proves 399.5u for the
+        // power, and then 405.5u for the sum.
         row("`shade::phong`, m = 32", "of all the light", 405.5, &shaded::<T>(Model::Phong)),
+        // The sum L + V is off by 1u, which turns it by at most u; the slope of cos³² of an angle is at most 3.5. (N·h)²/(h·h) is
+        // off by 2·3u for N·h, 1u for its square, 3u for h·h and 1u for the quotient. From these 11u Gappa proves 183.5u for the
+        // power of 16; with 3.5u, and 6u for the sum, 193u.
         row("`shade::blinn_phong`, m = 32", "of all the light", 193.0, &shaded::<T>(Model::BlinnPhong)),
     ];
     rows
