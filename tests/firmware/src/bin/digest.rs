@@ -14,7 +14,6 @@ fn digest() -> u64 {
     match env!("NUMBER").as_bytes() {
         b"f32" => firmware::digest::<f32>(),
         b"f64" => firmware::digest::<f64>(),
-        #[cfg(feature = "fixed")]
         b"fixed" => firmware::digest_of_fixed(),
         _ => unreachable!("a number type"),
     }
