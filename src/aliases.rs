@@ -18,6 +18,8 @@ macro_rules! types {
     };
 }
 
+pub(crate) use types;
+
 macro_rules! aliases {
     ($float:ident) => {
         #[doc = concat!("The types of a scene in `", stringify!($float), "`.")]

@@ -62,7 +62,7 @@ pub struct Attenuation<T = f32> {
     /// The largest factor: 1 if it is clamped, else `MAX`.
     limit: T,
     /// The distance at which the light ends, or `MAX`.
-    range: T,
+    pub(crate) range: T,
     /// 1 if the window is squared, 0 if it is glTF's.
     squared: T,
 }
@@ -71,7 +71,7 @@ impl<T: Real> Attenuation<T> {
     /// No attenuation: the factor is exactly 1 at every finite distance.
     pub const NONE: Self = Self::unchecked(T::ONE, T::ZERO, T::ZERO);
 
-    const fn unchecked(a: T, b: T, c: T) -> Self {
+    pub(crate) const fn unchecked(a: T, b: T, c: T) -> Self {
         let (limit, range, squared) = (T::MAX, T::MAX, T::ONE);
         Self {
             a,

@@ -35,10 +35,10 @@ use crate::unit::UnitVec3;
 #[doc(alias = "spotlight")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone<T = f32> {
-    inner: T,
-    outer: T,
+    pub(crate) inner: T,
+    pub(crate) outer: T,
     /// 1 if the edge is a smoothstep, 0 if it is a square.
-    smooth: T,
+    pub(crate) smooth: T,
 }
 
 impl<T: Real> Cone<T> {

@@ -149,6 +149,8 @@ pub use dual::Dual;
 pub use elementary::Elementary;
 #[cfg(feature = "wide")]
 pub use features::Lanes;
+#[cfg(feature = "fixed")]
+pub use features::fixed;
 pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
 pub use real::{Exponent, Real, Scalar};
 pub use rgb::Rgb;

@@ -69,8 +69,7 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn dot(self, other: impl Into<Self>) -> T {
-        let other = other.into();
-        self.x * other.x + self.y * other.y + self.z * other.z
+        T::dot(self.into(), other.into().into())
     }
 
     /// The cross product, perpendicular to both vectors and right-handed. `other` is a vector or a

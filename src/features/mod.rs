@@ -8,6 +8,8 @@ mod approx;
 mod bytemuck;
 #[cfg(feature = "defmt")]
 mod defmt;
+#[cfg(feature = "fixed")]
+pub mod fixed;
 #[cfg(feature = "mint")]
 mod mint;
 #[cfg(feature = "serde")]

@@ -6,7 +6,7 @@
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser};
 
-use crate::real::epsilon;
+use crate::real::{epsilon, size};
 use crate::{Attenuation, Cone, Elementary, Real, Rgb, Scalar, UnitVec3, Vec3};
 
 macro_rules! list {
@@ -36,7 +36,7 @@ list!(Rgb by Self::from, is_light or "color: a channel is negative or not finite
 list!(UnitVec3 by |v| Self::assume_unit(Vec3::from(v)), is_unit or "direction: its length is not 1");
 
 fn is_finite<T: Real + Scalar>(v: [T; 3]) -> bool {
-    v.iter().all(|x| x.abs() <= T::MAX)
+    v.iter().all(|x| size(*x) <= T::MAX)
 }
 
 fn is_light<T: Real + Scalar>(color: [T; 3]) -> bool {
@@ -47,7 +47,7 @@ fn is_unit<T: Real + Scalar>(v: [T; 3]) -> bool {
     let v = Vec3::from(v);
     // Six decimals must suffice. They change each number by 10⁻⁶/2 and |v|² by √3 · 10⁻⁶ < 2⁻¹⁹.
     let roundoff = T::of_f32(4.0) * epsilon();
-    (v.dot(v) - T::ONE).abs() <= roundoff.at_least(T::of_f32(1.0 / 262_144.0))
+    size(v.dot(v) - T::ONE) <= roundoff.at_least(T::of_f32(1.0 / 262_144.0))
 }
 
 fn checked<V, E: de::Error>(value: Option<V>, reason: &str) -> Result<V, E> {

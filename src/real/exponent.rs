@@ -101,7 +101,7 @@ impl<T: Real> Exponent<T> for u32 {
 }
 
 /// The cosine whose m-th power is the least normal number of single precision, 2^(−126/m), for
-/// m ≥ 1; 0 in a type with a wider range.
+/// m ≥ 1; 0 in a type with a wider range, and in one without such numbers.
 ///
 /// Below it, squaring would pass through subnormal numbers, which cost some processors up to a
 /// hundred times as much.
@@ -121,7 +121,9 @@ fn least<T: Real>(m: u32) -> T {
     let from_half = (linear >> 12 & 0x7FF).wrapping_sub(0x400);
     let bend = 0x10_0000 - from_half.wrapping_mul(from_half);
     let least = f32::from_bits(linear.wrapping_sub(bend / 32 * 25 + 1600));
-    (T::MAX - T::of_f32(f32::MAX)).if_positive(T::ZERO, T::of_f32(least))
+    let is_wider = T::MAX - T::of_f32(f32::MAX);
+    let is_finer = T::of_f32(f32::MIN_POSITIVE);
+    is_finer.if_positive(is_wider.if_positive(T::ZERO, T::of_f32(least)), T::ZERO)
 }
 
 /// baseᵐ by repeated squaring, from the lowest bit of m up, so that no square waits for a product.

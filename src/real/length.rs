@@ -8,13 +8,13 @@ type Triple<T> = [T; 3];
 /// A vector in the direction of v that squares well, its length, and the length of v.
 #[inline(always)]
 pub(super) fn direction<T: Real>(v: Triple<T>) -> (Triple<T>, T, T) {
-    let square = dot(v, v);
+    let square = T::dot(v, v);
     if !is_extreme(square) {
         let length = square.sqrt();
         return (v, length, length);
     }
     let (w, power) = tamed_by(v, [T::ZERO; 3], square);
-    let square = dot(w, w);
+    let square = T::dot(w, w);
     let length = square.sqrt();
     // the square is neither zero nor infinite nor NaN
     let exists = square.if_positive(T::MAX - square, T::ZERO);
@@ -26,8 +26,8 @@ pub(super) fn direction<T: Real>(v: Triple<T>) -> (Triple<T>, T, T) {
 /// The power of the cosine between n and v, from the square of the cosine, which needs no root.
 #[inline(always)]
 pub(super) fn cosine_power<T: Real>(n: Triple<T>, v: Triple<T>, m: impl Exponent<T>) -> T {
-    let n_dot_v = dot(n, v);
-    let cosine_squared = n_dot_v * n_dot_v / dot(v, v);
+    let n_dot_v = T::dot(n, v);
+    let cosine_squared = n_dot_v * n_dot_v / T::dot(v, v);
     // at most 1; 0/0 counts as 1, too
     let cosine_squared = T::ONE.if_above(cosine_squared, cosine_squared, T::ONE);
     n_dot_v.if_positive(m.raise_root(cosine_squared), T::ZERO)
@@ -37,7 +37,7 @@ pub(super) fn cosine_power<T: Real>(n: Triple<T>, v: Triple<T>, m: impl Exponent
 #[inline(always)]
 pub(crate) fn tamed<T: Real>(v: Triple<T>, origin: Triple<T>) -> Triple<T> {
     let way = difference(v, origin);
-    let square = dot(way, way);
+    let square = T::dot(way, way);
     if is_extreme(square) {
         tamed_by(v, origin, square).0
     } else {
@@ -70,9 +70,4 @@ pub(crate) fn is_extreme<T: Real>(square: T) -> bool {
 #[inline(always)]
 fn difference<T: Real>([a, b, c]: Triple<T>, [x, y, z]: Triple<T>) -> Triple<T> {
     [a - x, b - y, c - z]
-}
-
-#[inline(always)]
-fn dot<T: Real>([a, b, c]: Triple<T>, [x, y, z]: Triple<T>) -> T {
-    a * x + b * y + c * z
 }

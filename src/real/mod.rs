@@ -140,6 +140,13 @@ pub trait Real:
         high.if_above(self, above_low, Self::ONE).any_positive()
     }
 
+    /// The dot product a·b of two vectors, a.x b.x + a.y b.y + a.z b.z.
+    #[inline(always)]
+    #[must_use]
+    fn dot(a: [Self; 3], b: [Self; 3]) -> Self {
+        a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    }
+
     /// Three numbers over one divisor. Some processors divide several numbers at once.
     #[inline(always)]
     #[must_use]

@@ -1,0 +1,119 @@
+//! The constructors for constants, as `f32` has them, and the encodings.
+
+use super::real::unit_and_length;
+use super::{Fixed, ONE};
+use crate::attenuation::Attenuation;
+use crate::cone::Cone;
+use crate::rgb::Rgb;
+use crate::unit::UnitVec3;
+use crate::vector::Vec3;
+
+impl UnitVec3<Fixed> {
+    /// The direction of the vector (x, y, z), of any length but 0, for literals in constants. It has
+    /// the bits of [`Vec3::unit`].
+    #[must_use]
+    pub const fn const_normalized(x: Fixed, y: Fixed, z: Fixed) -> Option<Self> {
+        let ([x, y, z], length) = unit_and_length([x, y, z]);
+        if length.0 > 0 {
+            Some(Self::assume_unit(Vec3::new(x, y, z)))
+        } else {
+            None
+        }
+    }
+}
+
+impl Attenuation<Fixed> {
+    /// [`new`](Attenuation#method.new) for constants.
+    #[inline]
+    #[must_use]
+    pub const fn const_new(a: Fixed, b: Fixed, c: Fixed) -> Option<Self> {
+        // the sign of a | b | c is − if that of one is
+        if (a.0 | b.0 | c.0) > 0 {
+            Some(Self::unchecked(a, b, c))
+        } else {
+            None
+        }
+    }
+
+    /// [`within`](Attenuation#method.within) for constants.
+    #[inline]
+    #[must_use]
+    pub const fn const_within(mut self, r: Fixed) -> Option<Self> {
+        if r.0 > 0 {
+            self.range = r;
+            Some(self)
+        } else {
+            None
+        }
+    }
+}
+
+impl Cone<Fixed> {
+    /// [`from_half_angle`](Cone::from_half_angle) for constants.
+    #[must_use]
+    pub const fn const_from_half_angle(radians: Fixed) -> Option<Self> {
+        Self::const_from_half_angles(radians, radians)
+    }
+
+    /// [`from_half_angles`](Cone::from_half_angles) for constants.
+    #[must_use]
+    pub const fn const_from_half_angles(inner: Fixed, outer: Fixed) -> Option<Self> {
+        let (inner, outer) = (inner.0 as f64 / ONE as f64, outer.0 as f64 / ONE as f64);
+        match Cone::<f64>::const_from_half_angles(inner, outer) {
+            Some(cone) => Self::const_from_cosines(Fixed::new(cone.inner), Fixed::new(cone.outer)),
+            None => None,
+        }
+    }
+
+    /// [`from_cosines`](Cone::from_cosines) for constants.
+    #[must_use]
+    pub const fn const_from_cosines(inner: Fixed, outer: Fixed) -> Option<Self> {
+        if ONE >= inner.0 && inner.0 >= outer.0 && outer.0 >= -ONE {
+            let (inner, outer, smooth) = (wide(inner), wide(outer), Fixed(0));
+            Some(Self {
+                inner,
+                outer,
+                smooth,
+            })
+        } else {
+            None
+        }
+    }
+}
+
+/// The cosine of a cone that contains its axis, or everything, in spite of rounding.
+const fn wide(cosine: Fixed) -> Fixed {
+    /// How far rounding may take a cosine or the length of a direction from 1, in steps.
+    const SLACK: i32 = 4;
+    Fixed(if cosine.0 > ONE - SLACK {
+        ONE - SLACK
+    } else if cosine.0 < SLACK - ONE {
+        -ONE - 2 * SLACK
+    } else {
+        cosine.0
+    })
+}
+
+/// As for `f32`: each `Fixed` from 0 to 1 is an `f32`.
+impl Rgb<Fixed> {
+    /// Encodes linear light as sRGB bytes, correctly rounded; see [`Rgb::<f32>::to_srgb8`].
+    #[inline]
+    #[must_use]
+    pub const fn to_srgb8(self) -> [u8; 3] {
+        self.to_f32().to_srgb8()
+    }
+
+    /// Encodes linear light as sRGB with five, six and five bits; see [`Rgb::<f32>::to_rgb565`].
+    #[inline]
+    #[must_use]
+    pub const fn to_rgb565(self) -> u16 {
+        self.to_f32().to_rgb565()
+    }
+
+    /// The nearest color in single precision.
+    #[inline]
+    #[must_use]
+    pub const fn to_f32(self) -> Rgb<f32> {
+        Rgb::new(self.r.to_f32(), self.g.to_f32(), self.b.to_f32())
+    }
+}

@@ -1,0 +1,256 @@
+//! [`Real`] and [`Elementary`], with the reciprocal root on which directions, attenuations and
+//! highlights rest.
+
+use super::{Fixed, ONE, rounded};
+use crate::elementary::Elementary;
+use crate::real::{Exponent, Real};
+
+/// The whole product of two numbers of steps.
+#[inline]
+pub(super) const fn product(a: i32, b: i32) -> i64 {
+    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+        // a Cortex-M0 multiplies 32 bits, and the compiler would call a routine for 64
+        (upper(a, b) as i64) << 32 | a.wrapping_mul(b) as u32 as i64
+    } else {
+        a as i64 * b as i64
+    }
+}
+
+/// The upper half of a product.
+#[inline]
+const fn upper(a: i32, b: i32) -> i32 {
+    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+        let (a_1, a_0, b_1, b_0) = (a >> 16, a & 0xFFFF, b >> 16, b & 0xFFFF);
+        let low = (a_0 as u32).wrapping_mul(b_0 as u32) >> 16;
+        let middle = a_1.wrapping_mul(b_0).wrapping_add(low as i32);
+        let other = a_0.wrapping_mul(b_1).wrapping_add(middle & 0xFFFF);
+        a_1.wrapping_mul(b_1)
+            .wrapping_add(middle >> 16)
+            .wrapping_add(other >> 16)
+    } else {
+        ((a as i64 * b as i64) >> 32) as i32
+    }
+}
+
+/// The upper half of a product whose factors are below 2³¹, but for the first.
+#[inline]
+const fn upper_unsigned(a: u32, b: u32) -> u32 {
+    // the sign of a stands for 2³², which b takes part in
+    (upper(a as i32, b as i32) as u32).wrapping_add(if a >> 31 == 1 { b } else { 0 })
+}
+
+/// 2²⁷/√x for x = `bits`/2³² from ¼ on, by Newton's method.
+#[inline]
+const fn reciprocal_root(bits: u32) -> u32 {
+    let first = 256 + ROOTS[(bits >> 25) as usize] as i32; // 8 bits after the point
+    // y(1 − e/2), where e = xy² − 1 has 32 bits after the point
+    let e = ((first * first) as u32).wrapping_mul(bits >> 16) as i32;
+    let second = (first << 6) - ((first * (e >> 12)) >> 15); // 14 bits
+    // once more
+    let e = (1 << 28) - upper_unsigned(bits, (second * second) as u32) as i32;
+    ((second << 13) + (second.wrapping_mul(e >> 1) >> 15)) as u32
+}
+
+/// 2⁸(1/√x − 1) for the middle x of each 128th, from ¼ to 1.
+static ROOTS: [u8; 128] = {
+    let mut table = [0; 128];
+    let mut i = 32;
+    while i < 128 {
+        // the largest r with (2⁸ + r)² x ≤ 2¹⁶, where x = (2i + 1)/2⁸
+        let mut r = 255_u32;
+        while (256 + r) * (256 + r) * (2 * i as u32 + 1) > 1 << 24 {
+            r -= 1;
+        }
+        table[i] = r as u8;
+        i += 1;
+    }
+    table
+};
+
+/// 2²⁸/x for x = `bits`/2³² from ½ on.
+#[inline]
+const fn reciprocal(bits: u32) -> u32 {
+    let root = reciprocal_root(bits) << 3;
+    upper_unsigned(root, root)
+}
+
+/// A vector times a power of two, with a component from 2³⁰ to 2³¹ unless it is 0.
+struct Scaled {
+    v: [i32; 3],
+    shift: u32,
+    /// |v|²/2³²
+    square: u32,
+    /// 2⁵⁹/|v|
+    root: i32,
+}
+
+#[inline]
+const fn scaled([x, y, z]: [i32; 3]) -> Scaled {
+    let bits = (x ^ x >> 31) | (y ^ y >> 31) | (z ^ z >> 31);
+    let shift = (bits as u32 | 1).leading_zeros() - 1;
+    let v = [x << shift, y << shift, z << shift];
+    let [x, y, z] = v;
+    let square = (upper(x, x) as u32 + upper(y, y) as u32 + upper(z, z) as u32) | 1;
+    let pairs = square.leading_zeros() >> 1;
+    let root = (reciprocal_root(square << (2 * pairs)) << pairs) as i32;
+    Scaled {
+        v,
+        shift,
+        square,
+        root,
+    }
+}
+
+/// The direction and the length of a vector; for the zero vector, 0.
+#[inline]
+pub(super) const fn unit_and_length(v: [Fixed; 3]) -> ([Fixed; 3], Fixed) {
+    let [x, y, z] = v;
+    if (x.0 | y.0 | z.0) == 0 {
+        return (v, Fixed(0));
+    }
+    let Scaled {
+        v: [x, y, z],
+        shift,
+        square,
+        root,
+        ..
+    } = scaled([x.0, y.0, z.0]);
+    let unit = [
+        Fixed((upper(x, root) + (1 << 10)) >> 11),
+        Fixed((upper(y, root) + (1 << 10)) >> 11),
+        Fixed((upper(z, root) + (1 << 10)) >> 11),
+    ];
+    let length = upper_unsigned(square, root as u32); // in units of 2^(5 − shift) steps
+    let length = if shift > 5 {
+        ((length >> (shift - 6)) + 1) >> 1
+    } else if length >> (26 + shift) != 0 {
+        i32::MAX as u32
+    } else {
+        length << (5 - shift)
+    };
+    (unit, Fixed(length as i32))
+}
+
+/// color/(a + bq + cq²) where the denominator is at most 1, or beyond the range.
+#[cold]
+fn attenuated_beyond(color: [Fixed; 3], of: [Fixed; 4], is_large: bool) -> [Fixed; 3] {
+    let [a, b, c, q] = of.map(|x| x.0.max(0) as u64);
+    let slope = (b << 16) + c * q; // 32 bits after the point
+    let (d, shift) = if is_large {
+        (
+            (slope >> 24).saturating_mul(q).saturating_add(a << 8) | 1,
+            68,
+        )
+    } else {
+        ((a << 32).wrapping_add(slope.wrapping_mul(q)) | 1, 44)
+    };
+    let zeros = d.leading_zeros();
+    let factor = reciprocal((d << zeros >> 32) as u32) as i64;
+    let shift = shift.max(zeros) - zeros;
+    let clamped = |x: i64| Fixed(x.clamp(i32::MIN as i64, i32::MAX as i64) as i32);
+    color.map(|x| clamped((x.0 as i64 * factor) >> shift.min(63)))
+}
+
+#[diagnostic::do_not_recommend] // the trait's own message names the types
+impl Real for Fixed {
+    const ZERO: Self = Self(0);
+    const ONE: Self = Self(ONE);
+    const NEG_ONE: Self = Self(-ONE);
+    const MAX: Self = Self::MAX;
+    const EXTREME: Self = Self(ONE << 9);
+
+    fn of(literal: f64) -> Self {
+        Self::new(literal)
+    }
+
+    #[inline]
+    fn of_f32(literal: f32) -> Self {
+        Self::from_f32(literal)
+    }
+
+    fn sqrt(self) -> Self {
+        Self((((self.0.max(0) as u64) << 18).isqrt() as i32 + 1) >> 1)
+    }
+
+    #[inline]
+    fn if_positive(self, then: Self, otherwise: Self) -> Self {
+        if self.0 > 0 { then } else { otherwise }
+    }
+
+    #[inline]
+    fn any_positive(self) -> bool {
+        self.0 > 0
+    }
+
+    #[inline]
+    fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
+        if self > threshold { then } else { otherwise }
+    }
+
+    /// It is rounded once, and above 0 if the exact sum is.
+    #[inline]
+    fn dot([a, b, c]: [Self; 3], [x, y, z]: [Self; 3]) -> Self {
+        // halves, whose sum cannot overflow
+        let sum = (product(a.0, x.0) >> 1) + (product(b.0, y.0) >> 1) + (product(c.0, z.0) >> 1);
+        let Self(steps) = rounded(sum, 15, (sum >> 32) as i32);
+        Self(if steps == 0 && sum > 0 { 1 } else { steps })
+    }
+
+    #[inline]
+    fn direction(v: [Self; 3]) -> ([Self; 3], Self, Self) {
+        let (unit, length) = unit_and_length(v);
+        let one = if length.0 == 0 { 0 } else { ONE };
+        (unit, Self(one), length)
+    }
+
+    #[inline]
+    fn cosine_power(n: [Self; 3], v: [Self; 3], m: impl Exponent<Self>) -> Self {
+        let Scaled {
+            v: [x, y, z], root, ..
+        } = scaled(v.map(|x| x.0));
+        let [a, b, c] = n.map(|x| x.0 << 12);
+        let dot = upper(a, x)
+            .wrapping_add(upper(b, y))
+            .wrapping_add(upper(c, z));
+        let cosine = upper(dot << 2, root); // 25 bits after the point
+        let cosine = Self((cosine + (1 << 8)) >> 9);
+        if cosine.0 > 0 {
+            m.raise(cosine.at_most(Self(ONE)))
+        } else {
+            Self(0)
+        }
+    }
+
+    #[inline]
+    fn attenuated(color: [Self; 3], [a, b, c]: [Self; 3], q: Self, limit: Self) -> [Self; 3] {
+        let d = a + q * (b + c * q);
+        if d.0 > ONE && d != Self::MAX && limit.0 >= ONE {
+            let zeros = d.0.leading_zeros();
+            let share = reciprocal((d.0 as u32) << zeros) << 3 >> (16 - zeros); // 31 bits after the point
+            color.map(|x| Self(((product(x.0, share as i32) + (1 << 30)) >> 31) as i32))
+        } else if d.0 == ONE && limit.0 >= ONE {
+            color
+        } else if d.0 < 0 {
+            [Self(0); 3]
+        } else if limit == Self::MAX {
+            attenuated_beyond(color, [a, b, c, q], d.0 > ONE)
+        } else {
+            let [factor, ..] = attenuated_beyond([Self(ONE); 3], [a, b, c, q], d.0 > ONE);
+            color.map(|x| x * factor.at_most(limit))
+        }
+    }
+}
+
+macro_rules! by_way_of_f32 {
+    ($($function:ident),*) => {
+        /// By way of `f32`, with `libm`.
+        impl Elementary for Fixed {
+            $(#[inline]
+            fn $function(self) -> Self {
+                Self::from_f32(Elementary::$function(self.to_f32()))
+            })*
+        }
+    };
+}
+
+by_way_of_f32!(sin, cos, exp, ln);

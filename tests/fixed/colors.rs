@@ -1,0 +1,239 @@
+//! Whole colors in fixed point against the same formulas in `f64`, for the very same numbers: a climb to the
+//! worst scene. A scene is made of a list of shares, and its neighbors of a list that differs in a few.
+
+use shading::fixed::{
+    Attenuation, Cone, DirectionalLight, Fixed, Light, Material, PointLight, Rgb, SpotLight,
+    UnitVec3, Vec3,
+};
+use shading::{reflection, shade};
+
+use crate::{Random, exact};
+
+/// How far a cosine may be from the edge of a hard cone, on either side of which it may fall.
+const MARGIN: f64 = 2.0 / 65536.0;
+
+/// The least |L + V|: an error of L turns H by as much over |L + V|.
+const LEAST_SUM: f64 = 0.1;
+
+const SHARES: usize = 84;
+
+struct Shares<'a>(std::slice::Iter<'a, f64>);
+
+impl Shares<'_> {
+    fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.0.next().expect("enough shares")
+    }
+
+    /// A whole number from `low` to `high`.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // small, and not negative
+    fn whole(&mut self, low: u32, high: u32) -> u32 {
+        self.within(low.into(), f64::from(high) + 1.0) as u32
+    }
+
+    /// As often between 1 and 2 as between 2 and 4.
+    fn of_any_size(&mut self, low: f64, high: f64) -> f64 {
+        low * (high / low).powf(self.within(0.0, 1.0))
+    }
+
+    fn vector(&mut self, size: f64) -> Vec3 {
+        Vec3::from([(); 3].map(|()| Fixed::new(self.within(-size, size))))
+    }
+
+    fn direction(&mut self) -> UnitVec3 {
+        self.vector(1.0).unit_or(UnitVec3::Z)
+    }
+
+    fn color(&mut self) -> Rgb {
+        Rgb::from([(); 3].map(|()| Fixed::new(self.within(0.0, 1.0))))
+    }
+
+    /// A light of any kind, which arrives with up to 4; `None` if the scene is not what is promised.
+    fn light(&mut self, p: Vec3) -> Option<Light> {
+        let kind = self.within(0.0, 1.0);
+        let toward = self.direction();
+        let distance = self.of_any_size(0.01, 200.0);
+        let color = self.color() * Fixed::new(self.of_any_size(0.25, 4.0));
+        let [a, b, c] = [(); 3].map(|()| self.of_any_size(0.001, 1.0));
+        let which = self.whole(0, 2);
+        let range = self.within(0.9, 4.0);
+        let axis = (self.vector(0.5) - *toward).unit_or(-toward); // the point is often in the cone
+        let (angle, width) = (self.within(0.05, 1.4), self.within(0.06, 0.5));
+        let smoothstep = self.within(-1.0, 1.0);
+        if kind < 0.1 {
+            let (l, intensity) = (toward, color);
+            return Some(Light::Directional(DirectionalLight { l, intensity }));
+        }
+        let position = p + toward.map(|x| Fixed::new(exact(x) * distance));
+        let q = (position - p).map(exact).length();
+        let coefficients = match which {
+            0 => [1.0, 0.0, 0.0],
+            1 => [0.0, 0.0, c],
+            _ => [a, b, c],
+        };
+        let [a, b, c] = coefficients.map(Fixed::new);
+        let attenuation = Attenuation::new(a, b, c)?;
+        let denominator = 1.0 / attenuation.cast(exact).at(q);
+        let intensity = color.map(|x| Fixed::new(exact(x) * denominator));
+        let ranged = attenuation.within(Fixed::new((q * range).max(1.0)))?;
+        let attenuation = match kind {
+            0.4..0.55 => ranged,
+            0.55..0.7 => ranged.unsquared(),
+            _ => attenuation,
+        };
+        let point = PointLight {
+            position,
+            intensity,
+            attenuation,
+        };
+        if !(0.01..200.0).contains(&q) || kind < 0.6 {
+            return (0.01..200.0).contains(&q).then_some(Light::Point(point));
+        }
+        let [inner, outer] = [angle, angle + width].map(Fixed::new);
+        let cone = match (smoothstep, kind > 0.9) {
+            (_, true) => Cone::from_half_angle(inner)?,
+            (..0.0, _) => Cone::from_half_angles(inner, outer)?,
+            _ => Cone::from_half_angles(inner, outer)?.smoothstep(),
+        };
+        let cosine = -axis.cast(exact).dot((position - p).map(exact).unit()?);
+        let [inner, outer] = cone.cosines().map(exact);
+        let is_clear = inner - outer > 0.05 || kind > 0.9 && (cosine - inner).abs() > MARGIN;
+        is_clear.then_some(Light::Spot(SpotLight { point, axis, cone }))
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Model {
+    Lambert,
+    Phong,
+    BlinnPhong,
+}
+
+/// E as sRGB defines it, in levels.
+fn levels(light: f64) -> f64 {
+    let light = light.clamp(0.0, 1.0);
+    255.0
+        * if light <= 0.003_130_8 {
+            12.92 * light
+        } else {
+            1.055 * light.powf(1.0 / 2.4) - 0.055
+        }
+}
+
+/// The levels by which fixed point is off in the scene; `None` if the scene is not what is promised.
+fn difference(model: Model, shares: &[f64; SHARES]) -> Option<f64> {
+    let mut shares = Shares(shares.iter());
+    let p = shares.vector(100.0);
+    let count = shares.whole(1, 3);
+    let n = shares.direction();
+    let m = shares.whole(1, 128);
+    let [k_a, k_d, k_s, i_a] = [(); 4].map(|()| shares.color());
+    let aside = shares.of_any_size(0.001, 2.0);
+    let aside = shares.vector(aside);
+    let lights: Option<Vec<_>> = (0..count).map(|_| shares.light(p)).collect();
+    let lights = lights?;
+
+    // toward the first light, and the eye is often in its highlight
+    let first = lights[0].at(p).l();
+    let n = if exact(n.dot(first)) < 0.0 { -n } else { n };
+    let v = (*reflection(n, first) + aside).unit_or(n);
+    let material = Material { k_a, k_d, k_s, m };
+    let [n64, v64] = [n, v].map(|direction| direction.cast(exact));
+    let (material64, i_a64) = (material.cast(exact), i_a.map(exact));
+    let arriving64 = lights
+        .iter()
+        .map(|light| light.cast(exact).at(p.map(exact)));
+    let arriving64: Vec<_> = arriving64.collect();
+    if arriving64
+        .iter()
+        .any(|light| (*light.l() + *v64).length() < LEAST_SUM)
+    {
+        return None;
+    }
+    let arriving = lights.iter().map(|light| light.at(p));
+    let (fixed, double) = match model {
+        Model::Lambert => (
+            shade::lambert(n, &material, i_a, arriving),
+            shade::lambert(n64, &material64, i_a64, arriving64),
+        ),
+        Model::Phong => (
+            shade::phong(n, v, &material, i_a, arriving),
+            shade::phong(n64, v64, &material64, i_a64, arriving64),
+        ),
+        Model::BlinnPhong => (
+            shade::blinn_phong(n, v, &material, i_a, arriving),
+            shade::blinn_phong(n64, v64, &material64, i_a64, arriving64),
+        ),
+    };
+    let (fixed, double): ([Fixed; 3], [f64; 3]) = (fixed.total().into(), double.total().into());
+    assert!(fixed.iter().all(|x| *x >= Fixed::from(0)), "{fixed:?}");
+    let pairs = fixed.into_iter().zip(double);
+    Some(
+        pairs
+            .map(|(a, b)| (levels(exact(a)) - levels(b)).abs())
+            .fold(0.0, f64::max),
+    )
+}
+
+/// The largest difference that climbs find.
+fn worst(model: Model, climbs: usize, changes: usize) -> f64 {
+    let mut random = Random(11);
+    let mut worst = 0.0_f64;
+    for _ in 0..climbs {
+        let of = |shares: &[f64; SHARES]| difference(model, shares);
+        let starts = (0..60).map(|_| [(); SHARES].map(|()| random.share()));
+        let starts = starts.filter_map(|shares| Some((of(&shares)?, shares)));
+        let best = starts.max_by(|a, b| a.0.total_cmp(&b.0));
+        let (mut most, mut best) = best.expect("a scene");
+        for _ in 0..changes {
+            let mut shares = best;
+            for _ in 0..=random.bits() % 3 {
+                let place = &mut shares[usize::try_from(random.bits() % SHARES as u64).unwrap()];
+                let change = (random.share() - 0.5) * 0.5_f64.powf(40.0 * random.share());
+                *place = (*place + change).rem_euclid(1.0);
+            }
+            if let Some(more) = of(&shares).filter(|more| *more >= most) {
+                (most, best) = (more, shares);
+            }
+        }
+        worst = worst.max(most);
+    }
+    println!("{model:?}: {worst:.3} levels");
+    worst
+}
+
+#[test]
+fn colors_are_within_a_level() {
+    let is_long = std::env::var("SHADING_SEARCH").is_ok_and(|extent| extent == "all");
+    let (climbs, changes) = if is_long { (400, 10_000) } else { (6, 1000) };
+    for model in [Model::Lambert, Model::Phong, Model::BlinnPhong] {
+        assert!(worst(model, climbs, changes) <= 1.0, "{model:?}");
+    }
+}
+
+/// Grazing light, where the rounded direction may be behind the surface although the light is not.
+#[test]
+fn grazing_light_is_not_negative() {
+    let mut random = Random(12);
+    let white = Material {
+        k_a: Rgb::BLACK,
+        k_d: Rgb::WHITE,
+        k_s: Rgb::WHITE,
+        m: 1,
+    };
+    for _ in 0..100_000 {
+        let n = Vec3::from([(); 3].map(|()| Fixed::new(random.share() - 0.5))).unit_or(UnitVec3::Z);
+        let aside = Vec3::from([(); 3].map(|()| Fixed::new(random.share() - 0.5)));
+        let along = aside.cross(n) * Fixed::new(100.0 * random.share())
+            + *n * Fixed::new(0.001 * random.share());
+        let lamp = PointLight {
+            position: along,
+            intensity: Rgb::gray(Fixed::from(4)),
+            attenuation: Attenuation::NONE,
+        };
+        let shaded = shade::blinn_phong(n, n, &white, Rgb::BLACK, [lamp.at(Vec3::ZERO)]);
+        assert!(
+            shaded.diffuse.r >= Fixed::from(0),
+            "{n:?} {along:?} {shaded:?}"
+        );
+    }
+}

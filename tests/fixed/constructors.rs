@@ -1,0 +1,97 @@
+//! Constructors for constants have the bits of those that any number has.
+
+use shading::Real;
+use shading::fixed::{Attenuation, Cone, Fixed, UnitVec3, Vec3};
+
+use crate::{Random, edges, steps};
+
+fn numbers() -> impl Iterator<Item = Fixed> {
+    let mut random = Random(9);
+    let near_one = (-70_000..70_000).step_by(7).map(Fixed::from_bits);
+    let slack = [-65536, 65536]
+        .into_iter()
+        .flat_map(|one| (-9..10).map(move |near| one + near));
+    let slack = slack.map(Fixed::from_bits);
+    edges()
+        .into_iter()
+        .chain(near_one)
+        .chain(slack)
+        .chain((0..1000).map(move |_| random.fixed()))
+}
+
+#[test]
+fn attenuations_are_those_of_any_number() {
+    let valid = Attenuation::const_new(Fixed::ONE, Fixed::ZERO, Fixed::ZERO).unwrap();
+    for x in numbers() {
+        for [a, b, c] in [
+            [x, Fixed::ZERO, Fixed::ZERO],
+            [Fixed::ZERO, x, Fixed::ONE],
+            [-x, x, x],
+        ] {
+            assert_eq!(Attenuation::const_new(a, b, c), Attenuation::new(a, b, c));
+        }
+        assert_eq!(valid.const_within(x), valid.within(x), "{x}");
+    }
+}
+
+#[test]
+fn cones_of_cosines_are_those_of_any_number() {
+    for (inner, outer) in numbers().zip(numbers().skip(3)) {
+        let cone = Cone::const_from_cosines(inner, outer);
+        assert_eq!(cone, Cone::from_cosines(inner, outer), "{inner} {outer}");
+        assert_eq!(
+            Cone::const_from_cosines(inner, inner),
+            Cone::from_cosine(inner)
+        );
+    }
+}
+
+/// The cosine of a constant is rounded once, and any other by way of `f32`.
+#[test]
+fn cones_of_angles_are_near_those_of_any_number() {
+    let pi = Fixed::new(core::f64::consts::PI);
+    for radians in (0..=pi.to_bits() + 1)
+        .step_by(5)
+        .map(Fixed::from_bits)
+        .chain([pi, -Fixed::STEP])
+    {
+        let (constant, other) = (
+            Cone::const_from_half_angle(radians),
+            Cone::from_half_angle(radians),
+        );
+        assert_eq!(
+            constant.is_some(),
+            (Fixed::ZERO..=pi).contains(&radians),
+            "{radians}"
+        );
+        assert_eq!(constant.is_some(), other.is_some(), "{radians}");
+        if let (Some(constant), Some(other)) = (constant, other) {
+            let error = steps(constant.cosines()[0]) - steps(other.cosines()[0]);
+            // a cosine near 1 or −1 may be widened for one of them
+            let is_near = steps(constant.cosines()[0]).abs() > 65530.0;
+            let bound = if is_near { 4.0 } else { 1.0 };
+            assert!(error.abs() <= bound, "{radians}: {error} steps");
+        }
+    }
+    let [inner, outer] = [0.25, 0.5].map(Fixed::new);
+    let soft = Cone::const_from_half_angles(inner, outer).expect("angles");
+    assert_eq!(
+        soft.cosines(),
+        [0.25_f64, 0.5].map(|angle| Fixed::new(angle.cos()))
+    );
+    assert_eq!(Cone::const_from_half_angles(outer, inner), None);
+}
+
+/// A cone holds its own axis, and that of half-angle π every direction.
+#[test]
+fn cones_hold_their_axis_in_spite_of_rounding() {
+    let mut random = Random(10);
+    let [point, all] =
+        [Fixed::ONE, Fixed::NEG_ONE].map(|x| Cone::from_cosine(x).expect("a cosine"));
+    for _ in 0..100_000 {
+        let [axis, l] = [(); 2].map(|()| Vec3::from(random.three()).unit_or(UnitVec3::X));
+        assert_eq!(point.factor(axis, -axis), Fixed::ONE, "{axis:?}");
+        assert_eq!(all.factor(axis, l), Fixed::ONE, "{axis:?} {l:?}");
+        assert_eq!(all.factor(axis, axis), Fixed::ONE, "{axis:?}");
+    }
+}

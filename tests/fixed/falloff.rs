@@ -1,0 +1,137 @@
+//! What distance leaves of a light.
+
+use shading::fixed::{Attenuation, Fixed, PointLight, Rgb, Vec3};
+use shading::{Real, attenuation};
+
+use crate::{Random, exact, steps};
+
+fn x(literal: f64) -> Fixed {
+    Fixed::new(literal)
+}
+
+/// A number from `low` to `high`, as often between 1 and 2 as between 2 and 4.
+fn of_any_size(random: &mut Random, low: f64, high: f64) -> Fixed {
+    x(low * (high / low).powf(random.share()))
+}
+
+/// Where the denominator d is above 1, it is off by 1 + q/2 steps; elsewhere and beyond the range the quotient
+/// is computed from all digits. The reciprocal is off by 2⁻²¹ of itself and 2⁻³¹, and a product with the color
+/// by less than a step.
+#[test]
+fn attenuated_colors_are_near_the_exact_ones() {
+    let mut random = Random(7);
+    for _ in 0..300_000 {
+        let mut coefficient = |share| {
+            let some = of_any_size(&mut random, 1e-4, 100.0);
+            if random.share() < share {
+                Fixed::ZERO
+            } else {
+                some
+            }
+        };
+        let [a, b, c] = [coefficient(0.5), coefficient(0.5), coefficient(0.1)];
+        let q = of_any_size(&mut random, 0.01, 200.0);
+        let color = of_any_size(&mut random, 1e-4, 30_000.0);
+        let [wide_a, wide_b, wide_c, wide_q] = [a, b, c, q].map(exact);
+        let d = wide_a + wide_q * (wide_b + wide_c * wide_q);
+        if d == 0.0 {
+            continue;
+        }
+        let expected = exact(color) / d;
+        let [actual, ..] = Fixed::attenuated([color; 3], [a, b, c], q, Fixed::MAX);
+        let error = steps(actual) - (65536.0 * expected).min(steps(Fixed::MAX));
+        let of_denominator = if d > 0.999 {
+            expected / d * (1.0 + wide_q / 2.0)
+        } else {
+            0.0
+        };
+        let bound = 1.0
+            + exact(color) / 32_768.0
+            + of_denominator
+            + 65536.0 * expected / f64::from(1 << 21);
+        assert!(
+            error.abs() <= bound,
+            "{color} at {q} of {a}, {b}, {c}: {error} steps of {bound}"
+        );
+        let [clamped, ..] = Fixed::attenuated([color; 3], [a, b, c], q, Fixed::ONE);
+        assert!((clamped - actual.at_most(color)).to_bits().abs() <= 1 + color.to_bits() / 65536);
+    }
+}
+
+#[test]
+fn falloff_ends_where_the_formula_has_no_answer() {
+    let [zero, one] = [Fixed::ZERO, Fixed::ONE];
+    assert_eq!(attenuation(one, zero, zero, Fixed::MAX), one);
+    assert_eq!(attenuation(zero, zero, one, zero), Fixed::MAX);
+    assert_eq!(attenuation(zero, zero, one, Fixed::MAX), zero);
+    assert_eq!(attenuation(-one, zero, zero, one), zero);
+    let lamp = PointLight {
+        position: Vec3::splat(x(3.0)),
+        intensity: Rgb::WHITE,
+        attenuation: Attenuation::new(zero, zero, one).unwrap(),
+    };
+    assert_eq!(lamp.at(lamp.position).intensity(), Rgb::BLACK);
+    let beyond = PointLight {
+        position: Vec3::splat(Fixed::MAX),
+        ..lamp
+    };
+    let light = beyond.at(Vec3::splat(Fixed::MIN));
+    assert_eq!(
+        (light.distance(), light.intensity()),
+        (Fixed::MAX, Rgb::BLACK)
+    );
+}
+
+/// A coefficient that a cast rounds to 0 would make the light infinite everywhere or, with all of them 0, the
+/// attenuation invalid.
+#[test]
+fn cast_keeps_an_attenuation_valid() {
+    let faint = shading::f64::Attenuation::new(0.0, 0.0, 7e-6).unwrap();
+    let cast = faint.cast(Fixed::new);
+    let [a, b, c] = cast.coefficients();
+    assert!(Attenuation::new(a, b, c).is_some(), "{cast:?}");
+    let near = shading::f64::Attenuation::new(0.0, 0.0, 0.25)
+        .unwrap()
+        .within(8.0)
+        .unwrap();
+    let near = near.clamped().unsquared().cast(Fixed::new);
+    assert_eq!(near.coefficients(), [x(0.0), x(0.0), x(0.25)]);
+    assert_eq!(
+        (near.range(), near.is_clamped(), near.is_unsquared()),
+        (x(8.0), true, true)
+    );
+    let endless = faint.cast(Fixed::new);
+    assert_eq!((endless.range(), endless.is_clamped()), (Fixed::MAX, false));
+}
+
+/// Sweeps the hundred distances from many on: no light is brighter than a nearer one by more than a level.
+#[test]
+fn light_is_not_brighter_with_distance_by_more_than_a_level() {
+    let level = |light: Fixed| i32::from(Rgb::gray(light).to_srgb8()[0]);
+    let mut random = Random(8);
+    for i in 0..6000 {
+        let [a, b, c] = [(); 3].map(|()| of_any_size(&mut random, 1e-4, 2.0));
+        let [a, b] = [[a, b], [x(0.0), x(0.0)], [x(1.0), x(0.0)]][i % 3];
+        let some = Attenuation::new(a, b, c).unwrap();
+        let q = of_any_size(&mut random, 0.01, 200.0);
+        let intensity = Rgb::gray(x(random.share() / some.cast(exact).at(exact(q))));
+        let range = q + of_any_size(&mut random, 0.001, 100.0);
+        for attenuation in [some, some.within(range).unwrap()] {
+            let mut darkest = Fixed::MAX;
+            for bits in (q.to_bits()..).take(100) {
+                let position = Vec3::new(Fixed::from_bits(bits), x(0.0), x(0.0));
+                let lamp = PointLight {
+                    position,
+                    intensity,
+                    attenuation,
+                };
+                let here = lamp.at(Vec3::ZERO).intensity().r;
+                assert!(
+                    level(here) - level(darkest) <= 1,
+                    "{attenuation:?} at {bits} steps"
+                );
+                darkest = darkest.min(here);
+            }
+        }
+    }
+}
