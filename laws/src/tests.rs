@@ -154,7 +154,7 @@ fn mistakes_are_found_named_and_placed() {
     let mut broken = BTreeSet::new();
     measure(&single(), |_| true, &mut broken);
     measure(&double(), |i| i % 6 == 0, &mut broken);
-    measure(&bytes(), |i| i % 3 == 0, &mut broken);
+    measure(&bytes(), |i| i % 3 == 1, &mut broken);
     // no law is there for show; state has no row
     let never = LAWS.iter().filter(|law| !broken.contains(law.name));
     let never: Vec<&str> = never.map(|law| law.name).collect();

@@ -75,7 +75,7 @@ struct Options {
     #[arg(long, value_name = "N", default_value = "200")]
     shrink: usize,
     /// The longest time of that, of all laws together
-    #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", default_value = "3", value_parser = seconds)]
     shrink_time: Duration,
     /// The longest time of the run; a law that is not tried by then is no pass
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
