@@ -294,7 +294,7 @@ impl Run<'_> {
 
     /// What was found, with smaller cases and places where the renderer still answers.
     fn report(mut self, error: Option<String>) -> Report {
-        let mut stopped = error.clone();
+        let mut stopped = None; // a renderer that ended may answer again
         let mut findings = self.findings(&mut stopped);
         let mut reports = Vec::new();
         let mut order: Vec<usize> = (0..self.plan.tries.len()).collect();
@@ -341,7 +341,7 @@ impl Run<'_> {
             version: 3,
             corpus: corpus::VERSION,
             seed: self.plan.laws.seed,
-            stopped: if error.is_some() { None } else { stopped },
+            stopped,
             error,
             findings,
             exercised: self.exercised(),
