@@ -33,6 +33,7 @@ use crate::vector::Vec3;
 /// }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
 pub struct IncidentLight<T = f32> {
     pub(super) light: Light<T>,
     /// From the point to the light; for a light without a position, L.
@@ -66,9 +67,7 @@ impl<T: Real> IncidentLight<T> {
     ///
     /// ```
     /// use shading::f32::{DirectionalLight, Rgb, UnitVec3, Vec3};
-    ///
     /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE }.at(Vec3::ZERO);
-    /// assert!(sun.is_in_front(UnitVec3::Z));
     /// assert!(!sun.is_in_front(UnitVec3::X)); // it only grazes the surface
     /// ```
     #[inline]
@@ -79,7 +78,6 @@ impl<T: Real> IncidentLight<T> {
 
     /// L, the direction from the surface **to** the light; the z axis if there is none.
     #[inline]
-    #[must_use]
     pub fn l(&self) -> UnitVec3<T> {
         match &self.light {
             Light::Directional(light) => light.l,
@@ -100,7 +98,6 @@ impl<T: Real> IncidentLight<T> {
 
     /// I as it arrives: attenuated, and 0 outside a spot's cone.
     #[inline]
-    #[must_use]
     pub fn intensity(&self) -> Rgb<T> {
         let Arriving {
             length, intensity, ..
@@ -125,7 +122,6 @@ impl<T: Real> IncidentLight<T> {
     /// The same light in another number type: `f` converts each number, and may do no more than round
     /// it, or take one of several lanes.
     #[inline]
-    #[must_use]
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> IncidentLight<U> {
         IncidentLight {
             light: self.light.cast(&mut f),
