@@ -45,4 +45,4 @@ page:
 
 # test every f32 of a domain: takes minutes
 exhaustive:
-    cargo test --release -p numerics -- --ignored
+    cargo test --release -p kit --test exhaustive -- --ignored

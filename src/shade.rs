@@ -321,7 +321,7 @@ fn sum<T: Real, M>(
                 ..
             } = light.arriving();
             // a way that overflowed gives ∞, and its light is black
-            let n_dot_l = (n.dot(way) / length).at_most(T::ONE);
+            let n_dot_l = (n.dot(way) / length).at_least(T::ZERO).at_most(T::ONE);
             diffuse += intensity * in_front.if_positive(n_dot_l, T::ZERO);
             specular += intensity * in_front.if_positive(highlight(way, length), T::ZERO);
         }

@@ -349,6 +349,11 @@ table! {
     "samples of any length": [tiniest(), T::ONE, T::MAX].map(x)
         .map(|v| [normal::mapped(UnitVec3::Z, v, T::ONE, v), normal::mapped(UnitVec3::Z, v, T::ONE, Vec3::new(T::ZERO, T::ZERO, v.x))])
         => [[Some(UnitVec3::<T>::X), Some(UnitVec3::Z)]; 3];
+    // ⅛ is the last bit of the sample, and the largest size a power of two
+    "slanted samples of any length": [8.0 * T::TINIEST, T::MIN_POSITIVE, 0.5 * T::MAX.to_f64() * (1.0 + 2.0 * T::U)].map(|size| {
+        let mapped = |size| normal::mapped(direction([2.0, -1.0, 3.0]), vector([1.0, 4.0, -2.0]), T::ONE,
+        vector([-1.0, 0.75, 0.875]) * T::of(size)); mapped(size) == mapped(1.0) && mapped(size).is_some() })
+        => [true; 3];
     // only the sign of the handedness counts, and a number without a sign counts as negative
     "handedness": [T::ONE, T::of(0.1), T::ZERO, -T::ONE, T::NAN].map(|h| normal::mapped(UnitVec3::Z, *UnitVec3::X, h, *UnitVec3::Y))
         => [Some(UnitVec3::<T>::Y), Some(UnitVec3::Y), Some(-UnitVec3::Y), Some(-UnitVec3::Y), Some(-UnitVec3::Y)];

@@ -74,8 +74,10 @@ impl Shares<'_> {
         let attenuation = Attenuation::new(a, b, c)?;
         let denominator = 1.0 / attenuation.cast(exact).at(q);
         let intensity = color.map(|x| Fixed::new(exact(x) * denominator));
+        let ranged = attenuation.within(Fixed::new((q * range).max(1.0)))?;
         let attenuation = match kind {
-            0.4..0.7 => attenuation.within(Fixed::new(q * range))?,
+            0.4..0.55 => ranged,
+            0.55..0.7 => ranged.unsquared(),
             _ => attenuation,
         };
         let point = PointLight {
@@ -205,5 +207,33 @@ fn colors_are_within_a_level() {
     let (climbs, changes) = if is_long { (400, 10_000) } else { (6, 1000) };
     for model in [Model::Lambert, Model::Phong, Model::BlinnPhong] {
         assert!(worst(model, climbs, changes) <= 1.0, "{model:?}");
+    }
+}
+
+/// Grazing light, where the rounded direction may be behind the surface although the light is not.
+#[test]
+fn grazing_light_is_not_negative() {
+    let mut random = Random(12);
+    let white = Material {
+        k_a: Rgb::BLACK,
+        k_d: Rgb::WHITE,
+        k_s: Rgb::WHITE,
+        m: 1,
+    };
+    for _ in 0..100_000 {
+        let n = Vec3::from([(); 3].map(|()| Fixed::new(random.share() - 0.5))).unit_or(UnitVec3::Z);
+        let aside = Vec3::from([(); 3].map(|()| Fixed::new(random.share() - 0.5)));
+        let along = aside.cross(n) * Fixed::new(100.0 * random.share())
+            + *n * Fixed::new(0.001 * random.share());
+        let lamp = PointLight {
+            position: along,
+            intensity: Rgb::gray(Fixed::from(4)),
+            attenuation: Attenuation::NONE,
+        };
+        let shaded = shade::blinn_phong(n, n, &white, Rgb::BLACK, [lamp.at(Vec3::ZERO)]);
+        assert!(
+            shaded.diffuse.r >= Fixed::from(0),
+            "{n:?} {along:?} {shaded:?}"
+        );
     }
 }

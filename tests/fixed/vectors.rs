@@ -1,7 +1,7 @@
 //! Directions, lengths and cosines of vectors of any size.
 
+use shading::Real;
 use shading::fixed::{Fixed, UnitVec3, Vec3};
-use shading::{Real, half_vector};
 
 use crate::{Random, edges, exact, steps};
 
@@ -57,17 +57,6 @@ fn cosines_are_near_the_exact_ones() {
         let actual = Fixed::cosine_power((*n).into(), v, 1);
         let error = steps(actual) - 65536.0 * expected.clamp(0.0, 1.0);
         assert!(error.abs() <= 0.52, "{n:?} {v:?}: {error} steps");
-    }
-}
-
-#[test]
-fn opposite_directions_have_no_half_vector() {
-    for unit in vectors().filter_map(|v| Vec3::from(v).unit()).take(1000) {
-        assert_eq!(half_vector(unit, -unit), None);
-        assert_eq!(
-            half_vector(unit, unit).map(|h| (*h - *unit).length() <= Fixed::STEP),
-            Some(true)
-        );
     }
 }
 

@@ -62,7 +62,8 @@ pub struct Given<T> {
 
 impl Given<f32> {
     fn by(input: &Input) -> Self {
-        let [n, l, v] = [input.n, input.l, input.v].map(UnitVec3::assume_unit);
+        let unit = UnitVec3::assume_unit; // a shader has no `map` of an array
+        let (n, l, v) = (unit(input.n), unit(input.l), unit(input.v));
         let Vec3 { x, y, z } = input.coefficients;
         let attenuation = Attenuation::new(x, y, z).unwrap_or(Attenuation::NONE);
         let lamp = |attenuation| PointLight {

@@ -94,11 +94,12 @@ macro_rules! tracer {
                 };
                 let p = from + along * t;
                 let start = p + n * 1e-3; // off the surface, so that it does not shadow itself
-                let lit = LIGHTS.iter().filter_map(|light| {
-                    let light = light.cast($number::from).at(ours(p));
-                    light.unless_blocked(direction(n), |l, distance| {
-                        nearest(start, theirs(l), distance).is_some()
-                    })
+                let lights = LIGHTS
+                    .iter()
+                    .map(|light| light.cast($number::from).at(ours(p)));
+                let lit = lights.filter(|light| {
+                    light.is_in_front(direction(n))
+                        && nearest(start, theirs(light.l()), light.distance()).is_none()
                 });
                 let k_s = Rgb::gray(0.5);
                 let material = Material {

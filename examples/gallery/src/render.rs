@@ -1,7 +1,7 @@
 //! A small ray tracer. The crate shades; this file finds what is visible and which lights reach it.
 
 use rayon::prelude::*;
-use shading::f32::{Light, Material, Rgb, Shaded, UnitVec3, Vec3};
+use shading::f32::{IncidentLight, Light, Material, Rgb, Shaded, UnitVec3, Vec3};
 use shading::{Dual, Elementary, normal, shade};
 
 #[derive(Clone, Copy)]
@@ -206,9 +206,10 @@ impl Scene {
 
     fn shaded(&self, p: Vec3, n: UnitVec3, v: UnitVec3, material: &Material) -> Shaded {
         let start = p + *n * 2e-3; // off the surface, so that it does not shadow itself
-        let is_blocked = |l, distance| self.is_blocked(start, l, distance);
+        let is_blocked =
+            |light: &IncidentLight| self.is_blocked(start, light.l(), light.distance());
         let lights = self.lights.iter().map(|light| light.at(p));
-        let lit = lights.filter_map(|light| light.unless_blocked(n, is_blocked));
+        let lit = lights.filter(|light| light.is_in_front(n) && !is_blocked(light));
         match self.model {
             Model::Phong => shade::phong(n, v, material, self.ambient, lit),
             Model::BlinnPhong => shade::blinn_phong(n, v, material, self.ambient, lit),

@@ -146,9 +146,10 @@ fn attenuated_beyond(color: [Fixed; 3], of: [Fixed; 4], is_large: bool) -> [Fixe
     };
     let zeros = d.leading_zeros();
     let factor = reciprocal((d << zeros >> 32) as u32) as i64;
-    let shift = shift.max(zeros) - zeros;
+    let shift = (shift.max(zeros) - zeros).min(62);
+    let half = (1_i64 << shift) >> 1;
     let clamped = |x: i64| Fixed(x.clamp(i32::MIN as i64, i32::MAX as i64) as i32);
-    color.map(|x| clamped((x.0 as i64 * factor) >> shift.min(63)))
+    color.map(|x| clamped((x.0 as i64 * factor + half) >> shift))
 }
 
 #[diagnostic::do_not_recommend] // the trait's own message names the types

@@ -2,11 +2,10 @@
 //! without a long multiply computes every product in another way.
 
 use shading::fixed::{Attenuation, Fixed, PointLight, Rgb, Vec3};
-use shading::{Exponent, Falloff, Real};
+use shading::{Elementary, Exponent, Real};
 
 use crate::digest::Fnv;
 use crate::places::Numbers;
-use crate::value::Each;
 
 /// Digests the results for many numbers, half of which have any bits and half of which any size.
 pub fn absorb(digest: &mut Fnv) {
@@ -14,56 +13,23 @@ pub fn absorb(digest: &mut Fnv) {
     for _ in 0..4096 {
         let [v, w] = [(); 2].map(|()| Vec3::from([(); 3].map(|()| numbers.next_bits())));
         let [p, q] = [(); 2].map(|()| Vec3::from([(); 3].map(|()| numbers.next_fixed())));
-        let (x, y) = (numbers.next_bits(), numbers.next_fixed());
-        let share = numbers.next_share();
-        digest.absorb(Each([x, y, share].map(|x| [v * x, v / x, q * x, q / x])));
-        digest.absorb([v + w, v - w, p + q, p - q, -v, v.cross(w), p.cross(q)]);
-        digest.absorb([
-            v.dot(w),
-            v.dot(q),
-            p.dot(q),
-            v.dot(v),
-            v.length(),
-            q.length(),
-        ]);
+        let (x, share) = (numbers.next_bits(), numbers.next_share());
+        digest.absorb([x, share].map(|x| [v * x, v / x, q * x, q / x]));
+        digest.absorb([v + w, v - w, -v, v.cross(w), p.cross(q)]);
+        digest.absorb([v.dot(w), p.dot(q), v.length(), q.length(), x.sqrt()]);
         digest.absorb([v.unit(), q.unit()]);
-        digest.absorb([x.sqrt(), y.sqrt(), share.sqrt(), x.abs(), y.abs()]);
-        digest.absorb([1, 2, 5, 32, 33, 1000, u32::MAX].map(|m| m.raise(share)));
-        let [a, b, c] = p.map(Real::abs).into();
-        let lamp = PointLight {
+        digest.absorb([1, 2, 33, 1000, u32::MAX].map(|m| m.raise(share)));
+        digest.absorb(Fixed::cosine_power(p.into(), q.into(), 5));
+        let [a, b, c] = p.map(Elementary::abs).into();
+        let mut lamp = PointLight {
             position: q,
-            intensity: Rgb::new(x, y, share).map(Real::abs),
-            attenuation: Attenuation::new(a, b, c).unwrap_or(Attenuation::NONE),
+            intensity: Rgb::new(x, share, Fixed::ONE).map(Elementary::abs),
+            attenuation: Attenuation::new(a, b, c).unwrap_or_default(),
         };
-        let near = q + Vec3::new(share, share, Fixed::STEP);
-        digest.absorb([v, p, near].map(|p| lamp.at(p)));
-        for (p, r) in [(p, x.abs()), (near, share + share)] {
-            let attenuation = lamp.attenuation.clamped().within(r.at_least(Fixed::STEP));
-            let attenuation = attenuation.unwrap_or(lamp.attenuation.into());
-            let PointLight {
-                position,
-                intensity,
-                ..
-            } = lamp;
-            digest.absorb(
-                PointLight {
-                    position,
-                    intensity,
-                    attenuation,
-                }
-                .at(p),
-            );
-        }
-    }
-
-    // a Cortex-M0 divides by numbers above 1 in its own way: all up to 2, and some of each larger size
-    for leading in 0x8000..0x1_0000 {
-        let larger = (leading << 15 | leading) >> (leading & 7);
-        for steps in [2 * leading, 2 * leading + 1, larger] {
-            let (divisor, zero) = (Fixed::from_bits(steps), Fixed::ZERO);
-            let dividends = Rgb::new(Fixed::MAX, Fixed::MIN, Fixed::ONE);
-            let falloff = Attenuation::new(divisor, zero, zero).unwrap_or_default();
-            digest.absorb(falloff.dim(&dividends, Fixed::ONE));
-        }
+        let points = [v, p, q + Vec3::splat(share)];
+        digest.absorb(points.map(|p| lamp.at(p)));
+        let ended = lamp.attenuation.clamped().within(share);
+        lamp.attenuation = ended.unwrap_or(lamp.attenuation);
+        digest.absorb(points.map(|p| lamp.at(p)));
     }
 }
