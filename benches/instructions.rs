@@ -9,6 +9,8 @@ use std::hint::black_box;
 use std::process::{Command, ExitCode};
 
 use kit::{Given, places::places, row};
+use shading::{Exponent, Lanes, Material, PointLight, Rgb, Shaded, shade};
+use wide::{f32x4, f32x8};
 
 type Place = Given<f32>;
 
@@ -17,13 +19,13 @@ const TOLERANCE: f64 = 0.03;
 const PREFIX: &str = "shading_counted_";
 
 macro_rules! counted {
-    ($($row:ident $name:literal $call:path;)*) => {
+    ($($row:ident $name:literal |$g:ident| $call:expr;)*) => {
         &[$({
             #[unsafe(export_name = concat!("shading_counted_", stringify!($row)))]
             #[inline(never)]
-            extern "C" fn $row(place: &Place) {
+            extern "C" fn $row($g: &Place) {
                 black_box($name); // without a difference, the compiler would merge equal functions
-                black_box($call(place));
+                black_box($call);
             }
             ($name, stringify!($row), $row)
         }),*]
@@ -37,61 +39,28 @@ macro_rules! rows {
             $($row:ident $name:literal |$given:ident| $call:expr => $promise:ident;)*
         })*
     ) => {
-        counted! { $($($row $name row::$row;)*)* }
+        counted! { $($($row $name |g| row::$row(g);)*)* }
     };
 }
 
 type Function = (&'static str, &'static str, extern "C" fn(&Place));
 const ROWS: &[Function] = kit::for_each_function!(rows);
 const OTHERS: &[Function] = counted! {
-    baseline "nothing" others::nothing;
-    packed "PointLight::packed, eight" others::packed;
-    four_integer "shade::blinn_phong, integer m, four lanes" others::four_integer;
-    four_real "shade::blinn_phong, real m, four lanes" others::four_real;
-    eight_integer "shade::blinn_phong, integer m, eight lanes" others::eight_integer;
-    eight_real "shade::blinn_phong, real m, eight lanes" others::eight_real;
+    baseline "nothing" |g| g.x;
+    packed "PointLight::packed, eight" |g| PointLight::packed::<f32x8>(&[g.lamps[0]; 8]).next();
+    four_integer "shade::blinn_phong, integer m, four lanes" |g| sum::<f32x4, _>(g, g.integer);
+    four_real "shade::blinn_phong, real m, four lanes" |g| sum::<f32x4, _>(g, g.real);
+    eight_integer "shade::blinn_phong, integer m, eight lanes" |g| sum::<f32x8, _>(g, g.integer);
+    eight_real "shade::blinn_phong, real m, eight lanes" |g| sum::<f32x8, _>(g, g.real);
 };
 
-mod others {
-    use super::Place;
-    use shading::{Exponent, Lanes, Material, PointLight, Rgb, Shaded, shade};
-    use wide::{f32x4, f32x8};
-
-    pub fn nothing(place: &Place) -> f32 {
-        place.x
-    }
-
-    pub fn packed(place: &Place) -> Option<PointLight<f32x8>> {
-        PointLight::packed(&[place.lamps[0]; 8]).next()
-    }
-
-    /// A sum in lanes, each of which has the same lamp.
-    #[inline]
-    fn sum<L: Lanes<Lane = f32>, M: Exponent<L>>(
-        g: &Place,
-        material: Material<f32, M>,
-    ) -> Shaded<f32> {
-        let splat = |x| L::from_fn(|_| x);
-        let [n, v] = [g.n, g.v].map(|direction| direction.cast(splat));
-        let lamp = g.lamps[0].cast(splat).at(g.p.map(splat));
-        shade::blinn_phong(n, v, &material.cast(splat), Rgb::WHITE, [lamp]).sum_of_lanes()
-    }
-
-    pub fn four_integer(place: &Place) -> Shaded<f32> {
-        sum::<f32x4, _>(place, place.integer)
-    }
-
-    pub fn four_real(place: &Place) -> Shaded<f32> {
-        sum::<f32x4, _>(place, place.real)
-    }
-
-    pub fn eight_integer(place: &Place) -> Shaded<f32> {
-        sum::<f32x8, _>(place, place.integer)
-    }
-
-    pub fn eight_real(place: &Place) -> Shaded<f32> {
-        sum::<f32x8, _>(place, place.real)
-    }
+/// A sum in lanes, each of which has the same lamp.
+#[inline]
+fn sum<L: Lanes<Lane = f32>, M: Exponent<L>>(g: &Place, material: Material<f32, M>) -> Shaded<f32> {
+    let splat = |x| L::from_fn(|_| x);
+    let [n, v] = [g.n, g.v].map(|direction| direction.cast(splat));
+    let lamp = g.lamps[0].cast(splat).at(g.p.map(splat));
+    shade::blinn_phong(n, v, &material.cast(splat), Rgb::WHITE, [lamp]).sum_of_lanes()
 }
 
 fn all() -> impl Iterator<Item = &'static Function> {

@@ -6,6 +6,7 @@
     clippy::cast_sign_loss
 )]
 
+#[allow(dead_code)] // a mean
 #[path = "time/race.rs"]
 mod race;
 #[path = "time/scene.rs"]

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Puts each renderer to the laws, or only those that you name: `run.sh mesa chip`. Fails if the outcome of a law is not
+# Tries each renderer by the laws, or only those that you name: `run.sh mesa chip`. Fails if the outcome of a law is not
 # that of expected.txt. The reports are in target/reports. Installs what is missing.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -57,16 +57,17 @@ povray() {
 # Runs the laws on a command, with the options before `--`, and compares the outcome of each with the expected one, and the
 # colors of scenes that are worked out by hand with those that the pages state.
 judge() {
-    local report=target/reports/$renderer.txt status=0
-    cargo run --quiet --release --manifest-path ../../Cargo.toml -p shading-laws -- "$@" >"$report" || status=$?
-    cat "$report"
+    local report=target/reports/$renderer.json status=0
+    cargo run --quiet --release --manifest-path ../../Cargo.toml -p shading-laws -- --json "$@" >"$report" || status=$?
     [ "$status" -le 1 ] || exit "$status"
-    # law, cases, verdict; up to the empty line after the table
-    awk -v renderer="$renderer" '
-        /^law / { in_table = 1; next }
-        in_table && !NF { exit }
-        in_table { print renderer, $1, $3 == "BROKEN" ? "broken" : $3 == "not" ? "not tried" : $3 }
-    ' "$report" | diff --unified=0 --label expected --label found <(grep "^$renderer " expected.txt) - || failed=1
+    python3 - "$renderer" "$report" <<'END' | diff --unified=0 --label expected --label found <(grep "^$renderer " expected.txt) - || failed=1
+import json, sys
+for law in json.load(open(sys.argv[2]))["laws"]:
+    print(sys.argv[1], law["law"], law["verdict"].replace("_", " "))
+END
+    python3 -c 'import json, sys
+for finding in json.load(open(sys.argv[1]))["findings"]:
+    print(*[mistake["says"] for mistake in (finding["cause"] or {"mistakes": []})["mistakes"]], finding["places"], sep="; ")' "$report"
     while [ "$1" != -- ]; do shift; done
     python3 claims.py "$renderer" "${@:2}" || failed=1
 }

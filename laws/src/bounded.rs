@@ -13,7 +13,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use crate::scene::Triple;
 
 /// How a renderer computes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Arithmetic {
     /// The unit roundoff. An exact constant has 0.
     pub u: f64,
@@ -45,7 +45,7 @@ impl Arithmetic {
 }
 
 /// A value, and how far the renderer's may be from it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Bounded {
     pub value: f64,
     pub error: f64,

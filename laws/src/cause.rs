@@ -106,7 +106,8 @@ impl Evidence {
         let is_rough = |fault: &&Fault| fault.mistake.is_rough();
         let exact = || faults.iter().filter(|fault| !is_rough(fault)).copied();
         // of some lights or models alone
-        let scoped = || exact().flat_map(|fault| Scope::OTHERS.map(|of| Fault { of, ..fault }));
+        let scoped =
+            || exact().flat_map(|fault| Scope::OTHERS.map(|(of, _)| Fault { of, ..fault }));
         let best = |faults: &mut dyn Iterator<Item = Fault>, least| {
             self.best(profile, faults.map(|fault| vec![fault]), least)
         };
@@ -122,7 +123,8 @@ impl Evidence {
         if let Some((_, cause)) = single {
             // what one mistake does not explain, another may
             let is_all = cause.explained * 100 >= cause.of * 97;
-            let explains_more = |pair: &Cause| pair.explained * 20 > cause.explained * 21;
+            let left = |cause: &Cause| cause.of - cause.explained;
+            let explains_more = |pair: &Cause| left(pair) * 2 < left(&cause);
             let pair = || self.pair(profile, exact()).filter(explains_more);
             let pair = if is_all { None } else { pair() };
             return Some(pair.unwrap_or(cause));
@@ -153,14 +155,14 @@ impl Evidence {
         candidates: impl Iterator<Item = Vec<Fault>>,
         least: f64,
     ) -> Option<(usize, Cause)> {
-        let mut ranked: Vec<(usize, usize, Vec<Fault>)> = candidates
+        let mut ranked: Vec<(usize, [usize; 2], Vec<Fault>)> = candidates
             .filter_map(|faults| {
-                let (explained, errors) = self.score(profile, &faults, least)?;
-                Some((errors, explained, faults))
+                let (of, errors) = self.score(profile, &faults, least)?;
+                Some((errors, of, faults))
             })
             .collect();
         ranked.sort_by_key(|(errors, ..)| *errors);
-        let (errors, explained, mistakes) = ranked.first()?.clone();
+        let (errors, [explained, of], mistakes) = ranked.first()?.clone();
         let alternatives = ranked
             .into_iter()
             .skip(1)
@@ -169,15 +171,20 @@ impl Evidence {
         let cause = Cause {
             mistakes,
             explained,
-            of: self.wrong.len(),
+            of,
             alternatives: alternatives.collect(),
         };
         Some((errors, cause))
     }
 
-    /// The number of wrong colors that the mistakes give and that of colors that they do not, if the first is at least
+    /// The numbers of wrong colors that the mistakes give and of those that are known, and that of errors, if the first is at least
     /// this share of the wrong ones and nearly no right color is contradicted.
-    fn score(&self, profile: &Profile, faults: &[Fault], least: f64) -> Option<(usize, usize)> {
+    fn score(
+        &self,
+        profile: &Profile,
+        faults: &[Fault],
+        least: f64,
+    ) -> Option<([usize; 2], usize)> {
         let formula = Formula::new(profile, faults);
         #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)]
         #[allow(clippy::cast_sign_loss)] // a part of a small count
@@ -211,8 +218,9 @@ impl Evidence {
                 }
             }
         }
-        let explained = self.wrong.len() - unexplained - unknown;
-        Some((explained, unexplained + unknown + contradicted))
+        let known = self.wrong.len() - unknown;
+        let errors = unexplained + unknown + contradicted;
+        Some(([known - unexplained, known], errors))
     }
 
     /// The cause if the colors are as if they were rounded so: nearly all of them, and, where not each of them shows it,

@@ -4,7 +4,7 @@ use std::array::from_fn;
 
 use crate::generator::Case;
 use crate::profile::Profile;
-use crate::scene::{Kind, Light, Model, Scene, Triple, scale};
+use crate::scene::{Kind, Light, Model, Scene, Triple, add, scale};
 
 /// Changes when scenes are added, so that a report says which edges it has tried.
 pub const VERSION: u32 = 4;
@@ -21,16 +21,11 @@ pub fn edges(profile: &Profile) -> Vec<Case> {
         profile,
         cases: Vec::new(),
     };
-    corpus.opposite();
-    corpus.faces();
-    corpus.grazing();
+    corpus.directions();
     corpus.lamps();
     corpus.spots();
     corpus.shininess();
-    corpus.dark_highlights();
-    corpus.sharpest_highlights();
     corpus.colors();
-    corpus.lengths();
     corpus.many_lights();
     corpus.cases
 }
@@ -106,23 +101,17 @@ impl Corpus<'_> {
         } else {
             [0.5, 0.25, 0.25]
         };
+        let point = Light::point(intensity, way, attenuation);
         match kind {
             Kind::Directional => Light::Directional {
                 intensity,
                 l: self.profile.unit(way),
             },
-            Kind::Point => Light::Point {
-                intensity,
-                position: way,
-                attenuation,
-            },
-            Kind::Spot => Light::Spot {
-                intensity,
-                position: way,
-                attenuation,
-                axis: self.profile.unit(scale(way, -1.0)),
-                half_angle: self.profile.rounded(0.75),
-            },
+            Kind::Point => point,
+            Kind::Spot => {
+                let axis = self.profile.unit(scale(way, -1.0));
+                point.with_cone(axis, self.profile.rounded(0.75))
+            }
         }
     }
 
@@ -132,8 +121,25 @@ impl Corpus<'_> {
         kinds.map(|kind| self.light(kind, way, intensity)).collect()
     }
 
-    /// L = −V, with N·L above and at 0: H has no direction.
-    fn opposite(&mut self) {
+    /// A scene with each kind of light from there.
+    fn each_kind(&mut self, n: Triple, v: Triple, l: Triple, m: Option<f64>) {
+        for light in self.kinds(l, [0.5, 0.75, 0.25]) {
+            let mut scene = self.scene(n, v, vec![light]);
+            scene.m = m.unwrap_or(scene.m);
+            self.add(&scene);
+        }
+    }
+
+    /// A scene with the kinds of light in turn.
+    fn in_turn(&mut self, n: Triple, v: Triple, l: Triple, m: Option<f64>) {
+        let kinds = self.kinds(l, [1.0, 0.75, 0.5]);
+        let mut scene = self.scene(n, v, vec![kinds[self.cases.len() % kinds.len()]]);
+        scene.m = m.unwrap_or(scene.m);
+        self.add(&scene);
+    }
+
+    fn directions(&mut self) {
+        // L = −V, with N·L above and at 0: H has no direction
         for (n, l) in [
             (UP, UP),
             ([1.0, 0.0, 1.0], UP),
@@ -143,15 +149,9 @@ impl Corpus<'_> {
             ([1.0, 2.0, 2.0], [1.0, 2.0, 2.0]),
             ([0.0, -1.0, 0.0], [3.0, -4.0, 0.0]),
         ] {
-            for light in self.kinds(l, [0.5; 3]) {
-                let v = l.map(|c| -c);
-                self.add(&self.scene(n, v, vec![light]));
-            }
+            self.each_kind(n, scale(l, -1.0), l, None);
         }
-    }
-
-    /// N·L and N·V above, at and below 0; L and V along N and mirrored.
-    fn faces(&mut self) {
+        // N·L and N·V above, at and below 0; L and V along N and mirrored
         let ways = [
             UP,
             [0.0, 0.0, -1.0],
@@ -162,43 +162,59 @@ impl Corpus<'_> {
             [64.0, 0.0, 1.0],
             [0.0, 64.0, -1.0],
         ];
-        for (i, l) in ways.into_iter().enumerate() {
-            for (j, v) in ways.into_iter().enumerate() {
-                let kinds = self.kinds(l, [0.5, 0.75, 0.25]);
-                let light = kinds[(i + j) % kinds.len()];
-                self.add(&self.scene(UP, v, vec![light]));
+        for l in ways {
+            for v in ways {
+                self.in_turn(UP, v, l, None);
             }
         }
-        // each kind of light behind the surface, with R and H near what they are compared with
-        for light in self.kinds([1.0, 0.0, -0.125], [0.75, 1.0, 0.5]) {
-            self.add(&self.scene(UP, [-1.0, 0.0, 0.375], vec![light]));
-        }
         self.add(&self.scene(UP, UP, vec![]));
+        // each kind of light behind the surface, with R and H near what they are compared with
+        self.each_kind(UP, [-1.0, 0.0, 0.375], [1.0, 0.0, -0.125], None);
+        // R or H below the surface, and an m with which any floor of the cosine shows
+        self.each_kind(UP, [0.8, 0.0, 0.6], [0.8, 0.0, 0.6], Some(1.0));
+        self.each_kind(UP, [0.0, 0.25, -1.5], [0.6, 0.0, 0.8], Some(1.0));
+        // N·L just above 0, seen in the mirror direction, where the highlight is bright
+        for height in [0.07, 0.03, 0.008, 0.0008, 0.00008, 0.000_008] {
+            let v = self.long([-1.0, 0.0, height]);
+            self.in_turn(UP, v, [1.0, 0.0, height], None);
+        }
+        // N and V of other lengths than 1
+        for (n, v) in [
+            (0.25, 1.0),
+            (3.0, 1.0),
+            (1.0, 0.125),
+            (1.0, 20.0),
+            (0.001, 100.0),
+        ] {
+            let n = self.long(scale([0.6, 0.0, 0.8], n));
+            let v = self.long(scale([0.0, 0.28, 0.96], v));
+            self.each_kind(n, v, [0.5, 0.25, 1.0], None);
+        }
     }
 
-    /// N·L just above 0, seen in the mirror direction, where the highlight is bright.
-    fn grazing(&mut self) {
-        for (i, height) in [0.07, 0.03, 0.008, 0.0008, 0.00008, 0.000_008]
-            .into_iter()
-            .enumerate()
-        {
-            let kinds = self.kinds([1.0, 0.0, height], [0.75, 1.0, 0.5]);
-            let light = kinds[i % kinds.len()];
-            let v = [-1.0, 0.0, height].map(|c| self.profile.rounded(c));
-            self.add(&self.scene(UP, v, vec![light]));
-        }
+    /// As the renderer holds it.
+    fn long(&self, v: Triple) -> Triple {
+        v.map(|c| self.profile.rounded(c))
+    }
+
+    /// The next model that the renderer has.
+    fn model(&self, i: usize) -> Model {
+        self.profile.models[i % self.profile.models.len()]
     }
 
     /// Lamps near and far, attenuated by one coefficient alone, at a point away from the origin.
     fn lamps(&mut self) {
-        let unattenuated = [[1.0, 0.0, 0.0]];
+        let kinds = [Kind::Point, Kind::Spot]
+            .into_iter()
+            .filter(|kind| self.profile.has(*kind));
+        let kinds: Vec<Kind> = kinds.collect();
         let distances = [
             0.00002, 0.0001, 0.001, 0.005, 0.05, 0.5, 1.0, 2.0, 8.0, 40.0, 300.0, 1500.0, 12000.0,
             30000.0,
         ];
         for (k, q) in distances.into_iter().enumerate() {
             let square: f64 = q * q;
-            let some = [
+            let mut all = vec![
                 [1.0, 0.0, 0.0],
                 [0.0, 1.0 / q, 0.0],
                 [0.0, 0.0, 1.0 / square],
@@ -207,43 +223,29 @@ impl Corpus<'_> {
                 [0.005, 0.0, 0.0],
                 [0.0, 0.0, [3000.0, 300.0, 30.0][k % 3] / square],
             ];
-            let all = if self.profile.unattenuated {
-                &unattenuated[..]
-            } else {
-                &some
-            };
-            for (i, coefficients) in all.iter().enumerate() {
-                let attenuation = coefficients.map(|c| self.profile.rounded(c));
+            if self.profile.unattenuated {
+                all.truncate(1);
+            }
+            for (i, attenuation) in all.into_iter().enumerate() {
+                let attenuation = self.long(attenuation);
                 // a lamp that the attenuation brightens is dim
                 let left = 1.0 / (attenuation[0] + attenuation[1] * q + attenuation[2] * square);
-                let dim = |c: f64| self.profile.rounded(c / left.max(1.0));
-                let intensity = [0.5, 1.0, 0.75].map(dim);
+                let intensity = self.long(scale([0.5, 1.0, 0.75], 1.0 / left.max(1.0)));
                 for p in [BLACK, [1.0, -2.0, 0.5]] {
-                    if p != BLACK && q < 0.001 {
+                    if kinds.is_empty() || p != BLACK && q < 0.001 {
                         continue; // the difference would have no digits
                     }
-                    let way = [0.0, 0.6, 0.8].map(|c| c * q);
-                    let position = from_fn(|i| self.profile.rounded(p[i] + way[i]));
-                    let lamps =
-                        [Kind::Point, Kind::Spot].map(|kind| (kind, self.profile.has(kind)));
-                    let Some((kind, _)) = lamps
-                        .into_iter()
-                        .cycle()
-                        .skip(i % 2)
-                        .take(2)
-                        .find(|(_, has)| *has)
-                    else {
-                        return;
-                    };
-                    let light = self.light(kind, UP, intensity);
+                    let position = self.long(add(p, scale([0.0, 0.6, 0.8], q)));
+                    let mut light = Light::point(intensity, position, attenuation);
+                    if kinds[i % kinds.len()] == Kind::Spot {
+                        light = light.with_cone([0.0, 0.0, -1.0], self.profile.rounded(0.75));
+                    }
                     let mut scene = self.scene(UP, [0.0, -0.5, 1.0], vec![light]);
                     scene.p = p;
                     if left < 0.1 {
                         scene.i_a = BLACK; // among light, little light is not seen
                     }
-                    move_lamp(&mut scene.lights[0], position, attenuation);
-                    let model = self.profile.models[i % self.profile.models.len()];
-                    self.add_as(model, &scene);
+                    self.add_as(self.model(i), &scene);
                 }
             }
         }
@@ -257,24 +259,15 @@ impl Corpus<'_> {
         for degrees in [5.0, 10.0, 22.5, 30.0, 37.9, 45.0, 59.3, 75.6, 89.5, 90.0] {
             for beyond in [-40.0, -2.0, -0.3, 0.3, 2.0] {
                 let off: f64 = degrees + beyond;
-                if off < 0.0 {
-                    continue;
+                if off >= 0.0 {
+                    let (sine, cosine) = off.to_radians().sin_cos();
+                    let axis = self.profile.unit([-sine, 0.0, -cosine]);
+                    let angle = self.profile.rounded(f64::to_radians(degrees));
+                    let light = self.light(Kind::Spot, UP, [1.0, 0.75, 0.5]);
+                    let light = light.with_cone(axis, angle.min(std::f64::consts::FRAC_PI_2));
+                    let scene = self.scene(UP, UP, vec![light]);
+                    self.add_as(self.model(self.cases.len()), &scene);
                 }
-                let angle = off.to_radians();
-                let axis = [-angle.sin(), 0.0, -angle.cos()];
-                let mut light = self.light(Kind::Spot, UP, [1.0, 0.75, 0.5]);
-                if let Light::Spot {
-                    axis: of_light,
-                    half_angle,
-                    ..
-                } = &mut light
-                {
-                    *of_light = self.profile.unit(axis);
-                    let right = std::f64::consts::FRAC_PI_2;
-                    *half_angle = self.profile.rounded(f64::to_radians(degrees)).min(right);
-                }
-                let model = self.profile.models[self.cases.len() % self.profile.models.len()];
-                self.add_as(model, &self.scene(UP, UP, vec![light]));
             }
         }
     }
@@ -282,177 +275,85 @@ impl Corpus<'_> {
     /// Whole and real exponents up to the largest, each at its peak and on its slope.
     fn shininess(&mut self) {
         let most = self.profile.most_m();
-        for m in [
-            1.0,
-            1.5,
-            2.75,
-            9.6,
-            31.3,
-            32.0,
-            50.5,
-            64.0,
-            99.5,
-            110.25,
-            127.5,
-            128.0,
-            129.0,
-            190.4,
-            256.0,
-            301.7,
-            1000.0,
-            4000.0,
-            most / 3.0,
-            most - 0.5,
-            most,
-        ] {
+        let known = [
+            1.0, 1.5, 2.75, 9.6, 31.3, 32.0, 50.5, 64.0, 99.5, 110.25, 127.5, 128.0, 129.0, 190.4,
+            256.0, 301.7, 1000.0, 4000.0,
+        ];
+        for m in known.into_iter().chain([most / 3.0, most - 0.5, most]) {
             if !(1.0..=most).contains(&m) {
                 continue;
             }
             let m = self.profile.shininess(m);
             for off in [0.0, 0.5, 1.5] {
-                let off = off / f64::sqrt(m);
-                let kinds = self.kinds(UP, [1.0, 0.5, 0.75]);
-                let light = kinds[self.cases.len() % kinds.len()];
-                let v = [off, 0.0, 1.0].map(|c| self.profile.rounded(c));
-                let mut scene = self.scene(UP, v, vec![light]);
-                scene.m = m;
-                self.add(&scene);
+                let v = self.long([off / m.sqrt(), 0.0, 1.0]);
+                self.in_turn(UP, v, UP, Some(m));
             }
         }
-    }
-
-    /// R or H below the surface, and an m with which any floor of the cosine shows.
-    fn dark_highlights(&mut self) {
-        for (l, v) in [
-            ([0.8, 0.0, 0.6], [0.8, 0.0, 0.6]),
-            ([0.6, 0.0, 0.8], [0.0, 0.25, -1.5]),
-        ] {
-            for light in self.kinds(l, [1.0, 0.5, 0.75]) {
-                let mut scene = self.scene(UP, v, vec![light]);
-                scene.m = 1.0;
-                self.add(&scene);
-            }
-        }
-    }
-
-    /// The largest exponent, on the slope of the highlight under an N of long components, and at its peak: in few digits,
-    /// the light of a lamp may not be known well enough for so large a power.
-    fn sharpest_highlights(&mut self) {
-        let most = self.profile.most_m();
+        // the largest, under an N of long components, and at its peak: in few digits, the light of a lamp may not be known
+        // well enough for so large a power
         for (n, across) in [
             ([0.301, -0.117, 0.946], [0.946, 0.0, -0.301]),
             ([-0.553, 0.719, 0.421], [0.719, 0.553, 0.0]),
         ] {
             for off in [1.0, 2.0, -1.5] {
-                let way = from_fn(|i| n[i] + off / most.sqrt() * across[i]);
-                let way = way.map(|c| self.profile.rounded(c));
-                let n = self.profile.direction(n.map(|c| self.profile.rounded(c)));
-                let kinds = self.kinds(way, [1.0, 0.5, 0.75]);
-                let light = kinds[self.cases.len() % kinds.len()];
-                let mut scene = self.scene(n, n, vec![light]);
-                scene.m = most;
-                self.add(&scene);
+                let way = self.long(add(n, scale(across, off / most.sqrt())));
+                let n = self.profile.direction(self.long(n));
+                self.in_turn(n, n, way, Some(most));
             }
         }
-        for light in self.kinds(UP, [1.0, 0.5, 0.75]) {
-            let mut scene = self.scene(UP, UP, vec![light]);
-            scene.m = most;
-            self.add(&scene);
-        }
+        self.each_kind(UP, UP, UP, Some(most));
     }
 
     /// Colors with many digits, dark ones, and sums above 1 of which no light alone is.
     fn colors(&mut self) {
-        let long = |c: Triple| c.map(|c| self.profile.rounded(c));
-        let bright = [
-            self.scene(UP, UP, self.kinds([0.0, 0.5, 1.0], [0.7; 3])),
-            self.scene(UP, UP, self.kinds([0.0, 0.5, 1.0], [2.0; 3])),
-        ];
-        let mut scenes = Vec::new();
         for (k, i) in [
             ([0.1, 0.3, 0.7], [0.9, 1.0 / 3.0, 0.55]),
             ([0.01, 0.004, 0.999], [0.05, 0.4, 0.123]),
             ([0.2, 0.0031, 0.06], [0.8, 0.9, 0.0011]),
         ] {
-            for light in self.kinds([0.3, 0.2, 1.0], long(i)) {
+            for light in self.kinds([0.3, 0.2, 1.0], self.long(i)) {
                 let mut scene = self.scene(UP, [-0.2, 0.1, 1.0], vec![light]);
-                let k = long(k);
-                scene.k_a = [k[1], k[2], k[0]];
-                scene.k_d = k;
+                let k = self.long(k);
+                (scene.k_a, scene.k_d) = ([k[1], k[2], k[0]], k);
                 if !self.profile.gray_highlight {
                     scene.k_s = [k[2], k[0], k[1]];
                 }
                 if self.profile.ambient {
-                    scene.i_a = long([0.31, 0.77, 0.15]);
+                    scene.i_a = self.long([0.31, 0.77, 0.15]);
                 }
-                scenes.push(scene);
+                self.add(&scene);
             }
         }
-        for scene in scenes.iter().chain(&bright) {
-            if scene.lights.len() <= self.profile.most_lights {
-                self.add(scene);
-            }
-        }
-    }
-
-    /// N and V of other lengths than 1.
-    fn lengths(&mut self) {
-        if self.profile.unit_vectors {
-            return;
-        }
-        for (n, v) in [
-            (0.25, 1.0),
-            (3.0, 1.0),
-            (1.0, 0.125),
-            (1.0, 20.0),
-            (0.001, 100.0),
-        ] {
-            for light in self.kinds([0.5, 0.25, 1.0], [0.5, 0.25, 0.75]) {
-                let n = [0.6, 0.0, 0.8].map(|c| self.profile.rounded(c * n));
-                let v = [0.0, 0.28, 0.96].map(|c| self.profile.rounded(c * v));
-                self.add(&self.scene(n, v, vec![light]));
-            }
+        for intensity in [[0.7; 3], [2.0; 3]] {
+            self.add(&self.scene(UP, UP, self.kinds([0.0, 0.5, 1.0], intensity)));
         }
     }
 
     /// As many lights as it has: all alike, and each in turn the brightest.
+    #[allow(clippy::cast_precision_loss)] // the count of lights
     fn many_lights(&mut self) {
         let most = self.profile.most_lights.min(MOST_LIGHTS);
         let mut counts = vec![most, most.saturating_sub(1), 5, 9, 17];
         counts.retain(|count| (2..=most).contains(count));
         counts.sort_unstable();
         counts.dedup();
-        #[allow(clippy::cast_precision_loss)] // the count of lights
         for count in counts {
             for brightest in [0, count / 2, count - 1] {
                 let lights = (0..count).map(|i| {
-                    let way = [
-                        0.5 - (i % 3) as f64 / 2.0,
-                        (i % 5) as f64 / 4.0 - 0.5,
-                        1.0 + (i % 2) as f64 / 2.0,
-                    ];
+                    let [x, y, z] = [i % 3, i % 5, i % 2].map(|step| step as f64);
                     let share = if i == brightest {
                         0.5
                     } else {
                         0.25 / count as f64
                     };
-                    let share = self.profile.rounded(share);
-                    let kinds = self.kinds(way, [share, share / 2.0, share]);
+                    let color = self.long(scale([1.0, 0.5, 1.0], share));
+                    let way = [0.5 - x / 2.0, y / 4.0 - 0.5, 1.0 + z / 2.0];
+                    let kinds = self.kinds(way, color);
                     kinds[(i + brightest) % kinds.len()]
                 });
-                let lights = lights.collect();
-                let model = self.profile.models[brightest % self.profile.models.len()];
-                self.add_as(model, &self.scene(UP, [0.25, 0.0, 1.0], lights));
+                let scene = self.scene(UP, [0.25, 0.0, 1.0], lights.collect());
+                self.add_as(self.model(brightest), &scene);
             }
         }
-    }
-}
-
-fn move_lamp(light: &mut Light, to: Triple, coefficients: Triple) {
-    if let Some((position, attenuation)) = light.lamp_mut() {
-        (*position, *attenuation) = (to, coefficients);
-    }
-    if let Light::Spot { axis, .. } = light {
-        *axis = [0.0, 0.0, -1.0];
     }
 }

@@ -56,27 +56,12 @@ pub const KNOBS: &[Knob] = &[
     }),
     knob("cone", |s, profile| {
         for light in &mut s.lights {
-            if let Light::Spot {
-                intensity,
-                position,
-                attenuation,
-                ..
-            } = *light
-            {
+            if let Light::Spot { position, .. } = *light {
                 *light = if profile.has(Kind::Point) {
-                    Light::Point {
-                        intensity,
-                        position,
-                        attenuation,
-                    }
+                    light.without_cone()
                 } else {
-                    Light::Spot {
-                        intensity,
-                        position,
-                        attenuation,
-                        axis: profile.unit(sub(s.p, position)),
-                        half_angle: profile.rounded(1.0),
-                    }
+                    let axis = profile.unit(sub(s.p, position));
+                    light.with_cone(axis, profile.rounded(1.0))
                 };
             }
         }

@@ -20,9 +20,11 @@ pub enum Part {
 }
 
 /// What is known when an ingredient is computed: all before it.
-#[derive(Clone)]
-pub struct At<'a> {
-    pub profile: &'a Profile,
+#[derive(Clone, Default)]
+pub struct At {
+    /// The range of the renderer's colors, and the distance of their levels.
+    range: Option<[f64; 2]>,
+    pub level: Option<f64>,
     pub how: Arithmetic,
     /// The number of the mistake.
     pub value: f64,
@@ -75,50 +77,7 @@ pub const ZERO: Bounded = Bounded::ZERO;
 pub const ONE: Bounded = Bounded::exact(1.0);
 pub const BLACK: Bounded3 = [ZERO; 3];
 
-impl<'a> At<'a> {
-    fn new(profile: &'a Profile, how: Arithmetic) -> Self {
-        Self {
-            profile,
-            how,
-            value: 0.0,
-            model: Model::Lambert,
-            p: BLACK,
-            raw_v: BLACK,
-            v: BLACK,
-            raw_n: BLACK,
-            n: BLACK,
-            k_a: BLACK,
-            k_d: BLACK,
-            k_s: BLACK,
-            m: 0.0,
-            i_a: BLACK,
-            ambient: BLACK,
-            light: None,
-            i: 0.0,
-            count: 0.0,
-            intensity: BLACK,
-            position: BLACK,
-            way: BLACK,
-            q: ONE,
-            l: BLACK,
-            abc: BLACK,
-            denominator: ONE,
-            falloff: ONE,
-            against: ZERO,
-            edge: ZERO,
-            within: ONE,
-            cone: ONE,
-            n_l: ZERO,
-            sum: BLACK,
-            cosine: ZERO,
-            diffuse: BLACK,
-            specular: BLACK,
-            lit: BLACK,
-            ambients: BLACK,
-            linear: 0.0,
-        }
-    }
-
+impl At {
     pub fn given(&self, x: f64) -> Bounded {
         Bounded::given(x, self.how)
     }
@@ -154,7 +113,7 @@ impl<'a> At<'a> {
 
     /// A color in the range of the renderer, or in that from 0 to 1.
     pub fn clamped(&self, color: Bounded3) -> Bounded3 {
-        let [low, high] = self.profile.range().unwrap_or([0.0, 1.0]);
+        let [low, high] = self.range.unwrap_or([0.0, 1.0]);
         color.map(|c| c.if_positive(c, Bounded::exact(low)).at_most(high))
     }
 }
@@ -193,6 +152,15 @@ impl<'a> Formula<'a> {
         self
     }
 
+    fn at(&self) -> At {
+        At {
+            how: self.how,
+            range: self.profile.range(),
+            level: self.profile.level(),
+            ..At::default()
+        }
+    }
+
     fn hook(&self, part: Part, at: &mut At, right: Bounded3) -> Bounded3 {
         let mut x = right;
         for fault in &self.faults {
@@ -212,7 +180,7 @@ impl<'a> Formula<'a> {
 
     /// The color in linear light, before the range of the renderer.
     pub fn linear(&self, scene: &Scene) -> Bounded3 {
-        let at = &mut At::new(self.profile, self.how);
+        let at = &mut self.at();
         #[allow(clippy::cast_precision_loss)] // the count of lights
         let number = |count: usize| count as f64;
         at.count = number(scene.lights.len());
@@ -260,7 +228,7 @@ impl<'a> Formula<'a> {
         let (how, Some(light)) = (self.how, at.light) else {
             return;
         };
-        (at.q, at.falloff, at.within, at.cone) = (ONE, ONE, ONE, ONE);
+        (at.falloff, at.cone) = (ONE, ONE);
         at.intensity = self.hook(Part::Intensity, at, given3(light.intensity(), how));
         if let Light::Directional { l, .. } = light {
             at.way = given3(l, how);
@@ -430,7 +398,7 @@ impl<'a> Formula<'a> {
 
     /// What becomes of linear light on its way out.
     fn encoded(&self, linear: f64) -> f64 {
-        let at = &mut At::new(self.profile, self.how);
+        let at = &mut self.at();
         let mut of = |part, before: f64, x: f64| {
             at.linear = before;
             self.number(part, at, Bounded::exact(x)).value
@@ -479,17 +447,18 @@ pub enum Scope {
 }
 
 impl Scope {
-    pub const OTHERS: [Self; 10] = [
-        Self::Suns,
-        Self::Points,
-        Self::Spots,
-        Self::Lamps,
-        Self::Phong,
-        Self::Blinn,
-        Self::First,
-        Self::Later,
-        Self::Last,
-        Self::Earlier,
+    /// All but the whole, in words after those of the mistake.
+    pub const OTHERS: [(Self, &str); 10] = [
+        (Self::Suns, ", of directional lights only"),
+        (Self::Points, ", of point lights only"),
+        (Self::Spots, ", of spots only"),
+        (Self::Lamps, ", of point lights and spots only"),
+        (Self::Phong, ", in Phong's model only"),
+        (Self::Blinn, ", in Blinn's model only"),
+        (Self::First, ", of the first light only"),
+        (Self::Later, ", of all lights but the first"),
+        (Self::Last, ", of the last light only"),
+        (Self::Earlier, ", of all lights but the last"),
     ];
 
     fn has(self, at: &At) -> bool {
@@ -511,18 +480,7 @@ impl Scope {
 
     /// In words, after those of the mistake.
     pub fn says(self) -> &'static str {
-        match self {
-            Self::All => "",
-            Self::Suns => ", of directional lights only",
-            Self::Points => ", of point lights only",
-            Self::Spots => ", of spots only",
-            Self::Lamps => ", of point lights and spots only",
-            Self::Phong => ", in Phong's model only",
-            Self::Blinn => ", in Blinn's model only",
-            Self::First => ", of the first light only",
-            Self::Later => ", of all lights but the first",
-            Self::Last => ", of the last light only",
-            Self::Earlier => ", of all lights but the last",
-        }
+        let words = Self::OTHERS.iter().find(|(of, _)| *of == self);
+        words.map_or("", |(_, says)| says)
     }
 }

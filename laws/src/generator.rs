@@ -244,25 +244,16 @@ impl Generator<'_> {
         } else {
             intensity
         };
+        let point = Light::point(intensity, position, attenuation);
         match kind {
             Kind::Directional => Light::Directional {
+                intensity,
                 l: profile.unit(way),
-                intensity,
             },
-            Kind::Point => Light::Point {
-                position,
-                intensity,
-                attenuation,
-            },
+            Kind::Point => point,
             Kind::Spot => {
                 let (axis, half_angle) = self.spot(way, is_long);
-                Light::Spot {
-                    position,
-                    intensity,
-                    attenuation,
-                    axis,
-                    half_angle,
-                }
+                point.with_cone(axis, half_angle)
             }
         }
     }

@@ -138,24 +138,14 @@ fn is(says: &'static str, color: Triple, scene: Scene) -> Option<Group> {
 
 /// A light from this direction that is not attenuated.
 fn lamp(profile: &Profile, p: Triple, way: Triple, intensity: Triple) -> Light {
-    let (position, attenuation) = (add(p, way), [1.0, 0.0, 0.0]);
+    let point = Light::point(intensity, add(p, way), [1.0, 0.0, 0.0]);
     if profile.has(Kind::Directional) {
         let l = profile.unit(way);
         Light::Directional { intensity, l }
     } else if profile.has(Kind::Point) {
-        Light::Point {
-            intensity,
-            position,
-            attenuation,
-        }
+        point
     } else {
-        Light::Spot {
-            intensity,
-            position,
-            attenuation,
-            axis: profile.unit(scale(way, -1.0)),
-            half_angle: profile.rounded(1.0),
-        }
+        point.with_cone(profile.unit(scale(way, -1.0)), profile.rounded(1.0))
     }
 }
 
@@ -522,14 +512,12 @@ pub const LAWS: &[Law] = &[
         needs: &[Need::PointLight, Need::Attenuation],
         group: |case, _| {
             let (p, way, [a, b, c]) = (case.scene.p, case.ways[0], case.factors);
-            let at = |times: f64| Scene {
-                i_a: [0.0; 3],
-                lights: vec![Light::Point {
-                    intensity: [1.0; 3],
-                    position: add(p, scale(way, times)),
-                    attenuation: [a / 4.0, (b - 1.0) / 8.0, (c - 1.0) / 8.0],
-                }],
-                ..case.scene.clone()
+            let attenuation = [a / 4.0, (b - 1.0) / 8.0, (c - 1.0) / 8.0];
+            let at = |times: f64| {
+                let lamp = Light::point([1.0; 3], add(p, scale(way, times)), attenuation);
+                let mut scene = lit(&case.scene, Some(lamp));
+                scene.i_a = [0.0; 3];
+                scene
             };
             let says = "the first color, of the lamp nearby, is the brighter";
             brighter(says, at(1.0), at(1.0 + a / 4.0))
@@ -543,12 +531,9 @@ pub const LAWS: &[Law] = &[
             let (way, mut scene) = (case.ways[0], case.scene);
             scene.i_a = [0.0; 3];
             let (intensity, l) = (COLORED, profile.unit(way));
-            let far = Light::Point {
-                // a power of two so large, so that the sum with p is still exact in f32
-                position: add(scene.p, scale(way, 256.0)),
-                intensity,
-                attenuation: [1.0, 0.0, 0.0],
-            };
+            // a power of two so large, so that the sum with p is still exact in f32
+            let position = add(scene.p, scale(way, 256.0));
+            let far = Light::point(intensity, position, [1.0, 0.0, 0.0]);
             let other = lit(&scene, Some(far));
             same(
                 lit(&scene, Some(Light::Directional { intensity, l })),
@@ -619,7 +604,6 @@ pub const LAWS: &[Law] = &[
             let mut scene = case.scene;
             let [way, aim, _] = case.ways;
             let [side, degrees, _] = case.factors;
-            let (position, intensity) = (add(scene.p, way), COLORED);
             let attenuation = [1.0, 0.0, if profile.unattenuated { 0.0 } else { 0.25 }];
             // a way off the axis by an angle that is far from the edge of the cone
             let aim = scale(aim, side / 4.0);
@@ -634,18 +618,8 @@ pub const LAWS: &[Law] = &[
             if profile.black_without_lights {
                 scene.i_a = [0.0; 3];
             }
-            let spot = Light::Spot {
-                intensity,
-                position,
-                attenuation,
-                axis,
-                half_angle,
-            };
-            let point = Light::Point {
-                intensity,
-                position,
-                attenuation,
-            };
+            let point = Light::point(COLORED, add(scene.p, way), attenuation);
+            let spot = point.with_cone(axis, half_angle);
             let says = "the spot (first scene) gives the color of the point light, or of no light (second scene)";
             let other = lit(&scene, (off < 0.0).then_some(point));
             let claim = Claim::new(says, Relation::Zero, &[1.0, -1.0]);

@@ -59,7 +59,7 @@ impl Tried {
 }
 
 impl Plan {
-    pub(crate) fn new(laws: &Laws, profile: &Profile) -> Self {
+    pub(crate) fn new(laws: &Laws, profile: &Profile, replayed: &[(&str, Case)]) -> Self {
         let edges = corpus::edges(profile);
         let chosen = LAWS.iter().filter(|law| laws.tries(law.name));
         let tries = chosen.map(|law| Tries {
@@ -68,7 +68,7 @@ impl Plan {
             cases: if law.lacks(profile).is_some() {
                 Vec::new()
             } else {
-                cases(law, laws, profile, &edges)
+                cases(law, laws, profile, &edges, replayed)
             },
         });
         let mut plan = Self {
@@ -134,7 +134,13 @@ impl Plan {
 }
 
 /// The cases of a law: those of another run, and edges and random ones.
-fn cases(law: &Law, laws: &Laws, profile: &Profile, edges: &[Case]) -> Vec<Tried> {
+fn cases(
+    law: &Law,
+    laws: &Laws,
+    profile: &Profile,
+    edges: &[Case],
+    replayed: &[(&str, Case)],
+) -> Vec<Tried> {
     // every law has scenes of its own, whichever others are tried
     let mut random = Random::new(laws.seed, law.name);
     // what is said of one scene is tried on every edge; other laws share them
@@ -147,7 +153,7 @@ fn cases(law: &Law, laws: &Laws, profile: &Profile, edges: &[Case]) -> Vec<Tried
     for i in (1..mixed.len()).rev() {
         mixed.swap(i, random.below(i + 1));
     }
-    let replayed = laws.replayed.iter().filter(|(name, _)| name == law.name);
+    let replayed = replayed.iter().filter(|(name, _)| *name == law.name);
     let replayed = replayed.filter_map(|(_, case)| tried(case.clone()));
     replayed.chain(mixed).collect()
 }

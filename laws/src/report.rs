@@ -165,7 +165,7 @@ impl Report {
     }
 
     /// The smallest case of each broken law, one a line, to be stored and given to
-    /// [`Laws::replay`](crate::Laws::replay).
+    /// [`Laws`](crate::Laws).
     #[must_use]
     pub fn cases(&self) -> String {
         let line = |law: &LawReport| {
@@ -190,7 +190,7 @@ impl Report {
     /// use shading_laws::{Laws, Profile, from_fn};
     ///
     /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
-    /// let json = Laws::new().cases(20).run(&mut black).unwrap().to_json();
+    /// let json = Laws::default().run(&mut black).unwrap().to_json();
     /// assert!(json.starts_with(r#"{"passes":false,"version":3,"corpus":4,"seed":0,"#));
     /// ```
     #[must_use]
@@ -205,7 +205,8 @@ impl Report {
     /// use shading_laws::{Laws, Profile, from_fn};
     ///
     /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
-    /// let report = Laws::new().only("eye").cases(20).run(&mut black).unwrap();
+    /// let laws = Laws { only: vec!["eye".into()], ..Laws::default() };
+    /// let report = laws.run(&mut black).unwrap();
     /// assert!(report.to_junit().contains("<testcase classname=\"shading-laws\" name=\"eye\"/>"));
     /// ```
     #[must_use]
@@ -312,7 +313,22 @@ impl Report {
                 writeln!(f, "  Also without: {}.", place.also_without.join(", "))?;
             }
         }
-        writeln!(f, "  Broken laws: {}", finding.laws.join(", "))?;
+        if finding
+            .cause
+            .as_ref()
+            .is_some_and(|it| it.of == 0 || it.is_nearly_all())
+        {
+            writeln!(f, "  Broken laws: {}", finding.laws.join(", "))?;
+        } else {
+            // what they say is what is known
+            for law in self
+                .laws
+                .iter()
+                .filter(|law| finding.laws.contains(&law.law))
+            {
+                writeln!(f, "  Broken: {} ({})", law.says, law.law)?;
+            }
+        }
         let shown = self.laws.iter().find(|law| law.law == finding.shown);
         if let Some((law, smallest)) = shown.and_then(|law| Some((law, law.smallest()?))) {
             write!(f, "\n  {}: {}\n{smallest}", law.law, law.says)?;

@@ -34,121 +34,51 @@ const PLACED: f64 = 40.0;
 /// use shading_laws::{Laws, Profile, from_fn};
 ///
 /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
-/// let report = Laws::new().seed(7).cases(50).run(&mut black).unwrap();
+/// let laws = Laws { seed: 7, cases: 50, ..Laws::default() };
+/// let report = laws.run(&mut black).unwrap();
 /// assert!(report.is_broken()); // there is no k_a I_a
 /// ```
 #[derive(Clone, Debug)]
 pub struct Laws {
-    pub(crate) seed: u64,
-    pub(crate) cases: usize,
-    only: Vec<String>,
-    known: Vec<String>,
-    pub(crate) replayed: Vec<(String, Case)>,
-    shrinks: usize,
-    shrinking: Duration,
-    time: Option<Duration>,
-    asks_on: bool,
+    /// The seed of the scenes.
+    pub seed: u64,
+    /// The number of random cases of each law, beside the fixed ones.
+    pub cases: usize,
+    /// The laws to try, or none for all. [`Laws::names`] lists the names.
+    pub only: Vec<String>,
+    /// The laws that are expected to be broken: the report passes if they are, and does not if one holds.
+    pub known: Vec<String>,
+    /// Cases that are tried before the others: the text that [`Report::cases`] gives, a case a line.
+    pub replay: String,
+    /// The most batches of each broken law in which its smallest scene is looked for, and the longest time of all. With 0,
+    /// the report shows the smallest scene of those that were generated.
+    pub shrinks: usize,
+    /// See `shrinks`.
+    pub shrinking: Duration,
+    /// The longest time of the run. A law that is not tried by then is no pass.
+    pub time: Option<Duration>,
+    /// Only the scenes of the plan are asked for, which do not depend on the answers: nothing is made smaller, and no
+    /// place is looked for.
+    pub asks_once: bool,
 }
 
 impl Default for Laws {
     fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl Laws {
-    /// All laws, with 256 random cases of each beside the fixed ones, from seed 0.
-    #[must_use]
-    pub fn new() -> Self {
         Self {
             seed: 0,
             cases: 256,
             only: Vec::new(),
             known: Vec::new(),
-            replayed: Vec::new(),
+            replay: String::new(),
             shrinks: 200,
             shrinking: Duration::from_secs(5),
             time: None,
-            asks_on: true,
+            asks_once: false,
         }
     }
+}
 
-    /// The seed of the scenes.
-    #[must_use]
-    pub fn seed(self, seed: u64) -> Self {
-        Self { seed, ..self }
-    }
-
-    /// The number of random cases of each law.
-    #[must_use]
-    pub fn cases(self, cases: usize) -> Self {
-        Self { cases, ..self }
-    }
-
-    /// Tries only this law and those of further calls. [`Laws::names`] lists the names.
-    #[must_use]
-    pub fn only(mut self, name: impl Into<String>) -> Self {
-        self.only.push(name.into());
-        self
-    }
-
-    /// Expects this law to be broken: the report passes if it is, and does not if the law holds.
-    #[must_use]
-    pub fn known(mut self, name: impl Into<String>) -> Self {
-        self.known.push(name.into());
-        self
-    }
-
-    /// The most batches of each broken law in which its smallest scene is looked for, and the longest time of all. With 0,
-    /// the report shows the smallest scene of those that were generated.
-    #[must_use]
-    pub fn shrinking(self, batches: usize, time: Duration) -> Self {
-        Self {
-            shrinks: batches,
-            shrinking: time,
-            ..self
-        }
-    }
-
-    /// The longest time of the run. A law that is not tried by then is no pass.
-    #[must_use]
-    pub fn time(self, limit: Duration) -> Self {
-        Self {
-            time: Some(limit),
-            ..self
-        }
-    }
-
-    /// Asks only for the scenes of the plan, which do not depend on the answers: nothing is made smaller, and no place is
-    /// looked for.
-    #[must_use]
-    pub fn asking_once(self) -> Self {
-        Self {
-            asks_on: false,
-            ..self
-        }
-    }
-
-    /// Tries these cases, too, before the others: the text that [`Report::cases`] gives, a case a line.
-    ///
-    /// # Errors
-    ///
-    /// A line that is no case, or of no law.
-    pub fn replay(mut self, cases: &str) -> Result<Self, String> {
-        for (i, line) in cases.lines().enumerate() {
-            if line.trim().is_empty() {
-                continue;
-            }
-            let saved: Result<Saved, _> = serde_json::from_str(line);
-            let saved = saved.map_err(|why| format!("line {}: {why}", i + 1))?;
-            if Law::named(&saved.law).is_none() {
-                return Err(format!("line {}: there is no law {}", i + 1, saved.law));
-            }
-            self.replayed.push((saved.law, saved.case));
-        }
-        Ok(self)
-    }
-
+impl Laws {
     /// The name of each law, and what it says.
     pub fn names() -> impl Iterator<Item = (&'static str, &'static str)> {
         LAWS.iter().map(|law| (law.name, law.says))
@@ -162,7 +92,7 @@ impl Laws {
     ///
     /// # Errors
     ///
-    /// In one line: a contradictory profile; the name of a law that does not exist; no cases at all.
+    /// In one line: a contradictory profile; the name of a law that does not exist; no cases at all; a line that is no case.
     pub fn plan(&self, profile: &Profile) -> Result<Plan, String> {
         if let Some(complaint) = profile.complaint() {
             return Err(format!("the profile of {}: {complaint}", profile.name));
@@ -174,7 +104,16 @@ impl Laws {
         if let Some(name) = names.find(|name| Law::named(name).is_none()) {
             return Err(format!("there is no law {name}"));
         }
-        Ok(Plan::new(self, profile))
+        let mut replayed = Vec::new();
+        for (i, line) in self.replay.lines().enumerate() {
+            let saved: Result<Saved, _> = serde_json::from_str(line);
+            let saved = saved.map_err(|why| why.to_string()).and_then(|saved| {
+                let law = Law::named(&saved.law).ok_or(format!("there is no law {}", saved.law))?;
+                Ok((law.name, saved.case))
+            });
+            replayed.push(saved.map_err(|why| format!("replayed case {}: {why}", i + 1))?);
+        }
+        Ok(Plan::new(self, profile, &replayed))
     }
 
     /// Tries a renderer by the laws. What prevents an answer is in the report, beside what was found before.
@@ -447,7 +386,7 @@ impl Run<'_> {
                 None => Verdict::Holds { cases },
             };
         };
-        let failure = if stopped.is_some() || !self.plan.laws.asks_on {
+        let failure = if stopped.is_some() || self.plan.laws.asks_once {
             failure
         } else {
             self.smaller(tries.law, failure, stopped, until)
@@ -588,7 +527,7 @@ impl Run<'_> {
         but: Option<&[Fault]>,
         stopped: &mut Option<String>,
     ) -> Vec<Place> {
-        if stopped.is_some() || !self.plan.laws.asks_on {
+        if stopped.is_some() || self.plan.laws.asks_once {
             return Vec::new();
         }
         let of = |name: &str| {
@@ -688,7 +627,7 @@ impl Run<'_> {
         if self.is_fickle {
             return Some("NotRepeatable");
         }
-        if stopped.is_some() || !self.plan.laws.asks_on {
+        if stopped.is_some() || self.plan.laws.asks_once {
             return None; // what repeats after as many scenes as there are in a batch looks the same
         }
         // the same scene again and again: the last ones follow themselves
@@ -725,7 +664,7 @@ impl Run<'_> {
 /// If a law is broken, or the renderer cannot answer.
 #[track_caller]
 pub fn check(mut renderer: impl Renderer) {
-    match Laws::new().run(&mut renderer) {
+    match Laws::default().run(&mut renderer) {
         Ok(report) if !report.passes() => panic!("{report}"),
         Ok(_) => {}
         Err(error) => panic!("{error}"),

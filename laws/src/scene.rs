@@ -119,6 +119,33 @@ impl Kind {
 }
 
 impl Light {
+    pub(crate) fn point(intensity: Triple, position: Triple, attenuation: Triple) -> Self {
+        Self::Point {
+            intensity,
+            position,
+            attenuation,
+        }
+    }
+
+    /// A spot in the place of a point light; nothing else is one.
+    pub(crate) fn with_cone(self, axis: Triple, half_angle: f64) -> Self {
+        let (position, attenuation) = self.lamp().unwrap_or_default();
+        Self::Spot {
+            intensity: self.intensity(),
+            position,
+            attenuation,
+            axis,
+            half_angle,
+        }
+    }
+
+    /// A lamp without its cone.
+    pub(crate) fn without_cone(self) -> Self {
+        self.lamp().map_or(self, |(position, attenuation)| {
+            Self::point(self.intensity(), position, attenuation)
+        })
+    }
+
     /// What it is.
     #[must_use]
     pub fn kind(&self) -> Kind {

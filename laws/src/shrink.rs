@@ -4,67 +4,60 @@ use crate::bounded::rounded;
 use crate::edit::KNOBS;
 use crate::generator::Case;
 use crate::profile::{MOST_SHINY, Profile};
-use crate::scene::{Light, Model, Scene, Triple, add, scale, size, sub};
+use crate::scene::{Light, Model, Scene, Triple, add, size, sub};
 
 /// What three numbers of a case are.
 #[derive(Clone, Copy, PartialEq)]
 enum Sort {
-    Color,
-    Point,
-    /// Of any length.
-    Direction,
-    /// Of length 1.
+    Any,
+    /// Of length 1, or of any where the renderer has it.
     Unit,
+    Direction,
     /// A position, seen from the point.
     Lamp,
-    Coefficients,
-    Factors,
 }
 
 /// The triples of a case, each with its sort. Positions are relative to the point.
 fn triples(case: &mut Case) -> Vec<(Sort, &mut Triple)> {
-    let Case {
-        scene,
-        ways,
-        factors,
-    } = case;
+    let (scene, ways, factors) = (&mut case.scene, &mut case.ways, &mut case.factors);
+    let lamp = |color, position, attenuation| {
+        [
+            (Sort::Any, color),
+            (Sort::Lamp, position),
+            (Sort::Any, attenuation),
+        ]
+    };
     let mut all = vec![
-        (Sort::Point, &mut scene.p),
+        (Sort::Any, &mut scene.p),
         (Sort::Direction, &mut scene.n),
         (Sort::Direction, &mut scene.v),
-        (Sort::Color, &mut scene.k_a),
-        (Sort::Color, &mut scene.k_d),
-        (Sort::Color, &mut scene.k_s),
-        (Sort::Color, &mut scene.i_a),
-        (Sort::Factors, factors),
+        (Sort::Any, &mut scene.k_a),
+        (Sort::Any, &mut scene.k_d),
+        (Sort::Any, &mut scene.k_s),
+        (Sort::Any, &mut scene.i_a),
+        (Sort::Any, factors),
     ];
     all.extend(ways.iter_mut().map(|way| (Sort::Direction, way)));
     for light in &mut scene.lights {
         match light {
             Light::Directional { intensity, l } => {
-                all.extend([(Sort::Color, intensity), (Sort::Unit, l)]);
+                all.extend([(Sort::Any, intensity), (Sort::Unit, l)]);
             }
             Light::Point {
-                intensity,
+                intensity: color,
                 position,
                 attenuation,
-            } => all.extend([
-                (Sort::Color, intensity),
-                (Sort::Lamp, position),
-                (Sort::Coefficients, attenuation),
-            ]),
+            } => all.extend(lamp(color, position, attenuation)),
             Light::Spot {
-                intensity,
+                intensity: color,
                 position,
                 attenuation,
                 axis,
                 ..
-            } => all.extend([
-                (Sort::Color, intensity),
-                (Sort::Lamp, position),
-                (Sort::Coefficients, attenuation),
-                (Sort::Unit, axis),
-            ]),
+            } => {
+                all.extend(lamp(color, position, attenuation));
+                all.push((Sort::Unit, axis));
+            }
         }
     }
     all
@@ -159,25 +152,19 @@ pub fn simpler(case: &Case, profile: &Profile) -> Vec<Case> {
     }
     let p = case.scene.p;
     for i in 0..triples(&mut case.clone()).len().min(40) {
-        let (sort, old) = {
-            let mut of = case.clone();
-            let (sort, triple) = triples(&mut of).swap_remove(i);
-            (sort, *triple)
-        };
+        let mut edited = case.clone();
+        let (sort, old) = triples(&mut edited).swap_remove(i);
+        let old = *old;
         let old = if sort == Sort::Lamp { sub(old, p) } else { old };
-        let must_point = matches!(sort, Sort::Direction | Sort::Unit | Sort::Lamp);
-        for new in shorter(sort, old) {
-            if must_point && new == [0.0; 3] {
-                continue;
-            }
-            let mut edited = case.clone();
-            *triples(&mut edited).swap_remove(i).1 = match sort {
-                Sort::Unit => profile.unit(new),
+        for new in shorter(old) {
+            let new = match sort {
+                Sort::Unit if new != [0.0; 3] => profile.unit(new),
+                Sort::Direction if new != [0.0; 3] => profile.direction(new),
                 Sort::Lamp => add(new, p),
-                // of the law's vectors, too
-                Sort::Direction => profile.direction(new),
                 _ => new,
             };
+            let mut edited = case.clone();
+            *triples(&mut edited).swap_remove(i).1 = new;
             found.push(edited);
         }
     }
@@ -195,16 +182,7 @@ pub fn simpler(case: &Case, profile: &Profile) -> Vec<Case> {
 /// A simpler light from the same direction.
 fn demoted(light: Light, p: Triple, profile: &Profile) -> Light {
     match light {
-        Light::Spot {
-            intensity,
-            position,
-            attenuation,
-            ..
-        } => Light::Point {
-            intensity,
-            position,
-            attenuation,
-        },
+        Light::Spot { .. } => light.without_cone(),
         Light::Point {
             intensity,
             position,
@@ -213,54 +191,38 @@ fn demoted(light: Light, p: Triple, profile: &Profile) -> Light {
             intensity,
             l: profile.unit(sub(position, p)),
         },
-        sun @ Light::Directional { .. } => sun,
+        Light::Directional { .. } => light,
     }
 }
 
-/// Simple values of this sort, and shorter ones near the old.
-fn shorter(sort: Sort, old: Triple) -> Vec<Triple> {
-    let axes = [0, 1, 2].map(|axis| [0, 1, 2].map(|i| f64::from(u8::from(i == axis))));
-    let mut found: Vec<Triple> = match sort {
-        Sort::Color => [[1.0; 3], [0.5; 3], [0.25; 3]]
-            .into_iter()
-            .chain((0..3).flat_map(|i| [1.0, 0.5, old[i]].map(|c| scale(axes[i], c))))
-            .collect(),
-        Sort::Coefficients => axes.into(),
-        Sort::Factors => (0..3)
-            .flat_map(|i| [1.0, 2.0, 4.0].map(|factor| with(old, i, factor)))
-            .collect(),
-        Sort::Point => Vec::new(),
-        Sort::Direction | Sort::Unit => axes
-            .into_iter()
-            .chain(axes.map(|v| scale(v, -1.0)))
-            .collect(),
-        Sort::Lamp => axes
-            .into_iter()
-            .chain(axes.map(|v| scale(v, -1.0)))
-            .chain(
-                [2.0, 0.5, 4.0, 1024.0, 16384.0, 1.0 / 128.0, 1.0 / 1024.0]
-                    .map(|q| scale(axes[2], q)),
-            )
-            .collect(),
-    };
-    if sort != Sort::Factors {
-        let by = match sort {
-            Sort::Direction | Sort::Lamp => size(old).log2().floor().exp2(),
-            _ => 1.0,
-        };
-        for unit in [1.0, by] {
-            for steps in [0.0, 1.0, 2.0, 8.0, 256.0] {
-                let short = old.map(|c| match steps {
-                    0.0 => 0.0,
-                    steps => (c / unit * steps).round() / steps,
-                });
-                found.push(short);
-                found.extend([0, 1, 2].map(|i| with(old, i, short[i])));
-            }
-        }
-        // one or two significant bits, for numbers that are very small or large
-        found.extend([1.0, 2.0, 4.0].map(|bits: f64| old.map(|c| rounded(c, (-bits).exp2()))));
+/// Simple values, and shorter ones near the old, all at once and each alone.
+fn shorter(old: Triple) -> Vec<Triple> {
+    let mut found = vec![[0.0; 3], [1.0; 3], [0.5; 3]];
+    for axis in 0..3 {
+        let sizes = [
+            1.0,
+            -1.0,
+            0.5,
+            2.0,
+            4.0,
+            1024.0,
+            16384.0,
+            1.0 / 128.0,
+            old[axis],
+        ];
+        found.extend(sizes.map(|c| with([0.0; 3], axis, c)));
+        found.extend([0.0, 1.0, 2.0].map(|c| with(old, axis, c)));
     }
+    let largest = size(old).max(f64::MIN_POSITIVE);
+    for unit in [1.0, largest.log2().floor().exp2()] {
+        for steps in [1.0, 2.0, 8.0, 256.0] {
+            let short = old.map(|c| (c / unit * steps).round() / steps);
+            found.push(short);
+            found.extend([0, 1, 2].map(|i| with(old, i, short[i])));
+        }
+    }
+    // few significant bits, for numbers that are very small or large
+    found.extend([1.0, 2.0, 4.0].map(|bits: f64| old.map(|c| rounded(c, (-bits).exp2()))));
     found.into_iter().map(|v| v.map(|c| c + 0.0)).collect() // no -0
 }
 
@@ -275,7 +237,9 @@ pub fn is_valid(case: &Case, profile: &Profile) -> bool {
     let has = |triple: Triple| triple != [0.0; 3];
     let is_lit = |light: &Light| {
         let is_attenuated = light.lamp().is_none_or(|(_, abc)| {
-            abc.iter().sum::<f64>() > 0.0 && (!profile.unattenuated || abc == [1.0, 0.0, 0.0])
+            abc.iter().sum::<f64>() > 0.0
+                && abc.iter().all(|c| *c >= 0.0)
+                && (!profile.unattenuated || abc == [1.0, 0.0, 0.0])
         });
         let is_aimed = match *light {
             Light::Directional { l, .. } => has(l),
@@ -296,7 +260,11 @@ pub fn is_valid(case: &Case, profile: &Profile) -> bool {
     has(scene.n)
         && has(scene.v)
         && case.ways.into_iter().all(has)
-        && colors.all(|c| c >= 0.0)
+        && case
+            .factors
+            .iter()
+            .all(|factor| (1.0..=8.0).contains(factor))
+        && colors.all(|c| (0.0..=16.0).contains(&c))
         && (!profile.gray_highlight || scene.k_s == [scene.k_s[0]; 3])
         && profile.models.contains(&scene.model)
         && scene.lights.len() <= profile.most_lights

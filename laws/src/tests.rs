@@ -1,7 +1,6 @@
 //! Every known mistake, planted: it is found, named and placed.
 
 use std::collections::BTreeSet;
-use std::time::Duration;
 
 use crate::bounded::Bounded3;
 use crate::corpus;
@@ -46,7 +45,11 @@ fn planted(plan: &Plan, faults: &[Fault]) -> Report {
 }
 
 fn plan(profile: &Profile, cases: usize) -> Plan {
-    let laws = Laws::new().cases(cases).shrinking(0, Duration::ZERO);
+    let laws = Laws {
+        cases,
+        shrinks: 0,
+        ..Laws::default()
+    };
     laws.plan(profile).expect("a profile")
 }
 
@@ -77,7 +80,7 @@ fn shows(formula: &Formula, right: &Formula, scenes: &[Scene]) -> bool {
 
 fn measure(profile: &Profile, only: impl Fn(usize) -> bool, broken: &mut BTreeSet<&'static str>) {
     let plan = plan(profile, 16);
-    let scenes: Vec<Scene> = scenes(profile, 600).collect();
+    let scenes: Vec<Scene> = scenes(profile, 300).collect();
     let right = Formula::new(profile, &[]);
     let (mut count, mut missed, mut unnamed, mut astray) = (0, vec![], vec![], vec![]);
     for (i, mistake) in MISTAKES.iter().enumerate().filter(|(i, _)| only(*i)) {
@@ -127,13 +130,13 @@ fn measure(profile: &Profile, only: impl Fn(usize) -> bool, broken: &mut BTreeSe
     assert!(astray.len() * 10 <= count, "{count}: {astray:?}");
 }
 
-/// In `f32` every one, in `f64` and in bytes a third each.
+/// In `f32` every one, in `f64` a sixth, in bytes a third.
 #[test]
 fn mistakes_are_found_named_and_placed() {
     let mut broken = BTreeSet::new();
     measure(&single(), |_| true, &mut broken);
-    measure(&double(), |i| i % 3 == 0, &mut broken);
-    measure(&bytes(), |i| i % 3 != 1, &mut broken);
+    measure(&double(), |i| i % 6 == 0, &mut broken);
+    measure(&bytes(), |i| i % 3 == 0, &mut broken);
     // no law is there for show; state has no row
     let never = LAWS.iter().filter(|law| !broken.contains(law.name));
     let never: Vec<&str> = never.map(|law| law.name).collect();
@@ -338,7 +341,6 @@ fn the_formulas_are_those_of_shading() {
         }
     }
     assert!(loose < 360, "{loose} of 6000 bounds are loose");
-    let laws = Laws::new().cases(64).plan(&profile).expect("a plan");
-    let report = laws.run(&mut from_fn(profile.clone(), by_shading));
+    let report = plan(&profile, 64).run(&mut from_fn(profile.clone(), by_shading));
     assert!(report.passes(), "{report}");
 }

@@ -214,75 +214,49 @@ fn a_wrong_command_is_refused() {
 
 #[test]
 fn a_wrong_start_is_refused() {
-    let start = |script| try_script("sh", script, &[]);
-    let ends = "exit status: 3";
-    refused(
-        start("exit 3"),
-        &[r#"in answer to {"shading-laws":1}"#, ends],
-    );
-    refused(start("exec 0<&- >&-; exit 3"), &[ends]);
-    refused(start("kill -SEGV $$"), &["SIGSEGV"]);
-    refused(start("cat"), &["unknown field `shading-laws`"]); // says what it hears
-    refused(start("echo ready"), &["expected a JSON object", "ready"]);
-    refused(start(r#"echo '{"hue":1}'"#), &["unknown field `hue`"]);
-    refused(start(r#"echo '{"bits":"8"}'"#), &["invalid type: string"]);
-    refused(start(r#"echo '{"models":[]}'"#), &["models is empty"]);
-    refused(start("cat /dev/zero"), &["longer than 65536 bytes"]);
-    refused(start(r"printf '\377\n'"), &["not UTF-8"]);
+    for (script, part) in [
+        (
+            "exit 3",
+            r#"in answer to {"shading-laws":1}: it ended (exit status: 3)"#,
+        ),
+        ("exec 0<&- >&-; exit 3", "exit status: 3"),
+        ("kill -SEGV $$", "SIGSEGV"),
+        ("cat", "unknown field `shading-laws`"), // says what it hears
+        ("echo ready", "expected a JSON object or {}, in \"ready\""),
+        (r#"echo '{"hue":1}'"#, "unknown field `hue`"),
+        (r#"echo '{"bits":8,"bits":8}'"#, "duplicate field `bits`"),
+        (r#"echo '{"bits":"8"}'"#, "invalid type: string"),
+        (r#"echo '{"models":[]}'"#, "models is empty"),
+        ("cat /dev/zero", "longer than 65536 bytes"),
+        (r"printf '\377\n'", "not UTF-8"),
+    ] {
+        refused(try_script("sh", script, &[]), &[part]);
+    }
 }
 
 #[test]
 fn a_wrong_answer_is_refused_with_its_scene() {
-    let third = |body: &str| {
-        let script = python(&format!(
-            "if is_scene and n == 3:\n    {body}\n    continue"
-        ));
-        try_script("python3", &script, &[])
-    };
-    refused(
-        third("sys.exit(3)"),
-        &["scene 3: it ended (exit status: 3)", SCENE],
-    );
-    refused(
-        third("os.abort()"),
-        &["scene 3: it ended (signal: 6", SCENE],
-    );
-    refused(
-        third("say('dark')"),
-        &["scene 3: expected [red,green,blue], found \"dark\"", SCENE],
-    );
-    refused(
-        third("say('')"),
-        &["scene 3: expected [red,green,blue], found \"\"", SCENE],
-    );
-    refused(
-        third("say('[1,2]')"),
-        &["scene 3: expected 3 numbers, found 2", SCENE],
-    );
-    refused(
-        third("say('[1,2,3,4]')"),
-        &["scene 3: expected 3 numbers, found 4", SCENE],
-    );
-    refused(
-        third("say('[1,2,red]')"),
-        &["scene 3: \"red\" is no number", SCENE],
-    );
-    refused(
-        third("say('[' + '1' * 10**6)"),
-        &["scene 3", "longer than 65536 bytes", SCENE],
-    );
-    refused(
-        third("sys.stdout.buffer.write(b'[\\xff,0,0]\\n'); sys.stdout.buffer.flush()"),
-        &["scene 3", "is not UTF-8", SCENE],
-    );
-    refused(
-        third("sys.stdout.write('[0.'); sys.exit(3)"),
-        &[
-            "scene 3",
-            "(exit status: 3) in the middle of the line \"[0.\"",
-            SCENE,
-        ],
-    );
+    let long = "longer than 65536 bytes";
+    for (body, part) in [
+        ("sys.exit(3)", "scene 3: it ended (exit status: 3)"),
+        ("os.abort()", "scene 3: it ended (signal: 6"),
+        ("say('dark')", "expected [red,green,blue], found \"dark\""),
+        ("say('')", "expected [red,green,blue], found \"\""),
+        ("say('[1,2]')", "scene 3: expected 3 numbers, found 2"),
+        ("say('[1,2,3,4]')", "scene 3: expected 3 numbers, found 4"),
+        ("say('[1,2,red]')", "scene 3: \"red\" is no number"),
+        ("say('[null,null,null]')", "JavaScript"),
+        ("say('[' + '1' * 10**6)", long),
+        ("os.write(1, b'[\\xff,0,0]\\n')", "is not UTF-8"),
+        (
+            "os.write(1, b'[0.'); sys.exit(3)",
+            "3) in the middle of the line \"[0.\"",
+        ),
+    ] {
+        let script = format!("if is_scene and n == 3:\n    {body}\n    continue");
+        let tried = try_script("python3", &python(&script), &[]);
+        refused(tried, &["scene 3: ", part, SCENE]);
+    }
 }
 
 #[test]
@@ -470,7 +444,7 @@ fn known_failures_and_stored_cases() {
     fs::write(folder.path().join("cases"), "{}\n").expect("a file");
     refused(
         go(&["--replay", "cases"]),
-        &["cases: line 1: missing field"],
+        &["replayed case 1: missing field"],
     );
 }
 

@@ -21,20 +21,41 @@ fn run(laws: &Laws, color: impl FnMut(&Scene) -> Triple) -> shading_laws::Report
     laws.run(&mut renderer).expect("a report")
 }
 
+fn only(law: &str) -> Laws {
+    Laws {
+        only: vec![law.into()],
+        ..Laws::default()
+    }
+}
+
 #[test]
 fn the_same_seed_gives_the_same_report() {
-    let of = |seed| run(&Laws::new().cases(20).seed(seed), headlight).to_json();
+    let of = |seed| {
+        let cases = 20;
+        run(
+            &Laws {
+                seed,
+                cases,
+                ..Laws::default()
+            },
+            headlight,
+        )
+        .to_json()
+    };
     assert_eq!(of(1), of(1));
     assert_ne!(of(1).replace("\"seed\":1", "\"seed\":2"), of(2));
 }
 
 #[test]
 fn a_law_alone_has_the_scenes_that_it_has_among_all() {
-    let laws = Laws::new().cases(20).shrinking(0, Duration::from_secs(1));
-    let (all, one) = (
-        run(&laws, headlight),
-        run(&laws.clone().only("distance"), headlight),
-    );
+    let laws = |only| Laws {
+        only,
+        cases: 20,
+        shrinks: 0,
+        ..Laws::default()
+    };
+    let all = run(&laws(vec![]), headlight);
+    let one = run(&laws(vec!["distance".into()]), headlight);
     let [law] = &one.laws[..] else {
         panic!("{one}");
     };
@@ -56,7 +77,7 @@ fn a_counterexample_is_small() {
         }
         bright
     };
-    let report = run(&Laws::new().only("formula"), color);
+    let report = run(&only("formula"), color);
     let smallest = report.laws[0].smallest().expect("a broken law");
     let [scene] = &smallest.scenes[..] else {
         panic!("{report}");
@@ -80,7 +101,7 @@ fn colors_that_are_no_numbers_are_found_and_placed() {
             let many = scene.lights.len() > 1;
             [if many { nonsense } else { 0.0 }, 0.0, 0.0]
         };
-        let report = run(&Laws::new().only("finite"), color);
+        let report = run(&only("finite"), color);
         let text = report.to_string();
         assert!(text.contains(&format!("red is {word}")), "{text}");
         assert!(
@@ -104,7 +125,7 @@ impl Renderer for Answers {
 
 #[test]
 fn what_prevents_a_report_is_said_in_one_line() {
-    let laws = || Laws::new().cases(10).only("finite");
+    let laws = || only("finite");
     let ended = |answer| {
         let report = laws().run(&mut Answers(answer, Profile::default()));
         report.expect("a report").error.expect("an error")
@@ -122,11 +143,11 @@ fn what_prevents_a_report_is_said_in_one_line() {
     let why = "the profile of the renderer: roundoff is 0.5, not between 0 and 0.01";
     assert_eq!(refused(laws(), vague), why);
     assert_eq!(
-        refused(laws().cases(0), Profile::default()),
+        refused(Laws { cases: 0, ..laws() }, Profile::default()),
         "the number of cases is 0"
     );
     assert_eq!(
-        refused(laws().only("gravity"), Profile::default()),
+        refused(only("gravity"), Profile::default()),
         "there is no law gravity"
     );
 }
@@ -134,7 +155,11 @@ fn what_prevents_a_report_is_said_in_one_line() {
 /// A renderer that panics: the scene, the law and the seed are known, and the scene is small.
 #[test]
 fn a_panic_names_its_scene() {
-    let report = run(&Laws::new().seed(5).only("finite"), |scene| {
+    let laws = Laws {
+        seed: 5,
+        ..only("finite")
+    };
+    let report = run(&laws, |scene| {
         assert!(scene.lights.len() < 2, "two lights are too many");
         [0.0; 3]
     });
@@ -147,7 +172,10 @@ fn a_panic_names_its_scene() {
 /// At 20 ms a scene, three seconds are enough to try each law, and to place what is wrong.
 #[test]
 fn a_slow_renderer_tries_every_law() {
-    let laws = Laws::new().time(Duration::from_secs(3));
+    let laws = Laws {
+        time: Some(Duration::from_secs(3)),
+        ..Laws::default()
+    };
     let report = run(&laws, |scene| {
         std::thread::sleep(Duration::from_millis(20));
         [0, 1, 2].map(|i| scene.k_a[i] * scene.i_a[i]) // no light but the ambient

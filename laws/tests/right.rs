@@ -3,8 +3,6 @@
 #![allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap)] // small numbers
 #![allow(missing_docs)]
 
-use std::time::Duration;
-
 use shading_laws::{Kind, Laws, Light, Model, Plan, Profile, Scene, from_fn};
 
 /// How a right renderer computes.
@@ -246,8 +244,11 @@ fn encoded(color: [f64; 3]) -> [f64; 3] {
 }
 
 fn plan(profile: &Profile, seed: u64, cases: usize) -> Plan {
-    let laws = Laws::new().seed(seed).cases(cases);
-    let laws = laws.shrinking(20, Duration::from_secs(5));
+    let laws = Laws {
+        seed,
+        cases,
+        ..Laws::default()
+    };
     laws.plan(profile).expect("a profile")
 }
 

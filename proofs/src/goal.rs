@@ -15,16 +15,14 @@ pub enum Goal {
     Within(Term, Range),
     /// Two values have the same bits; any NaN is as good as another.
     Same(Term, Term),
-    /// Two values are ordered: the first is at most the second.
+    /// Two values are ordered: the first is at most the second, and neither is NaN.
     AtMost(Term, Term),
     /// This is never reached.
     Never,
 }
 
 impl Goal {
-    #[doc(hidden)]
-    #[must_use]
-    pub fn nodes(&self) -> Vec<u32> {
+    pub(super) fn nodes(&self) -> Vec<u32> {
         match *self {
             Self::Within(a, _) => vec![a.0],
             Self::Same(a, b) | Self::AtMost(a, b) => vec![a.0, b.0],
@@ -32,7 +30,7 @@ impl Goal {
         }
     }
 
-    /// Whether ranges prove it.
+    /// Whether the rules prove it.
     #[doc(hidden)]
     #[must_use]
     pub fn is_proved(&self, g: &Graph, known: &Known) -> bool {
@@ -42,17 +40,9 @@ impl Goal {
     fn is_proved_within(&self, g: &Graph, known: &Known, splits: u32) -> bool {
         let mut known = known.clone();
         let is_proved = match *self {
-            Self::Within(term, goal) => {
-                goal.covers(known.range(g, term.0)) || {
-                    let twin = known.twin(g, term.0);
-                    goal.covers(known.range(g, twin))
-                }
-            }
+            Self::Within(term, goal) => goal.covers(known.range(g, term.0)),
             Self::Same(a, b) => known.same(g, a.0, b.0),
-            Self::AtMost(a, b) => {
-                let [a, b] = [a.0, b.0].map(|id| known.resolved(g, id));
-                known.answer(g, Test::AtMost(a, b)) == Some(true)
-            }
+            Self::AtMost(a, b) => known.answer(g, Test::AtMost(a.0, b.0)) == Some(true),
             Self::Never => false,
         };
         if is_proved || splits == 0 {

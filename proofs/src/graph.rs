@@ -1,4 +1,4 @@
-//! A formula as a graph: what each node computes, and from which others.
+//! A formula as a graph: what each node computes, and from which earlier ones.
 
 use std::collections::HashMap;
 
@@ -9,22 +9,22 @@ use super::range::Range;
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Node {
     Var(u32),
-    Constant(u64), // the bits of an f64, which the format rounds
+    Constant(u64), // the bits of an f64 that is a number of the format
     Max,
     Extreme,
     Neg(u32),
-    Abs(u32),
     Sqrt(u32),
     Add(u32, u32),
     Sub(u32, u32),
     Mul(u32, u32),
     Div(u32, u32),
     Select(Test, u32, u32),
-    /// A function of `libm`, of which only the signs, the ends and NaN are known.
+    /// A function of `libm`: the sine and the cosine of a finite number are within [−1, 1], and the
+    /// exponential is not negative.
     Call(Function, u32),
-    /// A cosine to a real power, of which only the contract is known: within [0, 1]; 0 for a cosine that
-    /// is not above 0; otherwise 1 for an m that is not above 0, and at least c − 2⁻²⁰ for m ≤ 1. In `f32`,
-    /// the package of proofs tries every input of it; in `f64` it is that of `libm`.
+    /// A power of a cosine by any m, integer or real, of which only the contract is known: within [0, 1];
+    /// 0 for a cosine that is not above 0; otherwise 1 for an m that is not above 0, and at least c − 2⁻²⁰
+    /// for m ≤ 1.
     Power(u32, u32),
 }
 
@@ -43,8 +43,6 @@ pub enum Test {
     Above(u32, u32),
     AtMost(u32, u32),
     Equal(u32, u32),
-    /// `any_outside`, for which the trait leaves the answer open on the limits.
-    Outside(u32, u32, u32),
     /// One of two cases into which the author of a claim divides it.
     Case(u32),
 }
@@ -65,8 +63,7 @@ pub struct Graph {
     pub format: Format,
     pub nodes: Vec<Node>,
     index: HashMap<Node, u32>,
-    /// The nodes that have the opposite value, apart from the sign of a zero.
-    mirrors: HashMap<u32, Vec<u32>>,
+    /// The variables, each with the values that it may have.
     pub names: Vec<(String, Range)>,
     /// The nodes' values, in a run with numbers.
     pub values: Vec<f64>,
@@ -90,17 +87,13 @@ impl Graph {
         }
     }
 
-    /// What has the same bits by the rules of signs.
+    /// What has the same bits by the rules of signs, and without a factor of 1.
     fn simplified(&self, node: Node) -> Simple {
         let of = |id: u32| self.nodes[id as usize];
         let sum = |a: u32, b: u32| Simple::New(Node::Add(a.min(b), a.max(b)));
         match node {
             Node::Neg(a) => match of(a) {
                 Node::Neg(x) => Simple::Node(x),
-                _ => Simple::New(node),
-            },
-            Node::Abs(a) => match of(a) {
-                Node::Neg(x) => Simple::New(Node::Abs(x)),
                 _ => Simple::New(node),
             },
             Node::Add(a, b) => match (of(a), of(b)) {
@@ -113,18 +106,13 @@ impl Graph {
                 Node::Neg(y) => sum(a, y),
                 _ => Simple::New(node),
             },
+            Node::Mul(a, ONE) | Node::Mul(ONE, a) | Node::Div(a, ONE) => Simple::Node(a),
             Node::Mul(a, b) | Node::Div(a, b) => {
-                let is_mul = matches!(node, Node::Mul(..));
-                let make = |a: u32, b: u32| {
-                    if is_mul {
-                        Node::Mul(a.min(b), a.max(b))
-                    } else {
-                        Node::Div(a, b)
-                    }
+                let make = |a: u32, b: u32| match node {
+                    Node::Mul(..) => Node::Mul(a.min(b), a.max(b)),
+                    _ => Node::Div(a, b),
                 };
                 match (of(a), of(b)) {
-                    (_, _) if b == ONE => Simple::Node(a),
-                    (_, _) if a == ONE && is_mul => Simple::Node(b),
                     (Node::Neg(x), Node::Neg(y)) => Simple::New(make(x, y)),
                     (Node::Neg(x), _) => Simple::Negated(make(x, b)),
                     (_, Node::Neg(y)) => Simple::Negated(make(a, y)),
@@ -144,47 +132,7 @@ impl Graph {
         self.nodes.push(node);
         let value = self.value(node);
         self.values.push(value);
-        if let Node::Sub(a, b) = node {
-            // −p − q has the opposite value of p + q, and q − p that of p − q
-            let negated: Vec<u32> = self.mirrors(a).collect();
-            for p in negated {
-                let mirror = self.insert(Node::Add(p.min(b), p.max(b)));
-                self.mirror(id, mirror);
-            }
-            if let Some(&mirror) = self.index.get(&Node::Sub(b, a)) {
-                self.mirror(id, mirror);
-            }
-        }
         id
-    }
-
-    fn mirror(&mut self, a: u32, b: u32) {
-        self.mirrors.entry(a).or_default().push(b);
-        self.mirrors.entry(b).or_default().push(a);
-    }
-
-    /// The nodes that have the opposite value, apart from the sign of a zero.
-    pub(super) fn mirrors(&self, id: u32) -> impl Iterator<Item = u32> {
-        let inner = match self.nodes[id as usize] {
-            Node::Neg(x) => Some(x),
-            _ => None,
-        };
-        let recorded = self.mirrors.get(&id);
-        inner
-            .into_iter()
-            .chain(recorded.into_iter().flatten().copied())
-    }
-
-    /// The node, if it has been recorded.
-    pub(super) fn find(&self, node: Node) -> Option<u32> {
-        match self.simplified(node) {
-            Simple::Node(id) => Some(id),
-            Simple::New(node) => self.index.get(&node).copied(),
-            Simple::Negated(node) => {
-                let inner = self.index.get(&node)?;
-                self.index.get(&Node::Neg(*inner)).copied()
-            }
-        }
     }
 
     /// A number of a range that is no variable, in a run with numbers.
@@ -204,7 +152,6 @@ impl Graph {
             Node::Max => self.format.max(),
             Node::Extreme => self.format.extreme(),
             Node::Neg(a) => -v(a),
-            Node::Abs(a) => v(a).abs(),
             Node::Sqrt(a) => v(a).sqrt(),
             Node::Add(a, b) => v(a) + v(b),
             Node::Sub(a, b) => v(a) - v(b),
@@ -215,7 +162,8 @@ impl Graph {
             Node::Call(Function::Cos, a) => v(a).cos(),
             Node::Call(Function::Exp, a) => v(a).exp(),
             Node::Call(Function::Ln, a) => v(a).ln(),
-            Node::Power(c, m) => raised(v(c), v(m)),
+            Node::Power(c, m) if v(c) > 0.0 => v(c).min(1.0).powf(v(m).max(0.0)),
+            Node::Power(..) => 0.0,
         };
         self.format.round(exact)
     }
@@ -228,13 +176,18 @@ impl Graph {
             Test::Above(a, b) => v(a) > v(b),
             Test::AtMost(a, b) => v(a) <= v(b),
             Test::Equal(a, b) => v(a) == v(b),
-            Test::Outside(x, low, high) => {
-                // as floats decide it, a number on the upper limit is outside if the lower one is above 0
-                let is_below = v(x) < v(high) || v(x) == v(high) && v(low) <= 0.0;
-                !(v(low) <= v(x) && is_below)
-            }
             Test::Case(_) => unreachable!("a case is no property of the numbers"),
         }
+    }
+
+    /// The variables' values, in a run with numbers.
+    pub(super) fn input(&self) -> Vec<(String, f64)> {
+        let nodes = self.nodes.iter().zip(&self.values);
+        let variables = nodes.filter_map(|(node, x)| match node {
+            Node::Var(index) => Some((self.names[*index as usize].0.clone(), *x)),
+            _ => None,
+        });
+        variables.collect()
     }
 
     /// An empty graph but for the constants of [`Real`](shading::Real); with a sampler, for a run with numbers.
@@ -255,14 +208,5 @@ impl Graph {
     /// Whether the nodes have values.
     pub(super) fn is_numeric(&self) -> bool {
         self.sampler.is_some()
-    }
-}
-
-fn raised(cosine: f64, m: f64) -> f64 {
-    if cosine > 0.0 {
-        let m = if m > 0.0 { m } else { 0.0 };
-        cosine.min(1.0).powf(m)
-    } else {
-        0.0
     }
 }

@@ -1,37 +1,42 @@
 //! Proofs of formulas that are generic over [`Real`](shading::Real): for every bit pattern of their
 //! input, not for samples of it.
 //!
-//! The formula runs with [`Term`], a number that records. An analysis of ranges, which knows of
-//! rounding, overflow, NaN and −0, then shows what values the result can have. See [`prove`].
+//! The formula runs with [`Term`], a number that records. Intervals, which know of rounding, overflow, NaN
+//! and −0, then show what values the result can have. See [`prove`].
 
+#![deny(missing_docs)]
+#![forbid(unsafe_code)]
 #![allow(clippy::float_cmp)] // special cases are exact
 
 // the floats, and sets of them
 mod format;
 mod range;
 
-// a formula, and what is known of it
+// a formula, and the rules: what is known of it
 mod graph;
 mod known;
-mod mirror;
 mod relation;
 
 // a run of a formula, and the number that it runs with
 mod run;
 mod term;
 
-// what is claimed, and the search for what refutes it
+// what is claimed, the search for what refutes it, and queries for a solver
 mod goal;
 mod sample;
+#[doc(hidden)]
+pub mod smt;
+#[doc(hidden)]
+pub mod tried;
 
 use std::fmt;
 
-use shading::{Rgb, UnitVec3, Vec3};
+use shading::{Real, Rgb, UnitVec3, Vec3};
 
 pub use format::Format;
 pub use goal::Goal;
 #[doc(hidden)]
-pub use graph::{Graph, Node, Test};
+pub use graph::{Function, Graph, Node, Test};
 #[doc(hidden)]
 pub use known::Known;
 pub use range::Range;
@@ -53,7 +58,7 @@ impl Given {
     /// A variable with a range.
     #[must_use]
     pub fn number(self, name: &str, range: Range) -> Term {
-        term::var(name, range)
+        term::var(name, range.of_format(self.0))
     }
 
     /// A number of any bits, NaN and the infinities included.
@@ -83,9 +88,8 @@ impl Given {
         let v = self.vector(name, Range::within(-one - slack, one + slack));
         term::normalize([v.x, v.y, v.z]);
         let square = v.dot(v);
-        let limit = |x| <Term as shading::Real>::of(x);
-        self.assume_at_most(limit(one - slack), square);
-        self.assume_at_most(square, limit(one + slack));
+        self.assume_at_most(Term::of(one - slack), square);
+        self.assume_at_most(square, Term::of(one + slack));
         UnitVec3::assume_unit(v)
     }
 
@@ -114,15 +118,20 @@ impl Given {
     }
 }
 
+/// The variables of a claim, each with a value.
+pub type Input = Vec<(String, f64)>;
+
 /// What became of a claim, in one format.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Verdict {
-    /// It holds for every input.
+    /// It holds for every input, and there is one.
     Proved,
     /// It does not hold for this input.
-    Refuted(Vec<(String, f64)>),
-    /// Ranges do not prove it, and no input was found that refutes it.
+    Refuted(Input),
+    /// The rules do not prove it, and no input was found that refutes it.
     Open(String),
+    /// It says nothing.
+    Empty(String),
 }
 
 impl fmt::Display for Verdict {
@@ -137,113 +146,106 @@ impl fmt::Display for Verdict {
                 Ok(())
             }
             Self::Open(goal) => write!(f, "open: {goal}"),
+            Self::Empty(why) => write!(f, "it says nothing: {why}"),
         }
     }
 }
 
-/// Runs a formula along every path; `each` sees the run with its result.
+/// Runs a formula along every path that the rules do not exclude; `each` sees the run with its result.
 #[doc(hidden)]
-pub fn paths<R>(format: Format, formula: impl Fn(Given) -> R, each: impl FnMut(&Run, R)) -> usize {
-    run::explore(format, &|| formula(Given(format)), each)
-}
-
-/// Whether intervals alone prove a claim, without what is known of several nodes together.
-#[doc(hidden)]
-pub fn is_proved_by_intervals(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> bool {
-    relation::without(|| judge(format, claim, 0)) == Verdict::Proved
-}
-
-/// Tries to prove a claim, then to refute it with `runs` inputs.
-pub fn judge(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Verdict {
-    let formula = || claim(Given(format));
-    let mut open = None;
-    run::explore(format, &formula, |Run { graph, known, .. }, goals| {
-        let unproved = goals.into_iter().find(|goal| !goal.is_proved(graph, known));
-        if let (None, Some(goal)) = (&open, unproved) {
-            let ranges = goal
-                .nodes()
-                .into_iter()
-                .map(|id| known.clone().range(graph, id));
-            open = Some(format!("{goal:?} has {:?}", ranges.collect::<Vec<_>>()));
+pub fn paths<R>(format: Format, formula: impl Fn(Given) -> R, mut each: impl FnMut(&Run, R)) {
+    run::explore(format, &|| formula(Given(format)), |run, result| {
+        if let Some(result) = result {
+            each(run, result);
         }
     });
-    let Some(open) = open else {
-        return Verdict::Proved;
-    };
-    refute(format, claim, runs).map_or(Verdict::Open(open), Verdict::Refuted)
+}
+
+/// Tries to prove a claim, then to refute it with `runs` inputs, which also must show that it says something.
+pub fn judge(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Verdict {
+    let formula = || claim(Given(format));
+    let (mut open, mut empty, mut cases) = (None, None, Vec::new());
+    run::explore(format, &formula, |run, goals| {
+        let Run { graph, known, .. } = run;
+        let is_empty = |(_, range): &&(String, Range)| range.is_empty();
+        if let Some((name, _)) = graph.names.iter().find(is_empty) {
+            empty = Some(format!("no number lies in the range of {name}"));
+        }
+        let goals = goals.unwrap_or_default();
+        if goals.is_empty() || open.is_some() {
+            return;
+        }
+        if !cases.contains(&run.cases()) {
+            cases.push(run.cases());
+        }
+        if let Some(goal) = goals.iter().find(|goal| !goal.is_proved(graph, known)) {
+            let mut known = known.clone();
+            let nodes = goal.nodes().into_iter();
+            let ranges: Vec<_> = nodes.map(|id| known.range(graph, id)).collect();
+            open = Some(format!("{goal:?} has {ranges:?}"));
+        }
+    });
+    if cases.is_empty() && empty.is_none() {
+        empty = Some("it has no goal on any path".into());
+    }
+    if let Some(why) = empty {
+        return Verdict::Empty(why);
+    }
+    if let Some(open) = open {
+        return refute(format, claim, runs).map_or(Verdict::Open(open), Verdict::Refuted);
+    }
+    match witnesses(format, claim, &cases, runs) {
+        Some(_) => Verdict::Proved,
+        None => Verdict::Empty("no input was found that satisfies what it assumes".into()),
+    }
 }
 
 /// Looks for an input that refutes a claim, among random and extreme ones.
-pub fn refute(
-    format: Format,
-    claim: impl Fn(Given) -> Vec<Goal>,
-    runs: u64,
-) -> Option<Vec<(String, f64)>> {
+pub fn refute(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Option<Input> {
     let mut input = None;
-    let formula = || claim(Given(format));
-    sample::try_out(format, &formula, runs, |Run { graph, .. }, goals| {
-        let holds = goals.iter().all(|goal| goal.holds(graph));
+    sample::try_out(format, &|| claim(Given(format)), runs, |run, goals| {
+        let holds = goals.iter().all(|goal| goal.holds(&run.graph));
         if !holds {
-            let variables = graph.nodes.iter().zip(&graph.values);
-            let named = variables.filter_map(|(node, x)| match node {
-                Node::Var(index) => Some((graph.names[*index as usize].0.clone(), *x)),
-                _ => None,
-            });
-            input = Some(named.collect());
+            input = Some(run.graph.input());
         }
         holds
     });
     input
 }
 
-/// Runs a claim with random numbers; `each` sees the run with its values, and says whether to go on.
-#[doc(hidden)]
-pub fn try_out(
+/// An input for which goals were evaluated, if there is one for each of these cases.
+fn witnesses(
     format: Format,
     claim: impl Fn(Given) -> Vec<Goal>,
+    cases: &[Vec<(Test, bool)>],
     runs: u64,
-    each: impl FnMut(&Run, Vec<Goal>) -> bool,
-) {
-    sample::try_out(format, &|| claim(Given(format)), runs, each);
-}
-
-/// Tests the prover itself: with numbers, the value of each node must lie in the range derived for it.
-/// Returns how many values were compared.
-///
-/// # Errors
-///
-/// The first value that lies outside of its range.
-#[doc(hidden)]
-pub fn check_ranges(
-    format: Format,
-    claim: impl Fn(Given) -> Vec<Goal>,
-    runs: u64,
-) -> Result<u64, String> {
-    let (mut compared, mut wrong) = (0, None);
-    let formula = || claim(Given(format));
-    sample::try_out(format, &formula, runs, |Run { graph, path, .. }, _| {
-        let mut known = Known::default();
-        for &(test, answer) in path {
-            known.refine(graph, test, answer);
+) -> Option<Input> {
+    let (mut missing, mut input) = (cases.to_vec(), None);
+    sample::try_out(format, &|| claim(Given(format)), runs, |run, goals| {
+        if !goals.is_empty() {
+            let of_run = run.cases();
+            missing.retain(|case| *case != of_run);
+            input = Some(run.graph.input());
         }
-        if known.impossible {
-            wrong = Some(format!("the path {path:?} is not impossible"));
-            return false;
-        }
-        for (id, (node, x)) in (0..).zip(graph.nodes.iter().zip(&graph.values)) {
-            compared += 1;
-            let range = known.range(graph, id);
-            if !range.contains(*x) {
-                wrong = Some(format!("{node:?} is {x:e}, not in {range:?}"));
-            }
-        }
-        wrong.is_none()
+        !missing.is_empty()
     });
-    wrong.map_or(Ok(compared), Err)
+    input.filter(|_| missing.is_empty())
 }
 
-/// Proves a claim for every `f32` and every `f64`, as a test: panics if it does not hold, or if the
-/// analysis of ranges does not suffice. Where it can, the message names an input that refutes the claim.
+/// An input for which a goal of a claim was evaluated, if one is found.
+#[doc(hidden)]
+pub fn witness(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Option<Input> {
+    let mut input = None;
+    sample::try_out(format, &|| claim(Given(format)), runs, |run, goals| {
+        input = Some(run.graph.input()).filter(|_| !goals.is_empty());
+        input.is_none()
+    });
+    input
+}
+
+/// Proves a claim for every `f32` and every `f64`, as a test: panics if it does not hold, or if the rules do
+/// not suffice. Where it can, the message names an input that refutes the claim. A claim that says nothing is
+/// refused, such as one of which no input satisfies the assumptions.
 ///
 /// The claim gets its variables from [`Given`] and says what must hold of its results.
 ///

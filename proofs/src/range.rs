@@ -86,7 +86,7 @@ impl Range {
     /// Whether all values of the other range are among these.
     #[must_use]
     pub fn covers(self, other: Self) -> bool {
-        self.meet(other) == other
+        self.tidy().meet(other) == other
     }
 
     /// Whether there are no values at all.
@@ -110,7 +110,7 @@ impl Range {
         self.low <= x && x <= self.high && (self.finite || x.is_infinite())
     }
 
-    fn is_infinite(self) -> bool {
+    pub(super) fn is_infinite(self) -> bool {
         self.has(INF) || self.has(-INF)
     }
 
@@ -128,7 +128,8 @@ impl Range {
             self.low = if self.low == -INF { -INF } else { INF };
             self.high = if self.high == INF { INF } else { -INF };
         }
-        if self.low > self.high {
+        // not `>`, for an end may be NaN
+        if !(self.low <= self.high) {
             return Self {
                 nan: self.nan,
                 ..Self::NONE
@@ -137,6 +138,18 @@ impl Range {
         self.finite &= self.low < INF && self.high > -INF;
         self.minus_zero &= self.low <= 0.0 && self.high >= 0.0 && self.finite;
         self
+    }
+
+    #[doc(hidden)]
+    #[must_use]
+    pub fn of_format(self, f: Format) -> Self {
+        let range = self.tidy();
+        Self {
+            low: -f.round_down(-range.low),
+            high: f.round_down(range.high),
+            ..range
+        }
+        .tidy()
     }
 
     /// The values in both.
@@ -167,15 +180,6 @@ impl Range {
     #[must_use]
     pub fn or_nan(self) -> Self {
         Self { nan: true, ..self }
-    }
-
-    /// Both signs of every zero.
-    pub(super) fn with_zeros(self) -> Self {
-        Self {
-            minus_zero: true,
-            ..self
-        }
-        .tidy()
     }
 
     /// The hull of some numbers, each as likely NaN as not.

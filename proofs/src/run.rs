@@ -1,7 +1,7 @@
 //! A run of a formula: what it records, and the answers to its decisions.
 //!
-//! A decision, such as `any_positive` or a comparison, is a fork: the formula runs once for each combination of answers that
-//! its ranges allow.
+//! A decision, such as `any_positive` or a comparison, is a fork: the formula runs once for each combination of answers
+//! that the rules do not exclude.
 
 use std::cell::RefCell;
 
@@ -15,11 +15,13 @@ use super::range::Range;
 #[derive(Default)]
 pub struct Run {
     pub graph: Graph,
-    /// What is assumed and what was answered.
+    /// What is assumed and what was decided.
     pub path: Vec<(Test, bool)>,
+    /// What the rules answered, and how long the path was then.
+    pub answered: Vec<(usize, Test, bool)>,
     pub known: Known,
     /// Whether an assumption does not hold, in a run with numbers.
-    pub is_void: bool,
+    is_void: bool,
     script: Vec<(bool, bool)>, // the answer, and whether the other one remains to be tried
     next: usize,
     cases: u32,
@@ -53,7 +55,11 @@ impl Run {
         if let Some(&(_, answer)) = self.path.iter().find(|(known, _)| *known == test) {
             return answer;
         }
+        if self.known.impossible {
+            return false;
+        }
         if let Some(answer) = self.known.answer(&self.graph, test) {
+            self.answered.push((self.path.len(), test, answer));
             return answer;
         }
         if self.next == self.script.len() {
@@ -74,6 +80,12 @@ impl Run {
             }
         }
         false
+    }
+
+    /// The cases of this path.
+    pub(super) fn cases(&self) -> Vec<(Test, bool)> {
+        let is_case = |(test, _): &&(Test, bool)| matches!(test, Test::Case(_));
+        self.path.iter().filter(is_case).copied().collect()
     }
 }
 
@@ -117,26 +129,22 @@ pub(super) fn decide(test: Test) -> bool {
     with_run(|run| run.decide(test))
 }
 
-/// Runs a formula along every path; `each` sees the run with its result. Returns how many paths there are.
+/// Runs a formula along every path; `each` sees the run with its result, unless that was called impossible.
 pub(super) fn explore<R>(
     format: Format,
     formula: &impl Fn() -> R,
-    mut each: impl FnMut(&Run, R),
-) -> usize {
+    mut each: impl FnMut(&Run, Option<R>),
+) {
     with_run(|run| run.script.clear());
-    let mut paths = 0;
     loop {
         with_run(|run| run.restart(format, None));
         let result = formula();
-        paths += 1;
         let another = with_run(|run| {
-            if !run.known.impossible {
-                each(run, result);
-            }
+            each(run, (!run.known.impossible).then_some(result));
             run.turn()
         });
         if !another {
-            return paths;
+            return;
         }
     }
 }

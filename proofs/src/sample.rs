@@ -38,8 +38,8 @@ impl Random {
                     range.low + (range.high - range.low) * share
                 }
                 6 | 7 => 2.0_f64.powi((at % 2100) as i32 - 1050),
-                _ if format == Format::F32 => f64::from(f32::from_bits(at as u32)),
-                _ => f64::from_bits(self.next()),
+                _ if format == Format::F64 => f64::from_bits(self.next()),
+                _ => f64::from(f32::from_bits(at as u32)),
             };
             let x = format.round(x);
             if range.contains(x) {

@@ -1,102 +1,73 @@
-//! Claims in SMT-LIB 2, from the recorded formulas, for Bitwuzla, a solver of floating-point arithmetic.
+//! A claim in SMT-LIB 2, for a solver of floating-point arithmetic such as Bitwuzla. The claim holds if no query
+//! has a solution. What the rules answered on the way is queried, too, so they need not be believed.
 
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use std::fs;
-use std::path::Path;
 
-use shading_proofs::{Format, Goal, Graph, Node, Range, Run, Test, paths};
+use super::graph::{Function, Graph, Node, Test};
+use super::run::{Run, explore};
+use super::{Format, Given, Goal, Range};
 
-use crate::claims;
-
-/// What floats do with the bits of a number in `Real::any_outside`, translated by hand: true only outside or on
-/// the limits, and false only within them. LOW and HIGH are the bits of the limits; a `low` of 0 uses the second
-/// comparison. b is any bits, x the number with these bits.
-const OUTSIDE: &str = "(let ((above (bvsub b LOW)) (range (bvsub HIGH LOW)))
-  (let ((outside (COMPARED above range)))
-    (and (=> outside (not (and (fp.lt low x) (fp.lt x high)))) (=> (not outside) (and (fp.leq low x) (fp.leq x high))))))";
-
-/// Writes a script for each path of each claim, or of the one with this name; a script is satisfiable if some input violates the claim.
-pub fn write(folder: &Path, only: &str) -> std::io::Result<()> {
-    fs::create_dir_all(folder)?;
-    for format in [Format::F32, Format::F64] {
-        for claim in claims::solved().filter(|claim| only.is_empty() || only == claim.name) {
-            let mut path = 0;
-            let mut result = Ok(());
-            paths(format, claim.formula, |run, goals| {
-                path += 1;
-                if !goals.is_empty() {
-                    let file = folder.join(format!("{}.{format:?}.{path}.smt2", claim.name));
-                    result = std::mem::replace(&mut result, Ok(()))
-                        .and(fs::write(file, script(run, &goals)));
-                }
-            });
-            result?;
+/// The queries of a claim, each once.
+pub fn queries(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Vec<String> {
+    let mut queries = Vec::new();
+    let mut add = |query: String| {
+        if !queries.contains(&query) {
+            queries.push(query);
         }
-        let (low, high, zero, one) = match format {
-            Format::F32 => ("#x0d800000", "#x71800000", "#x00000000", "#x3f800000"),
-            Format::F64 => (
-                "#x12f0000000000000",
-                "#x6cf0000000000000",
-                "#x0000000000000000",
-                "#x3ff0000000000000",
-            ),
-        };
-        for (name, low, high, compared) in [
-            ("squares", low, high, "bvuge"),
-            ("factors", zero, one, "bvugt"),
-        ] {
-            let file = folder.join(format!("outside_by_bits.{format:?}.{name}.smt2"));
-            fs::write(file, by_bits(format, low, high, compared))?;
+    };
+    explore(format, &|| claim(Given(format)), |run, goals| {
+        // the other answer must not be possible
+        for &(length, test, answer) in &run.answered {
+            let other = assertion(test, !answer);
+            add(query(run, &run.path[..length], &tested(test), &other));
         }
-    }
-    Ok(())
+        match goals {
+            None => add(query(run, &run.path, &[], "true")),
+            Some(goals) if goals.is_empty() => {}
+            Some(goals) => {
+                let nodes: Vec<u32> = goals.iter().flat_map(Goal::nodes).collect();
+                let goals = goals.iter().map(|goal| violated(format, *goal));
+                let any: BTreeSet<String> = goals.collect();
+                let any: Vec<String> = any.into_iter().collect();
+                add(query(
+                    run,
+                    &run.path,
+                    &nodes,
+                    &format!("(or false {})", any.join(" ")),
+                ));
+            }
+        }
+    });
+    queries
 }
 
-fn by_bits(format: Format, low: &str, high: &str, compared: &str) -> String {
-    let (bits, sort) = match format {
-        Format::F32 => (32, "8 24"),
-        Format::F64 => (64, "11 53"),
-    };
-    let number = |name: &str, bits: &str| {
-        format!("(define-fun {name} () (_ FloatingPoint {sort}) ((_ to_fp {sort}) {bits}))\n")
-    };
-    let claim = OUTSIDE
-        .replace("LOW", low)
-        .replace("HIGH", high)
-        .replace("COMPARED", compared);
-    let numbers = number("x", "b") + &number("low", low) + &number("high", high);
-    format!(
-        "(set-logic QF_BVFP)\n(declare-const b (_ BitVec {bits}))\n{numbers}(assert (not {claim}))\n(check-sat)\n"
-    )
+fn sort(format: Format) -> String {
+    let (exponent, digits) = format.shape();
+    format!("{exponent} {digits}")
 }
 
-fn sort(format: Format) -> &'static str {
-    match format {
-        Format::F32 => "8 24",
-        Format::F64 => "11 53",
-    }
-}
-
+/// A number of the format.
 fn constant(format: Format, x: f64) -> String {
     let bits = format!("((_ to_fp 11 53) #x{:016x})", x.to_bits());
     match format {
-        Format::F32 => format!("((_ to_fp 8 24) RNE {bits})"),
         Format::F64 => bits,
+        _ => format!("((_ to_fp {}) RNE {bits})", sort(format)),
     }
 }
 
-fn asserted(test: Test, answer: bool) -> String {
+fn tested(test: Test) -> Vec<u32> {
+    match test {
+        Test::Above(a, b) | Test::AtMost(a, b) | Test::Equal(a, b) => vec![a, b],
+        Test::Case(_) => vec![],
+    }
+}
+
+fn assertion(test: Test, answer: bool) -> String {
     let text = match test {
         Test::Above(a, b) => format!("(fp.gt n{a} n{b})"),
         Test::AtMost(a, b) => format!("(fp.leq n{a} n{b})"),
         Test::Equal(a, b) => format!("(fp.eq n{a} n{b})"),
-        // either answer is right on the limits
-        Test::Outside(x, low, high) if answer => {
-            return format!("(not (and (fp.lt n{low} n{x}) (fp.lt n{x} n{high})))");
-        }
-        Test::Outside(x, low, high) => {
-            return format!("(and (fp.leq n{low} n{x}) (fp.leq n{x} n{high}))");
-        }
         Test::Case(_) => return "true".into(),
     };
     if answer {
@@ -107,9 +78,9 @@ fn asserted(test: Test, answer: bool) -> String {
 }
 
 fn within(format: Format, id: u32, range: Range) -> String {
-    let mut number = format!("(and (not (fp.isNaN n{id}))");
-    let _ = write!(number, " (fp.leq {} n{id})", constant(format, range.low));
-    let _ = write!(number, " (fp.leq n{id} {})", constant(format, range.high));
+    let range = range.of_format(format);
+    let [low, high] = [range.low, range.high].map(|x| constant(format, x));
+    let mut number = format!("(fp.leq {low} n{id}) (fp.leq n{id} {high})");
     if !range.minus_zero {
         let _ = write!(
             number,
@@ -119,20 +90,52 @@ fn within(format: Format, id: u32, range: Range) -> String {
     if !range.finite {
         let _ = write!(number, " (fp.isInfinite n{id})");
     }
-    if range.nan {
-        format!("(or (fp.isNaN n{id}) {number}))")
+    let nan = if range.nan {
+        format!("(fp.isNaN n{id})")
     } else {
-        number + ")"
+        "false".into()
+    };
+    format!("(or {nan} (and {number}))")
+}
+
+fn violated(format: Format, goal: Goal) -> String {
+    match goal {
+        Goal::Within(term, range) => format!("(not {})", within(format, term.0, range)),
+        // all NaN are one in SMT-LIB
+        Goal::Same(a, b) => format!("(not (= n{} n{}))", a.0, b.0),
+        Goal::AtMost(a, b) => format!("(not (fp.leq n{} n{}))", a.0, b.0),
+        Goal::Never => "true".into(),
     }
 }
 
-fn goal(format: Format, goal: Goal) -> String {
-    match goal {
-        Goal::Within(term, range) => within(format, term.0, range),
-        // all NaN are one in SMT-LIB
-        Goal::Same(a, b) => format!("(= n{} n{})", a.0, b.0),
-        Goal::AtMost(a, b) => format!("(fp.leq n{} n{})", a.0, b.0),
-        Goal::Never => "false".into(),
+/// The nodes that one is made of.
+fn parts(node: Node) -> Vec<u32> {
+    match node {
+        Node::Var(_) | Node::Constant(_) | Node::Max | Node::Extreme => vec![],
+        Node::Neg(a) | Node::Sqrt(a) | Node::Call(_, a) => vec![a],
+        Node::Add(a, b)
+        | Node::Sub(a, b)
+        | Node::Mul(a, b)
+        | Node::Div(a, b)
+        | Node::Power(a, b) => vec![a, b],
+        Node::Select(test, a, b) => [tested(test), vec![a, b]].concat(),
+    }
+}
+
+/// What a node is, or what is known of it.
+fn defined(g: &Graph, id: u32) -> String {
+    let f = g.format;
+    let known = |what: String| (None, what);
+    let (value, known) = match g.nodes[id as usize] {
+        Node::Var(index) => known(within(f, id, g.names[index as usize].1)),
+        Node::Call(function, a) => known(called(f, function, id, a)),
+        Node::Power(c, m) => known(raised(f, id, c, m)),
+        node => (Some(value(g, node)), String::new()),
+    };
+    let name = format!("(_ FloatingPoint {})", sort(f));
+    match value {
+        Some(value) => format!("(define-fun n{id} () {name} {value})\n"),
+        None => format!("(declare-const n{id} {name})\n(assert {known})\n"),
     }
 }
 
@@ -142,37 +145,67 @@ fn value(g: &Graph, node: Node) -> String {
         Node::Max => constant(g.format, g.format.max()),
         Node::Extreme => constant(g.format, g.format.extreme()),
         Node::Neg(a) => format!("(fp.neg n{a})"),
-        Node::Abs(a) => format!("(fp.abs n{a})"),
         Node::Sqrt(a) => format!("(fp.sqrt RNE n{a})"),
         Node::Add(a, b) => format!("(fp.add RNE n{a} n{b})"),
         Node::Sub(a, b) => format!("(fp.sub RNE n{a} n{b})"),
         Node::Mul(a, b) => format!("(fp.mul RNE n{a} n{b})"),
         Node::Div(a, b) => format!("(fp.div RNE n{a} n{b})"),
-        Node::Select(test, a, b) => format!("(ite {} n{a} n{b})", asserted(test, true)),
-        Node::Var(_) | Node::Call(..) | Node::Power(..) => {
-            panic!("{node:?} has no value in SMT-LIB")
-        }
+        Node::Select(test, a, b) => format!("(ite {} n{a} n{b})", assertion(test, true)),
+        Node::Var(_) | Node::Call(..) | Node::Power(..) => unreachable!("{node:?} has no value"),
     }
 }
 
-fn script(run: &Run, goals: &[Goal]) -> String {
+/// Whether there is an input that takes this path, and then this.
+fn query(run: &Run, path: &[(Test, bool)], nodes: &[u32], then: &str) -> String {
     let g = &run.graph;
-    let name = format!("(_ FloatingPoint {})", sort(g.format));
+    let mut is_needed = vec![false; g.nodes.len()];
+    let of_path = path.iter().flat_map(|(test, _)| tested(*test));
+    of_path
+        .chain(nodes.iter().copied())
+        .for_each(|id| is_needed[id as usize] = true);
+    for id in (0..g.nodes.len()).rev() {
+        if is_needed[id] {
+            let parts = parts(g.nodes[id]);
+            parts
+                .into_iter()
+                .for_each(|part| is_needed[part as usize] = true);
+        }
+    }
     let mut text = String::from("(set-logic QF_FP)\n");
-    for (id, node) in (0..).zip(&g.nodes) {
-        let _ = match *node {
-            Node::Var(index) => {
-                let range = within(g.format, id, g.names[index as usize].1);
-                writeln!(text, "(declare-const n{id} {name})\n(assert {range})")
-            }
-            node => writeln!(text, "(define-fun n{id} () {name} {})", value(g, node)),
-        };
+    for (id, _) in (0..).zip(is_needed).filter(|(_, is_needed)| *is_needed) {
+        text += &defined(g, id);
     }
-    for &(test, answer) in &run.path {
-        let _ = writeln!(text, "(assert {})", asserted(test, answer));
+    let path = path.iter().map(|(test, answer)| assertion(*test, *answer));
+    for assertion in path.chain([then.into()]) {
+        let _ = writeln!(text, "(assert {assertion})");
     }
-    let goals = goals.iter().fold("(and true".to_string(), |all, one| {
-        all + " " + &goal(g.format, *one)
-    });
-    text + "(assert (not " + &goals + ")))\n(check-sat)\n"
+    text + "(check-sat)\n"
+}
+
+/// What is known of a function of `libm`.
+fn called(f: Format, function: Function, id: u32, a: u32) -> String {
+    let [zero, one, minus] = [0.0, 1.0, -1.0].map(|x| constant(f, x));
+    match function {
+        Function::Sin | Function::Cos => format!(
+            "(ite (or (fp.isNaN n{a}) (fp.isInfinite n{a})) (fp.isNaN n{id}) \
+             (and (fp.leq {minus} n{id}) (fp.leq n{id} {one})))"
+        ),
+        Function::Exp => format!(
+            "(ite (fp.isNaN n{a}) (fp.isNaN n{id}) \
+             (and (fp.leq {zero} n{id}) (not (= n{id} (fp.neg {zero})))))"
+        ),
+        Function::Ln => "true".into(),
+    }
+}
+
+/// What is known of a power.
+fn raised(f: Format, id: u32, c: u32, m: u32) -> String {
+    let [zero, one, lack] = [0.0, 1.0, 2.0_f64.powi(-20)].map(|x| constant(f, x));
+    let least = format!("(fp.sub RNE (ite (fp.gt n{c} {one}) {one} n{c}) {lack})");
+    format!(
+        "(and (fp.leq {zero} n{id}) (fp.leq n{id} {one}) (not (fp.isNegative n{id})) \
+         (ite (fp.gt n{c} {zero}) \
+         (ite (fp.gt n{m} {zero}) (=> (fp.leq n{m} {one}) (fp.leq {least} n{id})) (= n{id} {one})) \
+         (= n{id} {zero})))"
+    )
 }

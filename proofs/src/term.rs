@@ -116,7 +116,7 @@ impl Real for Term {
     fn any_positive(self) -> bool {
         decide(Test::Above(self.0, ZERO))
     }
-    // Floats override these three, too, and give the same results.
+    // Floats override these two, too, and give the same results.
     fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
         if then.0 == otherwise.0 {
             return then;
@@ -124,11 +124,12 @@ impl Real for Term {
         let test = Test::Above(self.0, threshold.0);
         Self(node(Node::Select(test, then.0, otherwise.0)))
     }
-    fn abs(self) -> Self {
-        Self(node(Node::Abs(self.0)))
-    }
+    // one decision, for what floats decide by one comparison of bits
     fn any_outside(self, low: Self, high: Self) -> bool {
-        decide(Test::Outside(self.0, low.0, high.0))
+        let below_high = high.if_above(self, Self::ONE, Self::ZERO).0;
+        let test = Test::AtMost(low.0, self.0);
+        let is_inside = Self(node(Node::Select(test, below_high, ZERO)));
+        !is_inside.any_positive()
     }
 }
 

@@ -70,11 +70,14 @@ for target in $chips wasm32-unknown-unknown; do
 done
 
 echo "== the same bits"
-expected=$(cargo run --quiet --release --bin digest)
-for target in $chips; do
-    for profile in release small; do
-        got=$(run "$target" $profile digest) || got=none
-        [ "$got" = "$expected" ] || complain "$target $profile: the digest is $got, but $expected on the host"
+for NUMBER in f32 f64 fixed; do
+    export NUMBER
+    expected=$(cargo run --quiet --release --bin digest)
+    for target in $chips; do
+        for profile in release small; do
+            got=$(run "$target" $profile digest) || got=none
+            [ "$got" = "$expected" ] || complain "$target $profile, $NUMBER: the digest is $got, but $expected on the host"
+        done
     done
 done
 

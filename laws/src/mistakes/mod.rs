@@ -253,7 +253,7 @@ fn of_linear(at: &At, f: impl Fn(f64) -> f64) -> Bounded3 {
 
 /// A level of the color that is told, of so many.
 fn level(at: &At, f: impl Fn(f64, f64) -> f64) -> Bounded3 {
-    let most = 1.0 / at.profile.level().unwrap_or(1.0);
+    let most = 1.0 / at.level.unwrap_or(1.0);
     of_linear(at, |x| f(x, most) / most)
 }
 

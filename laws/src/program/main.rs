@@ -97,7 +97,11 @@ impl Filed {
     fn plan(&self) -> Result<Plan, String> {
         let profile =
             Profile::from_json(&self.profile).map_err(|why| format!("--profile: {why}"))?;
-        laws(&self.options)?.asking_once().plan(&profile)
+        let laws = Laws {
+            asks_once: true,
+            ..laws(&self.options)?
+        };
+        laws.plan(&profile)
     }
 }
 
@@ -236,35 +240,28 @@ fn read(file: &Path) -> Result<String, String> {
 
 /// The laws as the options have them.
 fn laws(options: &Options) -> Result<Laws, String> {
-    let mut laws = Laws::new()
-        .seed(options.seed)
-        .cases(options.cases)
-        .shrinking(options.shrink, options.shrink_time);
-    if let Some(limit) = options.time {
-        laws = laws.time(limit);
-    }
-    for law in &options.laws {
-        laws = laws.only(law);
-    }
+    let mut known = Vec::new();
     if let Some(file) = &options.known {
         for (i, line) in read(file)?.lines().enumerate() {
             let name = line.split('#').next().unwrap_or_default().trim();
-            if name.is_empty() {
-                continue;
-            }
-            if Laws::names().all(|(known, _)| known != name) {
+            if !name.is_empty() && Laws::names().all(|(known, _)| known != name) {
                 let file = file.display();
                 return Err(format!("{file}: line {}: there is no law {name}", i + 1));
             }
-            laws = laws.known(name);
+            known.extend((!name.is_empty()).then(|| name.to_owned()));
         }
     }
-    match &options.replay {
-        Some(file) => laws
-            .replay(&read(file)?)
-            .map_err(|why| format!("{}: {why}", file.display())),
-        None => Ok(laws),
-    }
+    Ok(Laws {
+        seed: options.seed,
+        cases: options.cases,
+        only: options.laws.clone(),
+        known,
+        replay: options.replay.as_deref().map_or(Ok(String::new()), read)?,
+        shrinks: options.shrink,
+        shrinking: options.shrink_time,
+        time: options.time,
+        asks_once: false,
+    })
 }
 
 /// A renderer that answers with the colors of a file, in their order.

@@ -28,16 +28,8 @@ pub struct Piped {
     timeout: Duration,
     scenes: usize,
     batches: usize,
-}
-
-/// Why there is no line.
-enum NoLine {
-    /// None came in time.
-    Late,
-    /// There is one, but not as text. Says why not.
-    Unreadable(String),
-    /// There never will be one. Says why not.
-    Over(String),
+    /// Its last line was no text.
+    unreadable: bool,
 }
 
 impl Piped {
@@ -74,6 +66,7 @@ impl Piped {
             timeout,
             scenes: 0,
             batches: 0,
+            unreadable: false,
         };
         let name: Vec<_> = command.iter().map(|word| word.to_string_lossy()).collect();
         let profile = piped.introduced(&name.join(" "));
@@ -83,14 +76,11 @@ impl Piped {
 
     fn introduced(&mut self, command: &str) -> Result<Profile, String> {
         self.write(format!("{VERSION}\n"));
-        let line = self.line(self.timeout).map_err(|why| match why {
-            NoLine::Late => {
-                format!(
-                    "no line within {:?}; does it flush its output?",
-                    self.timeout
-                )
-            }
-            NoLine::Unreadable(why) | NoLine::Over(why) => why,
+        let line = self.line(self.timeout)?.ok_or_else(|| {
+            format!(
+                "no line within {:?}; does it flush its output?",
+                self.timeout
+            )
         })?;
         let mut profile =
             Profile::from_json(&line).map_err(|why| format!("{why}, in {}", quoted(&line)))?;
@@ -117,10 +107,11 @@ impl Piped {
     }
 
     fn nothing_more(&mut self, patience: Duration) -> Result<(), String> {
+        // an end is told by whoever asks next
         let line = match self.line(patience) {
-            Ok(line) => quoted(&line),
-            Err(NoLine::Unreadable(why)) => why,
-            Err(NoLine::Late | NoLine::Over(_)) => return Ok(()),
+            Ok(Some(line)) => quoted(&line),
+            Err(why) if self.unreadable => why,
+            Ok(None) | Err(_) => return Ok(()),
         };
         Err(format!(
             "after the answer to scene {}, the last of a batch, it wrote another line: {line}; the \
@@ -130,14 +121,13 @@ impl Piped {
     }
 
     fn answer(&mut self, left: usize) -> Result<Triple, String> {
-        let line = self.line(self.timeout).map_err(|why| match why {
-            NoLine::Unreadable(why) | NoLine::Over(why) => why,
-            NoLine::Late => format!(
-                "no answer within {:?}, and {left} {} of the batch left; it must answer each \
+        let line = self.line(self.timeout)?.ok_or_else(|| {
+            let scenes = if left == 1 { "scene" } else { "scenes" };
+            format!(
+                "no answer within {:?}, and {left} {scenes} of the batch left; it must answer each \
                  scene and flush its output at the empty line",
-                self.timeout,
-                if left == 1 { "scene" } else { "scenes" }
-            ),
+                self.timeout
+            )
         })?;
         color(&line)
     }
@@ -150,33 +140,29 @@ impl Piped {
         }
     }
 
-    /// The next line that it writes, without its end.
-    fn line(&mut self, patience: Duration) -> Result<String, NoLine> {
-        match self.lines.recv_timeout(patience) {
-            Ok(mut line) => {
-                let is_whole = line.last() == Some(&b'\n');
-                line.truncate(line.len() - usize::from(is_whole));
-                let text = String::from_utf8(line);
-                match text {
-                    Ok(line) if is_whole => Ok(line),
-                    text => {
-                        let text = text.unwrap_or_else(|error| {
-                            String::from_utf8_lossy(error.as_bytes()).into_owned()
-                        });
-                        let line = quoted(&text);
-                        Err(NoLine::Unreadable(match is_whole {
-                            true => format!("{line} is not UTF-8"),
-                            false if text.len() as u64 > LONGEST => {
-                                format!("the line {line} is longer than {LONGEST} bytes")
-                            }
-                            false => format!("{} in the middle of the line {line}", self.end()),
-                        }))
-                    }
-                }
-            }
-            Err(RecvTimeoutError::Timeout) => Err(NoLine::Late),
-            Err(RecvTimeoutError::Disconnected) => Err(NoLine::Over(self.end())),
+    /// The next line that it writes, without its end; nothing if none came in time.
+    fn line(&mut self, patience: Duration) -> Result<Option<String>, String> {
+        let mut line = match self.lines.recv_timeout(patience) {
+            Ok(line) => line,
+            Err(RecvTimeoutError::Timeout) => return Ok(None),
+            Err(RecvTimeoutError::Disconnected) => return Err(self.end()),
+        };
+        let is_whole = line.last() == Some(&b'\n');
+        line.truncate(line.len() - usize::from(is_whole));
+        let text = String::from_utf8_lossy(&line);
+        let is_text = matches!(text, std::borrow::Cow::Borrowed(_));
+        if is_whole && is_text {
+            return Ok(Some(text.into_owned()));
         }
+        self.unreadable = true;
+        let start = quoted(&text);
+        Err(if is_whole {
+            format!("{start} is not UTF-8")
+        } else if line.len() as u64 > LONGEST {
+            format!("the line {start} is longer than {LONGEST} bytes")
+        } else {
+            format!("{} in the middle of the line {start}", self.end())
+        })
     }
 
     /// How it ended, after it has closed its output.

@@ -1,95 +1,62 @@
 //! The light that arrives at a point.
 
-use shading::{
-    DirectionalLight, IncidentLight, Light, PointLight, Ranged, Rgb, SoftCone, SpotLight,
-};
-use shading_proofs::{Goal, Range};
+use shading::{PointLight, Rgb};
+use shading_proofs::{Given, Goal, Term};
 
-use super::*;
+use super::given::*;
 
-/// Light that arrives: no channel is negative, infinite or NaN, and neither is the distance.
-fn arrives(given: Given, light: IncidentLight<Term>) -> Vec<Goal> {
-    let mut goals = channels(light.intensity, not_negative(given));
-    goals.push(Goal::Within(light.distance, not_negative(given)));
-    goals
+pub fn lamp_of_any(given: Given) -> Vec<Goal> {
+    let lamp = lamp(given, any_vector(given, "position"));
+    arrives(given, lamp.at(any_vector(given, "p")))
 }
-fn black(light: IncidentLight<Term>) -> Vec<Goal> {
-    channels(light.intensity, Range::within(0.0, 0.0))
+
+pub fn distance_of_finite(given: Given) -> Vec<Goal> {
+    let lamp = lamp(given, finite_vector(given, "position"));
+    let distance = lamp.at(finite_vector(given, "p")).distance();
+    within([distance], not_negative(given))
 }
-fn ranged_lamp(given: Given) -> PointLight<Term, Ranged<Term>> {
-    let position = any_vector(given, "position");
-    PointLight {
-        position,
+
+pub fn lamp_with_a_range(given: Given) -> Vec<Goal> {
+    let lamp = PointLight {
+        position: any_vector(given, "position"),
         intensity: given.rgb("I"),
-        attenuation: any_ranged(given),
-    }
-}
-type Spot = SpotLight<Term, SoftCone<Term>>;
-type Kind = Light<Term, SoftCone<Term>>;
-fn spot(given: Given, position: Vec3<Term>) -> Spot {
-    let (point, axis) = (lamp(given, position), any_direction(given, "axis"));
-    SpotLight {
-        point,
-        axis,
-        cone: soft_cone(given).smoothstep(),
-    }
+        attenuation: ranged(given),
+    };
+    arrives(given, lamp.at(any_vector(given, "p")))
 }
 
-claims! {
-    directional_at: "`DirectionalLight::at` changes no bit, and its distance is the largest number" |given| {
-        let sun = DirectionalLight { l: any_direction(given, "l"), intensity: given.rgb("I") };
-        let light = sun.at(any_vector(given, "p"));
-        let max = given.format().max();
-        [same(*light.l, *sun.l), same(light.intensity, sun.intensity), within([light.distance], Range::within(max, max))].concat()
-    }
-    point_light_of_finite: "`PointLight::at`, finite positions: intensity and distance are in [0, MAX], L is finite" |given| {
-        let light = lamp(given, given.vector("position", finite(given))).at(given.vector("p", finite(given)));
-        [arrives(given, light), components(*light.l, finite(given))].concat()
-    }
-    point_light_of_any: "`PointLight::at`, positions of any bits: intensity and distance are in [0, MAX]" |given| {
-        arrives(given, lamp(given, any_vector(given, "position")).at(any_vector(given, "p")))
-    }
-    ranged_light_of_any: "`PointLight::at` with `Ranged`, unsquared or not, positions of any bits: intensity and distance are in [0, MAX]" |given| {
-        let (lamp, p) = (ranged_lamp(given), any_vector(given, "p"));
-        let unsquared = PointLight { attenuation: lamp.attenuation.unsquared(), ..lamp };
-        [arrives(given, lamp.at(p)), arrives(given, unsquared.at(p))].concat()
-    }
-    spot_light_of_any: "`SpotLight::at` with `SoftCone`, positions and axis of any bits: intensity and distance are in [0, MAX]" |given| {
-        arrives(given, spot(given, any_vector(given, "position")).at(any_vector(given, "p")))
-    }
-    light_is_its_kind: "`Light::at` is `at` of its kind, to the bit, positions of any bits" |given| {
-        let (spot, p) = (spot(given, any_vector(given, "position")), any_vector(given, "p"));
-        let (point, spot) = ((Kind::from(spot.point).at(p), spot.point.at(p)), (Kind::from(spot).at(p), spot.at(p)));
-        [point, spot].iter().flat_map(|(a, b)| [same(*a.l, *b.l), same(a.intensity, b.intensity)].concat()).collect()
-    }
-    light_at_the_point: "`PointLight::at` and `SpotLight::at` where the light is: black, at the largest distance" |given| {
-        let (position, max) = (any_vector(given, "position"), given.format().max());
-        let spot = spot(given, position);
-        let (point, spot) = (spot.point.at(position), spot.at(position));
-        [black(point), black(spot), within([point.distance, spot.distance], Range::within(max, max))].concat()
-    }
-    light_at_infinity: "`PointLight::at` is black and its distance the largest number, if a coordinate of the light is infinite or NaN and none of p is" |given| {
-        let (position, max) = (broken(given, "position"), given.format().max());
-        let light = lamp(given, position).at(given.vector("p", finite(given)));
-        let mut goals = within([light.distance], Range::within(max, max));
-        goals.extend(black(light));
-        goals
-    }
-    light_from_infinity: "`PointLight::at` is black and its distance the largest number, if a coordinate of p is infinite or NaN and none of the light is" |given| {
-        let (p, max) = (broken(given, "p"), given.format().max());
-        let light = lamp(given, given.vector("position", finite(given))).at(p);
-        let mut goals = within([light.distance], Range::within(max, max));
-        goals.extend(black(light));
-        goals
-    }
-    black_light: "`PointLight::at` of a black light is black, whatever the attenuation, positions of any bits" |given| {
-        let mut lamp = lamp(given, any_vector(given, "position"));
-        lamp.intensity = Rgb::BLACK;
-        black(lamp.at(any_vector(given, "p")))
-    }
-    incident_of_nan: "`IncidentLight::in_front` is `None` if L is NaN" |given| {
-        let l = nan_direction(given, "l");
-        let light = IncidentLight { l, ..incident(given, "light") };
-        none(light.in_front(any_direction(given, "n")))
-    }
+pub fn spot_of_any(given: Given) -> Vec<Goal> {
+    let spot = spot(given, any_vector(given, "position"));
+    spot.map_or(vec![], |spot| {
+        arrives(given, spot.at(any_vector(given, "p")))
+    })
+}
+
+pub fn light_at_the_point(given: Given) -> Vec<Goal> {
+    let position = any_vector(given, "position");
+    let Some(spot) = spot(given, position) else {
+        return vec![];
+    };
+    [
+        black(spot.point.at(position).intensity()),
+        black(spot.at(position).intensity()),
+    ]
+    .concat()
+}
+
+pub fn light_at_infinity(given: Given) -> Vec<Goal> {
+    let (finite, broken) = (finite_vector(given, "finite"), broken(given, "broken"));
+    let (position, p) = match given.one_of(2) {
+        0 => (finite, broken),
+        _ => (broken, finite),
+    };
+    black(lamp(given, position).at(p).intensity())
+}
+
+pub fn black_lamp(given: Given) -> Vec<Goal> {
+    let lamp = PointLight {
+        intensity: Rgb::<Term>::BLACK,
+        ..lamp(given, any_vector(given, "position"))
+    };
+    black(lamp.at(any_vector(given, "p")).intensity())
 }

@@ -1,21 +1,16 @@
 //! The promises of the documentation, for every input that they speak of.
 
-#![allow(clippy::wildcard_imports)] // each table of claims uses nearly all that is here
+#![allow(clippy::wildcard_imports)] // each table of claims uses nearly all that is given
 
-mod constructors;
-mod derived;
-mod duals;
+mod falloff;
+mod given;
 mod lights;
 mod normals;
 mod sums;
 mod terms;
 mod vectors;
 
-use shading::{
-    Attenuation, Cone, IncidentLight, Material, PointLight, Ranged, Real, Rgb, SoftCone,
-};
-use shading::{UnitVec3, Vec3};
-use shading_proofs::{Format, Given, Goal, Range, Term};
+use shading_proofs::{Given, Goal};
 
 pub struct Claim {
     pub name: &'static str,
@@ -23,194 +18,92 @@ pub struct Claim {
     pub formula: fn(Given) -> Vec<Goal>,
 }
 
-pub fn all() -> impl Iterator<Item = &'static Claim> {
-    [
-        vectors::CLAIMS,
-        constructors::CLAIMS,
-        duals::CLAIMS,
-        normals::CLAIMS,
-        terms::CLAIMS,
-        lights::CLAIMS,
-        sums::CLAIMS,
-    ]
-    .into_iter()
-    .flatten()
-}
-
-/// The claims that intervals leave open, and Bitwuzla decides.
-pub fn solved() -> impl Iterator<Item = &'static Claim> {
-    derived::CLAIMS.iter()
-}
-
 macro_rules! claims {
-    ($($name:ident: $promise:literal |$given:pat_param| $body:expr)*) => {
-        pub const CLAIMS: &[super::Claim] = &[$(super::Claim {
+    ($($module:ident::$name:ident $promise:literal)*) => {
+        &[$(Claim {
             name: stringify!($name),
             promise: $promise,
-            formula: |$given| $body,
-        }),*];
+            formula: $module::$name,
+        }),*]
     };
 }
-use claims;
 
-const INF: f64 = f64::INFINITY;
-const UP_TO_ONE: Range = Range {
-    low: 0.0,
-    high: 1.0,
-    nan: false,
-    minus_zero: true,
-    finite: true,
+#[rustfmt::skip]
+pub const CLAIMS: &[Claim] = claims! {
+    vectors::length_of_numbers "`Vec3::length` of any numbers is in [0, ∞]"
+    vectors::unit_of_any "`Vec3::unit` of any bits is `None` or has components up to 1.25 in size"
+    vectors::unit_of_nothing "`Vec3::unit` and `normal::plane` of the zero vector are `None`, and if a component is infinite or NaN"
+    vectors::unit_or_of_any "`Vec3::unit_or` of any bits has components up to 1.25 in size, if the fallback has"
+    vectors::unit_or_of_nothing "`Vec3::unit_or` is the fallback where `Vec3::unit` is `None`, to the bit"
+    vectors::direction_of_any "`UnitVec3::new` of any bits is `None`, or its argument, each component in [−1.01, 1.01]"
+    vectors::direction_of_nothing "`UnitVec3::new` is `None` for the zero vector, and if a component is infinite or NaN"
+    vectors::half_vector_of_any "`half_vector` of any bits is `None` or has components up to 1.25 in size"
+    vectors::half_vector_of_opposite "`half_vector` of L and −L, any bits, is `None`"
+    vectors::half_vector_of_broken "`half_vector` is `None` if a component is infinite or NaN"
+    vectors::clamped "`Rgb::clamped` of any bits is in [0, 1], NaN too"
+    falloff::attenuation_of_any "`Attenuation::new` of any bits is `None`, or `coefficients` are in [0, MAX] and `at` of any bits is in [0, MAX]"
+    falloff::attenuation_of_invalid "`Attenuation::new` is `None` if a coefficient is negative, infinite or NaN, or all are 0"
+    falloff::attenuation_in_its_limit "`Attenuation::at` with any range, of any bits, is in [0, MAX], and in [0, 1] if `clamped`, `unsquared` or not"
+    falloff::attenuation_never_rises "`Attenuation::at` never rises with the distance, with any range or none, `clamped`, `unsquared` or not"
+    falloff::attenuation_at_no_denominator "`Attenuation::at` is the largest number, and 1 if `clamped`, where a + bq + cq² = 0"
+    falloff::range_of_invalid "`Attenuation::within` is `None` for r ≤ 0 and NaN"
+    falloff::range_ends "`Attenuation::at` is 0 for q ≥ r, any range below the largest number, `unsquared` or not"
+    falloff::range_never_adds "`Attenuation::at` with a range is never above that without, any r and q ≥ 0"
+    falloff::range_without_end "`Attenuation::within` of ∞ changes no bit of `Attenuation::at`"
+    falloff::cone_of_any_cosines "`Cone::from_cosines` of any bits is `None`, or `cosines` are in [−1, 1] and `factor` in [0, 1], axis and L of any bits, `smoothstep` or not"
+    falloff::cone_of_any_half_angles "the same of `Cone::from_half_angles`, given that the cosine of a finite number is in [−1, 1]"
+    falloff::cone_of_invalid_cosines "`Cone::from_cosines` is `None` for a cosine outside of [−1, 1], for NaN, and if the inner one is below the outer one"
+    falloff::cone_of_invalid_half_angles "`Cone::from_half_angles` is `None` for an angle below 0 or above 3.15, for NaN, and if the inner one is above the outer one"
+    falloff::cone_on_its_axis "`Cone::factor` is 1 on the axis, whatever `Cone::from_cosines` gets"
+    falloff::cone_of_everything "`Cone::factor` of a cone of cosine −1 is 1 in every direction"
+    lights::lamp_of_any "`PointLight::at`, positions of any bits: `intensity` is in [0, MAX], and `l` has components up to 1.25 in size"
+    lights::distance_of_finite "`IncidentLight::distance` of a lamp is in [0, MAX], finite positions"
+    lights::lamp_with_a_range "the same with any range"
+    lights::spot_of_any "the same of `SpotLight::at`, axis and cosines of any bits"
+    lights::light_at_the_point "`PointLight::at` and `SpotLight::at` are black where the light is"
+    lights::light_at_infinity "`PointLight::at` is black if a coordinate of the light or of p is infinite or NaN"
+    lights::black_lamp "`PointLight::at` of a black light is black, whatever the attenuation, positions of any bits"
+    sums::lambert "`shade::lambert`, two lights: no channel is negative or NaN, nor one of `Shaded::total`"
+    sums::phong "the same of `shade::phong`, any shininess"
+    sums::blinn_phong "the same of `shade::blinn_phong`, any shininess"
+    sums::lit_by_a_lamp "the same of `shade::blinn_phong` under a lamp, positions of any bits"
+    sums::any_number_of_lights "each light adds a term in [0, ∞] to a sum that begins at 0, in the three models, any shininess; so no number of lights makes a channel negative or NaN"
+    sums::behind "a light with N·L ≤ 0, or NaN, adds nothing, to the bit, before or after another, in the three models, any shininess; directions of any bits"
+    sums::lamp_behind "the same of `PointLight` and `SpotLight` that are not `is_in_front`, positions of any bits"
+    sums::black_light "a black light adds nothing, to the bit, before or after another, in the three models, any shininess"
+    sums::broken_lamp "the same of a lamp with a coordinate that is infinite or NaN"
+    sums::opposite "`shade::blinn_phong` has no highlight for L = −V"
+    sums::black_surface "a reflectance of 0 gives 0, even if the sum of two lights overflows"
+    sums::reflected_at_most "diffuse and specular are at most the largest number times k"
+    sums::highlight_at_most "the highlight of one light is at most its intensity times k_s, in the three models, any shininess"
+    normals::triangle_of_any "`normal::triangle` of any bits is `None` or has components up to 1.25 in size"
+    normals::triangle_of_none "`normal::triangle` is `None` if two vertices are equal, or one is infinite or NaN"
+    normals::sphere_of_any "`normal::sphere` of any bits is `None` or has components up to 1.25 in size"
+    normals::sphere_of_none "`normal::sphere` is `None` at the center, and if a coordinate is infinite or NaN"
+    normals::implicit_of_any "`normal::implicit` of any function is `None` or has components up to 1.25 in size"
+    normals::implicit_of_none "`normal::implicit` and `normal::from_gradient` are `None` where ∇f is 0, infinite or NaN"
+    normals::parametric_of_any "`normal::parametric` of any function is `None` or has components up to 1.25 in size"
+    normals::parametric_of_none "`normal::parametric` is `None` if the tangents are equal, or one is 0, infinite or NaN"
+    normals::tangents_of_any "`normal::from_tangents` of any bits is `None` or has components up to 1.25 in size"
+    normals::tangents_of_none "`normal::from_tangents` is `None` if the tangents are equal, or one is 0, infinite or NaN"
+    normals::facing_faces "`normal::facing`: N·V is not negative, N and V of any numbers"
+    normals::facing_stays "`normal::facing` is N, to the bit, if N·V is 0 or above or NaN"
+    normals::transformed_of_any "`normal::transformed` is `None` or has components up to 1.25 in size, N of any bits, and each column of any bits whose |v|² is between 1/p and p"
+    normals::transformed_of_none "`normal::transformed` is `None` if N is 0, infinite or NaN and the columns are as above"
+    normals::tangent_of_any "`normal::tangent` of any bits is `None`, or has components up to 1.25 in size and a handedness in [−1, 1]"
+    normals::tangent_of_none "`normal::tangent` is `None` if two vertices have the same texture coordinates"
+    normals::corner_of_none "`normal::corner` is 0 if two vertices are equal, or one is infinite or NaN"
+    normals::mapped_of_any "`normal::mapped` of any bits is `None` or has components up to 1.25 in size"
+    normals::mapped_of_none "`normal::mapped` is `None` if T or the sample is 0, infinite or NaN, or T is N"
+    terms::lambert_of_any "`term::lambert` of any bits is in [0, ∞]"
+    terms::lambert_of_units "`term::lambert` of directions is at most 1 + 16 u"
+    terms::highlights_of_any "`term::phong` and `term::blinn` of any bits by an integer are in [0, 1], odd and even ones up to 2³² − 1"
+    terms::highlights_in_the_dark "`term::phong` and `term::blinn` by an integer are 0 for a cosine that is not above 0 or is NaN"
+    terms::highlights_of_one "`term::phong` and `term::blinn` by an integer are 1 for a cosine of 1 or above, and by 0 for every cosine above 0"
+    terms::powers_in_their_range "`Exponent::raise` and `Exponent::raise_root` of [0, 1] by an integer are in [0, 1]"
+    terms::phong_normalization "`term::phong_normalization` of any bits is in [0.3, MAX]"
+    terms::blinn_normalization "`term::blinn_normalization` of any bits is in [0.02, MAX], given what a real power promises"
+    terms::overrides "what floats override in `Real` is what the trait derives, to the bit, any bits"
+    terms::dual_values "+ − × ÷ √ and `powi` of `Dual` have the value of the same number without a gradient, to the bit, any bits"
+    terms::dual_quotients "÷ of `Dual` is finite, for values and gradients up to 2³⁰ and a divisor of 2⁻³⁰ or above"
 };
-
-fn finite(given: Given) -> Range {
-    Range::within(-given.format().max(), given.format().max())
-}
-fn not_negative(given: Given) -> Range {
-    Range::within(0.0, given.format().max())
-}
-/// 0 or ∞ or anything between them: light.
-fn light() -> Range {
-    Range::within(0.0, INF)
-}
-fn any_vector(given: Given, name: &str) -> Vec3<Term> {
-    given.vector(name, Range::ANY)
-}
-fn any_direction(given: Given, name: &str) -> UnitVec3<Term> {
-    UnitVec3::assume_unit(any_vector(given, name))
-}
-/// Any vector with one component of a kind, whichever it is.
-fn with_one(given: Given, name: &str, kind: Range) -> Vec3<Term> {
-    let (mut v, one) = (
-        any_vector(given, name),
-        given.number(&format!("{name}'"), kind),
-    );
-    *[&mut v.x, &mut v.y, &mut v.z][given.one_of(3) as usize] = one;
-    v
-}
-/// A component is infinite or NaN, and the others are anything.
-fn broken(given: Given, name: &str) -> Vec3<Term> {
-    with_one(given, name, Range::NOT_FINITE)
-}
-fn nan_direction(given: Given, name: &str) -> UnitVec3<Term> {
-    UnitVec3::assume_unit(with_one(given, name, Range::NAN))
-}
-fn broken_direction(given: Given, name: &str) -> UnitVec3<Term> {
-    UnitVec3::assume_unit(broken(given, name))
-}
-/// The zero vector, whatever the signs of its zeros.
-fn zero(given: Given, name: &str) -> Vec3<Term> {
-    given.vector(name, Range::within(0.0, 0.0))
-}
-
-fn within(terms: impl IntoIterator<Item = Term>, range: Range) -> Vec<Goal> {
-    terms
-        .into_iter()
-        .map(|term| Goal::Within(term, range))
-        .collect()
-}
-fn components(v: impl Into<Vec3<Term>>, range: Range) -> Vec<Goal> {
-    let v = v.into();
-    within([v.x, v.y, v.z], range)
-}
-fn channels(color: Rgb<Term>, range: Range) -> Vec<Goal> {
-    within([color.r, color.g, color.b], range)
-}
-fn same(a: impl Into<[Term; 3]>, b: impl Into<[Term; 3]>) -> Vec<Goal> {
-    a.into()
-        .into_iter()
-        .zip(b.into())
-        .map(|(a, b)| Goal::Same(a, b))
-        .collect()
-}
-/// `None`, or a vector of finite components.
-fn none_or_finite(given: Given, n: Option<UnitVec3<Term>>) -> Vec<Goal> {
-    n.map_or(vec![], |n| components(n, finite(given)))
-}
-fn none<T>(result: Option<T>) -> Vec<Goal> {
-    result.map_or(vec![], |_| vec![Goal::Never])
-}
-
-/// Divides a claim into cases, of which each is proved: whether a difference is too large or too small to be squared, and
-/// whether it vanishes. Returns it as the formulas rescale it.
-fn decide_scale(from: Vec3<Term>, to: Vec3<Term>) -> Vec3<Term> {
-    let plain = (to - from).dot(to - from);
-    let _ = [plain > Term::EXTREME, Term::ONE / Term::EXTREME > plain];
-    let (rescaled, _) = Term::rescaled_difference(to.into(), from.into());
-    let _ = Term::dot(rescaled, rescaled) > Term::ZERO;
-    rescaled.into()
-}
-
-fn coefficients(given: Given) -> [Term; 3] {
-    let a = given.number("a", Range::unsigned(0.0, given.format().max())); // `new` adds 0 to a
-    [a, given.not_negative("b"), given.not_negative("c")]
-}
-fn attenuation(given: Given) -> Attenuation<Term> {
-    attenuation_of(coefficients(given))
-}
-fn attenuation_of(coefficients: [Term; 3]) -> Attenuation<Term> {
-    let mut fields = coefficients.into_iter();
-    Attenuation::<f32>::NONE.cast(|_| fields.next().unwrap())
-}
-fn ranged(given: Given, r: Range) -> Ranged<Term> {
-    let mut fields = coefficients(given)
-        .into_iter()
-        .chain([given.number("r", r)]);
-    Attenuation::<f32>::NONE
-        .within(1.0)
-        .unwrap()
-        .cast(|_| fields.next().unwrap())
-}
-/// Any range that `Attenuation::within` takes.
-fn any_ranged(given: Given) -> Ranged<Term> {
-    ranged(given, Range::within(given.format().tiny(), INF))
-}
-fn cone(cosine: Term) -> Cone<Term> {
-    Cone::<f32>::from_cosine(0.5).unwrap().cast(|_| cosine)
-}
-/// How far below −1 a cosine may be stored.
-fn slack(given: Given) -> f64 {
-    16.0 * given.format().u()
-}
-/// Cosines as `SoftCone` stores them: the inner one is not below the outer one.
-fn soft_cone(given: Given) -> SoftCone<Term> {
-    let stored = Range::within(-1.0 - slack(given), 1.0);
-    let (inner, outer) = (given.number("inner", stored), given.number("outer", stored));
-    given.assume_at_most(outer, inner);
-    soft_cone_of(inner, outer)
-}
-fn soft_cone_of(inner: Term, outer: Term) -> SoftCone<Term> {
-    let mut fields = [inner, outer].into_iter();
-    SoftCone::<f32>::from_cosines(0.9, 0.5)
-        .unwrap()
-        .cast(|_| fields.next().unwrap())
-}
-fn material(given: Given, m: u32) -> Material<Term, u32> {
-    Material {
-        k_a: given.rgb("k_a"),
-        k_d: given.rgb("k_d"),
-        k_s: given.rgb("k_s"),
-        m,
-    }
-}
-/// A light that arrives along a direction of length 1.
-fn incident(given: Given, name: &str) -> IncidentLight<Term> {
-    let intensity = given.rgb(&format!("{name}.intensity"));
-    IncidentLight {
-        l: given.unit(name),
-        intensity,
-        distance: given.not_negative("distance"),
-    }
-}
-fn lamp(given: Given, position: Vec3<Term>) -> PointLight<Term> {
-    PointLight {
-        position,
-        intensity: given.rgb("I"),
-        attenuation: attenuation(given),
-    }
-}
-fn number(x: f64) -> Term {
-    Term::of(x)
-}
-fn is_single(given: Given) -> bool {
-    given.format() == Format::F32
-}

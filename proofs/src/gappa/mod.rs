@@ -1,4 +1,4 @@
-//! The error bounds of `docs/precision.md`, as scripts for Gappa, which proves them from the recorded formulas.
+//! The error bounds of `docs/precision.md`, where "Gappa" stands beside them, as scripts for Gappa, which proves them from the recorded formulas.
 //!
 //! A number below 2⁻⁴⁰ is left out, because what underflow takes from it is no share of the result.
 
@@ -7,12 +7,11 @@ mod script;
 use std::fs;
 use std::path::Path;
 
+use shading::{Attenuation, Cone, DirectionalLight, Exponent, IncidentLight, Material, PointLight};
 use shading::{
-    Attenuation, Exponent, IncidentLight, Material, PointLight, Ranged, Real, Rgb, SoftCone,
-    UnitVec3, Vec3,
+    Real, Rgb, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
-use shading::{attenuation, half_vector, normal, reflection, shade, term};
-use shading_proofs::{Format, Given, Node, Range, Term, Test, paths, with};
+use shading_proofs::{Format, Given, Graph, Node, Range, Term, Test, paths, with};
 
 use script::Script;
 
@@ -52,19 +51,20 @@ fn vector(given: Given, name: &str) -> Vec3<Term> {
 fn direction(given: Given, name: &str) -> UnitVec3<Term> {
     UnitVec3::assume_unit(vector(given, name))
 }
+fn attenuation_of(given: Given) -> Attenuation<Term> {
+    let [a, b, c] = coefficients(given);
+    Attenuation::new(a, b, c).expect("valid coefficients")
+}
 fn coefficients(given: Given) -> [Term; 3] {
     ["a", "b", "c"].map(|name| number(given, name, 0.01, 2.0))
 }
 fn lamp(given: Given) -> IncidentLight<Term> {
-    let mut fields = coefficients(given).into_iter();
-    let attenuation = Attenuation::<f32>::NONE.cast(|_| fields.next().unwrap());
-    let intensity = Rgb::gray(number(given, "I", 0.1, 1.0));
-    PointLight {
+    let lamp = PointLight {
         position: vector(given, "s"),
-        intensity,
-        attenuation,
-    }
-    .at(vector(given, "p"))
+        intensity: Rgb::gray(number(given, "I", 0.1, 1.0)),
+        attenuation: attenuation_of(given),
+    };
+    lamp.at(vector(given, "p"))
 }
 fn first(v: Option<UnitVec3<Term>>) -> Formula {
     v.map_or(vec![], |v| vec![v.x]).into()
@@ -82,26 +82,24 @@ fn power(given: Given, m: u32, off: f64, low: f64) -> Formula {
 
 fn ranged(given: Given, is_squared: bool) -> Formula {
     let [q, r] = ["q", "r"].map(|name| number(given, name, (-30.0_f64).exp2(), 4.0));
-    let mut fields = coefficients(given).into_iter().chain([r]);
-    let ranged = Attenuation::<f32>::NONE.within(1.0).unwrap();
+    let free = attenuation_of(given);
+    let ranged = free.within(r).expect("a range");
     let ranged = if is_squared {
         ranged
     } else {
         ranged.unsquared()
     };
-    let ranged: Ranged<Term> = ranged.cast(|_| fields.next().unwrap());
-    given.assume_at_most(q / r, Term::ONE);
-    let free = ranged.attenuation().at(q);
-    let share = q / r;
+    let share = q / ranged.range();
+    given.assume_at_most(share, Term::ONE);
     let fourth = (share * share) * (share * share);
-    let [a, b, c] = ranged.attenuation().coefficients();
+    let [a, b, c] = free.coefficients();
     let root = (Term::ONE - fourth).at_least(Term::ZERO);
     let window = if is_squared { root * root } else { root };
     Formula {
         results: vec![ranged.at(q)],
         exact: vec![(share, [(-30.0_f64).exp2(), 1.0]), (fourth, [0.0, 1.0])],
         names: vec![
-            ('f', free),
+            ('f', free.at(q)),
             ('w', window),
             ('l', a + q * (b + c * q)),
             ('s', share),
@@ -128,37 +126,30 @@ fn unlimited(limited: Term) -> Term {
 /// The factor of a soft cone, given the cosine between its axis and L.
 fn soft_cone(given: Given, is_smooth: bool) -> Formula {
     let [axis, l] = ["axis", "l"].map(|name| direction(given, name));
-    let cosine_of = |name| {
-        given.number(
-            name,
-            Range::within(2.0 * TINY.sqrt() - 1.0, 1.0 - 2.0 * TINY.sqrt()),
-        )
-    };
-    let mut fields = ["inner", "outer"].map(cosine_of).into_iter();
-    let cone = SoftCone::<f32>::from_cosines(0.9, 0.5).unwrap();
-    let cone: SoftCone<Term> =
-        if is_smooth { cone.smoothstep() } else { cone }.cast(|_| fields.next().unwrap());
+    let edge = 2.0 * TINY.sqrt();
+    let [inner, outer] = ["inner", "outer"].map(|name| number(given, name, edge - 1.0, 1.0 - edge));
+    given.assume_above(inner, outer);
+    let cone = Cone::from_cosines(inner, outer).expect("a cone");
+    let cone = if is_smooth { cone.smoothstep() } else { cone };
     let [inner, outer] = cone.cosines().map(unlimited);
-    let factor = cone.factor(axis, l);
 
     // between the edges; beyond them a limit takes t no farther from what it should be
     let cosine = (-axis).dot(l);
-    let (over, width, to_inner) = (cosine - outer, inner - outer, inner - cosine);
+    let (over, width) = (cosine - outer, inner - outer);
     let t = over / width;
-    given.assume_above(to_inner, Term::ZERO);
-    given.assume_above(t, Term::ZERO);
+    for above in [width, inner - cosine, t] {
+        given.assume_above(above, Term::ZERO);
+    }
     given.assume_at_most(t.at_least(Term::ZERO), Term::ONE);
-    let limited = to_inner.if_positive(t.at_least(Term::ZERO).at_most(Term::ONE), Term::ONE);
-    let (square, rest) = (
-        limited * limited,
-        Term::ONE + Term::ONE + Term::ONE - (limited + limited),
-    );
+    let limited = t.at_least(Term::ZERO).at_most(Term::ONE);
+    let three = Term::ONE + Term::ONE + Term::ONE;
+    let (square, rest) = (limited * limited, three - (limited + limited));
     given.assume_at_most(square * rest, Term::ONE);
 
     let names = [('o', over), ('w', width), ('t', t)];
     let of_smooth = [('f', square), ('s', rest)];
     Formula {
-        results: vec![factor],
+        results: vec![cone.factor(axis, l)],
         taken: vec![(cosine, COSINE, [-1.0, 1.0])],
         exact: vec![
             (width, [0.01, 1.0]),
@@ -212,24 +203,22 @@ fn shaded(given: Given, model: Model) -> Formula {
     let [n, v] = ["n", "v"].map(|name| direction(given, name));
     let share = |name: &str| number(given, name, TINY, 1.0);
     let [k_a, k_d, k_s, i_a] = ["k_a", "k_d", "k_s", "I_a"].map(|name| Rgb::gray(share(name)));
-    let lights =
-        [1, 2, 3, 4].map(|i| (direction(given, &format!("l{i}")), share(&format!("I{i}"))));
+    let lights = [1, 2, 3, 4].map(|i| DirectionalLight {
+        l: direction(given, &format!("l{i}")),
+        intensity: Rgb::gray(share(&format!("I{i}"))),
+    });
     let mut taken = Vec::new();
-    for (l, _) in lights {
+    for DirectionalLight { l, .. } in lights {
         given.assume_above(n.dot(l), Term::of(TINY));
         taken.push((n.dot(l), COSINE, [0.0, 1.0]));
-        let [n_, l_, v_] = [n, l, v].map(<[Term; 3]>::from);
-        let (cosine, m) = match model {
+        let highlight = match model {
             Model::Lambert => continue,
-            Model::Phong => (Term::reflected_cosine(n_, l_, v_), 32_u32),
+            Model::Phong => term::phong(reflection(n, l), v, 32),
             Model::BlinnPhong => {
-                let h = *l + *v;
-                given.assume_at_most(Term::ONE / Term::EXTREME, h.z * h.z + h.y * h.y + h.x * h.x);
-                (Term::half_cosine(n_, l_, v_, true), 16)
+                let [n, h] = [*n, *l + *v].map(<[Term; 3]>::from);
+                Term::cosine_power(n, h, 32)
             }
         };
-        let cosine = term::lambert(n, l).if_positive(cosine, Term::ZERO);
-        let highlight = m.raise(cosine);
         given.assume_above(highlight, Term::of(TINY));
         taken.push((highlight, model.highlight(), [0.0, 1.0]));
     }
@@ -239,11 +228,7 @@ fn shaded(given: Given, model: Model) -> Formula {
         k_s,
         m: 32,
     };
-    let lit = lights.map(|(l, i)| IncidentLight {
-        l,
-        intensity: Rgb::gray(i),
-        distance: Term::MAX,
-    });
+    let lit = lights.map(IncidentLight::from);
     let shaded = match model {
         Model::Lambert => shade::lambert(n, &material, i_a, lit),
         Model::Phong => shade::phong(n, v, &material, i_a, lit),
@@ -288,279 +273,135 @@ enum Of {
     /// what the formula gives of the magnitudes of its numbers, without rounding and without signs: the sum of |aᵢbᵢ|
     /// for that of aᵢbᵢ
     Magnitudes,
+    /// one, which the result itself exceeds by no more
+    Excess,
 }
 
 /// What is proved of a row of the page.
 struct Bound {
     name: &'static str,
-    /// The row.
-    function: &'static str,
     /// In units of roundoff.
     most: f64,
     of: Of,
     formula: fn(Given) -> Formula,
 }
 
-const fn bound(
-    name: &'static str,
-    function: &'static str,
-    most: f64,
-    of: Of,
-    formula: fn(Given) -> Formula,
-) -> Bound {
+const fn bound(name: &'static str, most: f64, of: Of, formula: fn(Given) -> Formula) -> Bound {
     Bound {
         name,
-        function,
         most,
         of,
         formula,
     }
 }
 
+#[rustfmt::skip]
 const BOUNDS: &[Bound] = &[
-    bound("length", "`Vec3::length`", 2.5, Of::Result, |given| {
-        vec![vector(given, "v").length()].into()
-    }),
-    bound(
-        "unit",
-        "`Vec3::unit`, `normal::plane`",
-        3.5,
-        Of::Result,
-        |given| first(vector(given, "v").unit()),
-    ),
-    bound("sphere", "`normal::sphere`", 5.5, Of::Result, |given| {
-        first(normal::sphere(vector(given, "c"), vector(given, "p")))
-    }),
-    bound(
-        "paraboloid",
-        "`normal::parametric`, a paraboloid",
-        5.4,
-        Of::Result,
-        |given| {
-            let [u, v] = ["u", "v"].map(|name| given.number(name, Range::within(-1.0, 1.0)));
-            first(normal::parametric(
-                |u, v| Vec3::new(u, v, u * u + u * v + v * v),
-                u,
-                v,
-            ))
-        },
-    ),
-    bound("reflection", "`reflection`", 9.0, Of::One, mirrored),
-    bound("half_vector", "`half_vector`", 5.5, Of::Result, |given| {
-        first(half_vector(direction(given, "l"), direction(given, "v")))
-    }),
-    bound("lambert", "`lambert`", COSINE, Of::Magnitudes, |given| {
-        let [n, l] = ["n", "l"].map(|name| direction(given, name));
-        given.assume_above(n.dot(l), Term::ZERO);
-        vec![term::lambert(n, l)].into()
-    }),
-    bound(
-        "phong_1",
-        "`phong`, m = 1",
-        COSINE,
-        Of::Magnitudes,
-        |given| {
-            let [r, v] = ["r", "v"].map(|name| direction(given, name));
-            given.assume_above(r.dot(v), Term::of(TINY));
-            given.assume_at_most(r.dot(v), Term::ONE);
-            vec![term::phong(r, v, 1)].into()
-        },
-    ),
-    bound("phong_32", "`phong`, m = 32", 111.5, Of::One, |given| {
-        power(given, 32, COSINE, 0.125)
-    }),
-    bound("blinn_128", "`blinn`, m = 128", 447.5, Of::One, |given| {
-        power(given, 128, COSINE, 0.6)
-    }),
-    bound(
-        "raise_32",
-        "`Exponent::raise`, m = 32",
-        31.0,
-        Of::Result,
-        |given| vec![32_u32.raise(number(given, "c", 0.125, 1.0))].into(),
-    ),
-    bound(
-        "raise_1000",
-        "`Exponent::raise`, m = 1000",
-        999.0,
-        Of::Result,
-        |given| vec![1000_u32.raise(number(given, "c", 0.94, 1.0))].into(),
-    ),
-    bound(
-        "phong_normalization",
-        "`phong_normalization`",
-        3.0,
-        Of::Result,
-        |given| vec![term::phong_normalization(number(given, "m", TINY, 1e6))].into(),
-    ),
-    bound(
-        "blinn_normalization",
-        "`blinn_normalization`",
-        11.75,
-        Of::Result,
-        |given| vec![term::blinn_normalization(number(given, "m", TINY, 1e6))].into(),
-    ),
-    bound("attenuation", "`attenuation`", 5.0, Of::Result, |given| {
-        let [a, b, c] = coefficients(given);
-        vec![attenuation(
-            a,
-            b,
-            c,
-            number(given, "q", (-30.0_f64).exp2(), 4.0),
-        )]
-        .into()
-    }),
-    bound("ranged", "`Ranged::at`", 8.5, Of::Named('f'), |given| {
-        ranged(given, true)
-    }),
-    bound(
-        "ranged_unsquared",
-        "`Ranged::at`, unsquared",
-        7.0,
-        Of::Named('f'),
-        |given| ranged(given, false),
-    ),
-    bound(
-        "soft_cone",
-        "`SoftCone::factor`",
-        11.9,
-        Of::Named('w'),
-        |given| soft_cone(given, false),
-    ),
-    bound(
-        "smoothstep",
-        "`SoftCone::factor`, a smoothstep",
-        8.6,
-        Of::Named('w'),
-        |given| soft_cone(given, true),
-    ),
-    bound(
-        "lamp_direction",
-        "`PointLight::at`, direction",
-        6.5,
-        Of::Result,
-        |given| vec![lamp(given).l.x].into(),
-    ),
-    bound(
-        "lamp_intensity",
-        "`PointLight::at`, intensity",
-        13.0,
-        Of::Result,
-        |given| vec![lamp(given).intensity.r].into(),
-    ),
-    bound(
-        "shade_lambert",
-        "`shade::lambert`, four lights",
-        9.0,
-        Of::Magnitudes,
-        |given| shaded(given, Model::Lambert),
-    ),
-    bound(
-        "highlight_phong",
-        "`shade::phong`, m = 32",
-        399.5,
-        Of::One,
-        |given| power(given, 32, 12.0, 0.125),
-    ),
-    bound(
-        "shade_phong",
-        "`shade::phong`, m = 32",
-        405.5,
-        Of::Magnitudes,
-        |given| shaded(given, Model::Phong),
-    ),
-    bound(
-        "highlight_blinn",
-        "`shade::blinn_phong`, m = 32",
-        183.5,
-        Of::One,
-        |given| power(given, 16, 11.0, 0.125),
-    ),
-    bound(
-        "shade_blinn",
-        "`shade::blinn_phong`, m = 32",
-        193.0,
-        Of::Magnitudes,
-        |given| shaded(given, Model::BlinnPhong),
-    ),
+    bound("length", 2.5, Of::Result, |given| vec![vector(given, "v").length()].into()),
+    bound("unit", 3.5, Of::Result, |given| first(vector(given, "v").unit())),
+    bound("sphere", 5.5, Of::Result, |given| first(normal::sphere(vector(given, "c"), vector(given, "p")))),
+    bound("paraboloid", 5.4, Of::Result, paraboloid),
+    bound("reflection", 9.0, Of::One, mirrored),
+    bound("half_vector", 5.5, Of::Result, |given| first(half_vector(direction(given, "l"), direction(given, "v")))),
+    bound("lambert", COSINE, Of::Magnitudes, lambert),
+    bound("phong_1", COSINE, Of::Magnitudes, phong),
+    bound("phong_32", 111.5, Of::One, |given| power(given, 32, COSINE, 0.125)),
+    bound("blinn_128", 447.5, Of::One, |given| power(given, 128, COSINE, 0.6)),
+    bound("raise_32", 31.0, Of::Result, |given| vec![32_u32.raise(number(given, "c", 0.125, 1.0))].into()),
+    bound("raise_1000", 999.0, Of::Result, |given| vec![1000_u32.raise(number(given, "c", 0.94, 1.0))].into()),
+    bound("phong_normalization", 3.0, Of::Result, |given| vec![term::phong_normalization(number(given, "m", TINY, 1e6))].into()),
+    bound("blinn_normalization", 11.75, Of::Result, |given| vec![term::blinn_normalization(number(given, "m", TINY, 1e6))].into()),
+    bound("attenuation", 5.0, Of::Result, attenuated),
+    bound("ranged", 8.5, Of::Named('f'), |given| ranged(given, true)),
+    bound("ranged_unsquared", 7.0, Of::Named('f'), |given| ranged(given, false)),
+    bound("soft_cone", 11.9, Of::Named('w'), |given| soft_cone(given, false)),
+    bound("smoothstep", 8.6, Of::Named('w'), |given| soft_cone(given, true)),
+    bound("lamp_direction", 6.5, Of::Result, |given| vec![lamp(given).l().x].into()),
+    bound("lamp_intensity", 13.0, Of::Result, |given| vec![lamp(given).intensity().r].into()),
+    bound("shade_lambert", 9.0, Of::Magnitudes, |given| shaded(given, Model::Lambert)),
+    bound("highlight_phong", 399.5, Of::One, |given| power(given, 32, 12.0, 0.125)),
+    bound("shade_phong", 405.5, Of::Magnitudes, |given| shaded(given, Model::Phong)),
+    bound("highlight_blinn", 183.5, Of::One, |given| power(given, 16, 11.0, 0.125)),
+    bound("shade_blinn", 193.0, Of::Magnitudes, |given| shaded(given, Model::BlinnPhong)),
+    // claims rather than rows
+    bound("lambert_of_units", 16.0, Of::Excess, |given| units(given, |n, l| n.dot(l))),
+    bound("cone_of_everything", 16.0, Of::Excess, |given| units(given, |axis, l| -(-axis).dot(l))),
 ];
 
-/// What is wrong with the last columns of the table of `docs/precision.md`: "Gappa" needs a bound that is proved, and
-/// "hand" a derivation. "hand; Gappa 2.7" is a row whose derivation goes below what Gappa proves.
-pub fn complaints(page: &str) -> Vec<String> {
-    let rows = page.lines().filter(|line| line.starts_with("| `"));
-    let rows: Vec<Vec<&str>> = rows
-        .map(|row| row.trim_matches(['|', ' ']).split(" | ").collect())
-        .collect();
-    let unknown = |bound: &&Bound| rows.iter().all(|row| row[0] != bound.function);
-    let unknown = BOUNDS
-        .iter()
-        .filter(unknown)
-        .map(|bound| format!("docs/precision.md has no row {}", bound.function));
-    unknown
-        .chain(rows.iter().filter_map(|row| complaint(page, row)))
-        .collect()
+fn paraboloid(given: Given) -> Formula {
+    let [u, v] = ["u", "v"].map(|name| given.number(name, Range::within(-1.0, 1.0)));
+    let surface = |u, v| Vec3::new(u, v, u * u + u * v + v * v);
+    first(normal::parametric(surface, u, v))
 }
 
-fn complaint(page: &str, row: &[&str]) -> Option<String> {
-    let &[function, _, _, most, unit, by] = row else {
-        return Some(format!("not a row of six cells: {row:?}"));
-    };
-    // an error of one u is half a unit in the last place of 1
-    let units = if unit.starts_with("of 1") { 0.5 } else { 1.0 };
-    let tenths = |bound: &Bound| format!("{:.1}", (bound.most * units * 10.0 - 1e-9).ceil() / 10.0);
-    // the sum comes after the highlights that it takes
-    let proved = BOUNDS
-        .iter()
-        .rfind(|bound| bound.function == function)
-        .map(tenths);
-    let name = function.split_inclusive('`').take(2).collect::<String>();
-    let is_derived = page
-        .split("\n- **")
-        .skip(1)
-        .any(|part| part.split("**").next().is_some_and(|of| of.contains(&name)));
-    match (by, proved) {
-        ("hand", None) if is_derived => None,
-        ("Gappa", Some(proved)) if proved == most => None,
-        ("Gappa, hand", Some(proved)) if proved == most && is_derived => None,
-        (by, Some(proved)) if is_derived && by == format!("hand; Gappa {proved}") => None,
-        (_, proved) => Some(format!(
-            "{function}: {most} by {by}, but Gappa proves {proved:?}"
-        )),
+fn lambert(given: Given) -> Formula {
+    let [n, l] = ["n", "l"].map(|name| direction(given, name));
+    given.assume_above(n.dot(l), Term::ZERO);
+    vec![term::lambert(n, l)].into()
+}
+
+fn phong(given: Given) -> Formula {
+    let [r, v] = ["r", "v"].map(|name| direction(given, name));
+    given.assume_above(r.dot(v), Term::of(TINY));
+    given.assume_at_most(r.dot(v), Term::ONE);
+    vec![term::phong(r, v, 1)].into()
+}
+
+fn attenuated(given: Given) -> Formula {
+    let [a, b, c] = coefficients(given);
+    let q = number(given, "q", (-30.0_f64).exp2(), 4.0);
+    vec![attenuation(a, b, c, q)].into()
+}
+
+/// The cosine between two directions: 2 N·L = |N|² + |L|² − |N − L|².
+fn units(given: Given, cosine: fn(UnitVec3<Term>, UnitVec3<Term>) -> Term) -> Formula {
+    let (n, l) = (given.unit("n"), given.unit("l"));
+    let components = [n.x, n.y, n.z, l.x, l.y, l.z];
+    let letters = ['a', 'b', 'c', 'e', 'f', 'g'];
+    let names = letters.into_iter().zip(components);
+    Formula {
+        results: vec![cosine(n, l)],
+        exact: components.map(|x| (x, [-1.000_001, 1.000_001])).into(),
+        names: names.chain([('p', n.dot(n)), ('q', l.dot(l))]).collect(),
+        rules: UNITS,
+        ..Formula::default()
     }
+}
+const UNITS: &str = "X -> (P + Q - ((a-e)*(a-e) + (b-f)*(b-f) + (c-g)*(c-g)))/2;
+x -> X + (x - X);
+P -> p - (p - P);
+Q -> q - (q - Q);
+";
+
+/// Whether a decision is that a vector must be rescaled: its square is not from 1/p to p.
+fn is_rescaled(g: &Graph, (test, answer): (Test, bool)) -> bool {
+    let Test::Above(inside, _) = test else {
+        return false;
+    };
+    let inside = g.nodes[inside as usize];
+    !answer && matches!(inside, Node::Select(Test::AtMost(..), ..))
 }
 
 /// Writes one script for a share of each bound, format and way through the formula, but for vectors that are rescaled.
 pub fn write(folder: &Path, share: f64) -> std::io::Result<()> {
     fs::create_dir_all(folder)?;
-    for Bound {
-        name,
-        most,
-        of,
-        formula,
-        ..
-    } in BOUNDS
-    {
+    for bound in BOUNDS {
         for format in [Format::F32, Format::F64] {
             let mut scripts = Vec::new();
-            paths(format, formula, |run, formula| {
-                let is_rescaled = |&(test, answer): &(Test, bool)| {
-                    answer && matches!(test, Test::Outside(_, _, high) if high == Term::EXTREME.0)
-                };
-                if !run.path.iter().any(is_rescaled) {
-                    let write = |&result| {
-                        Script::new(&run.graph, run.known.clone(), &formula).text(
-                            result,
-                            *most * share,
-                            *of,
-                        )
-                    };
-                    scripts.extend(formula.results.iter().map(write));
+            paths(format, bound.formula, |run, formula| {
+                let (g, most) = (&run.graph, bound.most * share);
+                if run.path.iter().any(|fact| is_rescaled(g, *fact)) {
+                    return;
+                }
+                for &result in &formula.results {
+                    let script = Script::new(g, run.known.clone(), &formula);
+                    scripts.push(script.text(result, most, bound.of));
                 }
             });
-            assert!(!scripts.is_empty(), "{name} has no way");
+            assert!(!scripts.is_empty(), "{} has no way", bound.name);
             for (way, script) in scripts.into_iter().enumerate() {
-                fs::write(folder.join(format!("{name}.{way}.{format:?}.g")), script)?;
+                let file = format!("{}.{way}.{format:?}.g", bound.name);
+                fs::write(folder.join(file), script)?;
             }
         }
     }

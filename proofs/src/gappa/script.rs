@@ -2,9 +2,18 @@
 
 use std::fmt::Write;
 
-use shading_proofs::{Format, Graph, Known, Node, Term};
+use shading_proofs::{Format, Graph, Known, Node, Term, Test};
 
 use super::{Formula, Of, TINY};
+
+/// A number as Gappa reads it without rounding: a whole number and a power of two.
+fn binary(mut x: f64) -> String {
+    let mut power = 0;
+    while x.fract() != 0.0 {
+        (x, power) = (x * 2.0, power - 1);
+    }
+    format!("{x}b{power}")
+}
 
 pub struct Script<'a> {
     g: &'a Graph,
@@ -29,13 +38,22 @@ impl<'a> Script<'a> {
 
     /// That the result is off by at most so many units of roundoff.
     pub fn text(mut self, result: Term, most: f64, of: Of) -> String {
-        let (digits, float) = match self.g.format {
-            Format::F32 => (24, "float<ieee_32,ne>"),
-            Format::F64 => (53, "float<ieee_64,ne>"),
+        let digits = self.g.format.shape().1;
+        let float = match self.g.format {
+            Format::F64 => "float<ieee_64,ne>",
+            _ => "float<ieee_32,ne>",
         };
         let root = self.plain(result.0);
-        for id in self.order(root) {
-            self.define(id, digits, of);
+        let named = self.formula.names.iter().map(|(_, term)| term.0);
+        let mut defined = Vec::new();
+        for root in [result.0].into_iter().chain(named) {
+            let root = self.plain(root);
+            for id in self.order(root) {
+                if !defined.contains(&id) {
+                    defined.push(id);
+                    self.define(id, digits, of);
+                }
+            }
         }
         for &(term, [low, high]) in &self.formula.exact {
             let exact = self.exact(term.0);
@@ -45,9 +63,9 @@ impl<'a> Script<'a> {
             // what is named is named for its range, which is proved
             let id = self.name(name, term);
             let range = self.known.range(self.g, id);
-            if range.low.abs() <= 1.0 && range.high.abs() <= 1.0 {
-                self.facts
-                    .push(format!("n{id} in [{},{}]", range.low, range.high));
+            if range.low.abs().max(range.high.abs()) <= 2.0 {
+                let [low, high] = [range.low, range.high].map(binary);
+                self.facts.push(format!("n{id} in [{low},{high}]"));
             }
         }
         self.name('x', result);
@@ -57,9 +75,11 @@ impl<'a> Script<'a> {
             Of::Named('w') => "|(x - X) * W|".into(),
             Of::Named(name) => format!("|(x - X) / {}|", name.to_uppercase()),
             Of::Magnitudes => format!("|m{root} -/ M{root}|"),
+            Of::Excess => format!("n{root} - 1"),
         };
         // the page leaves out terms in u², which get a fiftieth of u here
-        let limit = ((most + 0.02) * 65_536.0).floor();
+        let left_out = if of == Of::Excess { 0.0 } else { 0.02 };
+        let limit = ((most + left_out) * 65_536.0).floor();
         let (definitions, facts, rules) = (self.definitions, self.facts.join(" /\\ "), self.rules);
         format!(
             "# at most {most} u\n@rnd = {float};\n{definitions}{{ {facts}\n -> {goal} <= {limit}b-{} }}\n{rules}{}",
@@ -88,6 +108,12 @@ impl<'a> Script<'a> {
             Node::Sub(a, b) if self.is_zero(b) => self.plain(a),
             Node::Mul(a, b) if self.is_one(b) => self.plain(a),
             Node::Mul(a, b) if self.is_one(a) => self.plain(b),
+            // the larger of a number that is not negative, and 0
+            Node::Select(Test::Above(x, zero), then, other)
+                if (then, other) == (x, zero) && self.is_zero(zero) && self.is_positive(x) =>
+            {
+                self.plain(x)
+            }
             _ => id,
         }
     }
@@ -226,7 +252,7 @@ impl<'a> Script<'a> {
     fn bound(&mut self, id: u32, digits: i32, of: Of, parts: &[u32], exact: &[String]) {
         let is_tame = of != Of::Magnitudes && !self.is_constant(id);
         match self.g.nodes[id as usize] {
-            Node::Var(index) => {
+            Node::Var(index) if of != Of::Excess => {
                 let range = self.g.names[index as usize].1;
                 self.facts.push(if range.low < 0.0 {
                     format!("|n{id}| in [{TINY},{}]", range.high)

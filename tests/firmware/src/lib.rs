@@ -8,6 +8,7 @@ use kit::digest::{Fnv, Function, Of, absorb};
 use kit::{Float, Number};
 use shading::f32::{Attenuation, Cone, DirectionalLight, Light, PointLight, Rgb, SpotLight};
 use shading::f32::{UnitVec3, Vec3};
+use shading::fixed::Fixed;
 use shading::{Material, Real};
 
 /// Absorbs all functions of some sections of the table.
@@ -26,11 +27,9 @@ pub fn digest<T: Float>() -> u64 {
 }
 
 /// The digest of every function of a fixed-point number.
-#[cfg(feature = "fixed")]
 pub fn digest_of_fixed() -> u64 {
     let mut digest = Fnv::EMPTY;
-    absorb_all(Of::<shading::fixed::Fixed>::OF_NUMBERS, &mut digest);
-    kit::any_bits::absorb(&mut digest);
+    absorb_all(Of::<Fixed>::OF_NUMBERS, &mut digest);
     digest.0
 }
 

@@ -6,15 +6,13 @@
 use core::hint::black_box;
 
 use firmware::{AMBIENT, CAP, LAMPS, board, brass};
+use shading::fixed::Fixed;
 use shading::{Exponent, Real, UnitVec3, shade};
 
-#[cfg(not(feature = "fixed"))]
-firmware::program!(point_light::<f32, _>(32), point_light::<f32, _>(32.0));
-#[cfg(feature = "fixed")]
 firmware::program!(
     point_light::<f32, _>(32),
     point_light::<f32, _>(32.0),
-    point_light::<shading::fixed::Fixed, _>(32)
+    point_light::<Fixed, _>(32)
 );
 
 fn point_light<T: Real, M: Exponent<T>>(m: M) -> u32 {

@@ -7,6 +7,7 @@ use core::hint::black_box;
 use core::sync::atomic::AtomicU32;
 
 use kit::{Given, row};
+use shading::fixed::Fixed;
 
 const MEASURED: &str = env!("MEASURED");
 
@@ -46,10 +47,9 @@ fn main() -> ! {
         let memory = black_box(MEMORY.as_ptr());
         // SAFETY: zeros are a valid value of every type in them, and nothing writes to them.
         unsafe { measured(&*memory.cast()) };
-        #[cfg(feature = "fixed")]
         if const { is_named(FIXED) } {
             black_box(&row::shade_blinn_phong(unsafe {
-                &*memory.cast::<Given<shading::fixed::Fixed>>()
+                &*memory.cast::<Given<Fixed>>()
             }));
         }
     }

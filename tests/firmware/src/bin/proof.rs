@@ -7,14 +7,14 @@ use core::hint::black_box;
 
 use firmware::absorb_all;
 use kit::digest::{Fnv, Of};
+use shading::fixed::Fixed;
 
 #[firmware::board::entry]
 fn main() -> ! {
     let mut digest = Fnv::EMPTY;
     absorb_all(Of::<f32>::WITHOUT_DOUBLES, &mut digest);
     absorb_all(Of::<f32>::OF_FLOATS, &mut digest);
-    #[cfg(feature = "fixed")]
-    absorb_all(Of::<shading::fixed::Fixed>::WITHOUT_DOUBLES, &mut digest);
+    absorb_all(Of::<Fixed>::WITHOUT_DOUBLES, &mut digest);
     loop {
         black_box(digest.0);
     }

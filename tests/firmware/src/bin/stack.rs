@@ -6,26 +6,18 @@
 use core::hint::black_box;
 
 use firmware::{AMBIENT, CAP, LIGHTS, board, brass};
+use shading::fixed::Fixed;
 use shading::{Exponent, Light, Material, Real, Rgb, Shaded, UnitVec3, Vec3, shade};
 
-#[cfg(not(feature = "fixed"))]
-firmware::program!(
-    depth::<f32, _>(lambert, 32),
-    depth::<f32, _>(phong, 32),
-    depth::<f32, _>(blinn_phong, 32),
-    depth::<f32, _>(phong, 32.5),
-    depth::<f32, _>(blinn_phong, 32.5)
-);
-#[cfg(feature = "fixed")]
 firmware::program!(
     depth::<f32, _>(lambert, 32),
     depth::<f32, _>(phong, 32),
     depth::<f32, _>(blinn_phong, 32),
     depth::<f32, _>(phong, 32.5),
     depth::<f32, _>(blinn_phong, 32.5),
-    depth::<shading::fixed::Fixed, _>(lambert, 32),
-    depth::<shading::fixed::Fixed, _>(phong, 32),
-    depth::<shading::fixed::Fixed, _>(blinn_phong, 32)
+    depth::<Fixed, _>(lambert, 32),
+    depth::<Fixed, _>(phong, 32),
+    depth::<Fixed, _>(blinn_phong, 32)
 );
 
 /// The measured call, as firmware makes it: one function that gets everything it needs.

@@ -267,12 +267,12 @@ laws! {
             => n([c.x, c.x, c.x, c.x, T::ZERO, T::ZERO, -c.x, T::ZERO, T::ONE]);
         constants: |c| n([T::of(0.0) * c.x, T::of(1.0), T::of(-1.0), T::of(T::LARGEST), T::of(T::LARGE)])
             => n([T::ZERO, T::ONE, T::NEG_ONE, T::MAX, T::EXTREME]);
-        a_dual_number_has_the_value_of_its_number: |c| { let d = c.cast(Dual::constant); sums(&d, &d.arriving())
-            .map(|s| [s.diffuse, s.specular].map(|rgb| rgb.map(|x| x.value))) }
-            => sums(c, &c.arriving()).map(|s| [s.diffuse, s.specular]);
         a_constant_has_no_slope: |c| { let x = Dual::constant(c.x); (x * x + x).gradient } => Vec3::ZERO;
     }
     scaled {
+        a_dual_number_has_the_value_of_its_number: |c| { let d = c.cast(Dual::constant); sums(&d, &d.arriving())
+            .map(|s| [s.diffuse, s.specular].map(|rgb| rgb.map(|x| x.value))) }
+            => sums(c, &c.arriving()).map(|s| [s.diffuse, s.specular]);
         half_the_light_is_half_as_bright: |c| white(c, &[c.sun.at(c.p) * T::of(0.5)]).map(|s| s * T::of(2.0)) => white(c, &[c.sun.at(c.p)]);
         a_triangle_of_twice_the_size: |c| { let [o, a, b, _] = c.grid.map(|v| v * T::of(0.25)); normal::triangle(o, a, b) }
             => { let [o, a, b, _] = c.grid; normal::triangle(o, a, b) };

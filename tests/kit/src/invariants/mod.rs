@@ -38,7 +38,7 @@ pub trait Tried: Real + PartialOrd + Debug + 'static {
     /// `MAX` and `EXTREME`, for constants.
     const LARGEST: f64;
     const LARGE: f64;
-    /// What precision promises: whether multiplying by a power of two is exact.
+    /// Whether multiplying by a power of two is exact, and no method is replaced.
     const IS_FLOAT: bool;
     /// The laws that it does not promise.
     const EXCEPT: &[&str] = &[];
@@ -80,11 +80,8 @@ impl Tried for shading::fixed::Fixed {
     const LARGEST: f64 = 32_768.0 - Self::SMALLEST;
     const LARGE: f64 = 512.0;
     const IS_FLOAT: bool = false;
-    // a dual number derives what Fixed has its own way for, and ties go up
-    const EXCEPT: &[&str] = &[
-        "a_dual_number_has_the_value_of_its_number",
-        "half_a_turn_turns_normals",
-    ];
+    // ties go up
+    const EXCEPT: &[&str] = &["half_a_turn_turns_normals"];
 
     fn exact(self) -> f64 {
         self.into()

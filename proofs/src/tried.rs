@@ -1,0 +1,112 @@
+//! A claim with every input, in a format of few numbers: the value of each node must lie in the range that the
+//! rules derive for it, each answer of theirs must be that of the numbers, and each goal that they prove must hold.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use super::known::Known;
+use super::run::{Run, calculate};
+use super::{Format, Given, Goal, Range, Test};
+
+/// What the rules say of a path: the range of each node, and whether each goal is proved.
+struct Derived {
+    is_impossible: bool,
+    ranges: Vec<Range>,
+    are_proved: Vec<bool>,
+}
+
+fn derive(run: &Run, goals: &[Goal]) -> Derived {
+    let (g, mut known) = (&run.graph, Known::default());
+    for &(test, answer) in &run.path {
+        known.refine(g, test, answer);
+    }
+    let ids = 0..u32::try_from(g.nodes.len()).expect("fewer than 2³² nodes");
+    Derived {
+        ranges: ids.map(|id| known.range(g, id)).collect(),
+        are_proved: goals.iter().map(|goal| goal.is_proved(g, &known)).collect(),
+        is_impossible: known.impossible,
+    }
+}
+
+/// The choice of each variable in turn: which of how many numbers.
+#[derive(Default)]
+struct Odometer {
+    places: Vec<(usize, usize)>,
+    next: usize,
+}
+
+impl Odometer {
+    fn choose(&mut self, range: Range, numbers: &[f64]) -> f64 {
+        let mut inside = numbers.iter().filter(|x| range.contains(**x));
+        if self.places.len() == self.next {
+            self.places.push((0, inside.clone().count()));
+        }
+        self.next += 1;
+        let chosen = inside.nth(self.places[self.next - 1].0);
+        *chosen.expect("a number of the range")
+    }
+
+    /// Whether another choice remains.
+    fn turn(&mut self) -> bool {
+        self.places.truncate(self.next);
+        self.next = 0;
+        while let Some((at, count)) = self.places.pop() {
+            if at + 1 < count {
+                self.places.push((at + 1, count));
+                return true;
+            }
+        }
+        false
+    }
+}
+
+/// Tries a claim with every input. Returns how many values were compared.
+///
+/// # Errors
+///
+/// The first value, answer or goal that the rules get wrong.
+pub fn every(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Result<u64, String> {
+    let numbers = Rc::new(format.numbers());
+    let odometer: Rc<RefCell<Odometer>> = Rc::default();
+    let mut derived: HashMap<Vec<(Test, bool)>, Derived> = HashMap::new();
+    let (mut compared, mut wrong) = (0, None);
+    loop {
+        let (choices, numbers) = (odometer.clone(), numbers.clone());
+        let sampler = move |range: Range, _: &[f64]| choices.borrow_mut().choose(range, &numbers);
+        let formula = || claim(Given(format));
+        calculate(format, Box::new(sampler), &formula, |run, goals| {
+            if !derived.contains_key(&run.path) {
+                derived.insert(run.path.clone(), derive(run, &goals));
+            }
+            let (g, of_path) = (&run.graph, &derived[&run.path]);
+            compared += g.values.len() as u64;
+            let outside = of_path
+                .ranges
+                .iter()
+                .zip(&g.values)
+                .position(|(range, x)| !range.contains(*x));
+            let mut proved = goals.iter().zip(&of_path.are_proved);
+            wrong = if of_path.is_impossible {
+                Some("this path is not impossible".into())
+            } else if let Some(id) = outside {
+                Some(format!(
+                    "{:?} is {:e}, not in {:?}",
+                    g.nodes[id], g.values[id], of_path.ranges[id]
+                ))
+            } else {
+                let false_goal = proved.find(|(goal, is_proved)| **is_proved && !goal.holds(g));
+                false_goal.map(|(goal, _)| format!("{goal:?} is proved, and wrong"))
+            };
+            wrong = wrong
+                .take()
+                .map(|wrong| format!("{wrong}, with {:?}", g.input()));
+        });
+        if let Some(wrong) = wrong {
+            return Err(wrong);
+        }
+        if !odometer.borrow_mut().turn() {
+            return Ok(compared);
+        }
+    }
+}

@@ -1,0 +1,455 @@
+//! Every rule of the prover with every operand, in formats of so few numbers that all can be tried: each value must lie
+//! in the range that was derived for it, each answer must be that of the numbers, and each goal that is proved must hold.
+//! The rules do not know in which format they are used.
+
+use shading::{Elementary, Real};
+use shading_proofs::tried::every;
+use shading_proofs::{Format, Given, Goal, Range, Term};
+
+const INF: f64 = f64::INFINITY;
+/// Three exponent bits and three digits: 0, ±1/16 … ±14, ±∞ and NaN.
+const SMALL: Format = Format::Small(3, 3);
+
+/// Tries every claim with every input, in both formats of this size or in the smaller one.
+fn check<I: std::fmt::Debug>(
+    format: Format,
+    forms: impl IntoIterator<Item = I>,
+    claim: impl Fn(Given, &I) -> Vec<Goal>,
+) {
+    let mut compared = 0;
+    for form in forms {
+        match every(format, |given| claim(given, &form)) {
+            Ok(values) => compared += values,
+            Err(wrong) => panic!("{form:?}: {wrong}"),
+        }
+    }
+    assert!(compared > 0);
+    println!("{compared} values");
+}
+
+/// Ranges of each kind: with and without NaN, −0, infinities, either sign, one number alone.
+fn ranges() -> [Range; 10] {
+    [
+        Range::ANY,
+        Range::within(-INF, INF),
+        Range::within(0.0, INF),
+        Range::unsigned(0.0, 14.0),
+        Range::within(-INF, 0.0),
+        Range::within(0.25, 2.0).or_nan(),
+        Range::NOT_FINITE,
+        Range::NAN,
+        Range::within(0.0, 0.0),
+        Range::within(-1.0, 14.0),
+    ]
+}
+
+/// Each choice of one from each list.
+fn pairs<A: Copy, B: Copy>(a: &[A], b: &[B]) -> Vec<(A, B)> {
+    a.iter()
+        .flat_map(|a| b.iter().map(move |b| (*a, *b)))
+        .collect()
+}
+
+fn constants() -> [f64; 9] {
+    [0.0, -0.0, 1.0, -1.0, 0.5, 2.5, 4.0, 14.0, INF]
+}
+
+/// The operation with this number.
+fn operation(op: usize, x: Term, y: Term) -> Term {
+    match op {
+        0 => x + y,
+        1 => x - y,
+        2 => x * y,
+        3 => x / y,
+        4 => x * x,
+        5 => x.sqrt(),
+        6 => Elementary::abs(x),
+        7 => -x,
+        8 => x.at_least(y),
+        9 => x.at_most(y),
+        10 => x.if_above(y, x - y, y - x),
+        11 => x - x,
+        _ => x.if_positive(y, -x),
+    }
+}
+const OPERATIONS: [usize; 13] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12];
+
+/// All that may be claimed of two values.
+fn all_of(x: Term, y: Term) -> Vec<Goal> {
+    let zero = Term::ZERO;
+    vec![
+        Goal::Same(x, y),
+        Goal::AtMost(x, y),
+        Goal::AtMost(y, x),
+        Goal::Within(x, Range::within(0.0, 1.0)),
+        Goal::Within(x, Range::unsigned(0.0, INF).or_nan()),
+        Goal::Within(x, Range::NOT_FINITE),
+        Goal::Same(x + zero, x),
+        Goal::Same(x.at_least(zero), x),
+    ]
+}
+
+/// A decision, from which the rules learn. Returns whether it holds.
+fn decide(test: usize, x: Term, y: Term) -> bool {
+    match test {
+        0 => x > y,
+        1 => x <= y,
+        2 => x == y,
+        3 => x >= y,
+        _ => x < y,
+    }
+}
+const TESTS: [usize; 5] = [0, 1, 2, 3, 4];
+
+/// Interval operations: every pair of ranges, with every pair of their numbers.
+#[test]
+fn ranges_hold_what_operations_give() {
+    type Unary = fn(Range, Format) -> Range;
+    type Binary = fn(Range, Range, Format) -> Range;
+    let f = Format::Small(2, 3);
+    let unary: [(Unary, fn(f64) -> f64); 4] = [
+        (Range::sqrt, f64::sqrt),
+        (Range::square, |x| x * x),
+        (|range, _| range.opposite(), |x| -x),
+        (|range, _| range.abs(), f64::abs),
+    ];
+    let binary: [(Binary, fn(f64, f64) -> f64); 4] = [
+        (Range::add, |x, y| x + y),
+        (Range::sub, |x, y| x - y),
+        (Range::mul, |x, y| x * y),
+        (Range::div, |x, y| x / y),
+    ];
+    let numbers = f.numbers();
+    let ends: Vec<f64> = numbers.iter().copied().filter(|x| !x.is_nan()).collect();
+    let mut ranges = vec![Range::NONE, Range::NAN, Range::NOT_FINITE];
+    for (low, high) in pairs(&ends, &ends)
+        .into_iter()
+        .filter(|(low, high)| low <= high)
+    {
+        for range in [Range::within(low, high), Range::unsigned(low, high)] {
+            ranges.extend((!ranges.contains(&range)).then_some(range));
+        }
+    }
+    let some: Vec<Range> = ranges
+        .iter()
+        .step_by(7)
+        .map(|range| range.or_nan())
+        .collect();
+    ranges.extend(some);
+    let inside = |range: &Range| {
+        numbers
+            .iter()
+            .copied()
+            .filter(|x| range.contains(*x))
+            .collect()
+    };
+    let values: Vec<Vec<f64>> = ranges.iter().map(inside).collect();
+    for (a, xs) in ranges.iter().zip(&values) {
+        for (of_ranges, of_numbers) in unary {
+            let range = of_ranges(*a, f);
+            let wrong = xs
+                .iter()
+                .find(|x| !range.contains(f.round(of_numbers(**x))));
+            assert_eq!(wrong, None, "{a:?} gives {range:?}");
+        }
+        for (b, ys) in ranges.iter().zip(&values) {
+            for (op, (of_ranges, of_numbers)) in binary.iter().enumerate() {
+                let range = of_ranges(*a, *b, f);
+                for x in xs {
+                    let wrong = ys
+                        .iter()
+                        .find(|y| !range.contains(f.round(of_numbers(*x, **y))));
+                    assert_eq!(
+                        wrong, None,
+                        "operation {op} of {x} in {a:?} and in {b:?} gives {range:?}"
+                    );
+                }
+            }
+            let (meet, join) = (a.meet(*b), a.covers(*b));
+            for x in &numbers {
+                assert!(!(a.contains(*x) && b.contains(*x)) || meet.contains(*x));
+                assert!(
+                    !join || !b.contains(*x) || a.contains(*x),
+                    "{a:?} does not cover {b:?}"
+                );
+            }
+        }
+    }
+}
+
+/// The ends of a range need not be numbers of the format.
+#[test]
+fn a_variable_has_the_numbers_of_its_range() {
+    let f = Format::Small(3, 3);
+    let ends = [
+        -INF, -20.0, -14.0, -0.3, -0.01, 0.0, 0.01, 0.26, 0.3, 1.0, 13.9, 20.0, INF,
+    ];
+    for (low, high) in pairs(&ends, &ends) {
+        for range in [
+            Range::within(low, high),
+            Range::unsigned(low, high).or_nan(),
+        ] {
+            for x in f.numbers() {
+                let of_format = range.of_format(f);
+                assert_eq!(range.contains(x), of_format.contains(x), "{x} {range:?}");
+            }
+        }
+    }
+}
+
+/// Two operations, one inside the other.
+#[test]
+fn operations_on_operations() {
+    let ranges = ranges();
+    check(
+        SMALL,
+        pairs(
+            &pairs(&OPERATIONS, &OPERATIONS),
+            &pairs(&ranges[..6], &[0, 1, 4]),
+        ),
+        |given, &((f, g), (range, other))| {
+            let (x, y) = (given.number("x", range), given.number("y", ranges[other]));
+            let inner = operation(f, x, y);
+            let outer = [operation(g, inner, y), operation(g, y, inner)];
+            [
+                all_of(outer[0], inner),
+                all_of(outer[1], x),
+                all_of(inner, y),
+            ]
+            .concat()
+        },
+    );
+}
+
+/// Constants as operands, as in x · 1, x + 0 and max(x, 0).
+#[test]
+fn operations_with_constants() {
+    let forms = pairs(&pairs(&OPERATIONS, &constants()), &ranges());
+    check(
+        Format::Small(4, 3),
+        forms,
+        |given, &((op, constant), range)| {
+            let (x, k) = (given.number("x", range), Term::of(constant));
+            let results = [operation(op, x, k), operation(op, k, x)];
+            let shifted = results.map(|result| operation(op, result, x));
+            [
+                all_of(results[0], x),
+                all_of(results[1], x),
+                all_of(shifted[0], x),
+                all_of(x, shifted[1]),
+            ]
+            .concat()
+        },
+    );
+}
+
+/// What a decision shows of the operands of what it compares.
+#[test]
+fn decisions_about_operations() {
+    let limits = [
+        0.0, -0.0, 0.0625, -0.25, 1.0, -1.5, 2.0, 14.0, -14.0, INF, -INF,
+    ];
+    let ranges = ranges();
+    let operands = pairs(&[ranges[0], ranges[2], ranges[9]], &[0, 2]);
+    for test in TESTS {
+        check(
+            SMALL,
+            pairs(&pairs(&OPERATIONS, &limits), &operands),
+            |given, &((op, limit), (range, other))| {
+                let (x, y) = (given.number("x", range), given.number("y", ranges[other]));
+                let result = operation(op, x, y);
+                if decide(test, result, Term::of(limit)) {
+                    all_of(x, result)
+                } else {
+                    all_of(y, x)
+                }
+            },
+        );
+    }
+}
+
+/// What two decisions about variables show, one after the other.
+#[test]
+fn decisions_about_decisions() {
+    let ranges = [Range::ANY, Range::within(-1.0, 14.0), Range::NOT_FINITE];
+    let forms = pairs(&pairs(&TESTS, &TESTS), &pairs(&ranges, &ranges));
+    check(SMALL, forms, |given, &((first, second), (range, other))| {
+        let (x, y) = (given.number("x", range), given.number("y", other));
+        let shown = decide(first, x, y);
+        let again = decide(second, y, x) == shown;
+        let chosen = if again {
+            x.if_above(y, x, y)
+        } else {
+            y.if_above(x, x, y)
+        };
+        [
+            all_of(chosen, x),
+            all_of(chosen, y),
+            all_of(x * x, chosen),
+            all_of(x / y, x),
+        ]
+        .concat()
+    });
+}
+
+/// Selections of one value or another, of which a later decision shows which it was.
+#[test]
+fn decisions_about_selections() {
+    let ranges = ranges();
+    let forms = pairs(
+        &pairs(&TESTS, &[0, 1, 2, 3, 4, 5]),
+        &pairs(&ranges[..6], &[-1.0, 0.0, 0.5, 2.0]),
+    );
+    check(SMALL, forms, |given, &((test, form), (range, limit))| {
+        let (x, y, k) = (given.number("x", range), given.any("y"), Term::of(limit));
+        let (low, high) = (Term::of(-2.0), Term::of(4.0));
+        let selected = match form {
+            0 => x.if_above(y, low, high),
+            1 => x.if_above(k, y, low),
+            2 => y.if_positive(x, k),
+            3 => x.at_least(y).at_most(high),
+            4 => x.if_above(low, high.if_above(x, x, low), y),
+            _ => x.at_most(k).at_least(y),
+        };
+        let decided = decide(test, selected, k);
+        let other = if decided { x } else { y };
+        [all_of(selected, other), all_of(other, x), all_of(x - y, y)].concat()
+    });
+}
+
+/// A component over the root of a sum that has its square, by a division and by a reciprocal.
+#[test]
+fn components_of_vectors() {
+    for format in [SMALL, Format::Small(3, 4), Format::Small(4, 3)] {
+        let kinds = [
+            Range::ANY,
+            Range::within(-INF, INF),
+            Range::within(0.0, INF),
+        ];
+        let kinds = if format == SMALL {
+            &kinds[..]
+        } else {
+            &kinds[..1]
+        };
+        let least = [0.0, 0.0625, 1.0];
+        let forms = pairs(&pairs(kinds, kinds), &pairs(&least, &[0, 1, 2, 3, 4]));
+        check(format, forms, |given, &((range, other), (least, form))| {
+            let (x, y) = (given.number("x", range), given.number("y", other));
+            let sum = match form {
+                0 => x * x + y * y,
+                1 => x * x + y,
+                2 => y + x * x + y * y,
+                3 => x * y + x * x,
+                _ => y * y,
+            };
+            if sum > Term::of(least) {
+                let root = sum.sqrt();
+                let unit = x * (Term::ONE / root);
+                [
+                    all_of(unit, x / root),
+                    all_of(unit * unit, unit),
+                    all_of(x * (y / root), x),
+                ]
+                .concat()
+            } else {
+                all_of(x / sum.sqrt(), x)
+            }
+        });
+    }
+}
+
+/// The order of two results, given that of the operands.
+#[test]
+fn order_of_results() {
+    let ranges = [
+        Range::ANY,
+        Range::within(0.0, INF),
+        Range::unsigned(0.0, 14.0),
+    ];
+    let forms = pairs(&pairs(&ranges, &ranges), &pairs(&TESTS, &OPERATIONS));
+    check(
+        Format::Small(3, 2),
+        forms,
+        |given, &((range, other), (test, op))| {
+            let (x, y, k) = (
+                given.number("x", range),
+                given.number("y", range),
+                given.number("k", other),
+            );
+            if !decide(test, x, y) {
+                return vec![];
+            }
+            let both = |op, k| [operation(op, x, k), operation(op, y, k)];
+            let turned = |op, k| [operation(op, k, x), operation(op, k, y)];
+            let (straight, back) = (both(op, k), turned(op, k));
+            let nested = [
+                operation(op, straight[0], back[0]),
+                operation(op, straight[1], back[1]),
+            ];
+            let clamped = |x: Term| x.at_least(Term::ZERO).at_most(k);
+            let limited = [clamped(straight[0]), clamped(straight[1])];
+            let limits = [straight[0].at_most(x), straight[1].at_most(y)];
+            let floors = [back[0].at_least(x), back[1].at_least(y)];
+            let pairs = [straight, back, nested, limited, limits, floors];
+            pairs
+                .into_iter()
+                .flat_map(|[a, b]| {
+                    [
+                        Goal::AtMost(a, b),
+                        Goal::AtMost(b, a),
+                        Goal::Same(a, b),
+                        Goal::Within(a / b, Range::within(1.0, INF).or_nan()),
+                    ]
+                })
+                .collect()
+        },
+    );
+}
+
+/// Quotients of two sums or products of the same operands.
+#[test]
+fn quotients_of_sums() {
+    let factors = [0.0, 1.0, -1.0, 0.25];
+    let ranges = [
+        Range::within(0.0, INF),
+        Range::unsigned(0.0, 14.0),
+        Range::within(-INF, 0.0),
+    ];
+    let forms = pairs(
+        &pairs(&pairs(&factors, &factors), &pairs(&factors, &factors)),
+        &pairs(&ranges, &ranges),
+    );
+    check(
+        Format::Small(3, 2),
+        forms,
+        |given, &(((p, q), (r, s)), (range, other))| {
+            let (x, y) = (given.number("x", range), given.number("y", other));
+            let [p, q, r, s] = [p, q, r, s].map(Term::of);
+            let (a, b) = (x * p + y * q, x * r - y * s);
+            vec![
+                Goal::Within(a / b, Range::within(-1.0, 1.0).or_nan()),
+                Goal::AtMost(a, b),
+                Goal::Same(a, b),
+            ]
+        },
+    );
+}
+
+/// What is assumed of the functions of `libm` and of powers, as far as a small format has it.
+#[test]
+fn functions_with_a_contract() {
+    use shading::Exponent;
+    check(
+        SMALL,
+        pairs(&ranges(), &ranges()),
+        |given, &(range, other)| {
+            let (x, m) = (given.number("x", range), given.number("m", other));
+            let power = m.raise(x);
+            let results = [power, x.sin(), x.cos(), x.exp(), x.ln()];
+            results
+                .into_iter()
+                .flat_map(|result| [all_of(result, x), all_of(result * m, power)].concat())
+                .collect()
+        },
+    );
+}
