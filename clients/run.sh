@@ -17,13 +17,17 @@ programs() {
     (cd "$built" && release/tracer && release/teapot && release/dispatch)
 }
 
-# the ball on the emulated chip has the bits that it has here
+# the ball on the emulated chip has the bits that it has here, in fixed point and in f32
 chip() {
     install_packages qemu-system-arm
     installer rustup --quiet target add thumbv7em-none-eabihf
-    (cd chip && cargo fmt --check && cargo clippy --quiet --release -- -D warnings)
-    (cd chip && timeout 60 cargo run --quiet --release) >"$built/chip.txt"
-    cargo run --quiet --manifest-path chip/Cargo.toml | cmp - "$built/chip.txt"
+    (cd chip && cargo fmt --check)
+    local number
+    for number in fixed ""; do
+        (cd chip && cargo clippy --quiet --release --features "$number" -- -D warnings)
+        (cd chip && timeout 60 cargo run --quiet --release --features "$number") >"$built/chip.txt"
+        cargo run --quiet --manifest-path chip/Cargo.toml --features "$number" | cmp - "$built/chip.txt"
+    done
     [ "$(wc -l <"$built/chip.txt")" = 384 ] # twelve frames
 }
 

@@ -136,7 +136,8 @@ pub trait Real:
         high.if_above(self, above_low, Self::ONE).any_positive()
     }
 
-    /// The dot product a·b of two vectors, a.x b.x + a.y b.y + a.z b.z.
+    /// The dot product of two vectors, a.x b.x + a.y b.y + a.z b.z. Its sign decides whether a light is
+    /// in front of a surface. A number of even precision may round once, and keep the sign.
     #[inline(always)]
     #[must_use]
     fn dot(a: [Self; 3], b: [Self; 3]) -> Self {
