@@ -13,7 +13,7 @@ pub(super) const DIRECTIONAL: u32 = 0;
 pub(super) const POINT: u32 = 1;
 pub(super) const SPOT: u32 = 2;
 
-/// The light that arrives at a point: a [`Light`], and the way to it.
+/// The light that arrives at a point: a [`Light`](crate::Light), and the way to it.
 ///
 /// The method `at` of every light returns it for a point. The direction, the distance and the
 /// intensity are computed when you ask for them, so a light behind the surface costs a sum almost
