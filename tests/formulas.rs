@@ -453,12 +453,6 @@ fn a_faint_edge_keeps_its_digits() {
     }
 }
 
-#[test]
-fn literals_are_rounded_to_the_nearest_number() {
-    assert_eq!(f32::of(0.1).to_bits(), 0x3DCC_CCCD);
-    assert_eq!(f64::of(0.1).to_bits(), 0x3FB9_9999_9999_999A);
-}
-
 /// Each short name is the type for that number, and needs no other parameter.
 macro_rules! short_names {
     ($($float:ident: $($name:ident)*;)*) => {$($(

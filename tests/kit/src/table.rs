@@ -198,7 +198,7 @@ macro_rules! for_each_function {
             attenuation "attenuation" |g| shading::attenuation(g.a.x, g.a.y, g.a.z, g.x) => nothing;
             attenuation_new "Attenuation::new" |g| Attenuation::new(g.x, g.y, g.cosine).map(Attenuation::coefficients) => not_negative;
             attenuation_at "Attenuation::at" |g| g.attenuation.at(g.x.abs()) => nothing;
-            attenuation_within "Attenuation::within" |g| g.attenuation.within(g.y.abs()).map(Attenuation::range) => positive_or_infinite;
+            attenuation_within "Attenuation::within" |g| g.attenuation.within(g.y.abs()).map(Attenuation::range) => positive;
             attenuation_at_ranged "Attenuation::at, ranged" |g| g.soft_spot.point.attenuation.at(g.x.abs()) => not_negative;
             cone_from_cosine "Cone::from_cosine" |g| { let c = g.cosine + g.cosine - T::ONE; Cone::from_cosine(c).map(Cone::cosines) }
                 => cosines;
