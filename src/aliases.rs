@@ -18,6 +18,7 @@ macro_rules! types {
     };
 }
 
+#[cfg(feature = "fixed")]
 pub(crate) use types;
 
 macro_rules! aliases {

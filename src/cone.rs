@@ -42,6 +42,12 @@ pub struct Cone<T = f32> {
 }
 
 impl<T: Real> Cone<T> {
+    pub(crate) const EVERYWHERE: Self = Self {
+        inner: T::NEG_ONE,
+        outer: T::NEG_ONE,
+        smooth: T::ZERO,
+    };
+
     /// The share of the light that arrives: 1 inside the inner cone and on its edge, 0 outside the
     /// outer cone, and the square of t between the edges.
     ///

@@ -279,6 +279,14 @@ impl Evidence {
         Some(self.best(profile, pairs, 0.97)?.1)
     }
 
+    /// Keeps the wrong colors that these mistakes do not give, and returns the law of each.
+    pub fn leave(&mut self, profile: &Profile, faults: &[Fault]) -> Vec<usize> {
+        let formula = Formula::new(profile, faults);
+        self.wrong
+            .retain(|sample| formula.fits(&sample.scene, sample.reply) == Some(false));
+        self.wrong.iter().map(|sample| sample.law).collect()
+    }
+
     /// Whether a cause gives nearly all wrong colors of a law.
     pub fn explains(&self, profile: &Profile, faults: &[Fault], law: usize) -> bool {
         let formula = Formula::new(profile, faults);

@@ -35,17 +35,6 @@ impl Case {
     }
 }
 
-/// How a vector lies relative to the normal.
-#[derive(Clone, Copy, Debug)]
-enum Way {
-    /// Within 90° of the normal.
-    InFront,
-    Anywhere,
-    Perpendicular,
-    Along,
-    Against,
-}
-
 fn dot(a: Integers, b: Integers) -> i32 {
     (0..3).map(|i| a[i] * b[i]).sum()
 }
@@ -130,30 +119,18 @@ impl Generator<'_> {
         if v == [0; 3] { [0, 0, 1] } else { v }
     }
 
+    /// A vector, mostly within 90° of the normal.
     fn way(&mut self, n: Integers) -> Integers {
-        let kinds = [
-            (10, Way::InFront),
-            (4, Way::Anywhere),
-            (1, Way::Perpendicular),
-            (1, Way::Along),
-            (1, Way::Against),
-        ];
-        let mut choice = self.random.below(17);
-        let kind = kinds.into_iter().find(|(weight, _)| {
-            let is_chosen = choice < *weight;
-            choice = choice.wrapping_sub(*weight);
-            is_chosen
-        });
         let any = self.integers();
-        let way = match kind.map_or(Way::Anywhere, |(_, kind)| kind) {
-            Way::InFront if dot(any, n) < 0 => any.map(|c| -c),
-            Way::InFront | Way::Anywhere => any,
-            Way::Perpendicular => from_fn(|i| {
+        let way = match self.random.below(17) {
+            0..=9 if dot(any, n) < 0 => any.map(|c| -c),
+            0..=13 => any,
+            14 => from_fn(|i| {
                 let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                any[j] * n[k] - any[k] * n[j]
+                any[j] * n[k] - any[k] * n[j] // perpendicular
             }),
-            Way::Along => n,
-            Way::Against => n.map(|c| -c),
+            15 => n,
+            _ => n.map(|c| -c),
         };
         if way == [0; 3] { n } else { way }
     }

@@ -13,59 +13,36 @@ pub struct Law {
     group: fn(Case, &Profile) -> Option<Group>,
 }
 
-#[derive(Clone, Copy)]
-enum Need {
-    Ambient,
-    Lamp,
-    PointLight,
-    PointAndSpot,
-    Sun,
-    TwoLights,
-    Highlight,
-    GatedHighlight,
-    AnyLength,
-    Range,
-    Attenuation,
-    Lit,
-}
+/// What a renderer must have, and what to say if it does not.
+type Need = (fn(&Profile) -> bool, &'static str);
 
-impl Need {
-    /// Whether a renderer has it, and what to say if not.
-    fn of(self, profile: &Profile) -> (bool, &'static str) {
-        let point = profile.has(Kind::Point);
-        let own_ambient =
-            profile.ambient && !profile.attenuated_ambient && !profile.black_without_lights;
-        match self {
-            Self::Ambient => (own_ambient, "it has no ambient light of its own"),
-            Self::Lit => (!profile.unlit_without_lights, "without lights, it is unlit"),
-            Self::Lamp => (
-                profile.has(Kind::Directional) || point,
-                "it has neither directional nor point lights",
-            ),
-            Self::PointLight => (point, "it has no point lights"),
-            Self::PointAndSpot => (
-                point && profile.has(Kind::Spot),
-                "it does not have both point and spot lights",
-            ),
-            Self::Sun => (
-                point && profile.has(Kind::Directional),
-                "it does not have both directional and point lights",
-            ),
-            Self::TwoLights => (profile.most_lights > 1, "it has one light at a time"),
-            Self::Highlight => (profile.has_highlights(), "it has no highlights"),
-            Self::GatedHighlight => (
-                profile.has_highlights() && !profile.highlight_on_the_dark_side,
-                "its highlights are not gated",
-            ),
-            Self::Attenuation => (!profile.unattenuated, "it has no attenuation"),
-            Self::AnyLength => (!profile.unit_vectors, "it needs unit vectors"),
-            Self::Range => (
-                profile.range().is_some(),
-                "its colors are neither clamped nor levels",
-            ),
-        }
-    }
-}
+const AMBIENT: Need = (
+    |of| of.ambient && !of.attenuated_ambient && !of.black_without_lights,
+    "it has no ambient light of its own",
+);
+const LIT: Need = (|of| !of.unlit_without_lights, "without lights, it is unlit");
+const LAMP: Need = (
+    |of| of.has(Kind::Directional) || of.has(Kind::Point),
+    "it has neither directional nor point lights",
+);
+const POINT: Need = (|of| of.has(Kind::Point), "it has no point lights");
+const SPOT: Need = (|of| of.has(Kind::Spot), "it has no spot lights");
+const SUN: Need = (
+    |of| of.has(Kind::Directional),
+    "it has no directional lights",
+);
+const TWO_LIGHTS: Need = (|of| of.most_lights > 1, "it has one light at a time");
+const HIGHLIGHT: Need = (Profile::has_highlights, "it has no highlights");
+const GATED: Need = (
+    |of| !of.highlight_on_the_dark_side,
+    "its highlights are not gated",
+);
+const ATTENUATION: Need = (|of| !of.unattenuated, "it has no attenuation");
+const ANY_LENGTH: Need = (|of| !of.unit_vectors, "it needs unit vectors");
+const RANGE: Need = (
+    |of| of.range().is_some(),
+    "its colors are neither clamped nor levels",
+);
 
 impl Law {
     /// The law of this name.
@@ -112,10 +89,9 @@ impl Law {
 
     /// Why the law cannot be tried, if it cannot.
     pub fn lacks(&self, profile: &Profile) -> Option<&'static str> {
-        self.needs.iter().find_map(|need| {
-            let (has, lacks) = need.of(profile);
-            (!has).then_some(lacks)
-        })
+        let mut needs = self.needs.iter();
+        let (_, lacks) = needs.find(|(has, _)| !has(profile))?;
+        Some(lacks)
     }
 }
 
@@ -226,7 +202,7 @@ pub const LAWS: &[Law] = &[
     Law {
         name: "as_said",
         says: "colors are in the range and the levels that the renderer promises",
-        needs: &[Need::Range],
+        needs: &[RANGE],
         group: |case, _| {
             let says = "the color is as the profile says";
             Claim::new(says, Relation::AsSaid, &[1.0]).of([case.scene])
@@ -263,7 +239,7 @@ pub const LAWS: &[Law] = &[
     Law {
         name: "ambient_alone",
         says: "without lights there is k_a I_a",
-        needs: &[Need::Ambient, Need::Lit],
+        needs: &[AMBIENT, LIT],
         group: |case, profile| {
             let scene = lit(&case.scene, None);
             is("the color is k_a I_a", ambient(&scene, profile), scene)
@@ -272,7 +248,7 @@ pub const LAWS: &[Law] = &[
     Law {
         name: "additive",
         says: "the light of several lights is the sum of the light of each",
-        needs: &[Need::TwoLights],
+        needs: &[TWO_LIGHTS],
         group: |case, profile| {
             let mut all = case.scene;
             if profile.black_without_lights {
@@ -295,7 +271,7 @@ pub const LAWS: &[Law] = &[
     Law {
         name: "order",
         says: "the order of the lights does not matter",
-        needs: &[Need::TwoLights],
+        needs: &[TWO_LIGHTS],
         group: |case, _| {
             let mut other = case.scene.clone();
             other.lights.reverse();
@@ -306,7 +282,7 @@ pub const LAWS: &[Law] = &[
     Law {
         name: "black_light",
         says: "a black light changes nothing",
-        needs: &[Need::TwoLights],
+        needs: &[TWO_LIGHTS],
         group: |case, profile| {
             let mut scene = case.scene;
             if profile.attenuated_ambient || profile.black_without_lights {
@@ -388,7 +364,7 @@ pub const LAWS: &[Law] = &[
     Law {
         name: "behind",
         says: "a light behind the surface adds nothing",
-        needs: &[Need::TwoLights],
+        needs: &[TWO_LIGHTS],
         group: |case, profile| {
             let mut scene = facing(case.scene, profile);
             if profile.attenuated_ambient || profile.black_without_lights {
@@ -426,7 +402,7 @@ pub const LAWS: &[Law] = &[
     Law {
         name: "toward_the_normal",
         says: "a light that is tilted toward the normal does not darken a diffuse surface",
-        needs: &[Need::Lamp],
+        needs: &[LAMP],
         group: |case, profile| {
             let mut scene = facing(case.scene, profile);
             scene.k_s = [0.0; 3];
@@ -442,7 +418,7 @@ pub const LAWS: &[Law] = &[
     Law {
         name: "length_of_n",
         says: "the length of the vector along N does not matter",
-        needs: &[Need::AnyLength],
+        needs: &[ANY_LENGTH],
         group: |case, _| {
             let mut other = case.scene.clone();
             other.n = scale(other.n, (case.factors[0] + 1.0) / 8.0);
@@ -452,7 +428,7 @@ pub const LAWS: &[Law] = &[
     Law {
         name: "length_of_v",
         says: "the distance of the eye does not matter",
-        needs: &[Need::AnyLength],
+        needs: &[ANY_LENGTH],
         group: |case, _| {
             let mut other = case.scene.clone();
             other.v = scale(other.v, (case.factors[0] + 1.0) / 4.0);
@@ -462,7 +438,7 @@ pub const LAWS: &[Law] = &[
     Law {
         name: "mirror",
         says: "seen in the mirror direction, the highlight is k_s I",
-        needs: &[Need::Highlight, Need::Lamp],
+        needs: &[HIGHLIGHT, LAMP],
         group: |case, profile| {
             let mut scene = facing(case.scene, profile);
             let (way, n) = (case.ways[0], scene.n);
@@ -479,7 +455,7 @@ pub const LAWS: &[Law] = &[
     Law {
         name: "shininess",
         says: "a higher shininess does not brighten",
-        needs: &[Need::Highlight],
+        needs: &[HIGHLIGHT],
         group: |case, _| {
             let mut scene = case.scene;
             if scene.model == Model::Lambert {
@@ -495,7 +471,7 @@ pub const LAWS: &[Law] = &[
     Law {
         name: "dark_side",
         says: "a highlight needs N·L > 0",
-        needs: &[Need::GatedHighlight],
+        needs: &[HIGHLIGHT, GATED],
         group: |case, profile| {
             let scene = facing(case.scene, profile);
             if scene.model == Model::Lambert {
@@ -509,7 +485,7 @@ pub const LAWS: &[Law] = &[
     Law {
         name: "distance",
         says: "a lamp farther away in the same direction does not brighten",
-        needs: &[Need::PointLight, Need::Attenuation],
+        needs: &[POINT, ATTENUATION],
         group: |case, _| {
             let (p, way, [a, b, c]) = (case.scene.p, case.ways[0], case.factors);
             let attenuation = [a / 4.0, (b - 1.0) / 8.0, (c - 1.0) / 8.0];
@@ -526,7 +502,7 @@ pub const LAWS: &[Law] = &[
     Law {
         name: "far_lamp",
         says: "a lamp far away that is not attenuated is a directional light",
-        needs: &[Need::Sun],
+        needs: &[POINT, SUN],
         group: |case, profile| {
             let (way, mut scene) = (case.ways[0], case.scene);
             scene.i_a = [0.0; 3];
@@ -599,7 +575,7 @@ pub const LAWS: &[Law] = &[
     Law {
         name: "cone",
         says: "a spot is a point light within its cone, and dark outside",
-        needs: &[Need::PointAndSpot],
+        needs: &[POINT, SPOT],
         group: |case, profile| {
             let mut scene = case.scene;
             let [way, aim, _] = case.ways;

@@ -71,7 +71,7 @@ impl Default for Laws {
             known: Vec::new(),
             replay: String::new(),
             shrinks: 200,
-            shrinking: Duration::from_secs(5),
+            shrinking: Duration::from_secs(3),
             time: None,
             asks_once: false,
         }
@@ -294,7 +294,7 @@ impl Run<'_> {
 
     /// What was found, with smaller cases and places where the renderer still answers.
     fn report(mut self, error: Option<String>) -> Report {
-        let mut stopped = error.clone();
+        let mut stopped = None; // a renderer that ended may answer again
         let mut findings = self.findings(&mut stopped);
         let mut reports = Vec::new();
         let mut order: Vec<usize> = (0..self.plan.tries.len()).collect();
@@ -341,7 +341,7 @@ impl Run<'_> {
             version: 3,
             corpus: corpus::VERSION,
             seed: self.plan.laws.seed,
-            stopped: if error.is_some() { None } else { stopped },
+            stopped,
             error,
             findings,
             exercised: self.exercised(),
@@ -506,7 +506,19 @@ impl Run<'_> {
         let mistakes = cause
             .as_ref()
             .map_or(Vec::new(), |cause| cause.mistakes.clone());
-        for (laws, cause, but) in [(explained, cause, None), (others, None, Some(mistakes))] {
+        // a second mistake, in what the first leaves
+        let (mut others, mut second) = (others, None);
+        if cause.as_ref().is_some_and(Cause::is_nearly_all) {
+            let left = self.evidence.leave(self.profile, &mistakes);
+            let found = self.evidence.cause(self.profile);
+            second = found.filter(|cause| left.len() >= 4 && cause.explained == cause.of);
+            if second.is_some() {
+                others = left;
+                others.sort_unstable();
+                others.dedup();
+            }
+        }
+        for (laws, cause, but) in [(explained, cause, None), (others, second, Some(mistakes))] {
             if !laws.is_empty() {
                 let places = self.places(&laws, but.as_deref(), stopped);
                 findings.push(Finding {

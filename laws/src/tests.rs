@@ -54,7 +54,6 @@ fn plan(profile: &Profile, cases: usize) -> Plan {
 }
 
 /// What a person expects to read of a mistake in this ingredient: one of these, or of nothing in particular.
-#[rustfmt::skip] // a table
 fn expected(part: Part) -> &'static [&'static str] {
     use Part::*;
     match part {
@@ -62,13 +61,32 @@ fn expected(part: Part) -> &'static [&'static str] {
         Ka => &["ambient", "color of the surface"],
         Kd => &["diffuse", "color of the surface"],
         Diffuse | Lambert | MatteLight | MatteFalloff | MatteCone => &["diffuse"],
-        Ks | Specular | Half | Cosine | Power | Gate | M | ShinyLight | ShinyFalloff | ShinyCone | Reflectance | V | Part::Model => &["highlight"],
+        Ks
+        | Specular
+        | Half
+        | Cosine
+        | Power
+        | Gate
+        | M
+        | ShinyLight
+        | ShinyFalloff
+        | ShinyCone
+        | Reflectance
+        | V
+        | Part::Model => &["highlight"],
         Abc | Denominator | Falloff | Q => &["attenuation", "distance", "lamps"],
         Angle | Edge | Against | Within | Cone => &["cone"],
         N | Side | OfThisLight => &["length of N", "lights", "eye behind", "light behind"],
         Way | P | Position | L => &["position p", "lamps", "lights"],
         Intensity | OfLight => &["lights", "several lights"],
-        Sum | Clamp | Encode | Level => &["", "colors above 1", "color of lights", "color of the surface", "lights", "highlight"],
+        Sum | Clamp | Encode | Level => &[
+            "",
+            "colors above 1",
+            "color of lights",
+            "color of the surface",
+            "lights",
+            "highlight",
+        ],
     }
 }
 
@@ -136,7 +154,7 @@ fn mistakes_are_found_named_and_placed() {
     let mut broken = BTreeSet::new();
     measure(&single(), |_| true, &mut broken);
     measure(&double(), |i| i % 6 == 0, &mut broken);
-    measure(&bytes(), |i| i % 3 == 0, &mut broken);
+    measure(&bytes(), |i| i % 3 == 1, &mut broken);
     // no law is there for show; state has no row
     let never = LAWS.iter().filter(|law| !broken.contains(law.name));
     let never: Vec<&str> = never.map(|law| law.name).collect();

@@ -2,13 +2,18 @@
 
 use core::ops::Mul;
 
-use super::Light;
+use super::SpotLight;
 use crate::real::Real;
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
-/// The light that arrives at a point: a [`Light`], and the way to it.
+// the kinds: shaders have neither enums with data nor an `Option` of an enum
+pub(super) const DIRECTIONAL: u32 = 0;
+pub(super) const POINT: u32 = 1;
+pub(super) const SPOT: u32 = 2;
+
+/// The light that arrives at a point: a [`Light`](crate::Light), and the way to it.
 ///
 /// The method `at` of every light returns it for a point. The direction, the distance and the
 /// intensity are computed when you ask for them, so a light behind the surface costs a sum almost
@@ -34,8 +39,10 @@ use crate::vector::Vec3;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IncidentLight<T = f32> {
-    pub(super) light: Light<T>,
-    /// From the point to the light; for a light without a position, L.
+    /// What a light of its kind does not have is not looked at.
+    pub(super) light: SpotLight<T>,
+    pub(super) kind: u32,
+    /// From the point to the light.
     pub(super) way: Vec3<T>,
 }
 
@@ -81,8 +88,8 @@ impl<T: Real> IncidentLight<T> {
     #[inline]
     #[must_use]
     pub fn l(&self) -> UnitVec3<T> {
-        match &self.light {
-            Light::Directional(light) => light.l,
+        match self.kind {
+            DIRECTIONAL => UnitVec3::assume_unit(self.way),
             _ => self.way.unit_or(UnitVec3::Z),
         }
     }
@@ -110,15 +117,15 @@ impl<T: Real> IncidentLight<T> {
 
     #[inline(always)]
     pub(crate) fn arriving(&self) -> Arriving<T> {
-        match &self.light {
-            Light::Directional(light) => Arriving {
-                way: *light.l,
+        match self.kind {
+            DIRECTIONAL => Arriving {
+                way: self.way,
                 length: T::ONE,
                 distance: T::MAX,
-                intensity: light.intensity,
+                intensity: self.light.point.intensity,
             },
-            Light::Point(light) => light.along(self.way),
-            Light::Spot(light) => light.along(self.way),
+            POINT => self.light.point.along(self.way),
+            _ => self.light.along(self.way), // SPOT
         }
     }
 
@@ -129,6 +136,7 @@ impl<T: Real> IncidentLight<T> {
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> IncidentLight<U> {
         IncidentLight {
             light: self.light.cast(&mut f),
+            kind: self.kind,
             way: self.way.map(f),
         }
     }
@@ -148,11 +156,7 @@ impl<T: Real> Mul<Rgb<T>> for IncidentLight<T> {
     type Output = Self;
     #[inline]
     fn mul(mut self, filter: Rgb<T>) -> Self {
-        let intensity = match &mut self.light {
-            Light::Directional(light) => &mut light.intensity,
-            Light::Point(light) => &mut light.intensity,
-            Light::Spot(light) => &mut light.point.intensity,
-        };
+        let intensity = &mut self.light.point.intensity;
         *intensity = (*intensity * filter).finite();
         self
     }

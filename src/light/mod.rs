@@ -71,9 +71,15 @@ impl<T: Real> DirectionalLight<T> {
 impl<T: Real> From<DirectionalLight<T>> for IncidentLight<T> {
     #[inline]
     fn from(light: DirectionalLight<T>) -> Self {
+        let point = PointLight {
+            position: *light.l,
+            intensity: light.intensity,
+            attenuation: Attenuation::NONE,
+        };
         Self {
-            way: light.l.into(),
-            light: light.into(),
+            light: point.everywhere(),
+            kind: incident::DIRECTIONAL,
+            way: *light.l,
         }
     }
 }
@@ -143,8 +149,19 @@ impl<T: Real> PointLight<T> {
     #[must_use]
     pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
         IncidentLight {
-            light: Light::Point(*self),
+            light: self.everywhere(),
+            kind: incident::POINT,
             way: self.position - Vec3::from(p.into()),
+        }
+    }
+
+    /// With a cone that nobody looks at.
+    #[inline(always)]
+    fn everywhere(&self) -> SpotLight<T> {
+        SpotLight {
+            point: *self,
+            axis: UnitVec3::Z,
+            cone: Cone::EVERYWHERE,
         }
     }
 
@@ -218,7 +235,8 @@ impl<T: Real> SpotLight<T> {
     #[must_use]
     pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
         IncidentLight {
-            light: Light::Spot(*self),
+            light: *self,
+            kind: incident::SPOT,
             way: self.point.position - Vec3::from(p.into()),
         }
     }
@@ -288,14 +306,10 @@ impl<T: Real> Light<T> {
     #[inline(always)]
     #[must_use]
     pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
-        IncidentLight {
-            light: *self,
-            way: match self {
-                Self::Directional(light) => *light.l,
-                Self::Point(point) | Self::Spot(SpotLight { point, .. }) => {
-                    point.position - Vec3::from(p.into())
-                }
-            },
+        match self {
+            Self::Directional(light) => light.at(p),
+            Self::Point(light) => light.at(p),
+            Self::Spot(light) => light.at(p),
         }
     }
 

@@ -88,7 +88,7 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
         // cof(M) N is proportional to the same with each column over its length, and n_x over that of a;
         // the least length that counts keeps the quotients within range
         let none = UnitVec3::assume_unit(Vec3::ZERO);
-        let [x, y, z] = columns.map(Vec3::length);
+        let (x, y, z) = (a.length(), b.length(), c.length()); // shaders have no `map` of an array
         let counts = |n: T, length| size(n).if_positive(length, T::MAX);
         let least = counts(n.x, x)
             .at_most(counts(n.y, y))
@@ -100,7 +100,7 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
         let n = Vec3::new(share(n.x, x), share(n.y, y), share(n.z, z));
         // the product with 0 keeps what is not finite
         let along = |v: Vec3<T>| *v.unit_or(none) + v * T::ZERO;
-        cofactors(columns.map(along), n)
+        cofactors([along(a), along(b), along(c)], n)
     } else {
         cofactors(columns, *n)
     }

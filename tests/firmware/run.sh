@@ -45,12 +45,14 @@ size() {
 }
 
 # flash TARGET NAME: prints the bytes that a public function, named as in the table of functions, adds to an empty program
-flash() { echo $(($(size "$1" "$2") - $(size "$1" nothing))); }
+declare -A empty
+flash() { echo $(($(size "$1" "$2") - empty[$1])); }
 
 install_packages qemu-system-arm qemu-system-misc gawk
 # shellcheck disable=SC2086 # one word per target
 installer rustup --quiet target add $chips wasm32-unknown-unknown
 
+for target in $m4f $m0; do empty[$target]=$(size $target nothing); done
 if [ "${1-}" = renew ]; then
     {
         echo "# bytes of flash that a function adds to an empty program, at opt-level s: Cortex-M4F, Cortex-M0"

@@ -25,7 +25,7 @@ use piped::Piped;
 )]
 #[command(
     after_help = "The exit status is 0 if all laws hold and all that the renderer says it has was \
-    exercised, 1 if not, and 2 if the renderer does not answer or answers with nonsense."
+    exercised, 1 if not, and 2 if nothing was found before the renderer ended or answered with nonsense."
 )]
 struct Arguments {
     /// The renderer: a program and its arguments
@@ -75,7 +75,7 @@ struct Options {
     #[arg(long, value_name = "N", default_value = "200")]
     shrink: usize,
     /// The longest time of that, of all laws together
-    #[arg(long, value_name = "SECONDS", default_value = "5", value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", default_value = "3", value_parser = seconds)]
     shrink_time: Duration,
     /// The longest time of the run; a law that is not tried by then is no pass
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
@@ -213,7 +213,7 @@ fn told(report: &Report, options: &Options) -> Outcome {
     };
     write(&options.save, &|| report.cases())?;
     write(&options.junit, &|| report.to_junit())?;
-    if let Some(why) = &report.error {
+    if let Some(why) = report.error.as_ref().filter(|_| !report.is_broken()) {
         return Err(why.clone());
     }
     let text = if options.json {

@@ -21,7 +21,10 @@ const GRACE: Duration = Duration::from_secs(5);
 /// A program that speaks the format. Two threads write and read, because a process that waits for its output to be read
 /// does not read its input.
 pub struct Piped {
+    command: Vec<OsString>,
     child: Child,
+    /// It has ended, and is started again when more is asked.
+    is_over: bool,
     input: Option<Sender<String>>,
     lines: Receiver<Vec<u8>>,
     profile: Profile,
@@ -59,7 +62,9 @@ impl Piped {
             thread::spawn(move || read_lines(stdout, &read));
         }
         let mut piped = Self {
+            command: command.to_vec(),
             child,
+            is_over: false,
             input: Some(input),
             lines,
             profile: Profile::default(),
@@ -167,6 +172,7 @@ impl Piped {
 
     /// How it ended, after it has closed its output.
     fn end(&mut self) -> String {
+        self.is_over = true;
         match self.status_within(GRACE) {
             Some(status) => format!("it ended ({status})"),
             None => "it closed its output".into(),
@@ -196,6 +202,9 @@ impl Renderer for Piped {
     fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
         if scenes.is_empty() {
             return Ok(vec![]);
+        }
+        if self.is_over {
+            *self = Self::start(&self.command, self.timeout)?;
         }
         // a line too many comes at once, if it comes; a moment after the first batches shows it
         let patience = Duration::from_millis(if self.batches < 3 { 50 } else { 0 });
