@@ -1,5 +1,5 @@
 """Finds the coefficients of src/exponent/power.rs and prints them with their errors; then those of the
-arctangent in src/normal/corner.rs.
+arctangent in src/elementary.rs.
 
     log2 z    = s P(s^2),              s = (z - 1)/(z + 1),   z in [sqrt(1/2), sqrt(2)],  P of degree 2
     2^(1 + r) = 2 + 4r/(Q(r^2) - r),                          r in [-1/2, 1/2],           Q of degree 2

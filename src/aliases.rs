@@ -25,11 +25,11 @@ macro_rules! aliases {
     ($float:ident) => {
         #[doc = concat!("The types of a scene in `", stringify!($float), "`.")]
         ///
-        /// Constructors that work in constants begin with `const_` and exist separately for each number
-        /// type. With the types of this module, the compiler need not infer which one is meant.
+        /// Constructors that work in constants begin with `const_` and exist for each number type.
+        /// With the types of this module, the compiler need not infer which one is meant.
         ///
         /// ```
-        #[doc = concat!("use shading::", stringify!($float), "::{Attenuation, Cone, Material, PointLight, Rgb, SpotLight, UnitVec3, Vec3};")]
+        #[doc = concat!("use shading::", stringify!($float), "::{Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3};")]
         ///
         /// static SPOT: SpotLight = SpotLight {
         ///     point: PointLight {
@@ -40,10 +40,7 @@ macro_rules! aliases {
         ///     axis: UnitVec3::const_normalized(0.1, -1.0, 0.0).unwrap(),
         ///     cone: Cone::const_from_half_angle(0.5).unwrap(),
         /// };
-        /// static CLAY: Material =
-        ///     Material { k_a: Rgb::gray(0.1), k_d: Rgb::gray(0.6), k_s: Rgb::gray(0.3), m: 32 };
         /// assert!(SPOT.at(Vec3::ZERO).intensity().r > 0.0);
-        /// assert_eq!(CLAY.m, 32);
         /// ```
         #[allow(missing_docs)] // each is documented where it is defined
         pub mod $float {

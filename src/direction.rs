@@ -28,7 +28,6 @@ use crate::vector::Vec3;
 /// ```
 #[doc(alias = "reflect")]
 #[inline]
-#[must_use]
 pub fn reflection<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> UnitVec3<T> {
     UnitVec3::assume_unit(mirrored(n, *l))
 }
@@ -60,8 +59,7 @@ pub(crate) fn mirrored<T: Real>(n: UnitVec3<T>, v: Vec3<T>) -> Vec3<T> {
 /// assert!((h.x - 0.5_f32.sqrt()).abs() < 1e-7 && h.x == h.z);
 /// assert_eq!(half_vector(l, -l), None);
 /// ```
-#[doc(alias = "halfway")]
-#[doc(alias = "bisector")]
+#[doc(alias("halfway", "bisector"))]
 #[inline]
 #[must_use]
 pub fn half_vector<T: Real + Scalar>(l: UnitVec3<T>, v: UnitVec3<T>) -> Option<UnitVec3<T>> {

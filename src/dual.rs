@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::elementary::Elementary;
-use crate::real::Real;
+use crate::real::{Real, size};
 use crate::vector::Vec3;
 
 /// A dual number: a value and its gradient, ∇ = (∂/∂x, ∂/∂y, ∂/∂z).
@@ -19,10 +19,10 @@ use crate::vector::Vec3;
 /// the derivative does not exist (√ at 0, ln below 0), the gradient is not finite.
 ///
 /// ```
-/// use shading::{Dual, Elementary, Vec3};
+/// use shading::{Dual, Vec3};
 ///
 /// let p = Dual::point(Vec3::new(3.0_f64, 0.0, 2.0));
-/// let f = p.x * p.x * p.z + p.y.cos();
+/// let f = p.x.powi(2) * p.z + p.y.cos();
 /// assert_eq!(f.value, 19.0);
 /// assert_eq!(f.gradient, Vec3::new(12.0, 0.0, 9.0)); // (2xz, −sin y, x²)
 /// ```
@@ -31,6 +31,7 @@ use crate::vector::Vec3;
 /// 2008.
 #[doc(alias = "autodiff")]
 #[derive(Clone, Copy, Debug)]
+#[must_use]
 pub struct Dual<T = f32> {
     /// The value.
     pub value: T,
@@ -39,48 +40,28 @@ pub struct Dual<T = f32> {
 }
 
 impl<T: Real> Dual<T> {
-    /// A constant, whose gradient is 0.
-    ///
-    /// ```
-    /// use shading::{Dual, Vec3};
-    /// assert_eq!(Dual::constant(2.0_f32).gradient, Vec3::ZERO);
-    /// ```
     #[inline]
-    #[must_use]
+    const fn new(value: T, gradient: Vec3<T>) -> Self {
+        Self { value, gradient }
+    }
+
+    /// A constant, whose gradient is 0.
+    #[inline]
     pub const fn constant(value: T) -> Self {
-        Self {
-            value,
-            gradient: Vec3::ZERO,
-        }
+        Self::new(value, Vec3::ZERO)
     }
 
     /// The coordinates of a point as the three independent variables.
-    ///
-    /// ```
-    /// use shading::{Dual, UnitVec3, Vec3};
-    /// let p = Dual::point(Vec3::new(1.0_f32, 2.0, 3.0));
-    /// assert_eq!((p.y.value, p.y.gradient), (2.0, *UnitVec3::Y));
-    /// ```
     #[inline]
-    #[must_use]
     pub const fn point(p: Vec3<T>) -> Vec3<Self>
     where
         T: Copy,
     {
         let [zero, one] = [T::ZERO, T::ONE];
         Vec3::new(
-            Self {
-                value: p.x,
-                gradient: Vec3::new(one, zero, zero),
-            },
-            Self {
-                value: p.y,
-                gradient: Vec3::new(zero, one, zero),
-            },
-            Self {
-                value: p.z,
-                gradient: Vec3::new(zero, zero, one),
-            },
+            Self::new(p.x, Vec3::new(one, zero, zero)),
+            Self::new(p.y, Vec3::new(zero, one, zero)),
+            Self::new(p.z, Vec3::new(zero, zero, one)),
         )
     }
 
@@ -91,25 +72,62 @@ impl<T: Real> Dual<T> {
     /// ```
     ///
     /// `value` is g(f) and `slope` is g′(f), both at f, the value of this number. This adds any
-    /// differentiable function that [`Elementary`](crate::Elementary) lacks:
+    /// differentiable function that is missing:
     ///
     /// ```
-    /// use shading::{Dual, Vec3};
+    /// use shading::f64::Dual;
     ///
-    /// fn tan(x: Dual<f64>) -> Dual<f64> {
-    ///     let tan = x.value.tan();
-    ///     x.chain(tan, 1.0 + tan * tan)
+    /// fn asin(x: Dual) -> Dual {
+    ///     x.chain(x.value.asin(), 1.0 / (1.0 - x.value * x.value).sqrt())
     /// }
-    /// let x = Dual::point(Vec3::new(0.0, 0.5, 0.0)).x;
-    /// assert_eq!(tan(x).gradient, Vec3::new(1.0, 0.0, 0.0));
+    /// assert_eq!(asin(Dual::constant(1.0)).value, core::f64::consts::FRAC_PI_2);
     /// ```
     #[inline]
-    #[must_use]
     pub fn chain(self, value: T, slope: T) -> Self {
-        Self {
-            value,
-            gradient: self.gradient * slope,
+        Self::new(value, self.gradient * slope)
+    }
+
+    /// The square root. At 0, its gradient is not finite.
+    #[inline]
+    pub fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        self.chain(root, T::ONE / (root + root))
+    }
+
+    /// The larger of two numbers; `other`, if this one is NaN.
+    #[inline]
+    pub fn max(self, other: impl Into<Self>) -> Self {
+        self.at_least(other.into())
+    }
+
+    /// The smaller of two numbers.
+    #[inline]
+    pub fn min(self, other: impl Into<Self>) -> Self {
+        self.at_most(other.into())
+    }
+}
+
+macro_rules! inherent {
+    ($($method:ident($($argument:ident: $type:ty)?))*) => {
+        /// The functions of [`Elementary`], without an import.
+        impl<T: Elementary> Dual<T> {
+            $(#[doc = concat!("[`Elementary::", stringify!($method), "`]")]
+            #[inline]
+            pub fn $method(self $(, $argument: $type)?) -> Self {
+                Elementary::$method(self $(, $argument.into())?)
+            })*
         }
+    };
+}
+
+inherent!(abs() sin() cos() tan() atan2(x: impl Into<Self>) exp() ln()
+    powi(exponent: i32) powf(exponent: impl Into<Self>));
+
+/// A constant, so that `x.max(0.0)` takes a plain number.
+impl<T: Real> From<T> for Dual<T> {
+    #[inline]
+    fn from(value: T) -> Self {
+        Self::constant(value)
     }
 }
 
@@ -146,10 +164,7 @@ impl<T: Real> Neg for Dual<T> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            gradient: -self.gradient,
-        }
+        Self::new(-self.value, -self.gradient)
     }
 }
 
@@ -158,10 +173,7 @@ impl<T: Real> Add for Dual<T> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
-        Self {
-            value: self.value + other.value,
-            gradient: self.gradient + other.gradient,
-        }
+        Self::new(self.value + other.value, self.gradient + other.gradient)
     }
 }
 
@@ -170,10 +182,7 @@ impl<T: Real> Sub for Dual<T> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
-        Self {
-            value: self.value - other.value,
-            gradient: self.gradient - other.gradient,
-        }
+        Self::new(self.value - other.value, self.gradient - other.gradient)
     }
 }
 
@@ -182,10 +191,8 @@ impl<T: Real> Mul for Dual<T> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
-        Self {
-            value: self.value * other.value,
-            gradient: self.gradient * other.value + other.gradient * self.value,
-        }
+        let gradient = self.gradient * other.value + other.gradient * self.value;
+        Self::new(self.value * other.value, gradient)
     }
 }
 
@@ -196,10 +203,7 @@ impl<T: Real> Div for Dual<T> {
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
         let slopes = self.gradient - other.gradient * value;
-        Self {
-            value,
-            gradient: slopes / other.value,
-        }
+        Self::new(value, slopes / other.value)
     }
 }
 
@@ -207,10 +211,7 @@ impl<T: Real> Add<T> for Dual<T> {
     type Output = Self;
     #[inline]
     fn add(self, number: T) -> Self {
-        Self {
-            value: self.value + number,
-            ..self
-        }
+        Self::new(self.value + number, self.gradient)
     }
 }
 
@@ -218,10 +219,7 @@ impl<T: Real> Sub<T> for Dual<T> {
     type Output = Self;
     #[inline]
     fn sub(self, number: T) -> Self {
-        Self {
-            value: self.value - number,
-            ..self
-        }
+        Self::new(self.value - number, self.gradient)
     }
 }
 
@@ -237,10 +235,7 @@ impl<T: Real> Div<T> for Dual<T> {
     type Output = Self;
     #[inline]
     fn div(self, number: T) -> Self {
-        Self {
-            value: self.value / number,
-            gradient: self.gradient / number,
-        }
+        Self::new(self.value / number, self.gradient / number)
     }
 }
 
@@ -279,21 +274,15 @@ impl<T: Real> Real for Dual<T> {
 
     #[inline]
     fn sqrt(self) -> Self {
-        let root = self.value.sqrt();
-        self.chain(root, T::ONE / (root + root))
+        Dual::sqrt(self)
     }
 
     #[inline]
     fn if_positive(self, then: Self, otherwise: Self) -> Self {
         let select = |a, b| self.value.if_positive(a, b);
-        Self {
-            value: select(then.value, otherwise.value),
-            gradient: Vec3::new(
-                select(then.gradient.x, otherwise.gradient.x),
-                select(then.gradient.y, otherwise.gradient.y),
-                select(then.gradient.z, otherwise.gradient.z),
-            ),
-        }
+        let (a, b) = (then.gradient, otherwise.gradient);
+        let gradient = Vec3::new(select(a.x, b.x), select(a.y, b.y), select(a.z, b.z));
+        Self::new(select(then.value, otherwise.value), gradient)
     }
 
     #[inline]
@@ -325,5 +314,30 @@ impl<T: Elementary> Elementary for Dual<T> {
         // below 0, 1/x has a value, but the logarithm does not
         let slope = (-self.value).if_positive(ln, T::ONE / self.value);
         self.chain(ln, slope)
+    }
+
+    #[inline]
+    fn tan(self) -> Self {
+        let tan = self.value.tan();
+        self.chain(tan, T::ONE + tan * tan)
+    }
+
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        let (sine, cosine) = (self.value, x.value);
+        let length = Vec3::new(cosine, sine, T::ZERO).length();
+        let slopes = self.gradient * (cosine / length) - x.gradient * (sine / length);
+        Self::new(sine.atan2(cosine), slopes / length)
+    }
+
+    #[inline]
+    fn powf(self, exponent: Self) -> Self {
+        let power = self.value.powf(exponent.value);
+        // what does not vary adds nothing, even where the other factor is infinite or NaN
+        let times = |x: T, slope: T| size(x).if_positive(x * slope, x);
+        let slope = times(exponent.value, self.value.powf(exponent.value - T::ONE));
+        let growth = power * self.value.ln();
+        let gradient = self.gradient * slope + exponent.gradient.map(|x| times(x, growth));
+        Self::new(power, gradient)
     }
 }

@@ -1,10 +1,10 @@
 //! Colors.
 
 use core::iter::Sum;
-use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub, SubAssign};
+use core::ops::{Add, AddAssign, Div, Mul, Sub};
 
 use crate::real::Real;
-use crate::vector::componentwise;
+use crate::vector::{componentwise, number_first};
 
 /// A color: linear light, or the reflectance of a material, in three channels.
 ///
@@ -21,10 +21,10 @@ use crate::vector::componentwise;
 /// let reflected = lamp * brick; // channel by channel
 /// assert_eq!(reflected, Rgb::from([0.6, 0.9 * 0.2, 0.7 * 0.1]));
 /// ```
-#[doc(alias = "color")]
-#[doc(alias = "colour")]
+#[doc(alias("color", "colour"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
+#[must_use]
 pub struct Rgb<T = f32> {
     /// Red.
     pub r: T,
@@ -45,7 +45,6 @@ impl<T: Real> Rgb<T> {
     /// The same value in each channel.
     #[doc(alias = "splat")]
     #[inline]
-    #[must_use]
     pub const fn gray(value: T) -> Self {
         Self::new(value, value, value)
     }
@@ -56,10 +55,8 @@ impl<T: Real> Rgb<T> {
     /// use shading::Rgb;
     /// assert_eq!(Rgb::new(1.5_f32, -0.5, 0.5).clamped(), Rgb::new(1.0, 0.0, 0.5));
     /// ```
-    #[doc(alias = "clamp")]
-    #[doc(alias = "saturate")]
+    #[doc(alias("clamp", "saturate"))]
     #[inline]
-    #[must_use]
     pub fn clamped(self) -> Self {
         // not `at_least`, which may let a signaling NaN through
         self.map(|channel| channel.if_positive(channel.at_most(T::ONE), T::ZERO))

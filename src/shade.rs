@@ -17,8 +17,7 @@
 //! | `lights` | L and I of each light, as it arrives at the point | [`Light::at`](crate::Light::at) and `at` of each kind of light |
 //!
 //! The directions N, V and L all point away from the surface. Lights and reflectances should be 0
-//! or more; the result is then 0 or more too. Intensities may be in any unit; the result is in the
-//! same unit.
+//! or more; the result is then 0 or more too, in the unit of the intensities, which may be any.
 //!
 //! `lights` is any iterator over [`IncidentLight`]. You can write shadows, culling and area lights
 //! as iterator adaptors.
@@ -99,6 +98,7 @@ use crate::vector::Vec3;
         )
     )
 )]
+#[must_use]
 pub struct Material<T = f32, M = u32> {
     /// k_a, the reflectance for ambient light.
     pub k_a: Rgb<T>,
@@ -114,7 +114,6 @@ impl<T, M> Material<T, M> {
     /// The same material in another number type. `f` converts each reflectance and may only round
     /// it. The shininess does not change.
     #[inline]
-    #[must_use]
     pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> Material<U, M> {
         Material {
             k_a: self.k_a.map(&mut f),
@@ -141,6 +140,7 @@ impl<T, M> Material<T, M> {
 /// assert_eq!(middle.total(), Rgb::gray(0.5));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[must_use]
 pub struct Shaded<T = f32> {
     /// k_a I_a, the ambient term.
     pub ambient: Rgb<T>,
@@ -153,7 +153,6 @@ pub struct Shaded<T = f32> {
 impl<T: Real> Shaded<T> {
     /// The sum of the three parts, linear and not clamped.
     #[inline]
-    #[must_use]
     pub fn total(self) -> Rgb<T> {
         self.ambient + self.diffuse + self.specular
     }
@@ -211,7 +210,7 @@ impl<T: Real> Sum for Shaded<T> {
 ///
 /// The k_s and m of `material` are not used, and the specular part of the result is black. The
 /// direction to the eye does not matter, so it is not an argument. The [module page](crate::shade)
-/// lists the arguments and the degenerate cases.
+/// lists the arguments and the degenerate cases of all three sums.
 ///
 /// Source: Lambert 1760; Foley, van Dam et al. 1990, §16.1.2.
 ///
@@ -225,7 +224,6 @@ impl<T: Real> Sum for Shaded<T> {
 /// assert_eq!(shaded.total(), Rgb::gray(0.6));
 /// ```
 #[inline]
-#[must_use]
 pub fn lambert<T: Real, M>(
     n: UnitVec3<T>,
     material: &Material<T, M>,
@@ -245,8 +243,8 @@ pub fn lambert<T: Real, M>(
 /// I_r = k_a I_a + Σ I (k_d max(0, N·L) + k_s max(0, R·V)ᵐ)
 /// ```
 ///
-/// R is the [`reflection`](crate::reflection()) of L. A light with N·L ≤ 0 adds nothing. The [module page](crate::shade)
-/// lists the arguments and the degenerate cases.
+/// R is the [`reflection`](crate::reflection()) of L. A light with N·L ≤ 0 adds nothing. The
+/// [module page](crate::shade) lists the arguments.
 ///
 /// Source: Phong 1975.
 ///
@@ -261,7 +259,6 @@ pub fn lambert<T: Real, M>(
 /// assert_eq!(shaded.total(), Rgb::gray(0.75));
 /// ```
 #[inline]
-#[must_use]
 pub fn phong<T: Real, M: Exponent<T>>(
     n: UnitVec3<T>,
     v: UnitVec3<T>,
@@ -283,22 +280,10 @@ pub fn phong<T: Real, M: Exponent<T>>(
 ///
 /// H is the [`half_vector`](crate::half_vector()) of L and V. A light with N·L ≤ 0 adds nothing. If
 /// L = −V, there is no half vector and no highlight. The [module page](crate::shade) lists the
-/// arguments and the other degenerate cases.
+/// arguments and has an example; the call is that of [`phong`].
 ///
 /// Source: Blinn 1977.
-///
-/// ```
-/// use shading::f32::{DirectionalLight, Material, Rgb, UnitVec3, Vec3};
-/// use shading::shade;
-///
-/// let wax = Material { k_a: Rgb::BLACK, k_d: Rgb::gray(0.5), k_s: Rgb::gray(0.25), m: 40 };
-/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
-/// let (n, v) = (UnitVec3::Z, UnitVec3::Z); // the eye is where the light is reflected to
-/// let shaded = shade::blinn_phong(n, v, &wax, Rgb::BLACK, [sun.at(Vec3::ZERO)]);
-/// assert_eq!(shaded.total(), Rgb::gray(0.75));
-/// ```
 #[inline]
-#[must_use]
 pub fn blinn_phong<T: Real, M: Exponent<T>>(
     n: UnitVec3<T>,
     v: UnitVec3<T>,

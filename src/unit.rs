@@ -20,8 +20,7 @@ impl<T: Real> Vec3<T> {
     /// assert_eq!(Vec3::new(2.0_f32, 3.0, 6.0).length(), 7.0);
     /// assert_eq!(Vec3::new(0.0_f32, 3e30, 4e30).length(), 5e30);
     /// ```
-    #[doc(alias = "magnitude")]
-    #[doc(alias = "norm")]
+    #[doc(alias("magnitude", "norm"))]
     #[inline]
     #[must_use]
     pub fn length(self) -> T {
@@ -44,8 +43,7 @@ impl<T: Real> Vec3<T> {
     /// assert_eq!(n, Vec3::new(0.0, 1e-45, 0.0).unit());
     /// assert_eq!(Vec3::<f32>::ZERO.unit(), None);
     /// ```
-    #[doc(alias = "normalize")]
-    #[doc(alias = "try_normalize")]
+    #[doc(alias("normalize", "try_normalize"))]
     #[inline]
     #[must_use]
     pub fn unit(self) -> Option<UnitVec3<T>>
@@ -61,12 +59,10 @@ impl<T: Real> Vec3<T> {
     ///
     /// ```
     /// use shading::{UnitVec3, Vec3};
-    /// assert_eq!(Vec3::new(0.0_f32, 0.0, 5.0).unit_or(UnitVec3::X), UnitVec3::Z);
     /// assert_eq!(Vec3::<f32>::ZERO.unit_or(UnitVec3::X), UnitVec3::X);
     /// ```
     #[doc(alias = "normalize_or")]
     #[inline]
-    #[must_use]
     pub fn unit_or(self, fallback: UnitVec3<T>) -> UnitVec3<T> {
         let (w, length, _) = T::direction(self.into());
         let or = |w, fallback| length.if_positive(w, fallback);
@@ -110,33 +106,22 @@ impl<T: Real> Vec3<T> {
 #[doc(alias = "direction")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(transparent)]
+#[must_use]
 pub struct UnitVec3<T = f32>(Vec3<T>);
 
 impl<T> UnitVec3<T> {
     /// A direction whose length the caller guarantees to be 1 up to rounding, such as a normal from
     /// a file or a direction that another library normalized. Nothing is checked. If the length
     /// differs from 1, colors are wrong, but nothing panics.
-    ///
-    /// ```
-    /// use shading::{UnitVec3, Vec3};
-    /// assert_eq!(UnitVec3::assume_unit(Vec3::new(0.0_f32, 0.0, 1.0)), UnitVec3::Z);
-    /// ```
     #[doc(alias = "new_unchecked")]
     #[inline]
-    #[must_use]
     pub const fn assume_unit(v: Vec3<T>) -> Self {
         Self(v)
     }
 
-    /// The same direction in another number type. `f` converts each coordinate and may only round
-    /// it.
-    ///
-    /// ```
-    /// use shading::UnitVec3;
-    /// assert_eq!(UnitVec3::<f32>::Z.cast(f64::from), UnitVec3::Z);
-    /// ```
+    /// The same direction in another number type, as in `n.cast(f64::from)`. `f` converts each
+    /// coordinate and may only round it.
     #[inline]
-    #[must_use]
     pub fn cast<U>(self, f: impl FnMut(T) -> U) -> UnitVec3<U> {
         UnitVec3(self.0.map(f))
     }
@@ -182,14 +167,9 @@ impl<T: Real> UnitVec3<T> {
 macro_rules! literals {
     ($float:ident) => {
         impl UnitVec3<$float> {
-            /// The direction of the vector (x, y, z), of any length, for literals in constants.
+            /// [`Vec3::unit`] for constants: the direction of the vector (x, y, z), of any length.
             ///
-            /// ```text
-            /// v / |v|
-            /// ```
-            ///
-            /// It has the same bits as [`Vec3::unit`] and is `None` in the same cases. At run time,
-            /// `unit` is faster.
+            /// It has the same bits, and is `None` in the same cases. At run time, `unit` is faster.
             ///
             /// ```
             #[doc = concat!("use shading::", stringify!($float), "::{UnitVec3, Vec3};")]
@@ -257,21 +237,19 @@ impl<T: Real> Mul<T> for UnitVec3<T> {
     }
 }
 
-impl<T: Real> Add<UnitVec3<T>> for Vec3<T> {
-    type Output = Self;
-    #[inline]
-    fn add(self, direction: UnitVec3<T>) -> Self {
-        self + direction.0
-    }
+macro_rules! with_vectors {
+    ($($trait:ident $method:ident)*) => {$(
+        impl<T: Real> $trait<UnitVec3<T>> for Vec3<T> {
+            type Output = Self;
+            #[inline]
+            fn $method(self, direction: UnitVec3<T>) -> Self {
+                self.$method(direction.0)
+            }
+        }
+    )*};
 }
 
-impl<T: Real> Sub<UnitVec3<T>> for Vec3<T> {
-    type Output = Self;
-    #[inline]
-    fn sub(self, direction: UnitVec3<T>) -> Self {
-        self - direction.0
-    }
-}
+with_vectors!(Add add Sub sub);
 
 impl<T: Real> Neg for UnitVec3<T> {
     type Output = Self;

@@ -1,7 +1,7 @@
 //! Vectors, and the operations that they share with colors.
 
 use core::iter::Sum;
-use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 use crate::real::Real;
 
@@ -19,6 +19,7 @@ use crate::real::Real;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
+#[must_use]
 pub struct Vec3<T = f32> {
     /// The x coordinate.
     pub x: T,
@@ -34,7 +35,6 @@ impl<T: Real> Vec3<T> {
 
     /// The same number in each component.
     #[inline]
-    #[must_use]
     pub const fn splat(value: T) -> Self {
         Self::new(value, value, value)
     }
@@ -49,7 +49,6 @@ impl<T: Real> Vec3<T> {
     /// The point at the share t of the way to another, self + t (other − self).
     #[doc(alias = "mix")]
     #[inline]
-    #[must_use]
     pub fn lerp(self, other: Self, t: T) -> Self {
         self + (other - self) * t
     }
@@ -61,19 +60,14 @@ impl<T: Real> Vec3<T> {
     /// ```
     ///
     /// If products overflow with opposite signs, the result is ∞ − ∞, which is NaN.
-    ///
-    /// ```
-    /// use shading::{UnitVec3, Vec3};
-    /// assert_eq!(Vec3::new(1.0_f32, 2.0, 3.0).dot(UnitVec3::Z), 3.0);
-    /// ```
     #[inline]
     #[must_use]
     pub fn dot(self, other: impl Into<Self>) -> T {
         T::dot(self.into(), other.into().into())
     }
 
-    /// The cross product, perpendicular to both vectors and right-handed. `other` is a vector or a
-    /// [`UnitVec3`](crate::UnitVec3).
+    /// The cross product, perpendicular to both vectors and right-handed, with either as for
+    /// [`dot`](Vec3::dot).
     ///
     /// ```text
     /// a × b = (a.y b.z − a.z b.y, a.z b.x − a.x b.z, a.x b.y − a.y b.x)
@@ -86,7 +80,6 @@ impl<T: Real> Vec3<T> {
     /// assert_eq!(Vec3::new(2.0_f32, 0.0, 0.0).cross(UnitVec3::Y), Vec3::new(0.0, 0.0, 2.0));
     /// ```
     #[inline]
-    #[must_use]
     pub fn cross(self, other: impl Into<Self>) -> Self {
         let other = other.into();
         Self::new(
@@ -105,13 +98,24 @@ impl<T: Real> Neg for Vec3<T> {
     }
 }
 
+macro_rules! number_first {
+    ($type:ident $float:ident) => {
+        impl Mul<$type<$float>> for $float {
+            type Output = $type<$float>;
+            #[inline]
+            fn mul(self, value: $type<$float>) -> $type<$float> {
+                value * self
+            }
+        }
+    };
+}
+
 /// The operations that vectors and colors share.
 macro_rules! componentwise {
     ($type:ident { $x:ident, $y:ident, $z:ident }) => {
         impl<T: Real> $type<T> {
             /// The value with these three components.
             #[inline]
-            #[must_use]
             pub const fn new($x: T, $y: T, $z: T) -> Self {
                 Self { $x, $y, $z }
             }
@@ -120,7 +124,6 @@ macro_rules! componentwise {
         impl<T> $type<T> {
             /// Applies a function to each component.
             #[inline]
-            #[must_use]
             pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> $type<U> {
                 $type {
                     $x: f(self.$x),
@@ -162,21 +165,8 @@ macro_rules! componentwise {
             }
         }
 
-        impl Mul<$type<f32>> for f32 {
-            type Output = $type<f32>;
-            #[inline]
-            fn mul(self, value: $type<f32>) -> $type<f32> {
-                value * self
-            }
-        }
-
-        impl Mul<$type<f64>> for f64 {
-            type Output = $type<f64>;
-            #[inline]
-            fn mul(self, value: $type<f64>) -> $type<f64> {
-                value * self
-            }
-        }
+        number_first!($type f32);
+        number_first!($type f64);
 
         impl<T: Real> AddAssign for $type<T> {
             #[inline]
@@ -185,31 +175,10 @@ macro_rules! componentwise {
             }
         }
 
-        impl<T: Real> SubAssign for $type<T> {
-            #[inline]
-            fn sub_assign(&mut self, other: Self) {
-                *self = *self - other;
-            }
-        }
-
-        impl<T: Real> MulAssign<T> for $type<T> {
-            #[inline]
-            fn mul_assign(&mut self, factor: T) {
-                *self = *self * factor;
-            }
-        }
-
         impl<T: Real> Sum for $type<T> {
             #[inline]
             fn sum<I: Iterator<Item = Self>>(iter: I) -> Self {
                 iter.fold(Self::new(T::ZERO, T::ZERO, T::ZERO), Add::add)
-            }
-        }
-
-        impl<'a, T: Real> Sum<&'a Self> for $type<T> {
-            #[inline]
-            fn sum<I: Iterator<Item = &'a Self>>(iter: I) -> Self {
-                iter.copied().sum()
             }
         }
 
@@ -230,4 +199,4 @@ macro_rules! componentwise {
 }
 
 componentwise!(Vec3 { x, y, z });
-pub(crate) use componentwise;
+pub(crate) use {componentwise, number_first};

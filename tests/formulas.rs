@@ -8,9 +8,9 @@ use std::f64::consts::{FRAC_1_PI, PI};
 
 use kit::{Float, Number, Sink, Value, direction, rgb, vector};
 use shading::{
-    Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, IncidentLight, Light,
-    Material, PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector,
-    normal, reflection, shade, term,
+    Attenuation, Cone, DirectionalLight, Dual, Exponent, IncidentLight, Light, Material,
+    PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal,
+    reflection, shade, term,
 };
 
 /// Runs each row for `f32` and `f64`, and names those that fail.
@@ -187,19 +187,19 @@ table! {
     // a quotient is that of a division, not of a multiplication by a rounded reciprocal
     "quotients": [(vector::<T>([7.0; 3]) / T::of(10.0)).y, (gray::<T>(7.0) / T::of(10.0)).g] => [T::of(0.7).into(); 2], 0.0;
     "assigned": { let (mut v, mut c, mut s) = (vector::<T>([1.0, 2.0, 3.0]), rgb::<T>([1.0, 2.0, 3.0]), shaded::<T>(1.0)); v += v;
-        v -= vector([1.0; 3]); v *= T::of(2.0); c += c; c -= gray(1.0); c *= T::of(2.0); s += s; let all: [[T; 3]; 5] = [v.into(),
+        c += c; s += s; let all: [[T; 3]; 5] = [v.into(),
         c.into(), s.ambient.into(), s.diffuse.into(), s.specular.into()]; all }
-        => [2.0, 6.0, 10.0, 2.0, 6.0, 10.0, 2.0, 2.0, 2.0, 4.0, 4.0, 4.0, 8.0, 8.0, 8.0], 0.0;
+        => [2.0, 4.0, 6.0, 2.0, 4.0, 6.0, 2.0, 2.0, 2.0, 4.0, 4.0, 4.0, 8.0, 8.0, 8.0], 0.0;
     "number first": { let both: [[T; 3]; 2] = [T::of(0.5).times_vector(vector([1.0, -2.0, 6.0])).into(),
         T::of(0.5).times_rgb(rgb([1.0, 0.0, 6.0])).into()]; both }
         => [0.5, -1.0, 3.0, 0.5, 0.0, 3.0], 0.0;
-    "sums of vectors": in_order::<_, T>(|x| vector::<T>([x; 3]), |v| v.iter().sum()).map(|v| [v.x, v.z])
+    "sums of vectors": in_order::<_, T>(|x| vector::<T>([x; 3]), |v| v.into_iter().sum()).map(|v| [v.x, v.z])
         => [1.0, 1.0, 1.0 + 2.0 * T::U, 1.0 + 2.0 * T::U], 0.0;
     "sums of colors": in_order::<_, T>(gray::<T>, |c| c.into_iter().sum()).map(|c| [c.r, c.b])
         => [1.0, 1.0, 1.0 + 2.0 * T::U, 1.0 + 2.0 * T::U], 0.0;
     "sums of results": in_order::<_, T>(shaded::<T>, |s| s.into_iter().sum()).map(|s: Shaded<T>| [s.ambient.r, s.specular.b])
         => [1.0, 4.0, 1.0 + 2.0 * T::U, 4.0 + 8.0 * T::U], 0.0;
-    "sums of nothing": [[].iter().sum::<Vec3<T>>().x, [].iter().sum::<Rgb<T>>().g, [].into_iter().sum::<Shaded<T>>().total().b]
+    "sums of nothing": [[].into_iter().sum::<Vec3<T>>().x, [].into_iter().sum::<Rgb<T>>().g, [].into_iter().sum::<Shaded<T>>().total().b]
         => [0.0; 3], 0.0;
     "axes": [UnitVec3::<T>::X, UnitVec3::Y, UnitVec3::Z, UnitVec3::NEG_X, UnitVec3::NEG_Y, UnitVec3::NEG_Z, -UnitVec3::X]
         => [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0], 0.0;
@@ -451,12 +451,6 @@ fn a_faint_edge_keeps_its_digits() {
             );
         }
     }
-}
-
-#[test]
-fn literals_are_rounded_to_the_nearest_number() {
-    assert_eq!(f32::of(0.1).to_bits(), 0x3DCC_CCCD);
-    assert_eq!(f64::of(0.1).to_bits(), 0x3FB9_9999_9999_999A);
 }
 
 /// Each short name is the type for that number, and needs no other parameter.

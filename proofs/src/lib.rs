@@ -74,7 +74,6 @@ impl Given {
     }
 
     /// A vector whose components have a range.
-    #[must_use]
     pub fn vector(self, name: &str, range: Range) -> Vec3<Term> {
         ["x", "y", "z"]
             .map(|axis| self.number(&format!("{name}.{axis}"), range))
@@ -82,7 +81,6 @@ impl Given {
     }
 
     /// A direction: a vector of length 1 up to rounding, |v|² within 8 units of roundoff.
-    #[must_use]
     pub fn unit(self, name: &str) -> UnitVec3<Term> {
         let (one, slack) = (1.0, 8.0 * self.0.u());
         let v = self.vector(name, Range::within(-one - slack, one + slack));
@@ -94,7 +92,6 @@ impl Given {
     }
 
     /// A color that is finite and not negative.
-    #[must_use]
     pub fn rgb(self, name: &str) -> Rgb<Term> {
         ["r", "g", "b"]
             .map(|channel| self.not_negative(&format!("{name}.{channel}")))

@@ -18,7 +18,7 @@ mod steps;
 
 use crate::rgb::Rgb;
 use edges::decoded;
-use steps::{clamped, eight_bits, five_bits, six_bits};
+use steps::clamped;
 
 /// Colors on a display, whose light is encoded as sRGB, and linear colors for programs that
 /// encode elsewhere or not at all. Single precision is more than any display shows; convert with
@@ -36,8 +36,7 @@ impl Rgb<f32> {
     /// not call [`clamped`](Rgb::clamped) first. [`to_linear8`](Self::to_linear8) does not
     /// encode.
     ///
-    /// Source: IEC 61966-2-1:1999, *Multimedia systems and equipment – Colour measurement and
-    /// management – Part 2-1: Colour management – Default RGB colour space – sRGB*.
+    /// Source: IEC 61966-2-1:1999, *Default RGB colour space – sRGB*.
     ///
     /// ```
     /// use shading::Rgb;
@@ -45,15 +44,15 @@ impl Rgb<f32> {
     /// assert_eq!(Rgb::new(0.5, 0.18, 0.001).to_srgb8(), [188, 118, 3]);
     /// assert_eq!(Rgb::new(2.0, -1.0, f32::NAN).to_srgb8(), [255, 0, 0]);
     /// ```
-    #[doc(alias = "gamma")]
-    #[doc(alias = "encode")]
+    #[doc(alias("gamma", "encode"))]
     #[inline]
     #[must_use]
     pub const fn to_srgb8(self) -> [u8; 3] {
+        let steps = &steps::EIGHT_BITS;
         [
-            eight_bits(self.r) as u8,
-            eight_bits(self.g) as u8,
-            eight_bits(self.b) as u8,
+            steps.level(self.r) as u8,
+            steps.level(self.g) as u8,
+            steps.level(self.b) as u8,
         ]
     }
 
@@ -67,9 +66,6 @@ impl Rgb<f32> {
     /// Each channel is rounded once, from the linear light. Rounding the sRGB bytes again would
     /// change an eighth of the colors, and cutting off their low bits would change half.
     /// Channels outside [0, 1] and NaN are treated as in [`to_srgb8`](Self::to_srgb8).
-    /// [`to_linear565`](Self::to_linear565) does not encode.
-    ///
-    /// Source: IEC 61966-2-1:1999, as for [`to_srgb8`](Self::to_srgb8).
     ///
     /// ```
     /// use shading::Rgb;
@@ -80,7 +76,8 @@ impl Rgb<f32> {
     #[inline]
     #[must_use]
     pub const fn to_rgb565(self) -> u16 {
-        packed(five_bits(self.r), six_bits(self.g), five_bits(self.b))
+        let (five, six) = (&steps::FIVE_BITS, &steps::SIX_BITS);
+        (five.level(self.r) << 11 | six.level(self.g) << 5 | five.level(self.b)) as u16
     }
 
     /// Rounds linear light to bytes **without encoding it as sRGB**. A display that is given
@@ -97,45 +94,15 @@ impl Rgb<f32> {
     /// ```
     /// use shading::Rgb;
     ///
-    /// let color = Rgb::new(1.0, 0.5, 0.001);
-    /// assert_eq!(color.to_linear8(), [255, 128, 0]);
-    /// assert_eq!(color.to_srgb8(), [255, 188, 3]); // what a display needs
+    /// assert_eq!(Rgb::new(1.0, 0.5, 0.001).to_linear8(), [255, 128, 0]); // sRGB is [255, 188, 3]
     /// ```
     #[doc(alias = "quantize")]
     #[inline]
     #[must_use]
     pub const fn to_linear8(self) -> [u8; 3] {
-        [
-            linear(self.r, 255) as u8,
-            linear(self.g, 255) as u8,
-            linear(self.b, 255) as u8,
-        ]
+        [linear(self.r), linear(self.g), linear(self.b)]
     }
 
-    /// Rounds linear light to 16 bits **without encoding it as sRGB**: five bits of red, six of
-    /// green and five of blue, red in the highest bits.
-    ///
-    /// ```text
-    /// round(31 L_r) · 2¹¹ + round(63 L_g) · 2⁵ + round(31 L_b),  rounding ½ up
-    /// ```
-    ///
-    /// The result is correctly rounded. Channels outside [0, 1] and NaN are treated as in
-    /// [`to_srgb8`](Self::to_srgb8). A display needs [`to_rgb565`](Self::to_rgb565).
-    ///
-    /// ```
-    /// use shading::Rgb;
-    ///
-    /// assert_eq!(Rgb::new(1.0, 0.5, 0.001).to_linear565(), 31 << 11 | 32 << 5);
-    /// ```
-    #[doc(alias = "quantize")]
-    #[inline]
-    #[must_use]
-    pub const fn to_linear565(self) -> u16 {
-        packed(linear(self.r, 31), linear(self.g, 63), linear(self.b, 31))
-    }
-}
-
-impl Rgb<f32> {
     /// Decodes sRGB bytes, such as those of a texture or of a designer's color, to linear light.
     ///
     /// ```text
@@ -143,21 +110,15 @@ impl Rgb<f32> {
     /// L = ((E + 0.055)/1.055)^2.4     above
     /// ```
     ///
-    /// The result is correctly rounded, and [`to_srgb8`](Rgb::<f32>::to_srgb8) gives the same bytes
-    /// back.
-    ///
-    /// Source: IEC 61966-2-1:1999, as for [`to_srgb8`](Rgb::<f32>::to_srgb8).
+    /// The result is correctly rounded, and [`to_srgb8`](Self::to_srgb8) gives the same bytes back.
     ///
     /// ```
     /// use shading::Rgb;
     /// static BRASS: Rgb = Rgb::from_srgb8([0xB5, 0xA6, 0x42]);
     /// assert_eq!(BRASS.to_srgb8(), [0xB5, 0xA6, 0x42]);
-    /// assert_eq!(Rgb::from_srgb8([255, 0, 255]), Rgb::new(1.0, 0.0, 1.0));
     /// ```
-    #[doc(alias = "gamma")]
-    #[doc(alias = "decode")]
+    #[doc(alias("gamma", "decode"))]
     #[inline]
-    #[must_use]
     pub const fn from_srgb8([r, g, b]: [u8; 3]) -> Self {
         Self::new(
             EIGHT_BITS[r as usize],
@@ -166,17 +127,14 @@ impl Rgb<f32> {
         )
     }
 
-    /// Decodes the 16 bits of [`to_rgb565`](Rgb::<f32>::to_rgb565), such as those of a picture for a
-    /// small display, to linear light.
+    /// Decodes the 16 bits of [`to_rgb565`](Self::to_rgb565), such as those of a picture for a small
+    /// display, to linear light.
     ///
     /// ```text
     /// E_r = bits₁₅…₁₁/31,  E_g = bits₁₀…₅/63,  E_b = bits₄…₀/31,   L as for from_srgb8
     /// ```
     ///
-    /// The result is correctly rounded, and [`to_rgb565`](Rgb::<f32>::to_rgb565) gives the same bits
-    /// back.
-    ///
-    /// Source: IEC 61966-2-1:1999, as for [`to_srgb8`](Rgb::<f32>::to_srgb8).
+    /// The result is correctly rounded, and [`to_rgb565`](Self::to_rgb565) gives the same bits back.
     ///
     /// ```
     /// use shading::Rgb;
@@ -185,7 +143,6 @@ impl Rgb<f32> {
     /// ```
     #[doc(alias = "decode")]
     #[inline]
-    #[must_use]
     pub const fn from_rgb565(bits: u16) -> Self {
         Self::new(
             FIVE_BITS[bits as usize >> 11],
@@ -195,20 +152,13 @@ impl Rgb<f32> {
     }
 }
 
-/// The levels of red, green and blue in 16 bits.
+/// round(255 · channel) in whole numbers, which are exact.
 #[inline]
-const fn packed(r: u32, g: u32, b: u32) -> u16 {
-    (r << 11 | g << 5 | b) as u16
-}
-
-/// round(highest · channel) for a highest level of at most 255, in whole numbers, which are exact.
-#[inline]
-const fn linear(channel: f32, highest: u32) -> u32 {
-    // 2⁻⁹ is dark for every highest level
-    let bits = clamped(channel, 1.0 / 512.0, 1.0);
+const fn linear(channel: f32) -> u8 {
+    let bits = clamped(channel, 1.0 / 512.0, 1.0); // 2⁻⁹ is dark
     let significand = bits & 0x007F_FFFF | 0x0080_0000;
     let shift = 150 - (bits >> 23); // 23 to 32
-    (((significand * highest) >> (shift - 1)) + 1) >> 1
+    ((((significand * 255) >> (shift - 1)) + 1) >> 1) as u8
 }
 
 static EIGHT_BITS: [f32; 256] = light();

@@ -8,11 +8,11 @@ use super::edges::next_edges;
 
 /// The intervals of the levels of an encoding. `SHIFT` low bits of a number are the place within its
 /// interval.
-struct Steps<const LENGTH: usize, const SHIFT: u32>([u32; LENGTH]);
+pub(super) struct Steps<const LENGTH: usize, const SHIFT: u32>([u32; LENGTH]);
 
-static EIGHT_BITS: Steps<2048, 16> = Steps::of(next_edges::<256>());
-static SIX_BITS: Steps<512, 18> = Steps::of(next_edges::<64>());
-static FIVE_BITS: Steps<256, 19> = Steps::of(next_edges::<32>());
+pub(super) static EIGHT_BITS: Steps<2048, 16> = Steps::of(next_edges::<256>());
+pub(super) static SIX_BITS: Steps<512, 18> = Steps::of(next_edges::<64>());
+pub(super) static FIVE_BITS: Steps<256, 19> = Steps::of(next_edges::<32>());
 
 /// Level 1 of 256 begins above 2⁻¹³.
 const DARKEST: f32 = 1.0 / 8192.0;
@@ -38,8 +38,9 @@ impl<const LENGTH: usize, const SHIFT: u32> Steps<LENGTH, SHIFT> {
         Self(steps)
     }
 
+    /// The level of a channel.
     #[inline]
-    const fn level(&self, channel: f32) -> u32 {
+    pub(super) const fn level(&self, channel: f32) -> u32 {
         let bits = clamped(channel, DARKEST, BRIGHTEST);
         let step = self.0[(bits >> SHIFT) as usize % LENGTH];
         (step + bits % (1 << SHIFT)) >> SHIFT
@@ -63,22 +64,4 @@ pub(super) const fn clamped(x: f32, low: f32, high: f32) -> u32 {
     } else {
         bits
     }
-}
-
-/// The level of a channel, of 256.
-#[inline]
-pub(super) const fn eight_bits(channel: f32) -> u32 {
-    EIGHT_BITS.level(channel)
-}
-
-/// Of 64.
-#[inline]
-pub(super) const fn six_bits(channel: f32) -> u32 {
-    SIX_BITS.level(channel)
-}
-
-/// Of 32.
-#[inline]
-pub(super) const fn five_bits(channel: f32) -> u32 {
-    FIVE_BITS.level(channel)
 }

@@ -38,6 +38,7 @@ pub(super) const SPOT: u32 = 2;
 /// }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
 pub struct IncidentLight<T = f32> {
     /// What a light of its kind does not have is not looked at.
     pub(super) light: SpotLight<T>,
@@ -73,9 +74,7 @@ impl<T: Real> IncidentLight<T> {
     ///
     /// ```
     /// use shading::f32::{DirectionalLight, Rgb, UnitVec3, Vec3};
-    ///
     /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE }.at(Vec3::ZERO);
-    /// assert!(sun.is_in_front(UnitVec3::Z));
     /// assert!(!sun.is_in_front(UnitVec3::X)); // it only grazes the surface
     /// ```
     #[inline]
@@ -86,7 +85,6 @@ impl<T: Real> IncidentLight<T> {
 
     /// L, the direction from the surface **to** the light; the z axis if there is none.
     #[inline]
-    #[must_use]
     pub fn l(&self) -> UnitVec3<T> {
         match self.kind {
             DIRECTIONAL => UnitVec3::assume_unit(self.way),
@@ -107,7 +105,6 @@ impl<T: Real> IncidentLight<T> {
 
     /// I as it arrives: attenuated, and 0 outside a spot's cone.
     #[inline]
-    #[must_use]
     pub fn intensity(&self) -> Rgb<T> {
         let Arriving {
             length, intensity, ..
@@ -132,7 +129,6 @@ impl<T: Real> IncidentLight<T> {
     /// The same light in another number type: `f` converts each number, and may do no more than round
     /// it, or take one of several lanes.
     #[inline]
-    #[must_use]
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> IncidentLight<U> {
         IncidentLight {
             light: self.light.cast(&mut f),

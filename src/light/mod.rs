@@ -22,10 +22,7 @@ pub use incident::IncidentLight;
 /// ```
 /// use shading::f32::{DirectionalLight, Rgb, UnitVec3};
 ///
-/// static SUN: DirectionalLight = DirectionalLight {
-///     l: UnitVec3::const_normalized(1.0, 2.0, 3.0).unwrap(),
-///     intensity: Rgb::new(1.0, 0.95, 0.9),
-/// };
+/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::new(1.0, 0.95, 0.9) };
 /// ```
 #[doc(alias = "sun")]
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,6 +37,7 @@ pub use incident::IncidentLight;
         )
     )
 )]
+#[must_use]
 pub struct DirectionalLight<T = f32> {
     /// L, the direction **to** the light, opposite to the direction in which it shines.
     pub l: UnitVec3<T>,
@@ -51,14 +49,12 @@ impl<T: Real> DirectionalLight<T> {
     /// The light that arrives at the point p. It is the same at every point, and its distance is
     /// the largest finite number.
     #[inline]
-    #[must_use]
     pub fn at(&self, _p: impl Into<[T; 3]>) -> IncidentLight<T> {
         (*self).into()
     }
 
     /// The same light in another number type. `f` converts each number and may only round it.
     #[inline]
-    #[must_use]
     pub fn cast<U>(self, mut f: impl FnMut(T) -> U) -> DirectionalLight<U> {
         DirectionalLight {
             l: self.l.cast(&mut f),
@@ -89,16 +85,6 @@ impl<T: Real> From<DirectionalLight<T>> for IncidentLight<T> {
 /// You choose the unit of length. Positions and the q of the attenuation share it.
 ///
 /// Source: Foley, van Dam et al. 1990, §16.1.2; OpenGL 2.1, §2.14.1.
-///
-/// ```
-/// use shading::f32::{Attenuation, PointLight, Rgb, Vec3};
-///
-/// static LAMP: PointLight = PointLight {
-///     position: Vec3::new(0.0, 0.0, 3.0),
-///     intensity: Rgb::WHITE,
-///     attenuation: Attenuation::const_new(1.0, 0.0, 0.25).unwrap(),
-/// };
-/// ```
 #[doc(alias = "lamp")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(
@@ -112,6 +98,7 @@ impl<T: Real> From<DirectionalLight<T>> for IncidentLight<T> {
         )
     )
 )]
+#[must_use]
 pub struct PointLight<T = f32> {
     /// P_light, the position of the light.
     pub position: Vec3<T>,
@@ -134,19 +121,15 @@ impl<T: Real> PointLight<T> {
     /// ```
     /// use shading::f32::{Attenuation, PointLight, Rgb, UnitVec3, Vec3};
     ///
-    /// let lamp = PointLight {
-    ///     position: Vec3::new(0.0, 0.0, 3.0),
-    ///     intensity: Rgb::WHITE,
-    ///     attenuation: Attenuation::new(1.0, 0.0, 0.25).unwrap(),
-    /// };
+    /// let attenuation = Attenuation::new(1.0, 0.0, 0.25).unwrap();
+    /// let position = Vec3::new(0.0, 0.0, 3.0);
+    /// let lamp = PointLight { position, intensity: Rgb::WHITE, attenuation };
     /// let incident = lamp.at(Vec3::new(0.0, 0.0, 1.0));
     /// assert_eq!((incident.l(), incident.distance()), (UnitVec3::Z, 2.0));
     /// assert_eq!(incident.intensity(), Rgb::gray(0.5)); // 1/(1 + 2²/4)
-    ///
     /// assert_eq!(lamp.at(lamp.position).intensity(), Rgb::BLACK);
     /// ```
     #[inline]
-    #[must_use]
     pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
         IncidentLight {
             light: self.everywhere(),
@@ -178,7 +161,6 @@ impl<T: Real> PointLight<T> {
 
     /// The same light in another number type. `f` converts each number and may only round it.
     #[inline]
-    #[must_use]
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> PointLight<U> {
         PointLight {
             position: self.position.map(&mut f),
@@ -219,6 +201,7 @@ impl<T: Real> PointLight<T> {
     )
 )]
 #[repr(C)] // begins with its point light, as `Light::Point` does, so `Light` finds both at one offset
+#[must_use]
 pub struct SpotLight<T = f32> {
     /// The light at the tip of the cone.
     pub point: PointLight<T>,
@@ -232,7 +215,6 @@ impl<T: Real> SpotLight<T> {
     /// The light that arrives at the point p: that of the [`PointLight`] times the
     /// [factor](Cone::factor) of the cone.
     #[inline]
-    #[must_use]
     pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
         IncidentLight {
             light: *self,
@@ -251,7 +233,6 @@ impl<T: Real> SpotLight<T> {
 
     /// The same light in another number type. `f` converts each number and may only round it.
     #[inline]
-    #[must_use]
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> SpotLight<U> {
         SpotLight {
             point: self.point.cast(&mut f),
@@ -266,16 +247,13 @@ impl<T: Real> SpotLight<T> {
 /// ```
 /// use shading::f32::{Attenuation, DirectionalLight, Light, PointLight, Rgb, UnitVec3, Vec3};
 ///
-/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
-/// let lamp = PointLight {
-///     position: Vec3::new(2.0, 0.0, 2.0),
-///     intensity: Rgb::new(1.0, 0.8, 0.6),
-///     attenuation: Attenuation::NONE,
-/// };
+/// let (position, intensity) = (Vec3::new(2.0, 0.0, 2.0), Rgb::new(1.0, 0.8, 0.6));
+/// let sun = DirectionalLight { l: UnitVec3::Z, intensity };
+/// let lamp = PointLight { position, intensity, attenuation: Attenuation::NONE };
 /// let lights: [Light; 2] = [sun.into(), lamp.into()];
 ///
 /// let arriving: Rgb = lights.iter().map(|light| light.at(Vec3::ZERO).intensity()).sum();
-/// assert_eq!(arriving, sun.intensity + lamp.intensity);
+/// assert_eq!(arriving, 2.0 * intensity);
 /// ```
 ///
 /// In a `static`, write the kind: `static LIGHTS: [Light; 1] = [Light::Directional(SUN)];`.
@@ -291,6 +269,7 @@ impl<T: Real> SpotLight<T> {
         )
     )
 )]
+#[must_use]
 pub enum Light<T = f32> {
     /// A light from one direction.
     Directional(DirectionalLight<T>),
@@ -304,7 +283,6 @@ impl<T: Real> Light<T> {
     /// The light that arrives at the point p, as in [`DirectionalLight::at`], [`PointLight::at`]
     /// and [`SpotLight::at`].
     #[inline(always)]
-    #[must_use]
     pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
         match self {
             Self::Directional(light) => light.at(p),
@@ -315,7 +293,6 @@ impl<T: Real> Light<T> {
 
     /// The same light in another number type. `f` converts each number and may only round it.
     #[inline]
-    #[must_use]
     pub fn cast<U: Real>(self, f: impl FnMut(T) -> U) -> Light<U> {
         match self {
             Self::Directional(light) => Light::Directional(light.cast(f)),

@@ -27,10 +27,8 @@ use crate::vector::Vec3;
 /// assert_eq!(normal::facing(-UnitVec3::Z, v), UnitVec3::Z);
 /// assert_eq!(normal::facing(-UnitVec3::X, v), -UnitVec3::X); // edge-on
 /// ```
-#[doc(alias = "faceforward")]
-#[doc(alias = "two-sided")]
+#[doc(alias("faceforward", "two-sided"))]
 #[inline]
-#[must_use]
 pub fn facing<T: Real>(n: UnitVec3<T>, v: UnitVec3<T>) -> UnitVec3<T> {
     let away = (-n).dot(v);
     UnitVec3::assume_unit(n.map(|c| away.if_positive(-c, c)))
@@ -75,8 +73,7 @@ pub fn facing<T: Real>(n: UnitVec3<T>, v: UnitVec3<T>) -> UnitVec3<T> {
 /// assert_eq!(normal::transformed(roof, flat), Some(UnitVec3::Z));
 /// assert_eq!(normal::transformed(UnitVec3::X, flat), None);
 /// ```
-#[doc(alias = "inverse transpose")]
-#[doc(alias = "normal matrix")]
+#[doc(alias("inverse transpose", "normal matrix"))]
 #[inline(always)]
 #[must_use]
 pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> Option<UnitVec3<T>> {
@@ -150,9 +147,7 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
 /// // without a frame the surface keeps its own normal
 /// assert_eq!(normal::mapped(n, *n, 1.0, decode([218, 128, 218])).unwrap_or(n), n);
 /// ```
-#[doc(alias = "normal map")]
-#[doc(alias = "tangent space")]
-#[doc(alias = "bump")]
+#[doc(alias("normal map", "tangent space", "bump"))]
 #[inline(always)]
 #[must_use]
 pub fn mapped<T: Real + Scalar>(

@@ -89,8 +89,7 @@ pub fn sphere<T: Real + Scalar>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitVec3<
 /// f > 0. The gradient is exact up to rounding, because f computes with [`Dual`] numbers. The
 /// result is `None` if ∇f is 0 or does not exist, as at the apex of a cone.
 ///
-/// Source: Foley, van Dam et al. 1990, §11.4, for the normal; Griewank and Walther 2008, for the
-/// differentiation.
+/// Source: Foley, van Dam et al. 1990, §11.4; Griewank and Walther 2008.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -98,8 +97,10 @@ pub fn sphere<T: Real + Scalar>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitVec3<
 /// let top = Vec3::new(0.0_f32, 0.0, 1.0);
 /// assert_eq!(normal::implicit(|p| p.dot(p) - 1.0, top), Some(UnitVec3::Z));
 ///
-/// let cone = normal::implicit(|p| p.x * p.x + p.y * p.y - p.z * p.z, Vec3::<f32>::ZERO);
-/// assert_eq!(cone, None);
+/// let (center, r) = (Vec3::new(0.0_f32, 1.0, 0.0), 2.0);
+/// let sphere = |p: Vec3| normal::implicit(|p| (p - center).length() - r, p);
+/// assert_eq!(sphere(Vec3::new(2.0, 1.0, 0.0)), Some(UnitVec3::X));
+/// assert_eq!(sphere(center), None); // the apex of a cone of distances
 /// ```
 ///
 /// A function that takes `f32` does not fit here, because plain numbers carry no derivatives. Make
@@ -137,11 +138,6 @@ pub fn implicit<T: Real + Scalar>(
 /// finite.
 ///
 /// Source: Foley, van Dam et al. 1990, §11.4.
-///
-/// ```
-/// use shading::{UnitVec3, Vec3, normal};
-/// assert_eq!(normal::from_gradient(Vec3::new(0.0_f32, 0.0, 1e-30)), Some(UnitVec3::Z));
-/// ```
 #[inline]
 #[must_use]
 pub fn from_gradient<T: Real + Scalar>(gradient: Vec3<T>) -> Option<UnitVec3<T>> {
@@ -209,11 +205,8 @@ pub fn parametric<T: Real + Scalar>(
 /// N = s_u × s_v / |s_u × s_v|
 /// ```
 ///
-/// The tangents may have any length. Their order decides to which side N points. The result is
-/// `None` if they are parallel, 0 or not finite.
-///
-/// The tangents are scaled before they are multiplied if their squares are out of range, and so is
-/// the product before its length is computed. Nothing overflows or vanishes.
+/// The tangents may have any length; nothing overflows or vanishes. Their order decides to which side
+/// N points. The result is `None` if they are parallel, 0 or not finite.
 ///
 /// Source: Foley, van Dam et al. 1990, §11.3.4.
 ///

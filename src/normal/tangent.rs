@@ -43,8 +43,7 @@ use crate::vector::Vec3;
 /// let bump = normal::mapped(UnitVec3::Z, *t, h, Vec3::new(0.0, 0.6, 0.8)).unwrap();
 /// assert_eq!(bump.y, -0.6); // the map's y points to the viewer
 /// ```
-#[doc(alias = "MikkTSpace")]
-#[doc(alias = "tangent space")]
+#[doc(alias("MikkTSpace", "tangent space"))]
 #[inline]
 #[must_use]
 pub fn tangent<T: Real + Scalar>(

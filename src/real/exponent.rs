@@ -59,8 +59,7 @@ pub trait Exponent<T: Real>: Copy {
     /// assert_eq!(3_u32.raise(0.5_f32), 0.125);
     /// assert!((3.0_f32.raise(0.5_f32) - 0.125).abs() < 1e-6);
     /// ```
-    #[doc(alias = "pow")]
-    #[doc(alias = "powf")]
+    #[doc(alias("pow", "powf"))]
     #[must_use]
     fn raise(self, cosine: T) -> T;
 
@@ -71,11 +70,6 @@ pub trait Exponent<T: Real>: Copy {
     /// ```
     ///
     /// An even or real m takes no root: it is √squareᵐ = square^(m/2).
-    ///
-    /// ```
-    /// use shading::Exponent;
-    /// assert_eq!(4_u32.raise_root(0.25_f32), 0.0625);
-    /// ```
     #[inline]
     #[must_use]
     fn raise_root(self, square: T) -> T {

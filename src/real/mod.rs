@@ -27,7 +27,6 @@ pub(crate) use length::{is_extreme, tamed};
 ///     (a * a + b * b).sqrt()
 /// }
 /// assert_eq!(hypotenuse(3.0_f32, 4.0), 5.0);
-/// assert_eq!(hypotenuse(3.0_f64, 4.0), 5.0);
 /// ```
 ///
 /// # A number of your own
@@ -82,10 +81,7 @@ pub trait Real:
     /// each lane is selected on its own. Maximum, clamp and all guards are built from this method.
     ///
     /// ```
-    /// use shading::Real;
-    ///
-    /// assert_eq!(2.0_f32.if_positive(10.0, 20.0), 10.0);
-    /// assert_eq!(0.0_f32.if_positive(10.0, 20.0), 20.0);
+    /// assert_eq!(shading::Real::if_positive(0.0_f32, 10.0, 20.0), 20.0);
     /// ```
     #[doc(alias = "select")]
     #[must_use]

@@ -49,12 +49,7 @@ macro_rules! bits {
     ($float:ident $integer:ident $part:tt, $digits:literal) => {
         impl Bits for $float {
             #[inline]
-            #[allow(
-                                                                                                clippy::cast_possible_wrap,  // only the bits matter
-                                                                                                clippy::cast_sign_loss,      // likewise
-                                                                                                clippy::cast_lossless,       // e has eleven bits
-                                                                                                clippy::cast_precision_loss  // likewise
-                                                                                            )]
+            #[allow(clippy::pedantic)] // casts: only the bits matter, and e has eleven
             fn split(self) -> (Self, Self) {
                 let bits = self.to_bits() as $integer;
                 let above = bits.wrapping_sub(LEAST.$part);

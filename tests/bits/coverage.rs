@@ -68,7 +68,10 @@ fn public_functions(folder: &Path, names: &mut BTreeSet<String>) {
             let function = public.map(|rest| rest.strip_prefix("const ").unwrap_or(rest));
             if let Some(rest) = function.and_then(|rest| rest.strip_prefix("fn ")) {
                 let name = rest.split(['(', '<']).next().unwrap_or_default();
-                names.insert(name.to_owned());
+                // a macro makes methods only of functions that have a name elsewhere
+                if !name.starts_with('$') {
+                    names.insert(name.to_owned());
+                }
             }
         }
     }

@@ -31,6 +31,10 @@ fn everything<T: Elementary + PartialOrd>(c: &Case<T>, p: Vec3<T>) -> Vec<T> {
         p.z.exp(),
         (p.x * p.x + T::ONE).ln(),
         p.y.powi(-3),
+        p.x.tan(),
+        p.y.atan2(p.x),
+        p.x.powf(T::of(2.0)),
+        (p.y * p.y).powf(p.x),
     ];
     let lamp = c.lamp.at(p);
     let falloff = [

@@ -29,13 +29,11 @@ fn half() {
     check::<Half>(300);
 }
 
-/// Eight bits.
 #[test]
 fn bf16() {
     check::<Bf16>(300);
 }
 
-/// Saturating fixed point.
 #[test]
 fn q16() {
     check::<Q16>(300);

@@ -88,7 +88,6 @@ impl<L: Lanes> Shaded<L> {
     #[doc(alias = "reduce_add")]
     #[doc(alias = "horizontal sum")]
     #[inline]
-    #[must_use]
     pub fn sum_of_lanes(self) -> Shaded<L::Lane> {
         let sum = |part: Rgb<L>| part.map(|channel| channel.sum().at_most(Real::MAX));
         Shaded {

@@ -56,11 +56,6 @@ pub fn not_negative<T: Number>(_: &Given<T>, r: &[f64]) -> bool {
     r.iter().all(|x| *x >= 0.0)
 }
 
-/// Above zero.
-pub fn positive_or_infinite<T: Number>(_: &Given<T>, r: &[f64]) -> bool {
-    r.iter().all(|x| *x > 0.0)
-}
-
 /// Above zero and finite.
 pub fn positive<T: Number>(_: &Given<T>, r: &[f64]) -> bool {
     r.iter().all(|x| *x > 0.0 && x.is_finite())

@@ -5,7 +5,7 @@ use std::format;
 use std::vec::Vec;
 
 use shading::{
-    Dual, Exponent, Real, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
+    Dual, Exponent, Real, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 
 use super::tracked::decided;
@@ -70,7 +70,6 @@ agreements! {
     lamp_intensity: |c| c.lamp.at(c.p).intensity();
     ranged_lamp: |c| c.spot.point.at(c.p).intensity();
     spot: |c| c.spot.at(c.p).intensity();
-    sun: |c| c.sun.at(c.p).intensity();
     lambert_sum: |c| shade::lambert(c.n, &c.material, c.rgb, c.arriving());
     phong_sum: |c| shade::phong(c.n, c.v, &c.material, c.rgb, c.arriving());
     blinn_phong_sum: |c| shade::blinn_phong(c.n, c.v, &c.material, c.rgb, c.arriving());
@@ -80,12 +79,10 @@ agreements! {
     tangents: |c| normal::from_tangents(c.a, c.b);
     implicit: |c| normal::implicit(torus, c.grid[0]);
     parametric: |c| normal::parametric(|u, v| Vec3::new(u, v, u * u - v * v), c.x, c.y);
-    facing: |c| normal::facing(c.n, c.v);
     transformed: |c| normal::transformed(c.n, [c.a, c.b, c.c]);
     corner: |c| normal::corner(c.grid[0], c.grid[1], c.grid[2]);
     mapped: |c| normal::mapped(c.n, *c.l, T::ONE, *c.v);
     tangent: |c| normal::tangent([c.a, c.b, c.c], [[c.x, c.y], [c.q, c.x], [c.y, c.q]]).map(|(t, _)| t);
     dual: |c| { let x = Dual::point(Vec3::new(c.x + T::ONE, c.y, c.q)); let y = (x.x * x.y + x.z / x.x).sqrt(); [Vec3::splat(y.value),
         y.gradient] };
-    unit_or: |c| (c.b - c.a).unit_or(UnitVec3::Z);
 }

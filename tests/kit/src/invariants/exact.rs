@@ -235,9 +235,8 @@ laws! {
             => { let [_, a, p, _] = c.grid; let mut lamp = c.lamp; lamp.position = a; lamp.at(p).intensity() };
         a_dimmed_sun: |c| (c.sun.at(c.p) * c.rgb).intensity() => c.sun.intensity * c.rgb;
         // sums
-        no_lights_leave_the_ambient: |c| sums(c, &[])
-            => [Shaded { ambient: c.material.k_a * c.rgb, ..Shaded { ambient: Rgb::BLACK, diffuse: Rgb::BLACK, specular: Rgb::BLACK } };
-                3];
+        no_lights_leave_the_ambient: |c| sums(c, &[]).map(|s| [s.ambient, s.diffuse, s.specular])
+            => [[c.material.k_a * c.rgb, Rgb::BLACK, Rgb::BLACK]; 3];
         a_sum_goes_from_first_to_last: |c| white(c, &c.arriving()).map(|s| [s.diffuse, s.specular])
             => { let each = c.arriving().map(|light| white(c, &[light])); [0, 1, 2]
                 .map(|i| { let [a, b, d, e] = [0, 1, 2, 3].map(|j| each[j][i]); [a.diffuse + b.diffuse + d.diffuse + e.diffuse,

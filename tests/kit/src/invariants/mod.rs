@@ -1,4 +1,4 @@
-//! What holds of every number type: 60 properties, each with one reason to exist.
+//! What holds of every number type: 59 properties, each with one reason to exist, and one for each function.
 //!
 //! - *Agreement*: what T computes is within the error that [`Tracked`] derives from the formula;
 //!   one row for each function.

@@ -51,8 +51,8 @@ fn every_nan_is_dark() {
             let color = shading::Rgb::gray(f32::from_bits(infinity | payload));
             let color = black_box(color);
             let levels = black_box((color.to_srgb8(), color.to_linear8()));
-            let packed = black_box((color.to_rgb565(), color.to_linear565()));
-            assert_eq!((levels, packed), (([0; 3], [0; 3]), (0, 0)));
+            let packed = black_box(color.to_rgb565());
+            assert_eq!((levels, packed), (([0; 3], [0; 3]), 0));
         }
     }
 }
@@ -66,23 +66,6 @@ fn linear_levels_begin_half_a_level_below() {
             Rgb::gray(below(edge)).to_linear8(),
             [byte - 1; 3],
             "{edge:e}"
-        );
-    }
-    for (level, edge) in (1..).zip(linear_edges(31)) {
-        assert_eq!(
-            Rgb::new(edge, 0.0, below(edge)).to_linear565(),
-            rgb565(level, 0, level - 1)
-        );
-        assert_eq!(
-            Rgb::new(below(edge), 0.0, edge).to_linear565(),
-            rgb565(level - 1, 0, level)
-        );
-    }
-    for (level, edge) in (1..).zip(linear_edges(63)) {
-        assert_eq!(Rgb::new(0.0, edge, 0.0).to_linear565(), level << 5);
-        assert_eq!(
-            Rgb::new(0.0, below(edge), 0.0).to_linear565(),
-            (level - 1) << 5
         );
     }
 }

@@ -43,8 +43,12 @@ fn no_error_exceeds_its_bound() {
             "{function}: found {found}, but {bound} is the proved bound"
         );
     }
-    let measured: Vec<String> = single.iter().zip(&double).map(line).collect();
-    let measured = measured.join("\n");
+    let measured = single
+        .iter()
+        .zip(&double)
+        .map(line)
+        .collect::<Vec<_>>()
+        .join("\n");
     println!("{measured}");
     // what proves a bound is no measurement: the last column is checked where the bounds are proved
     let lines = PAGE.lines().filter(|line| line.starts_with("| `"));
