@@ -54,7 +54,8 @@ fn attenuated_colors_are_near_the_exact_ones() {
             "{color} at {q} of {a}, {b}, {c}: {error} steps of {bound}"
         );
         let [clamped, ..] = Fixed::attenuated([color; 3], [a, b, c], q, Fixed::ONE);
-        assert!((clamped - actual.at_most(color)).to_bits().abs() <= 1 + color.to_bits() / 65536);
+        let error = (clamped - actual.at_most(color)).to_bits().abs();
+        assert!(error <= 1 + color.to_bits() / 65536);
     }
 }
 

@@ -78,18 +78,16 @@ fn survives<V: Stored>(value: &V, count: usize) {
     }
 }
 
+fn plain<V: Clone>(value: &V, other: &V) -> Plain<V> {
+    let all = vec![value.clone(), other.clone()];
+    let value = value.clone();
+    Plain { all, value }
+}
+
 fn list<V: Stored>(value: V) {
-    let all = vec![value.clone(); 2];
-    survives(
-        &Plain {
-            all,
-            value: value.clone(),
-        },
-        7,
-    );
-    let value = Untagged::Value(value);
-    let all = vec![value.clone(), Untagged::Name("none".into())];
-    survives(&Plain { all, value }, 6);
+    survives(&plain(&value, &value), 7);
+    let [value, name] = [Untagged::Value(value), Untagged::Name("none".into())];
+    survives(&plain(&value, &name), 6);
 }
 
 fn map<V: Stored>(value: V) {
