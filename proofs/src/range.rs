@@ -198,7 +198,7 @@ impl Range {
 }
 
 #[doc(hidden)]
-#[allow(clippy::must_use_candidate)]
+#[allow(clippy::must_use_candidate, clippy::return_self_not_must_use)]
 impl Range {
     pub fn opposite(self) -> Self {
         Self {
