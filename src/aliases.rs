@@ -29,18 +29,13 @@ macro_rules! aliases {
         /// With the types of this module, the compiler need not infer which one is meant.
         ///
         /// ```
-        #[doc = concat!("use shading::", stringify!($float), "::{Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3};")]
+        #[doc = concat!("use shading::", stringify!($float), "::{Attenuation, PointLight, Rgb, Vec3};")]
         ///
-        /// static SPOT: SpotLight = SpotLight {
-        ///     point: PointLight {
-        ///         position: Vec3::new(0.0, 3.0, 0.0),
-        ///         intensity: Rgb::WHITE,
-        ///         attenuation: Attenuation::const_new(1.0, 0.0, 0.25).unwrap(),
-        ///     },
-        ///     axis: UnitVec3::const_normalized(0.1, -1.0, 0.0).unwrap(),
-        ///     cone: Cone::const_from_half_angle(0.5).unwrap(),
+        /// static LAMP: PointLight = PointLight {
+        ///     position: Vec3::new(0.0, 3.0, 0.0),
+        ///     intensity: Rgb::WHITE,
+        ///     attenuation: Attenuation::const_new(1.0, 0.0, 0.25).unwrap(),
         /// };
-        /// assert!(SPOT.at(Vec3::ZERO).intensity().r > 0.0);
         /// ```
         #[allow(missing_docs)] // each is documented where it is defined
         pub mod $float {

@@ -4,8 +4,8 @@ use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, SQRT_2};
 
 use crate::real::{Real, by_squaring, constant, parts, size};
 
-/// The functions, beyond those of [`Real`], that surfaces are written with: angles, exp,
-/// ln and powers. The first four are required; the others are derived from them.
+/// The functions, beyond those of [`Real`], that surfaces are written with. sin, cos, exp and ln are
+/// required; the others are derived from them. [`Dual`](crate::Dual) has all of them without an import.
 ///
 /// The formulas of illumination use none of them. [`normal::implicit`](crate::normal::implicit) and
 /// [`normal::parametric`](crate::normal::parametric) differentiate through all of them.

@@ -14,7 +14,6 @@ use crate::real::Real;
 /// assert_eq!(a + a, 2.0 * a);
 /// assert_eq!(a.dot(a), 9.0);
 /// assert_eq!(a.length(), 3.0);
-/// assert_eq!(a.unit().unwrap().dot(a), 3.0);
 /// assert_eq!(Vec3::from([1.0, 2.0, 2.0]), a);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

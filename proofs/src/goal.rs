@@ -48,7 +48,7 @@ impl Goal {
         if is_proved || splits == 0 {
             return is_proved;
         }
-        let Some(test) = known.open_test(g, &self.nodes()) else {
+        let Some(test) = known.open_test(g, self.nodes()) else {
             return false;
         };
         [true, false].into_iter().all(|answer| {

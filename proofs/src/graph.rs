@@ -28,6 +28,32 @@ pub enum Node {
     Power(u32, u32),
 }
 
+impl Node {
+    /// The nodes that it is made of, and those that it tests.
+    pub(super) fn parts(self) -> Vec<u32> {
+        match self {
+            Self::Var(_) | Self::Constant(_) | Self::Max | Self::Extreme => vec![],
+            Self::Neg(a) | Self::Sqrt(a) | Self::Call(_, a) => vec![a],
+            Self::Add(a, b)
+            | Self::Sub(a, b)
+            | Self::Mul(a, b)
+            | Self::Div(a, b)
+            | Self::Power(a, b) => vec![a, b],
+            Self::Select(test, a, b) => [test.parts(), vec![a, b]].concat(),
+        }
+    }
+}
+
+impl Test {
+    /// The nodes that it compares.
+    pub(super) fn parts(self) -> Vec<u32> {
+        match self {
+            Self::Above(a, b) | Self::AtMost(a, b) | Self::Equal(a, b) => vec![a, b],
+            Self::Case(_) => vec![],
+        }
+    }
+}
+
 #[doc(hidden)]
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Function {
@@ -92,6 +118,9 @@ impl Graph {
         let of = |id: u32| self.nodes[id as usize];
         let sum = |a: u32, b: u32| Simple::New(Node::Add(a.min(b), a.max(b)));
         match node {
+            Node::Sub(a, ZERO) | Node::Mul(a, ONE) | Node::Mul(ONE, a) | Node::Div(a, ONE) => {
+                Simple::Node(a)
+            }
             Node::Neg(a) => match of(a) {
                 Node::Neg(x) => Simple::Node(x),
                 _ => Simple::New(node),
@@ -101,12 +130,10 @@ impl Graph {
                 (Node::Neg(x), _) => Simple::New(Node::Sub(b, x)),
                 _ => sum(a, b),
             },
-            Node::Sub(a, ZERO) => Simple::Node(a),
             Node::Sub(a, b) => match of(b) {
                 Node::Neg(y) => sum(a, y),
                 _ => Simple::New(node),
             },
-            Node::Mul(a, ONE) | Node::Mul(ONE, a) | Node::Div(a, ONE) => Simple::Node(a),
             Node::Mul(a, b) | Node::Div(a, b) => {
                 let make = |a: u32, b: u32| match node {
                     Node::Mul(..) => Node::Mul(a.min(b), a.max(b)),

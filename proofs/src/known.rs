@@ -37,14 +37,6 @@ fn below(x: f64, f: Format) -> Range {
     Range::within(-INF, f.next_down(x))
 }
 
-fn at_most(x: f64) -> Range {
-    Range::within(-INF, x)
-}
-
-fn at_least(x: f64) -> Range {
-    Range::within(x, INF)
-}
-
 impl Known {
     /// The node itself, or what a decided selection selects.
     #[doc(hidden)]
@@ -102,23 +94,26 @@ impl Known {
 
     /// The values that a node can have on this path.
     pub fn range(&mut self, g: &Graph, id: u32) -> Range {
-        for next in self.memo.len()..=id as usize {
-            let id = u32::try_from(next).expect("a node");
-            let derived = self.derived(g, id);
-            let range = self.related(g, id, derived);
+        while self.memo.len() <= id as usize {
+            let next = self.memo.len();
+            #[allow(clippy::cast_possible_truncation)] // it is at most `id`
+            let derived = self.derived(g, next as u32);
+            #[allow(clippy::cast_possible_truncation)] // likewise
+            let range = self.related(g, next as u32, derived);
             let shown = self.shown.get(next).copied().flatten();
-            self.memo
-                .push(shown.map_or(range, |shown| range.meet(shown)));
+            let range = shown.map_or(range, |shown| range.meet(shown));
+            self.memo.push(range);
         }
         self.memo[id as usize]
     }
 
     /// Whether no values remain for a node.
     pub(super) fn is_impossible(&mut self, g: &Graph) -> bool {
-        let last = self.shown.len().checked_sub(1);
-        if let Some(last) = last {
-            self.range(g, u32::try_from(last).expect("a node"));
-            self.impossible |= self.memo[..=last].iter().any(|range| range.is_empty());
+        for id in (0..)
+            .zip(&self.shown.clone())
+            .filter_map(|(id, shown)| shown.map(|_| id))
+        {
+            self.impossible |= self.range(g, id).is_empty();
         }
         self.impossible
     }
@@ -164,9 +159,9 @@ impl Known {
                 x = x.meet(below(of_a.high, g.format));
             }
             if otherwise == a && !of_b.nan {
-                y = y.meet(at_most(of_b.high).or_nan());
+                y = y.meet(Range::within(-INF, of_b.high).or_nan());
             } else if otherwise == b && !of_a.nan {
-                y = y.meet(at_least(of_a.low).or_nan());
+                y = y.meet(Range::within(of_a.low, INF).or_nan());
             }
         }
         x.join(y)
@@ -225,15 +220,16 @@ impl Known {
         };
         let f = g.format;
         let (of_a, of_b) = (self.range(g, a), self.range(g, b));
-        self.forget(a.min(b));
+        // a range that is remembered too long is too wide, and never wrong
+        self.memo.truncate(a.min(b) as usize);
         match (test, answer) {
             (Test::Above(..), true) => {
                 self.learn(g, a, above(of_b.low, f));
                 self.learn(g, b, below(of_a.high, f));
             }
             (Test::AtMost(..), true) => {
-                self.learn(g, a, at_most(of_b.high));
-                self.learn(g, b, at_least(of_a.low));
+                self.learn(g, a, Range::within(-INF, of_b.high));
+                self.learn(g, b, Range::within(of_a.low, INF));
             }
             (Test::Equal(..), true) => {
                 let both = Range::within(of_a.low.max(of_b.low), of_a.high.min(of_b.high));
@@ -243,10 +239,10 @@ impl Known {
             // the other answers are also those of NaN
             (Test::Above(..), false) => {
                 if !of_b.nan {
-                    self.learn(g, a, at_most(of_b.high).or_nan());
+                    self.learn(g, a, Range::within(-INF, of_b.high).or_nan());
                 }
                 if !of_a.nan {
-                    self.learn(g, b, at_least(of_a.low).or_nan());
+                    self.learn(g, b, Range::within(of_a.low, INF).or_nan());
                 }
             }
             (Test::AtMost(..), false) => {
@@ -259,11 +255,6 @@ impl Known {
             }
             _ => {}
         }
-    }
-
-    /// Forgets the ranges that may depend on a node. A range that is remembered too long is too wide, and never wrong.
-    fn forget(&mut self, id: u32) {
-        self.memo.truncate(id as usize);
     }
 
     /// Learns that a node lies in a range, and what follows for the nodes that it is made of.
@@ -279,13 +270,13 @@ impl Known {
             self.shown.resize(at + 1, None);
         }
         self.shown[at] = Some(now);
-        self.forget(id);
+        self.memo.truncate(at);
         self.learn_parts(g, id, now);
     }
 
     fn learn_parts(&mut self, g: &Graph, id: u32, now: Range) {
         let f = g.format;
-        let positive = at_least(f.tiny());
+        let positive = Range::within(f.tiny(), INF);
         let node = g.nodes[id as usize];
         if let Node::Select(test, then, otherwise) = node {
             // only one of the two can be what was selected
@@ -310,7 +301,7 @@ impl Known {
                 let both = self.range(g, a).low >= 0.0 && self.range(g, b).low >= 0.0;
                 let high = if both { now.high } else { INF };
                 for id in [a, b] {
-                    self.learn(g, id, at_most(high));
+                    self.learn(g, id, Range::within(-INF, high));
                 }
             }
             Node::Sub(a, b) => {
@@ -352,39 +343,21 @@ impl Known {
     }
 
     /// The first selection below these nodes that is still open.
-    pub(super) fn open_test(&mut self, g: &Graph, roots: &[u32]) -> Option<Test> {
-        let mut is_below = vec![false; g.nodes.len()];
-        roots.iter().for_each(|id| is_below[*id as usize] = true);
-        let mut first = None;
-        for id in (0..g.nodes.len()).rev() {
-            if !is_below[id] {
+    pub(super) fn open_test(&mut self, g: &Graph, mut roots: Vec<u32>) -> Option<Test> {
+        let (mut is_seen, mut first) = (vec![false; g.nodes.len()], None);
+        while let Some(id) = roots.pop() {
+            if std::mem::replace(&mut is_seen[id as usize], true) {
                 continue;
             }
-            let parts = match g.nodes[id] {
-                Node::Select(test, then, otherwise) => match self.answer(g, test) {
-                    Some(true) => vec![then],
-                    Some(false) => vec![otherwise],
-                    None => {
-                        first = Some(test);
-                        match test {
-                            Test::Above(a, b) => vec![then, otherwise, a, b],
-                            _ => vec![then, otherwise],
-                        }
-                    }
-                },
-                Node::Neg(a) | Node::Sqrt(a) | Node::Call(_, a) => vec![a],
-                Node::Add(a, b)
-                | Node::Sub(a, b)
-                | Node::Mul(a, b)
-                | Node::Div(a, b)
-                | Node::Power(a, b) => vec![a, b],
-                Node::Var(_) | Node::Constant(_) | Node::Max | Node::Extreme => vec![],
-            };
-            parts
-                .into_iter()
-                .for_each(|id| is_below[id as usize] = true);
+            let node = g.nodes[self.resolved(g, id) as usize];
+            if let Node::Select(test, ..) = node
+                && first.is_none_or(|(earlier, _)| id < earlier)
+            {
+                first = Some((id, test));
+            }
+            roots.extend(node.parts());
         }
-        first
+        first.map(|(_, test)| test)
     }
 
     /// Whether this node is 0, or positive, or NaN, and never −0.

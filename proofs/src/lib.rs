@@ -220,11 +220,10 @@ fn witnesses(
     let (mut missing, mut input) = (cases.to_vec(), None);
     sample::try_out(format, &|| claim(Given(format)), runs, |run, goals| {
         if !goals.is_empty() {
-            let of_run = run.cases();
-            missing.retain(|case| *case != of_run);
+            missing.retain(|case| *case != run.cases());
             input = Some(run.graph.input());
         }
-        !missing.is_empty()
+        input.is_none() || !missing.is_empty()
     });
     input.filter(|_| missing.is_empty())
 }
@@ -232,12 +231,7 @@ fn witnesses(
 /// An input for which a goal of a claim was evaluated, if one is found.
 #[doc(hidden)]
 pub fn witness(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Option<Input> {
-    let mut input = None;
-    sample::try_out(format, &|| claim(Given(format)), runs, |run, goals| {
-        input = Some(run.graph.input()).filter(|_| !goals.is_empty());
-        input.is_none()
-    });
-    input
+    witnesses(format, claim, &[], runs)
 }
 
 /// Proves a claim for every `f32` and every `f64`, as a test: panics if it does not hold, or if the rules do

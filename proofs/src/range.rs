@@ -128,8 +128,8 @@ impl Range {
             self.low = if self.low == -INF { -INF } else { INF };
             self.high = if self.high == INF { INF } else { -INF };
         }
-        // not `>`, for an end may be NaN
-        if !(self.low <= self.high) {
+        // an end may be NaN
+        if !self.has_numbers() {
             return Self {
                 nan: self.nan,
                 ..Self::NONE
@@ -195,9 +195,11 @@ impl Range {
         }
         .tidy()
     }
+}
 
-    #[doc(hidden)]
-    #[must_use]
+#[doc(hidden)]
+#[allow(clippy::must_use_candidate, clippy::return_self_not_must_use)]
+impl Range {
     pub fn opposite(self) -> Self {
         Self {
             low: -self.high,
@@ -208,29 +210,6 @@ impl Range {
         .tidy()
     }
 
-    #[doc(hidden)]
-    #[must_use]
-    pub fn abs(self) -> Self {
-        let low = if self.low <= 0.0 && self.high >= 0.0 {
-            0.0
-        } else {
-            self.low.abs().min(self.high.abs())
-        };
-        let high = self.low.abs().max(self.high.abs());
-        if !self.has_numbers() {
-            return self;
-        }
-        Self {
-            low,
-            high,
-            minus_zero: false,
-            ..self
-        }
-        .tidy()
-    }
-
-    #[doc(hidden)]
-    #[must_use]
     pub fn add(self, b: Self, f: Format) -> Self {
         if !self.has_numbers() || !b.has_numbers() {
             return Self::NAN;
@@ -246,8 +225,6 @@ impl Range {
         .tidy()
     }
 
-    #[doc(hidden)]
-    #[must_use]
     pub fn sub(self, b: Self, f: Format) -> Self {
         // x − y = 0 has no sign, except −0 − 0
         let minus_zero = self.minus_zero && b.has(0.0);
@@ -258,8 +235,6 @@ impl Range {
         .tidy()
     }
 
-    #[doc(hidden)]
-    #[must_use]
     pub fn mul(self, b: Self, f: Format) -> Self {
         if !self.has_numbers() || !b.has_numbers() {
             return Self::NAN;
@@ -277,19 +252,27 @@ impl Range {
         Self::of(&candidates, nan, minus, self.finite && b.finite)
     }
 
-    #[doc(hidden)]
-    #[must_use]
     pub fn square(self, f: Format) -> Self {
-        let size = self.abs();
+        let [low, high] = [self.low.abs(), self.high.abs()];
+        let least = if self.low * self.high > 0.0 {
+            low.min(high)
+        } else {
+            0.0
+        };
+        let most = low.max(high);
         Self {
-            nan: self.nan, // not 0 · ∞
+            low: if self.has_numbers() {
+                f.round(least * least)
+            } else {
+                INF
+            },
+            high: f.round(most * most),
             minus_zero: false,
-            ..size.mul(size, f)
+            ..self
         }
+        .tidy()
     }
 
-    #[doc(hidden)]
-    #[must_use]
     pub fn div(self, b: Self, f: Format) -> Self {
         if !self.has_numbers() || !b.has_numbers() {
             return Self::NAN;
@@ -327,8 +310,6 @@ impl Range {
         Self::of(&candidates, self.nan || b.nan || nan, minus, finite)
     }
 
-    #[doc(hidden)]
-    #[must_use]
     pub fn sqrt(self, f: Format) -> Self {
         let nan = self.nan || self.low < 0.0;
         if !self.has_numbers() || self.high < 0.0 {

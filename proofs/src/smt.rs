@@ -20,7 +20,7 @@ pub fn queries(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Vec<String
         // the other answer must not be possible
         for &(length, test, answer) in &run.answered {
             let other = assertion(test, !answer);
-            add(query(run, &run.path[..length], &tested(test), &other));
+            add(query(run, &run.path[..length], &test.parts(), &other));
         }
         match goals {
             None => add(query(run, &run.path, &[], "true")),
@@ -53,13 +53,6 @@ fn constant(format: Format, x: f64) -> String {
     match format {
         Format::F64 => bits,
         _ => format!("((_ to_fp {}) RNE {bits})", sort(format)),
-    }
-}
-
-fn tested(test: Test) -> Vec<u32> {
-    match test {
-        Test::Above(a, b) | Test::AtMost(a, b) | Test::Equal(a, b) => vec![a, b],
-        Test::Case(_) => vec![],
     }
 }
 
@@ -108,20 +101,6 @@ fn violated(format: Format, goal: Goal) -> String {
     }
 }
 
-/// The nodes that one is made of.
-fn parts(node: Node) -> Vec<u32> {
-    match node {
-        Node::Var(_) | Node::Constant(_) | Node::Max | Node::Extreme => vec![],
-        Node::Neg(a) | Node::Sqrt(a) | Node::Call(_, a) => vec![a],
-        Node::Add(a, b)
-        | Node::Sub(a, b)
-        | Node::Mul(a, b)
-        | Node::Div(a, b)
-        | Node::Power(a, b) => vec![a, b],
-        Node::Select(test, a, b) => [tested(test), vec![a, b]].concat(),
-    }
-}
-
 /// What a node is, or what is known of it.
 fn defined(g: &Graph, id: u32) -> String {
     let f = g.format;
@@ -159,16 +138,11 @@ fn value(g: &Graph, node: Node) -> String {
 fn query(run: &Run, path: &[(Test, bool)], nodes: &[u32], then: &str) -> String {
     let g = &run.graph;
     let mut is_needed = vec![false; g.nodes.len()];
-    let of_path = path.iter().flat_map(|(test, _)| tested(*test));
-    of_path
-        .chain(nodes.iter().copied())
-        .for_each(|id| is_needed[id as usize] = true);
-    for id in (0..g.nodes.len()).rev() {
-        if is_needed[id] {
-            let parts = parts(g.nodes[id]);
-            parts
-                .into_iter()
-                .for_each(|part| is_needed[part as usize] = true);
+    let of_path = path.iter().flat_map(|(test, _)| test.parts());
+    let mut stack: Vec<u32> = of_path.chain(nodes.iter().copied()).collect();
+    while let Some(id) = stack.pop() {
+        if !std::mem::replace(&mut is_needed[id as usize], true) {
+            stack.extend(g.nodes[id as usize].parts());
         }
     }
     let mut text = String::from("(set-logic QF_FP)\n");

@@ -25,16 +25,9 @@ pub(super) const SPOT: u32 = 2;
 /// use shading::f32::{IncidentLight, PointLight, Vec3};
 ///
 /// /// A lamp in fog that dims the light to 1/e over each such length.
-/// struct Foggy {
-///     lamp: PointLight,
-///     length: f32,
-/// }
-///
-/// impl Foggy {
-///     fn at(&self, p: Vec3) -> IncidentLight {
-///         let incident = self.lamp.at(p);
-///         incident * (-incident.distance() / self.length).exp()
-///     }
+/// fn in_fog(lamp: PointLight, length: f32, p: Vec3) -> IncidentLight {
+///     let incident = lamp.at(p);
+///     incident * (-incident.distance() / length).exp()
 /// }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,12 +64,6 @@ impl<T: Real> IncidentLight<T> {
     /// ```
     ///
     /// The sums make this test themselves. Make it earlier to save a shadow ray.
-    ///
-    /// ```
-    /// use shading::f32::{DirectionalLight, Rgb, UnitVec3, Vec3};
-    /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE }.at(Vec3::ZERO);
-    /// assert!(!sun.is_in_front(UnitVec3::X)); // it only grazes the surface
-    /// ```
     #[inline]
     #[must_use]
     pub fn is_in_front(&self, n: UnitVec3<T>) -> bool {

@@ -175,17 +175,12 @@ impl<T: Real> PointLight<T> {
 /// ```
 /// use shading::f32::{Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3};
 ///
-/// static SPOT: SpotLight = SpotLight {
-///     point: PointLight {
-///         position: Vec3::new(0.0, 3.0, 0.0),
-///         intensity: Rgb::WHITE,
-///         attenuation: Attenuation::NONE,
-///     },
-///     axis: UnitVec3::NEG_Y,                      // the spot shines straight down
-///     cone: Cone::const_from_half_angle(0.5).unwrap(),  // 1 radian from edge to edge
-/// };
-/// assert_eq!(SPOT.at(Vec3::ZERO).intensity(), Rgb::WHITE); // right below
-/// assert_eq!(SPOT.at(Vec3::new(3.0, 0.0, 0.0)).intensity(), Rgb::BLACK);
+/// let (position, attenuation) = (Vec3::new(0.0, 3.0, 0.0), Attenuation::NONE);
+/// let point = PointLight { position, intensity: Rgb::WHITE, attenuation };
+/// let cone = Cone::from_half_angle(0.5).unwrap(); // 1 radian from edge to edge
+/// let spot = SpotLight { point, axis: UnitVec3::NEG_Y, cone }; // it shines straight down
+/// assert_eq!(spot.at(Vec3::ZERO).intensity(), Rgb::WHITE); // right below
+/// assert_eq!(spot.at(Vec3::new(3.0, 0.0, 0.0)).intensity(), Rgb::BLACK);
 /// ```
 #[doc(alias = "spotlight")]
 #[derive(Clone, Copy, Debug, PartialEq)]

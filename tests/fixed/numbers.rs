@@ -183,3 +183,27 @@ fn elementary_functions_are_those_of_single_precision() {
         near(x.at_least(Fixed::STEP).ln(), double.max(1.0 / 65536.0).ln());
     }
 }
+
+/// By the derived formulas of `Elementary`: of the steps of 2⁻¹⁶, each operation may lose one, and the tangent and the power
+/// multiply an error by up to 8.
+#[test]
+fn derived_functions_are_near_those_of_f64() {
+    let near = |actual: Fixed, expected: f64| {
+        let error = f64::from(actual.to_f32()) - expected;
+        assert!(error.abs() < 64.0 / 65536.0, "{expected}: {error:e}");
+    };
+    for (y, x) in [
+        (1.0, 2.0),
+        (-1.0, 2.0),
+        (3.0, -0.5),
+        (-0.25, -4.0),
+        (5.0, 0.0_f64),
+        (0.0, -1.0),
+    ] {
+        near(Fixed::of(y).atan2(Fixed::of(x)), y.atan2(x));
+    }
+    for x in [-1.0, 0.25, 1.0_f64] {
+        near(Fixed::of(x).tan(), x.tan());
+    }
+    near(Fixed::of(2.0).powf(Fixed::of(1.5)), 2.0_f64.powf(1.5));
+}

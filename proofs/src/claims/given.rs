@@ -100,10 +100,8 @@ pub fn none_or_unit(n: Option<UnitVec3<Term>>) -> Vec<Goal> {
 
 /// A claim that a case gives nothing, and another for which it gives something.
 pub fn none<T>(result: Option<T>) -> Vec<Goal> {
-    match result {
-        Some(_) => vec![Goal::Never],
-        None => vec![Goal::Same(Term::ZERO, Term::ZERO)],
-    }
+    let reached = |_| vec![Goal::Never];
+    result.map_or(vec![Goal::Same(Term::ZERO, Term::ZERO)], reached)
 }
 
 /// Any attenuation without a range.

@@ -108,7 +108,8 @@ fn added(channel: Term) -> Vec<Term> {
         let mut terms = Vec::new();
         while let Node::Add(a, b) = g.nodes[sum as usize] {
             // the sum so far was recorded before the term
-            (sum, _) = (a.min(b), terms.push(Term(a.max(b))));
+            terms.push(Term(a.max(b)));
+            sum = a.min(b);
         }
         assert_eq!(sum, Term::ZERO.0, "the sum begins at 0");
         terms

@@ -112,7 +112,6 @@ impl Rgb<Fixed> {
 
     /// The nearest color in single precision.
     #[inline]
-    #[must_use]
     pub const fn to_f32(self) -> Rgb<f32> {
         Rgb::new(self.r.to_f32(), self.g.to_f32(), self.b.to_f32())
     }
