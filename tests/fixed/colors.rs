@@ -96,7 +96,7 @@ impl Shares<'_> {
         };
         let cosine = -axis.cast(exact).dot((position - p).map(exact).unit()?);
         let [inner, outer] = cone.cosines().map(exact);
-        let is_clear = inner - outer > 0.05 || kind > 0.9 && (cosine - inner).abs() > MARGIN;
+        let is_clear = inner - outer > 0.1 || kind > 0.9 && (cosine - inner).abs() > MARGIN;
         is_clear.then_some(Light::Spot(SpotLight { point, axis, cone }))
     }
 }

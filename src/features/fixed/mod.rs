@@ -21,7 +21,7 @@
 //!
 //! - A color is within one level of sRGB of the color that `f64` gives for the same numbers, if no
 //!   number and no sum leaves the range. This holds for an integer m up to 128, distances from 0.01 to
-//!   200, light that arrives with up to 4, ranges from 1, soft edges from 0.05 (of the cosine), and
+//!   200, light that arrives with up to 4, ranges from 1, soft edges from 0.1 (of the cosine), and
 //!   |L + V| ≥ 0.1. At the edge of a hard cone, a point may fall on either side.
 //! - Light is never negative, and never brighter by more than a level where the distance is greater.
 //! - Nothing panics, and every machine gives the same bits.
