@@ -10,13 +10,13 @@
 /// - `FUNCTIONS`, `REAL_M`: the shader, too, which has neither bytes nor doubles, tables nor
 ///   enums with data. It has arguments of its own, with the same names.
 ///
-/// `ANGLES` compute in doubles in fixed point and in `f32`. `REAL_M` and `SERIES` are for floats.
+/// `ANGLES` compute in doubles in fixed point and in `f32`; so does a constructor for constants. `REAL_M` and `SERIES` are for floats.
 #[macro_export]
 macro_rules! for_each_function {
     ($callback:ident) => { $callback! {
         ARITHMETIC: Number {
             divided "Real::divided" |g| T::divided(g.a.into(), g.x) => nothing;
-            any_outside "Real::any_outside" |g| if g.x.any_outside(T::of(0.25), T::of(4.0)) { T::ONE } else { T::ZERO } => nothing;
+            any_outside "Real::any_outside" |g| if g.x.any_outside(T::ONE, T::ONE + T::ONE) { T::ONE } else { T::ZERO } => nothing;
             if_positive "Real::if_positive" |g| g.x.if_positive(g.y, g.cosine) => nothing;
             if_above "Real::if_above" |g| g.x.if_above(g.y, g.cosine, g.x) => nothing;
             at_least "Real::at_least" |g| g.x.at_least(g.y) => nothing;
@@ -57,14 +57,12 @@ macro_rules! for_each_function {
         SWEEPS: Number {
             powi_sweep "Elementary::powi, several" |g| [-3, -1, 0, 1, 2, 7, 100, i32::MIN, i32::MAX].map(|i| g.x.powi(i)) => nothing;
             dual_powi_sweep "Dual::powi, several" |g| [-3, -1, 0, 1, 2, 7, i32::MIN, i32::MAX].map(|i| g.f.powi(i)) => nothing;
-            tan "Elementary::tan" |g| g.x.tan() => nothing;
             atan2 "Elementary::atan2" |g| [g.y.atan2(g.x), g.cosine.atan2(T::ZERO)] => nothing;
             powf "Elementary::powf" |g| g.x.abs().powf(g.cosine) => nothing;
-            dual_max "Dual::max" |g| [g.f.max(g.h), g.f.max(g.x)] => nothing;
-            dual_min "Dual::min" |g| [g.f.min(g.h), g.f.min(g.x)] => nothing;
-            dual_tan "Dual::tan" |g| g.f.tan() => nothing;
             dual_atan2 "Dual::atan2" |g| [g.f.atan2(g.h), g.f.atan2(g.x)] => nothing;
             dual_powf "Dual::powf" |g| [g.f.powf(g.h), g.f.powf(g.x)] => nothing;
+            dual_max "Dual::max" |g| [g.f.max(g.h), g.f.max(g.x)] => nothing;
+            dual_min "Dual::min" |g| [g.f.min(g.h), g.f.min(g.x)] => nothing;
             raise_sweep "Exponent::raise, every integer m" |g| INTEGER.map(|m| m.raise(g.cosine)) => nothing;
             phong_sweep "term::phong, every integer m" |g| INTEGER.map(|m| term::phong(g.l, g.v, m)) => share;
             blinn_sweep "term::blinn, every integer m" |g| INTEGER.map(|m| term::blinn(g.n, g.v, m)) => share;
@@ -144,6 +142,9 @@ macro_rules! for_each_function {
             dual_cos "Dual::cos" |g| g.f.cos() => nothing;
             cone_from_half_angle "Cone::from_half_angle" |g| Cone::from_half_angle(g.x.abs()).map(Cone::cosines) => cosines;
             cone_from_half_angles "Cone::from_half_angles" |g| Cone::from_half_angles(g.cosine, g.x.abs()).map(Cone::cosines) => cosines;
+            tan "Elementary::tan" |g| g.x.tan() => nothing;
+            dual_tan "Dual::tan" |g| g.f.tan() => nothing;
+            normalized "UnitVec3::const_normalized" |g| T::normalized(g.a) => unit;
             angular_implicit "normal::implicit, with angles" |g| normal::implicit(gyroid, g.p) => unit;
             angular_parametric "normal::parametric, with angles" |g| normal::parametric(globe, g.x, g.y) => unit;
         }
@@ -152,7 +153,6 @@ macro_rules! for_each_function {
             ln "Elementary::ln" |g| g.x.abs().ln() => nothing;
             dual_exp "Dual::exp" |g| g.f.exp() => nothing;
             dual_ln "Dual::ln" |g| g.f.abs().ln() => nothing;
-            normalized "UnitVec3::const_normalized" |g| T::normalized(g.a) => unit;
             any_light "Light::at" |g| g.lights[2].at(g.p) => arriving;
         }
         FUNCTIONS: Number {
