@@ -37,7 +37,7 @@ use super::power::{double, single};
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be the shininess of a highlight in numbers of type `{T}`",
-    label = "expected `u32` or `{T}`",
+    label = "expected `u32`, or one real number: `f32`, `f64`",
     note = "an integer shininess is a `u32`, as in `m: 32`; a real one has the scene's number type, as in `m: 32.5`",
     note = "`term::phong` and `term::blinn` are factors; the functions that take a material are in `shade`"
 )]
