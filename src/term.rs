@@ -12,7 +12,7 @@
 
 use core::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
 
-use crate::real::{Exponent, Real, constant, parts};
+use crate::real::{Exponent, Real, constant, parts, shininess};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 
@@ -167,7 +167,7 @@ pub(crate) fn highlight<T: Real, M: Exponent<T>>(cosine: T, m: M) -> T {
 #[inline]
 #[must_use]
 pub fn phong_normalization<T: Real>(m: T) -> T {
-    (valid(m) + T::of_f32(2.0)) * constant(const { parts(0.5 * FRAC_1_PI) })
+    (shininess(m) + T::of_f32(2.0)) * constant(const { parts(0.5 * FRAC_1_PI) })
 }
 
 /// The factor that normalizes the highlight of [`blinn`], for renderers whose diffuse term has a 1/π.
@@ -193,16 +193,9 @@ pub fn phong_normalization<T: Real>(m: T) -> T {
 #[inline]
 #[must_use]
 pub fn blinn_normalization<T: Real + Exponent<T>>(m: T) -> T {
-    let m = valid(m);
+    let m = shininess(m);
     let power = m.raise(constant(const { parts(FRAC_1_SQRT_2) }));
     // the division comes first, because the product of the two sums could overflow
     let eighth = constant(const { parts(0.125 * FRAC_1_PI) });
     (m + T::of_f32(2.0)) * eighth * ((m + T::of_f32(4.0)) / (m + power))
-}
-
-/// The shininess as a number, finite and at least 0.
-#[inline]
-fn valid<T: Real>(m: T) -> T {
-    // not `at_least`, which may let a signaling NaN through
-    m.if_positive(m.at_most(T::MAX), T::ZERO)
 }

@@ -136,13 +136,20 @@ pub(crate) fn by_squaring<T: Real>(mut base: T, mut m: u32) -> T {
     }
 }
 
+/// m as the powers take it: finite and at least 0.
+#[inline]
+pub(crate) fn shininess<T: Real>(m: T) -> T {
+    // not `at_least`, which may let a signaling NaN through
+    m.if_positive(m.at_most(T::MAX), T::ZERO)
+}
+
 macro_rules! real {
     ($float:ident, $power:ident) => {
         #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Exponent<$float> for $float {
             #[inline]
             fn raise(self, cosine: $float) -> $float {
-                $power(cosine, self.at_least(0.0).at_most($float::MAX))
+                $power(cosine, shininess(self))
             }
 
             #[inline]

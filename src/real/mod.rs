@@ -8,7 +8,7 @@ pub(crate) mod power;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 pub use exponent::Exponent;
-pub(crate) use exponent::by_squaring;
+pub(crate) use exponent::{by_squaring, shininess};
 pub(crate) use float::const_sqrt;
 pub(crate) use length::{is_extreme, tamed};
 

@@ -47,7 +47,6 @@ impl Camera {
     }
 
     /// Through the center of a pixel.
-    #[must_use]
     pub fn ray(&self, x: usize, y: usize) -> UnitVec3 {
         let right = (x as f32 + 0.5 - 0.5 * self.width as f32) / self.scale;
         let up = (0.5 * self.height as f32 - y as f32 - 0.5) / self.scale;

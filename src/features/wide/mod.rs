@@ -11,7 +11,7 @@ use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8, i32x4, i32x8, i32x16, u64x2, u64x4, u64x8};
 
 use crate::real::power::{Bits, EXPONENT, LEAST, double, single};
-use crate::real::{Exponent, Real};
+use crate::real::{Exponent, Real, shininess};
 
 // x87 rounds a number in a register differently from a number in memory
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
@@ -92,10 +92,7 @@ macro_rules! real {
         impl Exponent<$lanes> for $float {
             #[inline]
             fn raise(self, cosine: $lanes) -> $lanes {
-                $power(
-                    cosine,
-                    $lanes::splat(self.at_least(0.0).at_most($float::MAX)),
-                )
+                $power(cosine, $lanes::splat(shininess(self)))
             }
 
             #[inline]
