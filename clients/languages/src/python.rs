@@ -30,7 +30,7 @@ struct PyLight(Light);
 fn checked(light: Light) -> PyResult<PyLight> {
     let message = "the intensity and the attenuation must be finite and not negative, and not all of the attenuation 0; the \
                    direction must not be 0, the range above 0, and 0 <= inner <= outer <= pi";
-    light
+    let _ = light
         .checked()
         .ok_or_else(|| PyValueError::new_err(message))?;
     Ok(PyLight(light))
