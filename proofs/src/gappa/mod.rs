@@ -210,6 +210,7 @@ fn shaded(given: Given, model: Model) -> Formula {
     let mut taken = Vec::new();
     for DirectionalLight { l, .. } in lights {
         given.assume_above(n.dot(l), Term::of(TINY));
+        given.assume_above(Term::ONE, n.dot(l)); // where it is not, the sum takes 1
         taken.push((n.dot(l), COSINE, [0.0, 1.0]));
         let highlight = match model {
             Model::Lambert => continue,
