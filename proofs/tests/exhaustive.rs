@@ -232,11 +232,16 @@ fn operations_with_constants() {
         |given, &((op, constant), range)| {
             let (x, k) = (given.number("x", range), Term::of(constant));
             let results = [operation(op, x, k), operation(op, k, x)];
+            // two selections that differ in what they compare
+            let chosen = [k, Term::ONE].map(|limit| x.if_above(limit, Term::ONE, Term::ZERO));
+            let turned = [k, Term::ONE].map(|y| y.if_above(x, Term::ONE, Term::ZERO));
             let shifted = results.map(|result| operation(op, result, x));
             [
                 all_of(results[0], x),
                 all_of(results[1], x),
                 all_of(shifted[0], x),
+                all_of(chosen[0], chosen[1]),
+                all_of(turned[0], turned[1]),
                 all_of(x, shifted[1]),
             ]
             .concat()
