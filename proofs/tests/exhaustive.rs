@@ -371,6 +371,7 @@ fn order_of_results() {
     let ranges = [
         Range::ANY,
         Range::within(0.0, INF),
+        Range::within(-4.0, -0.25),
         Range::within(0.25, 4.0),
     ];
     let forms = pairs(&pairs(&ranges, &ranges), &pairs(&TESTS, &OPERATIONS));
