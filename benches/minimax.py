@@ -1,16 +1,19 @@
-"""Finds the coefficients of src/exponent/power.rs and prints them with their errors; then those of the
-arctangent in src/elementary.rs.
+"""Finds the coefficients of the power in src/real/power.rs in single precision, and prints them with their errors; then
+the errors of those that the file has in double precision, and the coefficients of the arctangent in src/elementary.rs.
 
     log2 z    = s P(s^2),              s = (z - 1)/(z + 1),   z in [sqrt(1/2), sqrt(2)],  P of degree 2
-    2^(1 + r) = 2 + 4r/(Q(r^2) - r),                          r in [-1/2, 1/2],           Q of degree 2
+    2^(1 + r) = (2 + r) + r Q(r),                             r in [-1/2, 1/2],           Q of degree 5
 
 Each is a minimax polynomial by Lawson's iteration: weighted least squares, each point's weight multiplied
 by its error until the error is level. Its coefficients are then rounded to f32 one after the other, the rest
-fitted anew after each, both neighbours tried. Of these candidates the one is kept whose error, when
-computed in f32 with every rounding, is least. Needs numpy alone; takes a few seconds.
+fitted anew after each, both neighbors tried. Of these candidates the one is kept whose error, when
+computed in f32 with every rounding, is least. Needs numpy and mpmath; takes half a minute.
 """
+import re
+from pathlib import Path
 from decimal import Decimal, getcontext
 
+import mpmath
 import numpy as np
 
 F = np.float32
@@ -75,6 +78,7 @@ def logarithm(degree):
     true = np.log2(z.astype(float)) + exponent
 
     def computed(p):
+        # by Horner's scheme, for which these were chosen; in pairs, as the source sums them, it is 5.8 u
         return np.abs((exponent + quotient * horner(p, quotient * quotient)) / true - 1).max()
 
     search("log2, relative", x, y, weight, degree, computed)
@@ -85,17 +89,42 @@ def exponential(degree):
     def part(r):
         return np.where(r < 0, 0.5, 0.25)  # of 2^(1 + r)
 
-    r = np.cos(np.linspace(0, np.pi, 2000)) / 2
-    y = r * (np.exp2(r) + 1) / np.expm1(r * np.log(2))
-    weight = part(r) * np.abs(4 * r / (y - r) ** 2)  # the slope of 4r/(y - r)
-    grid = np.linspace(-0.5, 0.5, 400_001).astype(F)
+    r = np.cos(np.linspace(0, np.pi, 1500)) / 2
+    r = r[np.abs(r) > 1e-4]
+    y = (2 * np.exp2(r) - 2 - r) / r
+    weight = part(r) * np.abs(r)
+    grid = np.linspace(-0.5, 0.5, 2**20 + 1).astype(F)
     true = 2 * np.exp2(grid.astype(float))
 
     def computed(p):
-        q = p[0] - grid + grid * grid * horner(p[1:], grid * grid)
-        return np.abs(part(grid) * (F(2) + F(4) * grid / q - true)).max()
+        pairs = [p[k] + p[k + 1] * grid for k in (0, 2, 4)]
+        q = pairs[0] + grid * grid * pairs[1] + grid * grid * (grid * grid) * pairs[2]
+        return np.abs(part(grid) * ((F(2) + grid) + grid * q - true)).max()
 
-    search("exp2, absolute", r * r, y, weight, degree, computed)
+    search("exp2, absolute", r, y, weight, degree, computed)
+
+
+def double():
+    """The relative errors of log2 c and of 2^(1 + r) = 2 + 4r/(Q(r^2) - r), with the coefficients of the source and no rounding."""
+    mpmath.mp.prec = 160
+    source = (Path(__file__).parent / "../src/real/power.rs").read_text()
+
+    def coefficients(name):
+        numbers = re.search(name + r": \[f64; \d\] = \[(.*?)\]", source, re.S)[1]
+        return [mpmath.mpf(float(x.replace("_", ""))) for x in re.findall(r"[-\d._e]+", numbers)]
+
+    def error_of_log(p, s):
+        true = 2 / mpmath.log(2) * mpmath.atanh(s)
+        return abs(s * horner(p, s * s) - true) / min(true, 1 - true)  # beside |log2 c| below and above 1
+
+    def error_of_exp(q, r):
+        return abs((2 + 4 * r / (horner(q, r * r) - r)) / (2 * mpmath.mpf(2) ** r) - 1)
+
+    p, q = coefficients("LOG_DOUBLE"), coefficients("EXP_DOUBLE")
+    largest = 3 - 2 * mpmath.sqrt(2)
+    log = max(error_of_log(p, largest * k / 4000) for k in range(1, 4000))
+    exp = max(error_of_exp(q, mpmath.mpf(k) / 8000) for k in range(-4000, 4001) if k != 0)
+    print(f"double: log2 2^{float(mpmath.log(log, 2)):.2f}, exp2 2^{float(mpmath.log(exp, 2)):.2f}")
 
 
 def arctangent(terms):
@@ -118,8 +147,7 @@ def arctangent(terms):
         print(f"    {float(c)!r}")
 
 
-for d in (2, 3):
-    logarithm(d)
-for d in (1, 2):
-    exponential(d)
+logarithm(2)
+exponential(5)
+double()
 arctangent(12)

@@ -55,7 +55,7 @@
 //!
 //! **Overflow.** If the sum over the lights overflows, it counts as the largest finite number. The
 //! result can then be infinite only through a reflectance above 1 or in the total. It cannot be NaN
-//! if all numbers are finite. Without lights, the result is the ambient term.
+//! if all numbers are finite and 0 or more. Without lights, the result is the ambient term.
 //!
 //! Source: Foley, van Dam et al. 1990, §16.1; OpenGL 2.1, §2.14.1.
 

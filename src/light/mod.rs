@@ -195,7 +195,6 @@ impl<T: Real> PointLight<T> {
         )
     )
 )]
-#[repr(C)] // begins with its point light, as `Light::Point` does, so `Light` finds both at one offset
 #[must_use]
 pub struct SpotLight<T = f32> {
     /// The light at the tip of the cone.
