@@ -499,6 +499,20 @@ fn sums<L: Simd>() {
         intensity: Rgb::gray(intensity),
         attenuation: Attenuation::NONE,
     };
+    // one lane has a range, and the others none
+    let mixed = [Some(one), None].map(|range| {
+        let attenuation = range.and_then(|r| Attenuation::NONE.within(r));
+        PointLight {
+            attenuation: attenuation.unwrap_or_default(),
+            ..at(one, one)
+        }
+    });
+    let pack = PointLight::packed::<L>(&mixed).next().expect("a pack");
+    for q in edges {
+        let factor = pack.attenuation.at(L::from_fn(|_| q));
+        let alone = mixed.map(|lamp| lamp.attenuation.at(q));
+        assert_same(&[factor.lane(0), factor.lane(1)], &alone, q);
+    }
     let mirror = Material {
         k_a: Rgb::gray(L::ONE),
         k_d: Rgb::gray(L::ONE),

@@ -42,7 +42,7 @@ const HAS_ROOT: bool = cfg!(any(
 /// | not in lanes | in lanes |
 /// |---|---|
 /// | `Vec3::unit` | [`Vec3::unit_or`](crate::Vec3::unit_or) |
-/// | `UnitVec3::of`, `Attenuation::new`, `Attenuation::within`, `Cone::from_cosines` | `cast` of what was made from scalars |
+/// | `UnitVec3::new`, `Attenuation::new`, `Attenuation::within`, `Cone::from_cosines` | `cast` of what was made from scalars |
 /// | `half_vector` | [`Vec3::unit_or`](crate::Vec3::unit_or) of L + V; the sums of [`shade`](mod@crate::shade) |
 /// | `normal::plane`, `normal::triangle`, `normal::sphere`, `normal::implicit`, `normal::from_gradient`, `normal::parametric`, `normal::from_tangents`, `normal::transformed`, `normal::mapped`, `normal::tangent` | [`normal::corner`](crate::normal::corner), then [`Vec3::unit_or`](crate::Vec3::unit_or) |
 ///
