@@ -234,17 +234,14 @@ impl Report {
 
     /// What gives the colors of these scenes again.
     fn reproduction(&self, scenes: &[Scene]) -> String {
-        let lines = scenes.iter().map(Scene::to_json);
-        match &self.command {
+        let lines: Vec<String> = scenes.iter().map(Scene::to_json).collect();
+        if let Some(command) = &self.command {
             // a line has neither a quote of this kind nor a backslash
-            Some(command) => {
-                let lines: String = lines.map(|line| format!(" '{line}'")).collect();
-                format!("printf '%s\\n' '{{\"shading-laws\":1}}'{lines} '' | {command}\n")
-            }
-            None => {
-                let lines = lines.map(|line| format!("Scene::from_json(r#\"{line}\"#)\n"));
-                lines.collect()
-            }
+            let lines = lines.join("' '");
+            format!("printf '%s\\n' '{{\"shading-laws\":1}}' '{lines}' '' | {command}\n")
+        } else {
+            let lines = lines.join("\"#)\nScene::from_json(r#\"");
+            format!("Scene::from_json(r#\"{lines}\"#)\n")
         }
     }
 

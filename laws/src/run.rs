@@ -357,8 +357,8 @@ impl Run<'_> {
             let laws = laws.iter().map(name).collect();
             findings.push(Finding {
                 cause,
-                laws,
                 places,
+                laws,
             });
         };
         let is_fickle = !state.is_empty();
