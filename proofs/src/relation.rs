@@ -93,6 +93,13 @@ impl Known {
         {
             return true;
         }
+        // a sum of a number that is not positive, and another
+        if let Node::Add(p, q) = g.nodes[a as usize]
+            && (self.range(g, p).high <= 0.0 && is(self, q, b)
+                || self.range(g, q).high <= 0.0 && is(self, p, b))
+        {
+            return true;
+        }
         match (g.nodes[a as usize], g.nodes[b as usize]) {
             (Node::Add(p, q), Node::Add(r, s)) => {
                 is(self, p, r) && is(self, q, s) || is(self, p, s) && is(self, q, r)
