@@ -16,14 +16,6 @@ impl Known {
     pub(super) fn related(&mut self, g: &Graph, id: u32, range: Range) -> Range {
         let within = |most: f64| Range::within(-most, most).or_nan();
         match g.nodes[id as usize] {
-            Node::Mul(a, b) => [(a, b), (b, a)].into_iter().fold(range, |range, (v, by)| {
-                match g.nodes[self.resolved(g, by) as usize] {
-                    Node::Div(ONE, root) => self
-                        .share_of_root(g, v, root)
-                        .map_or(range, |most| range.meet(within(most))),
-                    _ => range,
-                }
-            }),
             Node::Div(a, b) => {
                 let share = self.share_of_root(g, a, b);
                 let range = share.map_or(range, |most| range.meet(within(most)));
@@ -38,14 +30,11 @@ impl Known {
         }
     }
 
-    /// The most that |v/√S| can be, and |v · 1/√S|, if S is above 0 and a sum of v² and of numbers that are
-    /// not negative.
+    /// The most that |v/√S| can be, if S is above 0 and a sum of v² and of numbers that are not negative.
     ///
     /// The sum is at least the rounded v², because rounding is monotone. So S ≥ v²(1 − u) − η/2, and with s for
     /// the least S, v² ≤ S(1 + η/2s)/(1 − u). The root is at least √S(1 − u). The quotient adds a
-    /// factor of 1 + u and η/2; the reciprocal, which is no subnormal number if there are three exponent bits,
-    /// and the product add two such factors and η/2. That is less than 16u for u ≤ ¼. If S is ∞, the
-    /// result is 0 or NaN.
+    /// factor of 1 + u and η/2. That is less than 16u for u ≤ ¼. If S is ∞, the result is 0 or NaN.
     fn share_of_root(&mut self, g: &Graph, v: u32, root: u32) -> Option<f64> {
         let root = self.resolved(g, root);
         let Node::Sqrt(sum) = g.nodes[root as usize] else {
@@ -116,7 +105,6 @@ impl Known {
                     && is(self, p, r)
                     && is(self, s, q)
             }
-            (Node::Sqrt(p), Node::Sqrt(r)) => is(self, p, r),
             (Node::Neg(p), Node::Neg(r)) => is(self, r, p),
             (Node::Select(..), _) | (_, Node::Select(..)) => self.is_limited(g, a, b, is),
             _ => false,
