@@ -84,12 +84,12 @@ faults() {
 
 wrong_rules() {
     copy "$work/wrong"
-    local count number tests
+    local count tests
     count=$(python3 proofs/plant.py proofs/wrong_rules.txt "$work/wrong/proofs/src" lib.rs)
     (cd "$work/wrong" && RUSTFLAGS="--cap-lints allow" cargo test -q --release -p shading-proofs --no-run --target-dir target)
-    tests=$(ls "$work"/wrong/target/release/deps/exhaustive-* | grep -v '\.d$')
-    seq 0 $((count - 1)) | xargs -P 2 -I{} bash -c \
-        "for test in \$($tests --list | sed -n 's/: test\$//p'); do PLANTED={} $tests --exact \$test >/dev/null 2>&1 || exit 0; done; echo 'no test finds rule {}'; exit 1"
+    tests=$(ls "$work"/wrong/target/release/deps/{prover,exhaustive}-* | grep -v '\.d$' | tr '\n' ' ')
+    seq 0 $((count - 1)) | xargs -P 2 -I{} bash -c "for tests in $tests; do for test in \$(\$tests --list | sed -n 's/: test\$//p'); do
+        PLANTED={} \$tests --exact \$test >/dev/null 2>&1 || exit 0; done; done; echo 'no test finds rule {}'; exit 1"
     echo "wrong rules: $count found"
 }
 

@@ -256,23 +256,6 @@ pub fn witness(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) ->
 /// });
 /// ```
 ///
-/// A naive formula is refuted. At a distance of 0, 1/q² is infinite, and the light that it falls on is
-/// black, so their product is NaN:
-///
-/// ```should_panic
-/// use shading::Real;
-/// use shading_proofs::{Goal, Range};
-///
-/// fn arriving<T: Real>(light: T, q: T) -> T {
-///     light * (T::ONE / (q * q))
-/// }
-///
-/// shading_proofs::prove(|given| {
-///     let (light, q) = (given.not_negative("light"), given.not_negative("q"));
-///     vec![Goal::Within(arriving(light, q), Range::within(0.0, f64::INFINITY))]
-/// });
-/// ```
-///
 /// # Panics
 ///
 /// If the claim is not proved.

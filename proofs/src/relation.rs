@@ -105,41 +105,24 @@ impl Known {
                     && is(self, p, r)
                     && is(self, s, q)
             }
-            (Node::Neg(p), Node::Neg(r)) => is(self, r, p),
-            (Node::Select(..), _) | (_, Node::Select(..)) => self.is_limited(g, a, b, is),
-            _ => false,
-        }
-    }
-
-    /// The same of limits: a minimum passes over a limit that is NaN, and a maximum over a number that is NaN.
-    fn is_limited(
-        &mut self,
-        g: &Graph,
-        a: u32,
-        b: u32,
-        is: impl Fn(&mut Self, u32, u32) -> bool,
-    ) -> bool {
-        let of_both = match (limit(g, a), limit(g, b)) {
-            (Some(Limit::Most(x, l)), Some(Limit::Most(y, m))) => {
-                let are_numbers = !self.range(g, l).nan && !self.range(g, m).nan;
-                (l == m || are_numbers) && is(self, x, y) && is(self, l, m)
+            // a minimum passes over a limit that is NaN, and a maximum over a number that is NaN
+            (x, y) => {
+                let of_first = match limit(x) {
+                    Some(Limit::Most(x, l)) => {
+                        is(self, x, b) || !self.range(g, l).nan && is(self, l, b)
+                    }
+                    Some(Limit::Least(x, l)) => is(self, x, b) && is(self, l, b),
+                    None => false,
+                };
+                match limit(y) {
+                    _ if of_first => true,
+                    Some(Limit::Most(y, m)) => is(self, a, y) && is(self, a, m),
+                    Some(Limit::Least(y, m)) => {
+                        is(self, a, m) || !self.range(g, y).nan && is(self, a, y)
+                    }
+                    None => false,
+                }
             }
-            (Some(Limit::Least(x, l)), Some(Limit::Least(y, m))) => {
-                !self.range(g, y).nan && is(self, x, y) && is(self, l, m)
-            }
-            _ => false,
-        };
-        let of_first = match limit(g, a) {
-            _ if of_both => true,
-            Some(Limit::Most(x, l)) => is(self, x, b) || !self.range(g, l).nan && is(self, l, b),
-            Some(Limit::Least(x, l)) => is(self, x, b) && is(self, l, b),
-            None => false,
-        };
-        match limit(g, b) {
-            _ if of_first => true,
-            Some(Limit::Most(y, m)) => is(self, a, y) && is(self, a, m),
-            Some(Limit::Least(y, m)) => is(self, a, m) || !self.range(g, y).nan && is(self, a, y),
-            None => false,
         }
     }
 }
@@ -150,13 +133,10 @@ enum Limit {
     Least(u32, u32),
 }
 
-fn limit(g: &Graph, id: u32) -> Option<Limit> {
-    let Node::Select(Test::Above(x, y), then, otherwise) = g.nodes[id as usize] else {
-        return None;
-    };
-    match (then, otherwise) {
-        _ if (then, otherwise) == (x, y) => Some(Limit::Least(x, y)),
-        _ if (then, otherwise) == (y, x) => Some(Limit::Most(x, y)),
+fn limit(node: Node) -> Option<Limit> {
+    match node {
+        Node::Select(Test::Above(x, y), a, b) if (a, b) == (x, y) => Some(Limit::Least(x, y)),
+        Node::Select(Test::Above(x, y), a, b) if (a, b) == (y, x) => Some(Limit::Most(x, y)),
         _ => None,
     }
 }

@@ -245,7 +245,7 @@ fn the_number_that_records_computes_as_floats_do() {
         let single = formulas(x as f32, y as f32).map(f64::from);
         for (format, floats) in [(Format::F32, single), (Format::F64, formulas(x, y))] {
             let claim = |_: Given| {
-                let terms: [Term; 12] = formulas(Real::of(x), Real::of(y));
+                let terms: [Term; 19] = formulas(Real::of(x), Real::of(y));
                 let pairs = terms.into_iter().zip(floats);
                 pairs.map(|(x, y)| Goal::Same(x, Real::of(y))).collect()
             };
@@ -254,7 +254,7 @@ fn the_number_that_records_computes_as_floats_do() {
     }
 }
 
-fn formulas<T: Real + PartialOrd>(x: T, y: T) -> [T; 12] {
+fn formulas<T: Real + PartialOrd>(x: T, y: T) -> [T; 19] {
     [
         x + y,
         x - y,
@@ -268,5 +268,17 @@ fn formulas<T: Real + PartialOrd>(x: T, y: T) -> [T; 12] {
         x.at_most(y),
         if x <= y { x } else { y },
         -(x * -y),
+        -x * y,
+        -x / y,
+        x / -y,
+        x + -y,
+        -x + y,
+        -x - -y,
+        // what the path has decided is not recorded as a choice
+        if x > y {
+            x.if_above(y, x + y, y)
+        } else {
+            x.if_above(y, x, y - x)
+        },
     ]
 }

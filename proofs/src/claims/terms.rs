@@ -53,8 +53,8 @@ pub fn highlights_of_one(given: Given) -> Vec<Goal> {
 /// Powers as the sums take them: of a cosine in [0, 1], and of its square.
 pub fn powers_in_their_range(given: Given) -> Vec<Goal> {
     let cosine = given.number("cosine", share());
-    let powers = SHININESS.map(|m| [m.raise(cosine), m.raise_root(cosine)]);
-    within(powers.concat(), Range::within(0.0, 1.0))
+    let m = SHININESS[given.one_of(9) as usize];
+    within([m.raise(cosine), m.raise_root(cosine)], share())
 }
 
 pub fn phong_normalization(given: Given) -> Vec<Goal> {
