@@ -50,9 +50,7 @@ fn pairs<A: Copy, B: Copy>(a: &[A], b: &[B]) -> Vec<(A, B)> {
         .collect()
 }
 
-fn constants() -> [f64; 9] {
-    [0.0, -0.0, 1.0, -1.0, 0.5, 2.5, 4.0, 14.0, INF]
-}
+const CONSTANTS: [f64; 9] = [0.0, -0.0, 1.0, -1.0, 0.5, 2.5, 4.0, 14.0, INF];
 
 /// The operation with this number.
 #[allow(clippy::eq_op)] // a shape that a rule looks for
@@ -196,7 +194,7 @@ fn operations_on_operations() {
 /// Constants as operands, as in x · 1, x + 0 and max(x, 0).
 #[test]
 fn operations_with_constants() {
-    let forms = pairs(&pairs(&OPERATIONS, &constants()), &ranges());
+    let forms = pairs(&pairs(&OPERATIONS, &CONSTANTS), &ranges());
     check(
         Format::Small(4, 3),
         forms,
