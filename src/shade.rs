@@ -318,7 +318,6 @@ fn sum<T: Real, M>(
                 way,
                 length,
                 intensity,
-                ..
             } = light.arriving();
             // a way that overflowed gives ∞, and its light is black
             let n_dot_l = (n.dot(way) / length).at_least(T::ZERO).at_most(T::ONE);

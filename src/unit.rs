@@ -64,14 +64,17 @@ impl<T: Real> Vec3<T> {
     #[doc(alias = "normalize_or")]
     #[inline]
     pub fn unit_or(self, fallback: UnitVec3<T>) -> UnitVec3<T> {
-        let (w, length, _) = T::direction(self.into());
+        self.unit_and_length(fallback).0
+    }
+
+    /// [`unit_or`](Vec3::unit_or), and the length, by one root.
+    #[inline]
+    pub(crate) fn unit_and_length(self, fallback: UnitVec3<T>) -> (UnitVec3<T>, T) {
+        let (w, length, size) = T::direction(self.into());
         let or = |w, fallback| length.if_positive(w, fallback);
         let [x, y, z] = T::divided(w, length);
-        UnitVec3(Vec3::new(
-            or(x, fallback.x),
-            or(y, fallback.y),
-            or(z, fallback.z),
-        ))
+        let unit = Vec3::new(or(x, fallback.x), or(y, fallback.y), or(z, fallback.z));
+        (UnitVec3(unit), size)
     }
 
     /// The vector from `origin` to this one, times a power of two that makes it fit for squares and

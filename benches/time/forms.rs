@@ -70,10 +70,10 @@ macro_rules! forms {
                 let theirs = &hand::material();
 
                 macro_rules! form {
-                    ($name:literal * $lights:literal: |$p:ident| $lit:expr; |$sum:ident| $added:expr) => {
+                    ($name:literal * $lights:literal: |$p:ident, $n:pat_param| $lit:expr; |$sum:ident| $added:expr) => {
                         let pair = [
                             pass::<false, _, _>(inputs, $lights, |&[n, v, p]| {
-                                let ($p, m) = (s::Vec3::from(p), black_box(ours));
+                                let ($p, $n, m) = (s::Vec3::from(p), unit(n), black_box(ours));
                                 let i_a = s::Rgb::gray(0.2);
                                 <[$float; 3]>::from(shade::blinn_phong(unit(n), unit(v), m, i_a, $lit).total())
                             }),
@@ -89,35 +89,41 @@ macro_rules! forms {
                         races.row(&name, 0.95, [pair]);
                     };
                 }
-                form!("[lamp.at(p)]" * 1: |p| [lamps[0].at(p)]; |sum| sum.add(&by_hand[0], |_, _| 1.0));
-                form!("[sun.at(p), lamp.at(p)]" * 2: |p| [sun.at(p), lamps[0].at(p)]; |sum| {
+                form!("[lamp.at(p)]" * 1: |p, _| [lamps[0].at(p)]; |sum| sum.add(&by_hand[0], |_, _| 1.0));
+                form!("[sun.at(p), lamp.at(p)]" * 2: |p, _| [sun.at(p), lamps[0].at(p)]; |sum| {
                     sum.add_sun(black_box(V::X));
                     sum.add(&by_hand[0], |_, _| 1.0);
                 });
-                form!("once(sun).chain(lamps)" * 5: |p| once(sun.at(p)).chain(lamps.iter().map(|l| l.at(p))); |sum| {
+                form!("once(sun).chain(lamps)" * 5: |p, _| once(sun.at(p)).chain(lamps.iter().map(|l| l.at(p))); |sum| {
                     sum.add_sun(black_box(V::X));
                     for lamp in by_hand { sum.add(lamp, |_, _| 1.0); }
                 });
                 form!("lamps.filter(not blocked)" * 4:
-                    |p| lamps.iter().map(|l| l.at(p)).filter(|l| !blocked(p.z, l.l().z, l.distance())); |sum| {
+                    |p, _| lamps.iter().map(|l| l.at(p)).filter(|l| !blocked(p.z, l.l().z, l.distance())); |sum| {
                     let z = sum.p.z;
                     let share = |l: V, q| if blocked(z, l.z, q) { 0.0 } else { 1.0 };
                     for lamp in by_hand { sum.add(lamp, share); }
                 });
-                form!("lights of mixed kinds" * 4: |p| mixed.iter().map(|l| l.at(p)); |sum| for kind in kinds {
+                form!("lamps.filter(in front, not blocked)" * 4: |p, n|
+                    lamps.iter().map(|l| l.at(p)).filter(|l| l.is_in_front(n) && !blocked(p.z, l.l().z, l.distance())); |sum| {
+                    let z = sum.p.z;
+                    let share = |l: V, q| if blocked(z, l.z, q) { 0.0 } else { 1.0 };
+                    for lamp in by_hand { sum.add(lamp, share); }
+                });
+                form!("lights of mixed kinds" * 4: |p, _| mixed.iter().map(|l| l.at(p)); |sum| for kind in kinds {
                     match kind {
                         Kind::Sun(l) => sum.add_sun(*l),
                         Kind::Lamp(lamp) => sum.add(lamp, |_, _| 1.0),
                         Kind::Spot(lamp, axis) => sum.add(lamp, |l, _| hard(*axis, l)),
                     }
                 });
-                form!("spots" * 4: |p| spots.iter().map(|l| l.at(p)); |sum| for (lamp, axis) in hand_spots {
+                form!("spots" * 4: |p, _| spots.iter().map(|l| l.at(p)); |sum| for (lamp, axis) in hand_spots {
                     sum.add(lamp, |l, _| hard(*axis, l));
                 });
-                form!("spots, soft edges" * 4: |p| soft_spots.iter().map(|l| l.at(p)); |sum| for (lamp, axis) in hand_spots {
+                form!("spots, soft edges" * 4: |p, _| soft_spots.iter().map(|l| l.at(p)); |sum| for (lamp, axis) in hand_spots {
                     sum.add(lamp, |l, _| soft(*axis, l));
                 });
-                form!("lamps with ranges" * 4: |p| ranged.iter().map(|l| l.at(p)); |sum| {
+                form!("lamps with ranges" * 4: |p, _| ranged.iter().map(|l| l.at(p)); |sum| {
                     for lamp in by_hand { sum.add(lamp, |_, q| window(q)); }
                 });
             }

@@ -13,6 +13,9 @@ const ATTEMPTS: usize = 5;
 pub type Pass<'a> = Box<dyn FnMut(bool) -> [f64; 2] + 'a>;
 
 /// The function in a loop over the inputs: inlined, or by a call. An input has several `units`, such as lights.
+///
+/// `#[inline]` compiles the loop in the module that writes the function, as in a renderer, and not in this one.
+#[inline]
 pub fn pass<'a, const CALL: bool, I, O: Output + Clone + Default + 'a>(
     inputs: &'a [I],
     units: usize,

@@ -2,16 +2,17 @@
 
 use core::ops::Mul;
 
-use super::SpotLight;
+use crate::attenuation::Attenuation;
+use crate::cone::Cone;
 use crate::real::Real;
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
 // the kinds: shaders have neither enums with data nor an `Option` of an enum
-pub(super) const DIRECTIONAL: u32 = 0;
-pub(super) const POINT: u32 = 1;
-pub(super) const SPOT: u32 = 2;
+pub(super) const DIRECTIONAL: usize = 0;
+const POINT: usize = 1;
+pub(super) const SPOT: usize = 2;
 
 /// The light that arrives at a point: a [`Light`](crate::Light), and the way to it.
 ///
@@ -33,11 +34,15 @@ pub(super) const SPOT: u32 = 2;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct IncidentLight<T = f32> {
-    /// What a light of its kind does not have is not looked at.
-    pub(super) light: SpotLight<T>,
-    pub(super) kind: u32,
-    /// From the point to the light.
-    pub(super) way: Vec3<T>,
+    /// From the point to the light: y, z and x, as the dot product takes them. In an array of lights,
+    /// it would otherwise wait for two stores.
+    way: [T; 3],
+    /// Before attenuation.
+    intensity: Rgb<T>,
+    attenuation: Attenuation<T>,
+    pub(super) axis: UnitVec3<T>,
+    pub(super) cone: Cone<T>,
+    pub(super) kind: usize,
 }
 
 /// What the sums need to know of an [`IncidentLight`].
@@ -45,15 +50,33 @@ pub(crate) struct Arriving<T> {
     /// A vector in the direction of L, and its length, which is 0 if there is no such direction.
     pub(crate) way: Vec3<T>,
     pub(crate) length: T,
-    pub(crate) distance: T,
     pub(crate) intensity: Rgb<T>,
 }
 
 impl<T: Real> IncidentLight<T> {
+    /// Of a lamp: it has a cone that nobody looks at.
+    #[inline(always)]
+    pub(super) fn new(way: Vec3<T>, intensity: Rgb<T>, attenuation: Attenuation<T>) -> Self {
+        Self {
+            way: [way.y, way.z, way.x],
+            intensity,
+            attenuation,
+            axis: UnitVec3::Z,
+            cone: Cone::EVERYWHERE,
+            kind: POINT,
+        }
+    }
+
+    #[inline]
+    fn way(&self) -> Vec3<T> {
+        let [y, z, x] = self.way;
+        Vec3::new(x, y, z)
+    }
+
     /// N·(the way to the light), which has the sign of N·L and needs no root.
     #[inline]
     pub(crate) fn in_front_by(&self, n: UnitVec3<T>) -> T {
-        n.dot(self.way)
+        n.dot(self.way())
     }
 
     /// Whether the light comes from the front of a surface with the normal N. Otherwise it adds
@@ -74,8 +97,8 @@ impl<T: Real> IncidentLight<T> {
     #[inline]
     pub fn l(&self) -> UnitVec3<T> {
         match self.kind {
-            DIRECTIONAL => UnitVec3::assume_unit(self.way),
-            _ => self.way.unit_or(UnitVec3::Z),
+            DIRECTIONAL => UnitVec3::assume_unit(self.way()),
+            _ => self.way().unit_or(UnitVec3::Z),
         }
     }
 
@@ -87,7 +110,10 @@ impl<T: Real> IncidentLight<T> {
     #[inline]
     #[must_use]
     pub fn distance(&self) -> T {
-        self.arriving().distance.at_most(T::MAX)
+        match self.kind {
+            DIRECTIONAL => T::MAX,
+            _ => self.way().length().at_most(T::MAX),
+        }
     }
 
     /// I as it arrives: attenuated, and 0 outside a spot's cone.
@@ -101,15 +127,24 @@ impl<T: Real> IncidentLight<T> {
 
     #[inline(always)]
     pub(crate) fn arriving(&self) -> Arriving<T> {
-        match self.kind {
-            DIRECTIONAL => Arriving {
-                way: self.way,
+        if self.kind == DIRECTIONAL {
+            return Arriving {
+                way: self.way(),
                 length: T::ONE,
-                distance: T::MAX,
-                intensity: self.light.point.intensity,
-            },
-            POINT => self.light.point.along(self.way),
-            _ => self.light.along(self.way), // SPOT
+                intensity: self.intensity,
+            };
+        }
+        let (way, length, distance) = T::direction(self.way().into());
+        let way = Vec3::from(way);
+        let mut intensity = self.attenuation.dimmed(self.intensity, distance);
+        if self.kind == SPOT {
+            let cosine = (-self.axis).dot(way) / length;
+            intensity = intensity * self.cone.share(cosine);
+        }
+        Arriving {
+            way,
+            length,
+            intensity,
         }
     }
 
@@ -117,11 +152,11 @@ impl<T: Real> IncidentLight<T> {
     /// it, or take one of several lanes.
     #[inline]
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> IncidentLight<U> {
-        IncidentLight {
-            light: self.light.cast(&mut f),
-            kind: self.kind,
-            way: self.way.map(f),
-        }
+        let (way, intensity) = (self.way().map(&mut f), self.intensity.map(&mut f));
+        let mut light = IncidentLight::new(way, intensity, self.attenuation.cast(&mut f));
+        (light.axis, light.cone) = (self.axis.cast(&mut f), self.cone.cast(f));
+        light.kind = self.kind;
+        light
     }
 }
 
@@ -139,8 +174,7 @@ impl<T: Real> Mul<Rgb<T>> for IncidentLight<T> {
     type Output = Self;
     #[inline]
     fn mul(mut self, filter: Rgb<T>) -> Self {
-        let intensity = &mut self.light.point.intensity;
-        *intensity = (*intensity * filter).finite();
+        self.intensity = (self.intensity * filter).finite();
         self
     }
 }

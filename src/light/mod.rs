@@ -10,6 +10,7 @@ use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 pub(crate) use incident::Arriving;
 pub use incident::IncidentLight;
+use incident::{DIRECTIONAL, SPOT};
 
 /// A light so far away, such as the sun, that its direction is the same everywhere. It is not
 /// attenuated.
@@ -50,7 +51,9 @@ impl<T: Real> DirectionalLight<T> {
     /// the largest finite number.
     #[inline]
     pub fn at(&self, _p: impl Into<[T; 3]>) -> IncidentLight<T> {
-        (*self).into()
+        let mut light = IncidentLight::new(*self.l, self.intensity, Attenuation::NONE);
+        light.kind = DIRECTIONAL;
+        light
     }
 
     /// The same light in another number type. `f` converts each number and may only round it.
@@ -67,16 +70,7 @@ impl<T: Real> DirectionalLight<T> {
 impl<T: Real> From<DirectionalLight<T>> for IncidentLight<T> {
     #[inline]
     fn from(light: DirectionalLight<T>) -> Self {
-        let point = PointLight {
-            position: *light.l,
-            intensity: light.intensity,
-            attenuation: Attenuation::NONE,
-        };
-        Self {
-            light: point.everywhere(),
-            kind: incident::DIRECTIONAL,
-            way: *light.l,
-        }
+        light.at(Vec3::ZERO)
     }
 }
 
@@ -131,32 +125,8 @@ impl<T: Real> PointLight<T> {
     /// ```
     #[inline]
     pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
-        IncidentLight {
-            light: self.everywhere(),
-            kind: incident::POINT,
-            way: self.position - Vec3::from(p.into()),
-        }
-    }
-
-    /// With a cone that nobody looks at.
-    #[inline(always)]
-    fn everywhere(&self) -> SpotLight<T> {
-        SpotLight {
-            point: *self,
-            axis: UnitVec3::Z,
-            cone: Cone::EVERYWHERE,
-        }
-    }
-
-    #[inline(always)]
-    fn along(&self, way: Vec3<T>) -> Arriving<T> {
-        let (way, length, distance) = T::direction(way.into());
-        Arriving {
-            way: way.into(),
-            length,
-            distance,
-            intensity: self.attenuation.dimmed(self.intensity, distance),
-        }
+        let way = self.position - Vec3::from(p.into());
+        IncidentLight::new(way, self.intensity, self.attenuation)
     }
 
     /// The same light in another number type. `f` converts each number and may only round it.
@@ -210,19 +180,9 @@ impl<T: Real> SpotLight<T> {
     /// [factor](Cone::factor) of the cone.
     #[inline]
     pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
-        IncidentLight {
-            light: *self,
-            kind: incident::SPOT,
-            way: self.point.position - Vec3::from(p.into()),
-        }
-    }
-
-    #[inline(always)]
-    fn along(&self, way: Vec3<T>) -> Arriving<T> {
-        let light = self.point.along(way);
-        let cosine = (-self.axis).dot(light.way) / light.length;
-        let intensity = light.intensity * self.cone.share(cosine);
-        Arriving { intensity, ..light }
+        let mut light = self.point.at(p);
+        (light.kind, light.axis, light.cone) = (SPOT, self.axis, self.cone);
+        light
     }
 
     /// The same light in another number type. `f` converts each number and may only round it.

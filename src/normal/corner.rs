@@ -61,8 +61,7 @@ use crate::vector::Vec3;
 pub fn corner<T: Real>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Vec3<T> {
     let none = UnitVec3::assume_unit(Vec3::ZERO);
     let (e1, e2) = (v2.tamed_from(v1), v3.tamed_from(v1));
-    let product = e1.cross(e2);
+    let (n, length) = e1.cross(e2).unit_and_length(none);
     // without a normal, the angle may be NaN
-    let angle = angle(product.length(), e1.dot(e2)).at_least(T::ZERO);
-    *product.unit_or(none) * angle
+    n * angle(length, e1.dot(e2)).at_least(T::ZERO)
 }

@@ -157,7 +157,7 @@ impl fmt::Display for Fixed {
 }
 
 /// x/2^`bits`, rounded to the nearest step. `sign` is negative if x is.
-#[inline(always)]
+#[inline]
 const fn rounded(x: i64, bits: u32, sign: i32) -> Fixed {
     let x = x + (1 << (bits - 1));
     let (upper, above) = ((x >> 32) as i32, 32 - bits);
@@ -216,14 +216,13 @@ impl Div for Fixed {
     }
 }
 
-#[inline(never)]
 fn quotient(of: i32, by: i32) -> Fixed {
     if by == 0 {
         return Fixed(if of == 0 { 0 } else { of >> 31 ^ i32::MAX });
     }
-    let sign = (of ^ by) >> 31 | 1;
-    let steps = (((of as i64) << 17) / by as i64 + sign as i64) / 2;
-    Fixed(steps.clamp(i32::MIN as i64, i32::MAX as i64) as i32)
+    let steps = ((of.unsigned_abs() as u64) << 17) / by.unsigned_abs() as u64;
+    let steps = (steps + 1) as i64 / 2;
+    Fixed(if (of ^ by) < 0 { -steps } else { steps }.clamp(i32::MIN as i64, i32::MAX as i64) as i32)
 }
 
 impl Mul<Vec3> for Fixed {

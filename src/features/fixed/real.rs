@@ -5,11 +5,13 @@ use super::{Fixed, ONE, rounded};
 use crate::elementary::Elementary;
 use crate::real::{Exponent, Real};
 
+/// A Cortex-M0 multiplies 32 bits, and the compiler would call a routine for 64.
+const HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+
 /// The whole product of two numbers of steps.
 #[inline]
 pub(super) const fn product(a: i32, b: i32) -> i64 {
-    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
-        // a Cortex-M0 multiplies 32 bits, and the compiler would call a routine for 64
+    if HALVES {
         (upper(a, b) as i64) << 32 | a.wrapping_mul(b) as u32 as i64
     } else {
         a as i64 * b as i64
@@ -19,7 +21,7 @@ pub(super) const fn product(a: i32, b: i32) -> i64 {
 /// The upper half of a product.
 #[inline]
 const fn upper(a: i32, b: i32) -> i32 {
-    if cfg!(all(target_arch = "arm", not(target_has_atomic = "32"))) {
+    if HALVES {
         let (a_1, a_0, b_1, b_0) = (a >> 16, a & 0xFFFF, b >> 16, b & 0xFFFF);
         let low = (a_0 as u32).wrapping_mul(b_0 as u32) >> 16;
         let middle = a_1.wrapping_mul(b_0).wrapping_add(low as i32);
@@ -67,11 +69,17 @@ static ROOTS: [u8; 128] = {
     table
 };
 
-/// 2²⁸/x for x = `bits`/2³² from ½ on.
+/// 2²⁸/x for x = `bits`/2³² from ½ on, by Newton's method, too.
 #[inline]
 const fn reciprocal(bits: u32) -> u32 {
-    let root = reciprocal_root(bits) << 3;
-    upper_unsigned(root, root)
+    let root = 256 + ROOTS[(bits >> 25) as usize] as i32;
+    // y(1 − e), where e = xy² − 1 has 32 bits after the point
+    let first = root * root; // 16 bits
+    let e = (first as u32).wrapping_mul(bits >> 16) as i32;
+    let second = first - ((first * (e >> 12)) >> 20);
+    // once more
+    let e = (1 << 30) - upper_unsigned(bits, (second as u32) << 14) as i32;
+    ((second << 12) + (second.wrapping_mul(e >> 4) >> 14)) as u32
 }
 
 /// A vector times a power of two, with a component from 2³⁰ to 2³¹ unless it is 0.
@@ -131,25 +139,24 @@ pub(super) const fn unit_and_length(v: [Fixed; 3]) -> ([Fixed; 3], Fixed) {
     (unit, Fixed(length as i32))
 }
 
-/// color/(a + bq + cq²) where the denominator is at most 1, or beyond the range.
+/// 1/(a + bq + cq²) as x/2^s where the denominator is at most 1, or beyond the range: (x, s).
 #[cold]
-fn attenuated_beyond(color: [Fixed; 3], of: [Fixed; 4], is_large: bool) -> [Fixed; 3] {
-    let [a, b, c, q] = of.map(|x| x.0.max(0) as u64);
-    let slope = (b << 16) + c * q; // 32 bits after the point
+fn reciprocal_beyond([a, b, c, q]: [Fixed; 4], is_large: bool) -> (u32, u32) {
+    let steps = |x: Fixed| x.0.max(0) as u64;
+    let q = steps(q);
+    let slope = (steps(b) << 16) + steps(c) * q; // 32 bits after the point
     let (d, shift) = if is_large {
-        (
-            (slope >> 24).saturating_mul(q).saturating_add(a << 8) | 1,
-            68,
-        )
+        let d = (slope >> 24)
+            .saturating_mul(q)
+            .saturating_add(steps(a) << 8);
+        (d | 1, 68)
     } else {
-        ((a << 32).wrapping_add(slope.wrapping_mul(q)) | 1, 44)
+        let d = (steps(a) << 32).wrapping_add(slope.wrapping_mul(q));
+        (d | 1, 44)
     };
     let zeros = d.leading_zeros();
-    let factor = reciprocal((d << zeros >> 32) as u32) as i64;
-    let shift = (shift.max(zeros) - zeros).min(62);
-    let half = (1_i64 << shift) >> 1;
-    let clamped = |x: i64| Fixed(x.clamp(i32::MIN as i64, i32::MAX as i64) as i32);
-    color.map(|x| clamped((x.0 as i64 * factor + half) >> shift))
+    let share = reciprocal((d << zeros >> 32) as u32);
+    (share, (shift.max(zeros) - zeros).clamp(1, 62))
 }
 
 #[diagnostic::do_not_recommend] // the trait's own message names the types
@@ -223,21 +230,36 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn attenuated(color: [Self; 3], [a, b, c]: [Self; 3], q: Self, limit: Self) -> [Self; 3] {
-        let d = a + q * (b + c * q);
+    fn attenuated(
+        [red, green, blue]: [Self; 3],
+        [a, b, c]: [Self; 3],
+        q: Self,
+        limit: Self,
+    ) -> [Self; 3] {
+        let slope = rounded(product(c.0, q.0) + ((b.0 as i64) << 16), 16, 0);
+        let d = rounded(product(slope.0, q.0) + ((a.0 as i64) << 16), 16, 0);
         if d.0 > ONE && d != Self::MAX && limit.0 >= ONE {
             let zeros = d.0.leading_zeros();
-            let share = reciprocal((d.0 as u32) << zeros) << 3 >> (16 - zeros); // 31 bits after the point
-            color.map(|x| Self(((product(x.0, share as i32) + (1 << 30)) >> 31) as i32))
+            // 31 bits after the point
+            let share = (reciprocal((d.0 as u32) << zeros) << 3 >> (16 - zeros)) as i32;
+            let times = |x: Self| Self(((product(x.0, share) + (1 << 30)) >> 31) as i32);
+            [times(red), times(green), times(blue)]
         } else if d.0 == ONE && limit.0 >= ONE {
-            color
+            [red, green, blue]
         } else if d.0 < 0 {
             [Self(0); 3]
-        } else if limit == Self::MAX {
-            attenuated_beyond(color, [a, b, c, q], d.0 > ONE)
         } else {
-            let [factor, ..] = attenuated_beyond([Self(ONE); 3], [a, b, c, q], d.0 > ONE);
-            color.map(|x| x * factor.at_most(limit))
+            let (share, shift) = reciprocal_beyond([a, b, c, q], d.0 > ONE);
+            let times = |x: Self| {
+                let steps = (x.0 as i64 * share as i64 + (1_i64 << shift >> 1)) >> shift;
+                Self(steps.clamp(i32::MIN as i64, i32::MAX as i64) as i32)
+            };
+            if limit == Self::MAX {
+                [times(red), times(green), times(blue)]
+            } else {
+                let factor = times(Self(ONE)).at_most(limit);
+                [red * factor, green * factor, blue * factor]
+            }
         }
     }
 }
