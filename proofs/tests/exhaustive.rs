@@ -50,7 +50,7 @@ fn pairs<A: Copy, B: Copy>(a: &[A], b: &[B]) -> Vec<(A, B)> {
         .collect()
 }
 
-const CONSTANTS: [f64; 9] = [0.0, -0.0, 1.0, -1.0, 0.5, 2.5, 4.0, 14.0, INF];
+const CONSTANTS: [f64; 10] = [0.0, -0.0, 0.0625, 1.0, -1.0, 0.5, 2.5, 4.0, 14.0, INF];
 
 /// The operation with this number.
 #[allow(clippy::eq_op)] // a shape that a rule looks for
