@@ -7,10 +7,9 @@
 //! Sources: Higham, *Accuracy and Stability of Numerical Algorithms*, §3.3; *The Vulkan
 //! Specification*, "Precision and Operation of SPIR-V Instructions".
 
-use std::array::from_fn;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::scene::Triple;
+use crate::scene::{Number, Triple};
 
 /// How a renderer computes.
 #[derive(Clone, Copy, Debug, Default)]
@@ -115,28 +114,18 @@ impl Bounded {
         }
     }
 
-    pub fn sqrt(self) -> Self {
-        let value = self.value.sqrt();
-        // √x − √(x − e) = e/(√x + √(x − e))
-        let least = (self.value - self.error).max(0.0).sqrt();
-        let error = if self.error == 0.0 {
-            0.0
-        } else {
-            self.error / (value + least)
-        };
-        Self::rounded(value, error, FUNCTION, self.how)
-    }
-
     pub fn cos(self) -> Self {
         let error = self.error + FUNCTION * self.how.u; // absolute
         Self::rounded(self.value.cos(), error, 0.0, self.how)
     }
 
+    /// Another value with the same error.
+    fn with(self, value: f64) -> Self {
+        Self { value, ..self }
+    }
+
     pub fn abs(self) -> Self {
-        Self {
-            value: self.value.abs(),
-            ..self
-        }
+        self.with(self.value.abs())
     }
 
     pub fn at_least_zero(self) -> Self {
@@ -166,10 +155,7 @@ impl Bounded {
     }
 
     pub fn at_least(self, limit: f64) -> Self {
-        Self {
-            value: self.value.max(limit),
-            ..self
-        }
+        self.with(self.value.max(limit))
     }
 
     /// A monotone function of it.
@@ -184,10 +170,7 @@ impl Bounded {
     }
 
     pub fn at_most(self, limit: f64) -> Self {
-        Self {
-            value: self.value.min(limit),
-            ..self
-        }
+        self.with(self.value.min(limit))
     }
 
     /// `then` where this is positive. If the error leaves the sign undecided, the renderer may have
@@ -232,13 +215,24 @@ impl Bounded {
     }
 }
 
+impl Number for Bounded {
+    fn root(self) -> Self {
+        let value = self.value.sqrt();
+        // √x − √(x − e) = e/(√x + √(x − e))
+        let least = (self.value - self.error).max(0.0).sqrt();
+        let error = if self.error == 0.0 {
+            0.0
+        } else {
+            self.error / (value + least)
+        };
+        Self::rounded(value, error, FUNCTION, self.how)
+    }
+}
+
 impl Neg for Bounded {
     type Output = Self;
     fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            ..self
-        }
+        self.with(-self.value)
     }
 }
 
@@ -296,33 +290,4 @@ pub fn rounded(x: f64, u: f64) -> f64 {
 
 pub fn given3(v: Triple, how: Arithmetic) -> Bounded3 {
     v.map(|c| Bounded::given(c, how))
-}
-
-pub fn dot(a: Bounded3, b: Bounded3) -> Bounded {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub fn add(a: Bounded3, b: Bounded3) -> Bounded3 {
-    from_fn(|i| a[i] + b[i])
-}
-
-pub fn subtract(a: Bounded3, b: Bounded3) -> Bounded3 {
-    from_fn(|i| a[i] - b[i])
-}
-
-pub fn multiply(a: Bounded3, b: Bounded3) -> Bounded3 {
-    from_fn(|i| a[i] * b[i])
-}
-
-pub fn scale(a: Bounded3, factor: Bounded) -> Bounded3 {
-    a.map(|c| c * factor)
-}
-
-pub fn length(a: Bounded3) -> Bounded {
-    dot(a, a).sqrt()
-}
-
-pub fn unit(a: Bounded3) -> Bounded3 {
-    let length = length(a);
-    a.map(|c| c / length)
 }

@@ -9,9 +9,6 @@ use crate::scene::{Kind, Light, Model, Scene, Triple, add, scale};
 /// Changes when scenes are added, so that a report says which edges it has tried.
 pub const VERSION: u32 = 4;
 
-/// The most lights that a scene of the corpus has.
-pub const MOST_LIGHTS: usize = 1024;
-
 const BLACK: Triple = [0.0; 3];
 const UP: Triple = [0.0, 0.0, 1.0];
 
@@ -274,7 +271,7 @@ impl Corpus<'_> {
 
     /// Whole and real exponents up to the largest, each at its peak and on its slope.
     fn shininess(&mut self) {
-        let most = self.profile.most_m();
+        let most = self.profile.shininess(self.profile.most_shiny);
         let known = [
             1.0, 1.5, 2.75, 9.6, 31.3, 32.0, 50.5, 64.0, 99.5, 110.25, 127.5, 128.0, 129.0, 190.4,
             256.0, 301.7, 1000.0, 4000.0,
@@ -332,7 +329,7 @@ impl Corpus<'_> {
     /// As many lights as it has: all alike, and each in turn the brightest.
     #[allow(clippy::cast_precision_loss)] // the count of lights
     fn many_lights(&mut self) {
-        let most = self.profile.most_lights.min(MOST_LIGHTS);
+        let most = self.profile.most_lights;
         let mut counts = vec![most, most.saturating_sub(1), 5, 9, 17];
         counts.retain(|count| (2..=most).contains(count));
         counts.sort_unstable();

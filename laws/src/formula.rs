@@ -1,12 +1,10 @@
 //! The formulas, once: what bounds a renderer's error, gives the colors of mistakes, and plants them. Every ingredient
 //! passes a hook, where a mistake may change it.
 
-use crate::bounded::{
-    Arithmetic, Bounded, Bounded3, add, dot, given3, length, multiply, scale, subtract, unit,
-};
+use crate::bounded::{Arithmetic, Bounded, Bounded3, given3};
 use crate::mistakes::Fault;
 use crate::profile::{Profile, to_srgb};
-use crate::scene::{Kind, Light, Model, Scene, Triple, mul};
+use crate::scene::{Kind, Light, Model, Scene, Triple, add, dot, length, mul, scale, sub, unit};
 
 /// An ingredient, in the order of the computation. A number is a triple of three alike, so that one operation fits any.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -144,7 +142,7 @@ impl At {
     /// R·V, where R = 2(N·L)N − L, or N·H.
     pub fn cosine_of(&self, n: Bounded3, l: Bounded3, twice: f64) -> Bounded {
         if self.model == Model::Phong {
-            let r = subtract(scale(n, Bounded::exact(twice) * dot(n, l)), l);
+            let r = sub(scale(n, Bounded::exact(twice) * dot(n, l)), l);
             dot(r, self.v)
         } else {
             dot(n, unit(add(l, self.v)))
@@ -259,7 +257,7 @@ impl<'a> Formula<'a> {
         at.m = self.number(Part::M, at, Bounded::exact(scene.m)).value;
         at.k_a = self.hook(Part::Ka, at, given3(scene.k_a, how));
         at.i_a = self.hook(Part::Ia, at, given3(scene.i_a, how));
-        at.ambient = self.hook(Part::Ambient, at, multiply(at.k_a, at.i_a));
+        at.ambient = self.hook(Part::Ambient, at, mul(at.k_a, at.i_a));
         at.ambients = self.hook(Part::Once, at, at.ambient);
     }
 
@@ -278,7 +276,7 @@ impl<'a> Formula<'a> {
             at.position = self.hook(Part::Position, at, given3(position, how));
             // the renderer may take both to another frame first, such as that of the eye, and round them there
             let off = how.u * scene.extent(position);
-            let way = subtract(at.position, at.p).map(|c| c.looser(off));
+            let way = sub(at.position, at.p).map(|c| c.looser(off));
             at.way = self.hook(Part::Way, at, way);
             at.q = self.number(Part::Q, at, length(at.way));
             at.l = self.hook(Part::L, at, unit(at.way));
@@ -310,7 +308,7 @@ impl<'a> Formula<'a> {
         at.n = self.hook(Part::OfThisLight, at, at.n);
         (at.n_l, at.sum) = (dot(at.n, at.l), add(at.l, at.v));
         let lambert = self.number(Part::Lambert, at, at.n_l.at_least_zero());
-        let diffuse = scale(multiply(at.k_d, matte), lambert);
+        let diffuse = scale(mul(at.k_d, matte), lambert);
         let diffuse = self.hook(Part::Diffuse, at, diffuse);
         let mut specular = BLACK;
         if at.model != Model::Lambert {
@@ -324,7 +322,7 @@ impl<'a> Formula<'a> {
             let gate = self.number(Part::Gate, at, at.n_l.if_positive(ONE, ZERO));
             let k_s = self.hook(Part::Reflectance, at, at.k_s);
             let factor = (gate - Bounded::exact(0.5)).if_positive(power, ZERO);
-            specular = self.hook(Part::Specular, at, scale(multiply(k_s, shiny), factor));
+            specular = self.hook(Part::Specular, at, scale(mul(k_s, shiny), factor));
         }
         let of_light = self.hook(Part::OfLight, at, add(diffuse, specular));
         let too = self.hook(Part::AmbientToo, at, BLACK);
@@ -364,7 +362,7 @@ impl<'a> Formula<'a> {
         let mut condition = 1.0_f64;
         for light in &scene.lights {
             if let Some((position, _)) = light.lamp() {
-                let q = crate::scene::length(crate::scene::sub(position, scene.p));
+                let q = length(sub(position, scene.p));
                 condition = condition.max(1.0 + scene.extent(position) / q);
             }
             let (intensity, left) = (light.intensity(), light.falloff(scene.p));

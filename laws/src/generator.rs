@@ -5,14 +5,13 @@
 //! lamps of long scenes stand as near as 2⁻¹⁰ and as far as 2¹⁴.
 
 use std::array::from_fn;
+use std::f64::consts::FRAC_PI_2;
 
 use serde::{Deserialize, Serialize};
 
-use crate::profile::{MOST_SHINY, Profile};
+use crate::profile::Profile;
 use crate::random::Random;
-use crate::scene::{Kind, Light, Scene, Triple, length, unit};
-
-type Integers = [i32; 3];
+use crate::scene::{Kind, Light, Scene, Triple, add, dot, length, scale, size, sub, unit};
 
 /// A scene, and what the laws vary it by.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -24,26 +23,9 @@ pub struct Case {
     pub factors: [f64; 3],
 }
 
-impl Case {
-    /// A scene that no law varies.
-    pub fn of(scene: Scene) -> Self {
-        Self {
-            scene,
-            ways: [[0.0, 0.0, 1.0]; 3],
-            factors: [1.0; 3],
-        }
-    }
-}
-
-fn dot(a: Integers, b: Integers) -> i32 {
-    (0..3).map(|i| a[i] * b[i]).sum()
-}
-
-/// The integers as a vector whose largest component is from 1 to 2, by a power of two.
-fn vector(integers: Integers) -> Triple {
-    let largest = integers.map(i32::unsigned_abs).into_iter().max();
-    let scale = f64::from(1_u32 << largest.unwrap_or(1).max(1).ilog2());
-    integers.map(|c| f64::from(c) / scale)
+/// A vector of small whole numbers, with its largest component from 1 to 2 by a power of two.
+fn vector(v: Triple) -> Triple {
+    v.map(|c| c / size(v).max(1.0).log2().floor().exp2())
 }
 
 /// A random scene.
@@ -61,7 +43,7 @@ impl Generator<'_> {
         // which numbers of the scene are long
         let is_long = self.random.once_in(2);
         let (profile, n) = (self.profile, self.integers());
-        let p = [(); 3].map(|()| f64::from(self.random.integer(-8, 8)) / 4.0);
+        let p = [(); 3].map(|()| self.random.integer(-8, 8) / 4.0);
         let p = if is_long { self.long_point(p) } else { p };
         let ([k_a, k_d, k_s], m) = self.material(is_long);
         let i_a = self.color(profile.brightest(), is_long);
@@ -106,39 +88,39 @@ impl Generator<'_> {
         Case {
             scene,
             ways: [(); 3].map(|()| vector(self.way(n))),
-            factors: [(); 3].map(|()| f64::from(self.random.integer(1, 8))),
+            factors: [(); 3].map(|()| self.random.integer(1, 8)),
         }
     }
 
-    /// An integer vector that is not 0.
-    fn integers(&mut self) -> Integers {
+    /// A vector of small whole numbers that is not 0.
+    fn integers(&mut self) -> Triple {
         let v = [(); 3].map(|()| {
             let most = if self.random.once_in(4) { 60 } else { 4 };
             self.random.integer(-most, most)
         });
-        if v == [0; 3] { [0, 0, 1] } else { v }
+        if size(v) > 0.0 { v } else { [0.0, 0.0, 1.0] }
     }
 
     /// A vector, mostly within 90° of the normal.
-    fn way(&mut self, n: Integers) -> Integers {
+    fn way(&mut self, n: Triple) -> Triple {
         let any = self.integers();
         let way = match self.random.below(17) {
-            0..=9 if dot(any, n) < 0 => any.map(|c| -c),
+            0..=9 if dot(any, n) < 0.0 => scale(any, -1.0),
             0..=13 => any,
             14 => from_fn(|i| {
                 let (j, k) = ((i + 1) % 3, (i + 2) % 3);
                 any[j] * n[k] - any[k] * n[j] // perpendicular
             }),
             15 => n,
-            _ => n.map(|c| -c),
+            _ => scale(n, -1.0),
         };
-        if way == [0; 3] { n } else { way }
+        if size(way) > 0.0 { way } else { n }
     }
 
     /// Where the first light is mirrored, or near there, so that the highlight is bright.
-    fn mirrored(&mut self, n: Integers, first: Integers, m: f64, is_long: bool) -> Triple {
-        let (twice, square) = (2 * dot(n, first), dot(n, n));
-        let exact = vector(from_fn(|i| twice * n[i] - square * first[i]));
+    fn mirrored(&mut self, n: Triple, first: Triple, m: f64, is_long: bool) -> Triple {
+        let (twice, square) = (2.0 * dot(n, first), dot(n, n));
+        let exact = vector(sub(scale(n, twice), scale(first, square)));
         if !is_long {
             return exact;
         }
@@ -162,7 +144,7 @@ impl Generator<'_> {
         if is_long && self.random.once_in(2) {
             self.profile.rounded(self.random.real(0.0, most))
         } else {
-            f64::from(self.random.integer(0, 8)) * most / 8.0
+            self.random.integer(0, 8) * most / 8.0
         }
     }
 
@@ -182,9 +164,9 @@ impl Generator<'_> {
         if self.profile.gray_highlight {
             k_s = [k_s[0]; 3];
         }
-        let most = self.profile.most_shiny.min(MOST_SHINY);
+        let most = self.profile.most_shiny;
         let m = match self.random.below(4) {
-            0 | 1 => f64::from(self.random.integer(4, 40)) / 4.0,
+            0 | 1 => self.random.integer(4, 40) / 4.0,
             2 => (4.0 * self.random.real(1.0, most)).floor() / 4.0,
             _ if is_long => self.random.scale(1.0, most),
             _ => self.random.scale(1.0, most).round(),
@@ -202,12 +184,10 @@ impl Generator<'_> {
             1 if is_long => self.random.scale(0.25, 8.0),
             _ => short,
         };
-        let position: Triple = from_fn(|i| {
-            let c = p[i] + distance * way[i];
-            if is_long { profile.rounded(c) } else { c }
-        });
+        let position = add(p, scale(way, distance));
+        let position = position.map(|c| if is_long { profile.rounded(c) } else { c });
         let (position, distance) = if position == p {
-            (from_fn(|i| p[i] + short * way[i]), short)
+            (add(p, scale(way, short)), short)
         } else {
             (position, distance)
         };
@@ -237,7 +217,7 @@ impl Generator<'_> {
 
     /// a, b and c: short ones, or such that the light is neither gone nor endless at the distance.
     fn attenuation(&mut self, q: f64, is_long: bool) -> Triple {
-        let eighth = |random: &mut Random| f64::from(random.integer(0, 8)) / 8.0;
+        let eighth = |random: &mut Random| random.integer(0, 8) / 8.0;
         if self.profile.unattenuated {
             return [1.0, 0.0, 0.0];
         }
@@ -259,14 +239,12 @@ impl Generator<'_> {
 
     /// An axis and an angle, such that the cone often ends near the point.
     fn spot(&mut self, way: Triple, is_long: bool) -> (Triple, f64) {
-        let aim: Triple = from_fn(|i| f64::from(self.random.integer(-2, 2)) / 4.0 - way[i]);
+        let aim = sub([(); 3].map(|()| self.random.integer(-2, 2) / 4.0), way);
         let aim = if aim == [0.0; 3] { way } else { aim };
         let axis = self.profile.unit(aim);
-        let short = f64::from(self.random.integer(5, 90));
+        let short = self.random.integer(5, 90);
         let l = unit(way);
-        let off = (-(0..3).map(|i| axis[i] * l[i]).sum::<f64>())
-            .clamp(-1.0, 1.0)
-            .acos();
+        let off = (-dot(axis, l)).clamp(-1.0, 1.0).acos();
         let degrees = match self.random.below(3) {
             0 if is_long => self.random.real(5.0, 90.0),
             1 if is_long => {
@@ -275,16 +253,8 @@ impl Generator<'_> {
             }
             _ => short,
         };
-        let degrees = if (1.0..=90.0).contains(&degrees) {
-            degrees
-        } else {
-            short
-        };
-        (
-            axis,
-            self.profile.rounded(degrees.to_radians()).min(RIGHT_ANGLE),
-        )
+        let is_usual = (1.0..=90.0).contains(&degrees);
+        let angle = if is_usual { degrees } else { short }.to_radians();
+        (axis, self.profile.rounded(angle).min(FRAC_PI_2))
     }
 }
-
-const RIGHT_ANGLE: f64 = std::f64::consts::FRAC_PI_2;

@@ -25,7 +25,6 @@ mod shrink;
 
 // a run: what it saw, what it may conclude, and what it says
 mod cause;
-mod coverage;
 mod place;
 mod plan;
 mod report;
@@ -35,10 +34,8 @@ mod run;
 mod tests;
 
 pub use cause::Cause;
-pub use coverage::Exercised;
 pub use mistakes::Fault;
 pub use place::Place;
-pub use plan::Plan;
 pub use profile::Profile;
 pub use renderer::{Renderer, from_fn};
 pub use report::{Counterexample, Finding, LawReport, Report, Verdict};

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::edit::KNOBS;
-use crate::generator::Case;
+use crate::plan::Tried;
 use crate::profile::Profile;
 use crate::shrink::is_valid;
 
@@ -16,64 +16,74 @@ pub struct Place {
     pub also_without: Vec<&'static str>,
 }
 
-/// Broken cases, from each of which one thing at a time is taken out.
+/// Broken cases without one thing each.
 pub struct Edits {
-    broken: Vec<Case>,
-    /// What is asked, with the edit and the place of the broken case.
-    pub edited: Vec<Case>,
-    pub of: Vec<(usize, usize)>,
+    /// The number of broken cases.
+    count: usize,
+    pub cases: Vec<Tried>,
+    /// For each the edit, the broken case, and whether it is still broken.
+    of: Vec<(usize, usize, bool)>,
 }
 
 impl Edits {
-    pub fn new(broken: Vec<Case>, profile: &Profile) -> Self {
-        let (mut edited, mut of) = (Vec::new(), Vec::new());
+    /// Takes things out of cases, and asks which ones are still broken, if anything answers.
+    pub fn new(
+        broken: &[Tried],
+        profile: &Profile,
+        ask: &mut impl FnMut(&[Tried]) -> Option<Vec<bool>>,
+    ) -> Option<Self> {
+        let (mut cases, mut of) = (Vec::new(), Vec::new());
         for (k, knob) in KNOBS.iter().enumerate() {
-            for (i, case) in broken.iter().enumerate() {
-                let mut other = case.clone();
-                (knob.edit)(&mut other.scene, profile);
-                if other != *case && is_valid(&other, profile) {
-                    edited.push(other);
-                    of.push((k, i));
+            for (i, tried) in broken.iter().enumerate() {
+                let mut case = tried.case.clone();
+                (knob.edit)(&mut case.scene, profile);
+                if case != tried.case && is_valid(&case, profile) {
+                    if let Some(tried) = Tried::new(tried.law, case, profile) {
+                        cases.push(tried);
+                        of.push((k, i));
+                    }
                 }
             }
         }
-        Self { broken, edited, of }
+        let is_broken = ask(&cases)?;
+        let of = of.into_iter().zip(is_broken);
+        Some(Self {
+            count: broken.len(),
+            of: of.map(|((knob, case), is)| (knob, case, is)).collect(),
+            cases,
+        })
     }
 
-    /// The place of some of the broken cases, if these of the edited ones are still broken.
-    pub fn place(&self, still_broken: &[bool], is_meant: impl Fn(usize) -> bool) -> Place {
+    fn count(&self, knob: usize, is_broken: bool, is_meant: impl Fn(usize) -> bool) -> usize {
+        let edits = self.of.iter();
+        let meant = edits.filter(|(k, i, is)| (*k, *is) == (knob, is_broken) && is_meant(*i));
+        meant.count()
+    }
+
+    /// The place of some of the broken cases.
+    pub fn place(&self, is_meant: impl Fn(usize) -> bool) -> Place {
         let mut place = Place::default();
-        let meant = (0..self.broken.len())
-            .filter(|case| is_meant(*case))
-            .count();
+        let meant = (0..self.count).filter(|case| is_meant(*case)).count();
         for (k, knob) in KNOBS.iter().enumerate() {
-            let count = |broken: bool| {
-                let edits = self.of.iter().zip(still_broken);
-                edits
-                    .filter(|((of, case), is)| *of == k && **is == broken && is_meant(*case))
-                    .count()
-            };
-            let repaired = count(false);
+            let repaired = self.count(k, false, &is_meant);
             if repaired > 0 && repaired * 10 >= meant * 9 {
                 place.only_with.push(knob.id);
-            } else if count(true) > repaired {
+            } else if self.count(k, true, &is_meant) > repaired {
                 place.also_without.push(knob.id);
             }
         }
         place
     }
 
-    /// The edit that repairs the most cases, those that it repairs, and the others after it: two things may be wrong.
-    pub fn split(&self, still_broken: &[bool]) -> Option<(Vec<usize>, Vec<usize>)> {
-        let by = |k: usize, broken: bool| {
-            let edits = self.of.iter().zip(still_broken).enumerate();
-            edits.filter(move |(_, ((of, _), is))| *of == k && **is == broken)
-        };
-        let best = (0..KNOBS.len())
-            .rev()
-            .max_by_key(|k| by(*k, false).count())?;
-        let repaired: Vec<usize> = by(best, false).map(|(_, ((_, case), _))| *case).collect();
-        let left = by(best, true).map(|(edit, _)| edit).collect();
-        (repaired.len() * 5 >= self.broken.len()).then_some((repaired, left))
+    /// The cases that the most helpful edit repairs, and the others after it: two things may be wrong.
+    pub fn split(&self) -> Option<(Vec<usize>, Vec<Tried>)> {
+        let knobs = (0..KNOBS.len()).rev();
+        let best = knobs.max_by_key(|k| self.count(*k, false, |_| true))?;
+        let of_best = self.of.iter().zip(&self.cases);
+        let of_best = of_best.filter(|((k, ..), _)| *k == best);
+        let (left, repaired): (Vec<_>, Vec<_>) = of_best.partition(|((.., is), _)| *is);
+        let repaired: Vec<usize> = repaired.iter().map(|((_, i, _), _)| *i).collect();
+        let left = left.into_iter().map(|(_, tried)| tried.clone()).collect();
+        (repaired.len() * 5 >= self.count).then_some((repaired, left))
     }
 }

@@ -5,7 +5,6 @@ use std::ops::Range;
 use crate::bounded::Bounded3;
 use crate::claim::Group;
 use crate::corpus;
-use crate::coverage::Coverage;
 use crate::formula::Formula;
 use crate::generator::{self, Case};
 use crate::law::{LAWS, Law};
@@ -18,17 +17,13 @@ use crate::scene::{Light, Scene, Triple};
 const SIZES: [usize; 4] = [1, 4, 32, 256];
 
 /// All cases of a run over renderers of one profile.
-#[derive(Clone)]
 pub struct Plan {
-    pub(crate) laws: Laws,
-    pub(crate) profile: Profile,
-    pub(crate) tries: Vec<Tries>,
-    /// What all cases exercise.
-    pub(crate) coverage: Coverage,
+    pub laws: Laws,
+    pub profile: Profile,
+    pub tries: Vec<Tries>,
 }
 
 /// The cases of a law.
-#[derive(Clone)]
 pub struct Tries {
     pub law: &'static Law,
     /// Why it is not tried, if it is not.
@@ -36,21 +31,23 @@ pub struct Tries {
     pub cases: Vec<Tried>,
 }
 
-/// A case, its scenes, and for each the linear light of the formulas and its conditioning.
+/// A case of a law, its scenes, and for each the linear light of the formulas and its conditioning.
 #[derive(Clone)]
 pub struct Tried {
+    pub law: &'static Law,
     pub case: Case,
     pub group: Group,
     pub known: Vec<(Bounded3, (f64, Triple))>,
 }
 
 impl Tried {
-    pub fn new(law: &Law, case: Case, profile: &Profile) -> Option<Self> {
+    pub fn new(law: &'static Law, case: Case, profile: &Profile) -> Option<Self> {
         let group = law.group(case.clone(), profile)?;
         let formula = Formula::new(profile, &[]);
         let scenes = group.scenes.iter();
         let known = scenes.map(|scene| (formula.linear(scene), formula.conditioning(scene)));
         Some(Self {
+            law,
             known: known.collect(),
             case,
             group,
@@ -59,33 +56,24 @@ impl Tried {
 }
 
 impl Plan {
-    pub(crate) fn new(laws: &Laws, profile: &Profile, replayed: &[(&str, Case)]) -> Self {
+    pub fn new(laws: &Laws, profile: &Profile, replayed: &[(&str, Case)]) -> Self {
         let edges = corpus::edges(profile);
         let chosen = LAWS.iter().filter(|law| laws.tries(law.name));
-        let tries = chosen.map(|law| Tries {
-            law,
-            lacks: law.lacks(profile),
-            cases: if law.lacks(profile).is_some() {
-                Vec::new()
-            } else {
-                cases(law, laws, profile, &edges, replayed)
-            },
+        let tries = chosen.map(|law| {
+            let lacks = law.lacks(profile);
+            let cases = || cases(law, laws, profile, &edges, replayed);
+            let cases = lacks.map_or_else(cases, |_| Vec::new());
+            Tries { law, lacks, cases }
         });
-        let mut plan = Self {
+        Self {
             laws: laws.clone(),
             profile: profile.clone(),
             tries: tries.collect(),
-            coverage: Coverage::default(),
-        };
-        let scenes = plan.tries.iter().flat_map(|tries| &tries.cases);
-        for scene in scenes.flat_map(|tried| &tried.group.scenes) {
-            plan.coverage.note(scene, profile);
         }
-        plan
     }
 
     /// The batches of a run: a law and some of its cases.
-    pub(crate) fn batches(&self) -> Vec<(usize, Range<usize>)> {
+    pub fn batches(&self) -> Vec<(usize, Range<usize>)> {
         let most = self.tries.iter().map(|tries| tries.cases.len()).max();
         let (mut batches, mut start, mut sizes) = (Vec::new(), 0, SIZES.iter());
         while start < most.unwrap_or(0) {
@@ -100,42 +88,11 @@ impl Plan {
         }
         batches
     }
-
-    /// The scenes of some cases, each once where the law asks twice.
-    pub(crate) fn asked(law: &Law, cases: &[Tried]) -> Vec<Scene> {
-        let of = |tried: &Tried| {
-            let once = if law.asks_twice() {
-                1
-            } else {
-                tried.group.scenes.len()
-            };
-            tried.group.scenes[..once].to_vec()
-        };
-        cases.iter().flat_map(of).collect()
-    }
-
-    /// What the renderer says of itself.
-    #[must_use]
-    pub fn profile(&self) -> &Profile {
-        &self.profile
-    }
-
-    /// Every scene in the order in which a renderer gets it.
-    pub fn scenes(&self) -> impl Iterator<Item = Scene> {
-        self.batches().into_iter().flat_map(|(law, range)| {
-            let Tries { law, cases, .. } = &self.tries[law];
-            let scenes = Self::asked(law, &cases[range]);
-            let times = if law.asks_twice() { 2 } else { 1 };
-            let all = (0..times).flat_map(|_| &scenes);
-            let handed = all.map(|scene| handed(scene, &self.profile));
-            handed.collect::<Vec<_>>()
-        })
-    }
 }
 
 /// The cases of a law: those of another run, and edges and random ones.
 fn cases(
-    law: &Law,
+    law: &'static Law,
     laws: &Laws,
     profile: &Profile,
     edges: &[Case],
@@ -150,23 +107,21 @@ fn cases(
     let mut mixed: Vec<Tried> = edges.filter_map(tried).collect();
     let of_random = (0..100 * laws.cases).map(|_| generator::case(profile, &mut random));
     mixed.extend(of_random.filter_map(tried).take(laws.cases));
-    for i in (1..mixed.len()).rev() {
-        mixed.swap(i, random.below(i + 1));
-    }
+    random.shuffle(&mut mixed);
     let replayed = replayed.iter().filter(|(name, _)| *name == law.name);
     let replayed = replayed.filter_map(|(_, case)| tried(case.clone()));
     replayed.chain(mixed).collect()
 }
 
-/// A scene as the renderer gets it.
-pub fn handed(scene: &Scene, profile: &Profile) -> Scene {
-    let mut scene = scene.clone();
-    if profile.whole_angle {
-        for light in &mut scene.lights {
-            if let Light::Spot { half_angle, .. } = light {
-                *half_angle *= 2.0;
-            }
+/// The scenes of some cases, as the renderer gets them.
+pub fn handed(cases: &[Tried], profile: &Profile) -> Vec<Scene> {
+    let scenes = cases.iter().flat_map(|tried| &tried.group.scenes);
+    let mut scenes: Vec<Scene> = scenes.cloned().collect();
+    let lights = scenes.iter_mut().flat_map(|scene| &mut scene.lights);
+    for light in lights.filter(|_| profile.whole_angle) {
+        if let Light::Spot { half_angle, .. } = light {
+            *half_angle *= 2.0;
         }
     }
-    scene
+    scenes
 }

@@ -39,9 +39,9 @@ pub struct Profile {
     pub ambient: bool,
     /// The kinds of light that it has.
     pub lights: Vec<Kind>,
-    /// The most lights in a scene.
+    /// The most lights in a scene, up to 1024.
     pub most_lights: usize,
-    /// The largest shininess.
+    /// The largest shininess, up to 65536.
     pub most_shiny: f64,
     /// Its shininess is an integer.
     pub integer_shininess: bool,
@@ -82,9 +82,6 @@ pub struct Profile {
     /// The ambient term is multiplied by k_d: it is k_a k_d I_a.
     pub ambient_times_diffuse: bool,
 }
-
-/// The largest shininess that is tried, where the renderer has no limit.
-pub const MOST_SHINY: f64 = 65536.0;
 
 impl Default for Profile {
     fn default() -> Self {
@@ -132,34 +129,32 @@ impl Profile {
 
     /// Why the profile is contradictory, if it is.
     #[must_use]
+    #[allow(clippy::cast_precision_loss)] // the count of lights
     pub fn complaint(&self) -> Option<String> {
-        let complaint = if !(self.roundoff > 0.0 && self.roundoff < 0.01) {
-            format!("roundoff is {}, not between 0 and 0.01", self.roundoff)
-        } else if self.models.is_empty() {
-            "models is empty".into()
-        } else if self.lights.is_empty() {
-            "it has no kind of light".into()
-        } else if self.most_lights == 0 {
-            "most_lights is 0".into()
-        } else if self.most_shiny.is_nan() || self.most_shiny < 1.0 {
-            format!("most_shiny is {}, below 1", self.most_shiny)
-        } else if self.unlit_without_lights
-            && (self.black_without_lights || self.attenuated_ambient)
-        {
-            "unlit_without_lights goes with neither black_without_lights nor attenuated_ambient"
-                .into()
-        } else if !(0.0..=128.0).contains(&self.spot_exponent) {
-            format!("spot_exponent is {}, not from 0 to 128", self.spot_exponent)
-        } else if self.bits.is_some_and(|bits| !(4..=32).contains(&bits)) {
-            format!("bits is {}, not from 4 to 32", self.bits.unwrap_or(0))
-        } else if let Some([low, high]) = self.clamps.filter(|[low, high]| {
-            !(low.is_finite() && high.is_finite() && *low <= 0.0 && *high >= 0.5)
-        }) {
-            format!("clamps is [{low}, {high}], which leaves out colors from 0 to 0.5")
-        } else {
-            return None;
+        let outside = |name: &str, x: f64, [low, high]: [f64; 2]| {
+            let is_outside = !(low..=high).contains(&x);
+            is_outside.then(|| format!("{name} is {x}, not from {low:?} to {high:?}"))
         };
-        Some(complaint)
+        let is = |is_wrong: bool, what: &str| is_wrong.then(|| what.to_owned());
+        let [low, high] = self.clamps.unwrap_or([0.0, 1.0]);
+        let is_clamped = low <= 0.0 && high >= 0.5 && high - low < f64::INFINITY;
+        let is_other = self.black_without_lights || self.attenuated_ambient;
+        let is_two = self.unlit_without_lights && is_other;
+        let complaints = [
+            outside("roundoff", self.roundoff, [1e-40, 0.01]),
+            outside("most_lights", self.most_lights as f64, [1.0, 1024.0]),
+            outside("most_shiny", self.most_shiny, [1.0, 65536.0]),
+            outside("spot_exponent", self.spot_exponent, [0.0, 128.0]),
+            outside("bits", self.bits.unwrap_or(8).into(), [4.0, 32.0]),
+            is(self.models.is_empty(), "models is empty"),
+            is(self.lights.is_empty(), "lights is empty"),
+            is(!is_clamped, "clamps leaves out colors from 0 to 0.5"),
+            is(
+                is_two,
+                "without lights, it cannot be unlit and something else",
+            ),
+        ];
+        complaints.into_iter().flatten().next()
     }
 
     pub(crate) fn has(&self, kind: Kind) -> bool {
@@ -168,11 +163,6 @@ impl Profile {
 
     pub(crate) fn has_highlights(&self) -> bool {
         self.models.iter().any(|model| *model != Model::Lambert)
-    }
-
-    /// The largest shininess that is tried.
-    pub(crate) fn most_m(&self) -> f64 {
-        self.shininess(self.most_shiny.min(MOST_SHINY))
     }
 
     /// The shininess of the renderer that is nearest to m.

@@ -29,11 +29,10 @@ impl Random {
         (self.next() % count.max(1) as u64) as usize
     }
 
-    /// From `low` to `high`, both included.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap)] // small numbers
-    #[allow(clippy::cast_sign_loss)]
-    pub fn integer(&mut self, low: i32, high: i32) -> i32 {
-        low + self.below((high - low + 1) as usize) as i32
+    /// A whole number from `low` to `high`, both included.
+    #[allow(clippy::cast_precision_loss)] // small numbers
+    pub fn integer(&mut self, low: i16, high: i16) -> f64 {
+        f64::from(low) + self.below(usize::from(high.abs_diff(low)) + 1) as f64
     }
 
     /// From 0 to below 1.
@@ -59,5 +58,11 @@ impl Random {
 
     pub fn one_of<T: Copy>(&mut self, values: &[T]) -> T {
         values[self.below(values.len())]
+    }
+
+    pub fn shuffle<T>(&mut self, values: &mut [T]) {
+        for i in (1..values.len()).rev() {
+            values.swap(i, self.below(i + 1));
+        }
     }
 }

@@ -1,11 +1,10 @@
 //! What a run found, as text, as JSON and as JUnit's XML.
 
-use std::fmt::{self, Write};
+use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
 use crate::cause::Cause;
-use crate::coverage::Exercised;
 use crate::generator::Case;
 use crate::mistakes::Fault;
 use crate::place::Place;
@@ -20,14 +19,10 @@ pub struct Report {
     pub(crate) corpus: u32,
     /// The seed of the scenes.
     pub seed: u64,
-    /// What ended the run before all laws were tried.
+    /// What ended the run, or the search for smaller scenes and for places, early.
     pub error: Option<String>,
-    /// What ended the search for smaller scenes and for places.
-    pub stopped: Option<String>,
     /// The broken laws, those together that one cause breaks.
     pub findings: Vec<Finding>,
-    /// What was exercised of what the renderer says it has. It is empty where laws were chosen.
-    pub exercised: Vec<Exercised>,
     /// Every law.
     pub laws: Vec<LawReport>,
     /// What the renderer said of itself.
@@ -155,13 +150,10 @@ impl Report {
         self.laws.iter().any(LawReport::is_broken)
     }
 
-    /// Whether all is well: no law is broken but those that are known to be, those are, and all that the renderer says
-    /// it has was exercised.
+    /// Whether all is well: no law is broken but those that are known to be, and those are.
     #[must_use]
     pub fn passes(&self) -> bool {
-        self.error.is_none()
-            && self.laws.iter().all(|law| law.failure().is_none())
-            && self.unexercised().is_empty()
+        self.error.is_none() && self.laws.iter().all(|law| law.failure().is_none())
     }
 
     /// The smallest case of each broken law, one a line, to be stored and given to
@@ -178,12 +170,6 @@ impl Report {
         self.laws.iter().filter_map(line).collect()
     }
 
-    /// What was declared and not exercised, in words.
-    fn unexercised(&self) -> Vec<String> {
-        let missing = self.exercised.iter().filter(|one| !one.is_all());
-        missing.map(ToString::to_string).collect()
-    }
-
     /// The report as one JSON object.
     ///
     /// ```
@@ -191,15 +177,15 @@ impl Report {
     ///
     /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
     /// let json = Laws::default().run(&mut black).unwrap().to_json();
-    /// assert!(json.starts_with(r#"{"passes":false,"version":3,"corpus":4,"seed":0,"#));
+    /// assert!(json.starts_with(r#"{"passes":false,"version":4,"corpus":4,"seed":0,"#));
     /// ```
     #[must_use]
     pub fn to_json(&self) -> String {
         format!("{{\"passes\":{},{}", self.passes(), &json(self)[1..])
     }
 
-    /// The report as JUnit's XML: a test case for each law, and one for what was exercised. A law that was not tried is
-    /// skipped, and so is one that is known to be broken.
+    /// The report as JUnit's XML: a test case for each law. A law that was not tried is skipped, and so is one that is known
+    /// to be broken.
     ///
     /// ```
     /// use shading_laws::{Laws, Profile, from_fn};
@@ -207,50 +193,32 @@ impl Report {
     /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
     /// let laws = Laws { only: vec!["eye".into()], ..Laws::default() };
     /// let report = laws.run(&mut black).unwrap();
-    /// assert!(report.to_junit().contains("<testcase classname=\"shading-laws\" name=\"eye\"/>"));
+    /// assert!(report.to_junit().contains("<testcase classname=\"shading-laws\" name=\"eye\"></testcase>"));
     /// ```
     #[must_use]
     pub fn to_junit(&self) -> String {
-        let told = |of: &str, why: &str, text: &str| {
-            let (why, text) = (escaped(why), escaped(text));
-            Some((
-                of.to_owned(),
-                format!("<{of} message=\"{why}\">{text}</{of}>"),
-            ))
-        };
         let laws = self.laws.iter().map(|law| {
             let text = law.smallest().map_or(String::new(), ToString::to_string);
             let mark = match (law.failure(), &law.verdict) {
-                (Some(why), _) => told("failure", why, &text),
-                (None, Verdict::NotTried { because }) => told("skipped", because, ""),
-                (None, Verdict::Broken { .. }) => told("skipped", "known to be broken", ""),
+                (Some(why), _) => Some(("failure", why, text)),
+                (None, Verdict::NotTried { because }) => Some(("skipped", *because, String::new())),
+                (None, Verdict::Broken { .. }) => Some(("skipped", "known to be broken", text)),
                 (None, _) => None,
             };
             (law.law, mark)
         });
-        let missing = self.unexercised();
-        let exercised = missing.first().and_then(|first| {
-            told(
-                "failure",
-                &format!("not exercised: {first}"),
-                &missing.join("\n"),
-            )
-        });
-        let error = self.error.iter().map(|why| ("run", told("error", why, "")));
-        let cases: Vec<_> = laws
-            .chain([("exercised", exercised)])
-            .chain(error)
-            .collect();
+        let error = self.error.iter();
+        let error = error.map(|why| ("run", Some(("error", why.as_str(), String::new()))));
+        let cases: Vec<_> = laws.chain(error).collect();
         let count = |of: &str| {
             let marks = cases.iter().filter_map(|(_, mark)| mark.as_ref());
-            marks.filter(|(is, _)| is == of).count()
+            marks.filter(|(is, ..)| *is == of).count()
         };
+        let counts = ["failure", "error", "skipped"].map(count);
+        let [failures, errors, skipped] = counts;
         let counts = format!(
-            "tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\"",
-            cases.len(),
-            count("failure"),
-            count("error"),
-            count("skipped")
+            "tests=\"{}\" failures=\"{failures}\" errors=\"{errors}\" skipped=\"{skipped}\"",
+            cases.len()
         );
         let (name, seed) = (escaped(&printable(&self.profile.name)), self.seed);
         let mut xml = format!(
@@ -258,11 +226,12 @@ impl Report {
              <testsuite name=\"{name}, seed {seed}\" {counts}>\n"
         );
         for (name, mark) in cases {
-            let result = mark.map_or("/>".into(), |(_, mark)| format!(">{mark}</testcase>"));
-            let _ = writeln!(
-                xml,
-                "<testcase classname=\"shading-laws\" name=\"{name}\"{result}"
-            );
+            let mark = mark.map_or(String::new(), |(of, why, text)| {
+                let (why, text) = (escaped(why), escaped(&text));
+                format!("<{of} message=\"{why}\">{text}</{of}>")
+            });
+            let case = format!("<testcase classname=\"shading-laws\" name=\"{name}\">");
+            xml.extend([&case, &mark, "</testcase>\n"]);
         }
         xml + "</testsuite>\n</testsuites>\n"
     }
@@ -284,17 +253,15 @@ impl Report {
     }
 
     fn show(&self, f: &mut fmt::Formatter, finding: &Finding) -> fmt::Result {
+        let is_whole = |cause: &&Cause| cause.of == 0 || cause.is_nearly_all();
+        let whole = finding.cause.as_ref().filter(is_whole);
         match &finding.cause {
             Some(cause) => {
                 let Cause { explained, of, .. } = cause;
-                let words = words(&cause.mistakes);
-                if *of == 0 || cause.is_nearly_all() {
-                    writeln!(f, "{words}")?;
-                } else {
-                    writeln!(f, "part of it: {words}")?;
-                }
+                let part = whole.map_or("part of it: ", |_| "");
+                writeln!(f, "{part}{}", words(&cause.mistakes))?;
                 for other in cause.alternatives.iter().take(3) {
-                    writeln!(f, "  or, with the same colors: {}", self::words(other))?;
+                    writeln!(f, "  or, with the same colors: {}", words(other))?;
                 }
                 if *of > 0 {
                     writeln!(f, "  This explains {explained} of {of} wrong colors.")?;
@@ -304,39 +271,28 @@ impl Report {
         }
         for (i, place) in finding.places.iter().enumerate() {
             let other = if i > 0 { "Others are wrong" } else { "Wrong" };
-            if place.only_with.is_empty() {
-                writeln!(f, "  {other} in all kinds of scenes alike.")?;
-            } else {
-                writeln!(f, "  {other} only with: {}.", place.only_with.join(", "))?;
+            match place.only_with.join(", ") {
+                all if all.is_empty() => writeln!(f, "  {other} in all kinds of scenes alike.")?,
+                with => writeln!(f, "  {other} only with: {with}.")?,
             }
             if !place.also_without.is_empty() {
                 writeln!(f, "  Also without: {}.", place.also_without.join(", "))?;
             }
         }
-        if finding
-            .cause
-            .as_ref()
-            .is_some_and(|it| it.of == 0 || it.is_nearly_all())
-        {
+        if whole.is_some() {
             writeln!(f, "  Broken laws: {}", finding.laws.join(", "))?;
         } else {
             // what they say is what is known
-            for law in self
-                .laws
-                .iter()
-                .filter(|law| finding.laws.contains(&law.law))
-            {
-                writeln!(f, "  Broken: {} ({})", law.says, law.law)?;
+            let of = |law: &&LawReport| finding.laws.contains(&law.law);
+            for LawReport { law, says, .. } in self.laws.iter().filter(of) {
+                writeln!(f, "  Broken: {says} ({law})")?;
             }
         }
         let shown = self.laws.iter().find(|law| law.law == finding.shown);
         if let Some((law, smallest)) = shown.and_then(|law| Some((law, law.smallest()?))) {
             write!(f, "\n  {}: {}\n{smallest}", law.law, law.says)?;
-            writeln!(
-                f,
-                "  To reproduce it:\n{}",
-                self.reproduction(&smallest.scenes)
-            )?;
+            let again = self.reproduction(&smallest.scenes);
+            writeln!(f, "  To reproduce it:\n{again}")?;
         }
         Ok(())
     }
@@ -346,11 +302,8 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let broken = self.laws.iter().filter(|law| law.is_broken()).count();
         let (name, of) = (printable(&self.profile.name), self.laws.len());
-        writeln!(
-            f,
-            "{name}, seed {}: {broken} of {of} laws broken\n",
-            self.seed
-        )?;
+        let seed = self.seed;
+        writeln!(f, "{name}, seed {seed}: {broken} of {of} laws broken\n")?;
         for (i, finding) in self.findings.iter().enumerate() {
             write!(f, "Finding {} of {}: ", i + 1, self.findings.len())?;
             self.show(f, finding)?;
@@ -358,52 +311,33 @@ impl fmt::Display for Report {
         let mut holds = Vec::new();
         for law in &self.laws {
             let name = law.law;
-            let but_known = if law.is_known {
-                ", but is known as broken"
-            } else {
-                ""
-            };
-            match &law.verdict {
-                Verdict::Holds { cases } if but_known.is_empty() => {
+            let is = match &law.verdict {
+                Verdict::Holds { cases } if !law.is_known => {
                     holds.push(format!("{name} ({cases})"));
+                    continue;
                 }
-                Verdict::Holds { .. } => writeln!(f, "{name} holds{but_known}")?,
-                Verdict::NotTried { because } => {
-                    writeln!(f, "{name} is not tried: {because}{but_known}")?;
-                }
-                Verdict::NotReached => writeln!(f, "{name} is NOT REACHED, so this is no pass")?,
+                Verdict::Holds { .. } => "holds".into(),
+                Verdict::NotTried { because } => format!("is not tried: {because}"),
+                Verdict::NotReached => "is NOT REACHED, so this is no pass".into(),
                 Verdict::Broken {
                     cases, failures, ..
-                } => {
-                    let known = if law.is_known { ", as is known" } else { "" };
-                    writeln!(f, "{name} is BROKEN in {failures} of {cases} cases{known}")?;
-                }
-            }
+                } => format!("is BROKEN in {failures} of {cases} cases"),
+            };
+            let known = match law.is_known {
+                true if law.is_broken() => ", as is known",
+                true => ", but is known as broken",
+                false => "",
+            };
+            writeln!(f, "{name} {is}{known}")?;
         }
         if !holds.is_empty() {
-            writeln!(
-                f,
-                "{} laws hold, in so many cases: {}",
-                holds.len(),
-                holds.join(", ")
-            )?;
+            let (count, holds) = (holds.len(), holds.join(", "));
+            writeln!(f, "{count} laws hold, in so many cases: {holds}")?;
         }
-        let of_size = |what: &str| ["lights in a scene", "shininess"].contains(&what);
-        let sizes = self.exercised.iter().filter(|one| of_size(one.what));
-        let sizes: Vec<String> = sizes.map(ToString::to_string).collect();
-        if !sizes.is_empty() {
-            writeln!(f, "exercised: {}", sizes.join(", "))?;
+        match &self.error {
+            Some(why) => writeln!(f, "the run ended early: {why}"),
+            None => Ok(()),
         }
-        for what in self.unexercised() {
-            writeln!(f, "NOT exercised, so this is no pass: {what}")?;
-        }
-        if let Some(why) = &self.stopped {
-            writeln!(f, "it ended while simpler scenes were asked for: {why}")?;
-        }
-        if let Some(why) = &self.error {
-            writeln!(f, "the run ended early: {why}")?;
-        }
-        Ok(())
     }
 }
 
@@ -413,11 +347,8 @@ impl fmt::Display for Counterexample {
         let Self { off, allowed, .. } = self;
         writeln!(f, "  expected: {}", self.claim)?;
         for (i, (color, right)) in self.colors.iter().zip(&self.right).enumerate() {
-            writeln!(
-                f,
-                "  color {}: {color:?}; the formula gives {right:?}",
-                i + 1
-            )?;
+            let i = i + 1;
+            writeln!(f, "  color {i}: {color:?}; the formula gives {right:?}")?;
         }
         if off.is_finite() {
             writeln!(
@@ -441,12 +372,9 @@ fn words(faults: &[Fault]) -> String {
 
 /// A text without control characters.
 fn printable(text: &str) -> String {
-    let escaped = |c: char| {
-        if c.is_control() {
-            c.escape_default().collect()
-        } else {
-            c.to_string()
-        }
+    let escaped = |c: char| match c {
+        c if c.is_control() => c.escape_default().to_string(),
+        c => c.into(),
     };
     text.chars().map(escaped).collect()
 }

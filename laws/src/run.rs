@@ -6,9 +6,7 @@ use std::time::{Duration, Instant};
 use crate::cause::{Cause, Evidence};
 use crate::claim::{Broken, Seen};
 use crate::corpus;
-use crate::coverage::Coverage;
 use crate::formula::Formula;
-use crate::generator::Case;
 use crate::law::{LAWS, Law};
 use crate::mistakes::Fault;
 use crate::place::{Edits, Place};
@@ -21,9 +19,6 @@ use crate::shrink;
 
 /// The simpler cases that are asked for at once.
 const SIMPLER: usize = 32;
-
-/// The scenes of a batch after which those before the batch no longer leak into a color.
-const SETTLED: usize = 32;
 
 /// The most broken cases from which things are taken out.
 const PLACED: f64 = 40.0;
@@ -50,16 +45,10 @@ pub struct Laws {
     pub known: Vec<String>,
     /// Cases that are tried before the others: the text that [`Report::cases`] gives, a case a line.
     pub replay: String,
-    /// The most batches of each broken law in which its smallest scene is looked for, and the longest time of all. With 0,
-    /// the report shows the smallest scene of those that were generated.
+    /// The most batches of each broken law in which its smallest scene is looked for; it is looked for three seconds in all.
     pub shrinks: usize,
-    /// See `shrinks`.
-    pub shrinking: Duration,
     /// The longest time of the run. A law that is not tried by then is no pass.
     pub time: Option<Duration>,
-    /// Only the scenes of the plan are asked for, which do not depend on the answers: nothing is made smaller, and no
-    /// place is looked for.
-    pub asks_once: bool,
 }
 
 impl Default for Laws {
@@ -71,9 +60,7 @@ impl Default for Laws {
             known: Vec::new(),
             replay: String::new(),
             shrinks: 200,
-            shrinking: Duration::from_secs(3),
             time: None,
-            asks_once: false,
         }
     }
 }
@@ -88,12 +75,7 @@ impl Laws {
         self.only.is_empty() || self.only.iter().any(|only| only == name)
     }
 
-    /// The scenes of a run, for a renderer that says this of itself.
-    ///
-    /// # Errors
-    ///
-    /// In one line: a contradictory profile; the name of a law that does not exist; no cases at all; a line that is no case.
-    pub fn plan(&self, profile: &Profile) -> Result<Plan, String> {
+    pub(crate) fn plan(&self, profile: &Profile) -> Result<Plan, String> {
         if let Some(complaint) = profile.complaint() {
             return Err(format!("the profile of {}: {complaint}", profile.name));
         }
@@ -116,11 +98,24 @@ impl Laws {
         Ok(Plan::new(self, profile, &replayed))
     }
 
+    /// Every scene in the order in which a renderer gets it that says this of itself. They do not depend on its answers; what
+    /// else it is asked for, in search of smaller scenes and of places, does.
+    ///
+    /// # Errors
+    ///
+    /// In one line: a contradictory profile; the name of a law that does not exist; no cases at all; a line that is no case.
+    pub fn scenes(&self, profile: &Profile) -> Result<Vec<Scene>, String> {
+        let plan = self.plan(profile)?;
+        let batches = plan.batches().into_iter();
+        let handed = batches.flat_map(|(law, of)| handed(&plan.tries[law].cases[of], profile));
+        Ok(handed.collect())
+    }
+
     /// Tries a renderer by the laws. What prevents an answer is in the report, beside what was found before.
     ///
     /// # Errors
     ///
-    /// As [`plan`](Laws::plan).
+    /// As [`scenes`](Laws::scenes).
     pub fn run(&self, renderer: &mut impl Renderer) -> Result<Report, String> {
         Ok(self.plan(&renderer.profile())?.run(renderer))
     }
@@ -139,11 +134,13 @@ impl Plan {
             asked: 0,
             tried: vec![0; self.tries.len()],
             failures: vec![Vec::new(); self.tries.len()],
-            evidence: Evidence::new(),
-            is_fickle: false,
+            evidence: Evidence::default(),
+            error: None,
+            is_over: false,
         };
-        let error = run.all().err();
-        run.report(error)
+        run.all();
+        run.is_over = false; // a renderer that ended may answer again
+        run.report()
     }
 }
 
@@ -167,29 +164,24 @@ struct Run<'a> {
     tried: Vec<usize>,
     failures: Vec<Vec<Failure>>,
     evidence: Evidence,
-    /// Whether a scene had another color when it was asked again, long after what was asked before the batch.
-    is_fickle: bool,
+    /// Why the renderer did not answer the first time that it did not, and whether it was the last time that it was asked.
+    error: Option<String>,
+    is_over: bool,
 }
 
 impl Run<'_> {
-    /// Every case of the plan, until the time is up.
-    fn all(&mut self) -> Result<(), String> {
+    /// Every case of the plan, until the time is up or the renderer no longer answers.
+    fn all(&mut self) -> Option<()> {
         for (law, range) in self.plan.batches() {
             if self.is_late() {
                 break;
             }
-            let tries = &self.plan.tries[law];
-            let cases = &tries.cases[range];
-            let failures = self.judge(tries.law, cases, Some(law))?;
+            let cases = &self.plan.tries[law].cases[range];
+            let failures = self.judge(cases, Some(law))?;
             self.tried[law] += cases.len();
-            for (i, failure) in failures.into_iter().enumerate() {
-                if let Some(failure) = failure {
-                    self.is_fickle |= tries.law.asks_twice() && i >= SETTLED;
-                    self.failures[law].push(failure);
-                }
-            }
+            self.failures[law].extend(failures.into_iter().flatten());
         }
-        Ok(())
+        Some(())
     }
 
     fn is_late(&self) -> bool {
@@ -202,211 +194,136 @@ impl Run<'_> {
     }
 
     /// For each case how it fails, if it does. The colors of the plan's own cases are noted.
-    fn judge(
-        &mut self,
-        law: &Law,
-        cases: &[Tried],
-        note: Option<usize>,
-    ) -> Result<Vec<Option<Failure>>, String> {
-        let asked = Plan::asked(law, cases);
-        let mut replies = self.ask(law, &asked)?;
-        if law.asks_twice() {
-            let again = self.ask(law, &asked)?;
-            let pairs = replies.into_iter().zip(again);
-            replies = pairs.flat_map(|(first, second)| [first, second]).collect();
-        }
+    fn judge(&mut self, cases: &[Tried], note: Option<usize>) -> Option<Vec<Option<Failure>>> {
+        let mut replies = self.ask(&handed(cases, self.profile))?.into_iter();
         let formula = Formula::new(self.profile, &[]);
-        let mut left = replies.as_slice();
         let mut failures = Vec::with_capacity(cases.len());
         for tried in cases {
-            let (replies, others) = left.split_at(tried.group.scenes.len());
-            left = others;
+            let scenes = &tried.group.scenes;
+            let replies: Vec<Triple> = replies.by_ref().take(scenes.len()).collect();
             let known = replies.iter().zip(&tried.known);
-            let seen = known.clone().map(|(reply, (linear, conditioning))| {
-                Seen::new(self.profile, *reply, *linear, *conditioning)
-            });
-            let seen: Vec<Seen> = seen.collect();
             if let Some(law) = note {
-                for ((reply, (linear, _)), scene) in known.zip(&tried.group.scenes) {
+                for ((reply, (linear, _)), scene) in known.clone().zip(scenes) {
                     let is_right = formula.fits_linear(*linear, *reply) != Some(false);
                     self.evidence.note(law, is_right, scene, *reply);
                 }
             }
+            let seen = known.map(|(reply, (linear, conditioning))| {
+                Seen::new(self.profile, *reply, *linear, *conditioning)
+            });
+            let seen: Vec<Seen> = seen.collect();
             let broken = tried.group.claim.broken(self.profile, &seen);
             failures.push(broken.map(|broken| Failure {
                 tried: tried.clone(),
                 broken,
-                replies: replies.to_vec(),
+                replies,
             }));
         }
-        Ok(failures)
+        Some(failures)
     }
 
-    /// The colors of scenes.
-    fn ask(&mut self, law: &Law, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
+    /// The colors of scenes, if the renderer answers.
+    fn ask(&mut self, scenes: &[Scene]) -> Option<Vec<Triple>> {
         self.asked += u32::try_from(scenes.len()).unwrap_or(u32::MAX);
-        let to_hand = scenes.iter().map(|scene| handed(scene, self.profile));
-        let to_hand: Vec<Scene> = to_hand.collect();
-        let replies = match self.caught(&to_hand) {
-            Ok(replies) => replies?,
-            Err(message) => return Err(self.panicked(law, scenes, &message)),
+        let mut shade = |scenes: &[Scene]| {
+            let shade = AssertUnwindSafe(|| self.renderer.shade(scenes));
+            catch_unwind(shade).ok()
         };
-        if replies.len() != scenes.len() {
-            let (colors, scenes) = (replies.len(), scenes.len());
-            return Err(format!("{colors} colors for {scenes} scenes"));
-        }
-        Ok(replies)
-    }
-
-    /// The answer, or the words with which the renderer panicked.
-    fn caught(&mut self, scenes: &[Scene]) -> Result<Result<Vec<Triple>, String>, String> {
-        catch_unwind(AssertUnwindSafe(|| self.renderer.shade(scenes))).map_err(|panic| {
-            let text = panic.downcast_ref::<&str>().map(ToString::to_string);
-            let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
-            text.unwrap_or_else(|| "without a message".into())
-        })
-    }
-
-    /// Says how a renderer panicked, with the smallest scene that makes it.
-    fn panicked(&mut self, law: &Law, scenes: &[Scene], message: &str) -> String {
-        let (profile, seed) = (self.profile, self.plan.laws.seed);
-        let panics = |run: &mut Self, scene: &Scene| run.caught(&[handed(scene, profile)]).is_err();
-        let Some(scene) = scenes.iter().find(|scene| panics(self, scene)) else {
-            let name = law.name;
-            return format!(
-                "the renderer panicked in law {name}, seed {seed}, but with no scene alone: {message}"
-            );
-        };
-        let mut case = Case::of(scene.clone());
-        for _ in 0..SIMPLER {
-            let mut simpler = shrink::simpler(&case, profile).into_iter();
-            let Some(found) = simpler.find(|case| panics(self, &case.scene)) else {
-                break;
-            };
-            case = found;
-        }
-        format!(
-            "the renderer panicked in law {}, seed {seed}: {message}; the smallest scene that was found: {}",
-            law.name,
-            handed(&case.scene, profile).to_json()
-        )
+        let answer = shade(scenes).unwrap_or_else(|| {
+            let mut alone = scenes.iter();
+            let alone = alone.find(|scene| shade(std::slice::from_ref(scene)).is_none());
+            let scene = alone.map_or("none alone".into(), Scene::to_json);
+            Err(format!("the renderer panicked; the scene: {scene}"))
+        });
+        let answer = answer.and_then(|colors| match (colors.len(), scenes.len()) {
+            (few, many) if few != many => Err(format!("{few} colors for {many} scenes")),
+            _ => Ok(colors),
+        });
+        answer
+            .map_err(|why| {
+                self.error.get_or_insert(why);
+                self.is_over = true;
+            })
+            .ok()
     }
 
     /// What was found, with smaller cases and places where the renderer still answers.
-    fn report(mut self, error: Option<String>) -> Report {
-        let mut stopped = None; // a renderer that ended may answer again
-        let mut findings = self.findings(&mut stopped);
-        let mut reports = Vec::new();
+    fn report(mut self) -> Report {
+        self.evidence.sample();
+        let mut findings = self.findings();
         let mut order: Vec<usize> = (0..self.plan.tries.len()).collect();
         // what is shown is made smaller first
-        let rank = |law: &usize| {
-            let name = self.plan.tries[*law].law.name;
-            let least = self.failures[*law]
+        order.sort_by_key(|law| {
+            let scenes = self.failures[*law]
                 .iter()
-                .map(|f| f.tried.group.scenes.len())
-                .min();
-            (least, ["formula", "finite"].contains(&name))
-        };
-        order.sort_by_key(rank);
-        let until = Instant::now() + self.plan.laws.shrinking;
+                .map(|f| f.tried.group.scenes.len());
+            let name = self.plan.tries[*law].law.name;
+            (scenes.min(), ["formula", "finite"].contains(&name))
+        });
+        let until = Instant::now() + Duration::from_secs(3);
+        let mut verdicts: Vec<(usize, Verdict)> = Vec::new();
         for law in order {
-            let verdict = self.verdict(law, &mut stopped, until);
-            reports.push((law, verdict));
+            verdicts.push((law, self.verdict(law, until)));
         }
-        reports.sort_by_key(|(law, _)| *law);
-        let laws: Vec<LawReport> = reports
-            .into_iter()
-            .map(|(law, verdict)| {
-                let Law { name, says, .. } = *self.plan.tries[law].law;
-                let known = &self.plan.laws.known;
-                LawReport {
-                    law: name,
-                    says,
-                    is_known: known.iter().any(|known| known == name),
-                    verdict,
-                }
-            })
-            .collect();
+        verdicts.sort_by_key(|(law, _)| *law);
+        let laws = verdicts.into_iter().map(|(law, verdict)| {
+            let Law { name, says, .. } = *self.plan.tries[law].law;
+            LawReport {
+                law: name,
+                says,
+                is_known: self.plan.laws.known.iter().any(|known| known == name),
+                verdict,
+            }
+        });
+        let laws: Vec<LawReport> = laws.collect();
         for finding in &mut findings {
-            let of = |law: &&LawReport| finding.laws.contains(&law.law);
-            let shown = laws.iter().filter(of).min_by_key(|law| match &law.verdict {
-                Verdict::Broken { smallest, .. } => {
+            let of = laws.iter().filter(|law| finding.laws.contains(&law.law));
+            let shown = of.min_by_key(|law| {
+                law.smallest().map_or((usize::MAX, 0), |smallest| {
                     (smallest.scenes.len(), shrink::cost(&smallest.case))
-                }
-                _ => (usize::MAX, 0),
+                })
             });
             finding.shown = shown.map_or("", |law| law.law);
         }
         Report {
-            version: 3,
+            version: 4,
             corpus: corpus::VERSION,
             seed: self.plan.laws.seed,
-            stopped,
-            error,
+            error: self.error,
             findings,
-            exercised: self.exercised(),
             laws,
             profile: self.profile.clone(),
             command: None,
         }
     }
 
-    fn exercised(&self) -> Vec<crate::coverage::Exercised> {
-        let plan = self.plan;
-        let counts = self.tried.iter().zip(&plan.tries);
-        let is_whole = counts
-            .clone()
-            .all(|(count, tries)| *count == tries.cases.len());
-        if !plan.laws.only.is_empty() {
-            return Vec::new();
-        }
-        if is_whole {
-            return plan.coverage.of(self.profile);
-        }
-        let mut coverage = Coverage::default();
-        let tried = counts.flat_map(|(count, tries)| &tries.cases[..*count]);
-        for scene in tried.flat_map(|tried| &tried.group.scenes) {
-            coverage.note(scene, self.profile);
-        }
-        coverage.of(self.profile)
-    }
-
-    fn verdict(&mut self, law: usize, stopped: &mut Option<String>, until: Instant) -> Verdict {
+    fn verdict(&mut self, law: usize, until: Instant) -> Verdict {
         let tries = &self.plan.tries[law];
-        let (cases, of) = (self.tried[law], tries.cases.len());
+        let cases = self.tried[law];
         let least = self.failures[law].iter();
         let least = least.min_by_key(|failure| shrink::cost(&failure.tried.case));
         let Some(failure) = least.cloned() else {
             return match tries.lacks {
                 Some(because) => Verdict::NotTried { because },
-                None if of == 0 => Verdict::NotTried {
+                None if tries.cases.is_empty() => Verdict::NotTried {
                     because: "it says nothing about such a renderer",
                 },
                 None if cases == 0 => Verdict::NotReached,
                 None => Verdict::Holds { cases },
             };
         };
-        let failure = if stopped.is_some() || self.plan.laws.asks_once {
-            failure
-        } else {
-            self.smaller(tries.law, failure, stopped, until)
-        };
-        let Failure {
-            tried,
-            broken,
-            replies,
-        } = failure;
+        let failure = self.smaller(failure, until);
+        let Tried { case, group, .. } = failure.tried.clone();
         let formula = Formula::new(self.profile, &[]);
-        let scenes = tried.group.scenes.iter();
         let smallest = Counterexample {
-            claim: tried.group.claim.says,
-            right: scenes.clone().map(|scene| formula.reply(scene)).collect(),
-            scenes: scenes.map(|scene| handed(scene, self.profile)).collect(),
-            colors: replies,
-            channel: broken.channel,
-            off: broken.off,
-            allowed: broken.allowed,
-            case: tried.case,
+            claim: group.claim.says,
+            right: group.scenes.iter().map(|s| formula.reply(s)).collect(),
+            scenes: handed(&[failure.tried], self.profile),
+            colors: failure.replies,
+            channel: failure.broken.channel,
+            off: failure.broken.off,
+            allowed: failure.broken.allowed,
+            case,
         };
         Verdict::Broken {
             cases,
@@ -416,136 +333,99 @@ impl Run<'_> {
     }
 
     /// The smallest case that is still broken.
-    fn smaller(
-        &mut self,
-        law: &Law,
-        mut failure: Failure,
-        stopped: &mut Option<String>,
-        until: Instant,
-    ) -> Failure {
+    fn smaller(&mut self, mut failure: Failure, until: Instant) -> Failure {
         let until = self.deadline.map_or(until, |end| end.min(until));
         let mut batches = 0;
         'smaller: loop {
-            let simpler = shrink::simpler(&failure.tried.case, self.profile);
-            let profile = self.profile;
-            let mut cases = simpler
-                .into_iter()
-                .filter_map(|case| Tried::new(law, case, profile));
+            let (law, profile) = (failure.tried.law, self.profile);
+            let simpler = shrink::simpler(&failure.tried.case, profile).into_iter();
+            let mut cases = simpler.filter_map(|case| Tried::new(law, case, profile));
             loop {
-                let tried: Vec<Tried> = cases.by_ref().take(SIMPLER).collect();
                 batches += 1;
-                let is_over = batches > self.plan.laws.shrinks || Instant::now() >= until;
-                if tried.is_empty() || is_over {
+                let is_late = batches > self.plan.laws.shrinks || Instant::now() >= until;
+                let tried: Vec<Tried> = cases.by_ref().take(SIMPLER).collect();
+                if tried.is_empty() || is_late || self.is_over {
                     return failure;
                 }
-                match self.judge(law, &tried, None) {
-                    Err(why) => {
-                        *stopped = Some(why);
-                        return failure;
-                    }
-                    Ok(failures) => {
-                        if let Some(found) = failures.into_iter().flatten().next() {
-                            failure = found;
-                            continue 'smaller;
-                        }
-                    }
+                let failures = self.judge(&tried, None).unwrap_or_default();
+                if let Some(found) = failures.into_iter().flatten().next() {
+                    failure = found;
+                    continue 'smaller;
                 }
             }
         }
     }
 
     /// The broken laws, together with those that the same cause breaks.
-    fn findings(&mut self, stopped: &mut Option<String>) -> Vec<Finding> {
+    fn findings(&mut self) -> Vec<Finding> {
         let plan = self.plan;
         let laws = 0..plan.tries.len();
-        let mut broken: Vec<usize> = laws.filter(|law| !self.failures[*law].is_empty()).collect();
-        let mut findings = Vec::new();
-        let name = |law: &usize| plan.tries[*law].law.name;
-        let states = broken
-            .iter()
-            .copied()
-            .find(|law| self.plan.tries[*law].law.is_of_state());
+        let broken = laws.filter(|law| !self.failures[*law].is_empty());
         let cause = self.evidence.cause(self.profile);
-        if let Some(law) = states {
-            let mistakes = self
-                .state(law, stopped)
-                .map_or(vec!["Leak", "NotRepeatable"], |id| vec![id]);
-            let (of_state, others): (Vec<usize>, _) = broken
-                .into_iter()
-                .partition(|law| cause.is_none() || self.plan.tries[*law].law.is_of_state());
-            broken = others;
-            let mut faults = mistakes.into_iter().map(|id| vec![Fault::named(id)]);
+        let (state, broken): (Vec<usize>, Vec<usize>) =
+            broken.partition(|law| plan.tries[*law].law.is_of_state());
+        let name = |law: &usize| plan.tries[*law].law.name;
+        let mut findings = Vec::new();
+        let mut is_told = |cause: Option<Cause>, laws: &[usize], places| {
+            let laws = laws.iter().map(name).collect();
             findings.push(Finding {
-                cause: faults.next().map(|mistakes| Cause {
-                    mistakes,
-                    explained: 0,
-                    of: 0,
-                    alternatives: faults.collect(),
-                }),
-                laws: of_state.iter().map(name).collect(),
-                places: Vec::new(),
+                cause,
+                laws,
+                places,
                 shown: "",
             });
+        };
+        let is_fickle = !state.is_empty();
+        if is_fickle {
+            let alone = if cause.is_none() { &broken[..] } else { &[] };
+            let of_state = Cause {
+                mistakes: vec![Fault::named("Leak")],
+                explained: 0,
+                of: 0,
+                alternatives: vec![vec![Fault::named("NotRepeatable")]],
+                errors: 0,
+            };
+            is_told(Some(of_state), &[&state[..], alone].concat(), Vec::new());
         }
-        if broken.is_empty() {
+        if broken.is_empty() || is_fickle && cause.is_none() {
             return findings;
         }
-        let (explained, others): (Vec<usize>, Vec<usize>) = match &cause {
-            Some(cause) => broken
-                .into_iter()
-                .partition(|law| self.evidence.explains(self.profile, &cause.mistakes, *law)),
-            None => (Vec::new(), broken),
-        };
+        let mistakes = cause.as_ref().map_or(Vec::new(), |it| it.mistakes.clone());
+        let is_nearly_all = cause.as_ref().is_some_and(Cause::is_nearly_all);
+        let (mut explained, mut others): (Vec<usize>, Vec<usize>) =
+            broken.into_iter().partition(|law| {
+                is_nearly_all && self.evidence.explains(self.profile, &mistakes, *law)
+            });
         // what a cause explains in part stays one finding
-        let is_part = cause.as_ref().is_some_and(|cause| !cause.is_nearly_all());
-        let (explained, others) = if is_part || explained.is_empty() {
-            ([explained, others].concat(), Vec::new())
-        } else {
-            (explained, others)
-        };
-        let mistakes = cause
-            .as_ref()
-            .map_or(Vec::new(), |cause| cause.mistakes.clone());
+        if explained.is_empty() {
+            std::mem::swap(&mut explained, &mut others);
+        }
         // a second mistake, in what the first leaves
-        let (mut others, mut second) = (others, None);
-        if cause.as_ref().is_some_and(Cause::is_nearly_all) {
-            let left = self.evidence.leave(self.profile, &mistakes);
+        let mut second = None;
+        if is_nearly_all {
+            let mut left = self.evidence.leave(self.profile, &mistakes);
             let found = self.evidence.cause(self.profile);
             second = found.filter(|cause| left.len() >= 4 && cause.explained == cause.of);
             if second.is_some() {
+                left.sort_unstable();
+                left.dedup();
                 others = left;
-                others.sort_unstable();
-                others.dedup();
             }
         }
-        for (laws, cause, but) in [(explained, cause, None), (others, second, Some(mistakes))] {
-            if !laws.is_empty() {
-                let places = self.places(&laws, but.as_deref(), stopped);
-                findings.push(Finding {
-                    cause,
-                    laws: laws.iter().map(name).collect(),
-                    places,
-                    shown: "",
-                });
-            }
+        let places = self.places(&explained, None);
+        is_told(cause, &explained, places);
+        if !others.is_empty() {
+            let places = self.places(&others, Some(&mistakes));
+            is_told(second, &others, places);
         }
         findings
     }
 
     /// Where the colors of laws are wrong, but for those that some mistakes explain.
-    fn places(
-        &mut self,
-        laws: &[usize],
-        but: Option<&[Fault]>,
-        stopped: &mut Option<String>,
-    ) -> Vec<Place> {
-        if stopped.is_some() || self.plan.laws.asks_once {
-            return Vec::new();
-        }
+    fn places(&mut self, laws: &[usize], but: Option<&[Fault]>) -> Vec<Place> {
         let of = |name: &str| {
-            laws.iter()
-                .copied()
-                .find(|law| self.plan.tries[*law].law.name == name)
+            let mut laws = laws.iter().copied();
+            laws.find(|law| self.plan.tries[*law].law.name == name)
         };
         let of_one_scene = ["finite", "formula", "as_said"].map(of);
         let mut chosen: Vec<usize> = of_one_scene.into_iter().flatten().collect();
@@ -554,113 +434,55 @@ impl Run<'_> {
         }
         let explained = but.map(|faults| Formula::new(self.profile, faults));
         let is_left = |failure: &&Failure| {
-            let replies = failure.tried.group.scenes.iter().zip(&failure.replies);
             explained.as_ref().is_none_or(|formula| {
-                replies
-                    .clone()
-                    .any(|(scene, reply)| formula.fits(scene, *reply) != Some(true))
+                let mut replies = failure.tried.group.scenes.iter().zip(&failure.replies);
+                replies.any(|(scene, reply)| formula.fits(scene, *reply) != Some(true))
             })
         };
         let per_scene = self.start.elapsed() / self.asked.max(1);
-        let left = self.deadline.map_or(Duration::from_secs(2), |end| {
-            end.saturating_duration_since(Instant::now())
-                .min(Duration::from_secs(2))
-        });
+        let two = Duration::from_secs(2);
+        let until_end = |end: Instant| end.saturating_duration_since(Instant::now()).min(two);
+        let left = self.deadline.map_or(two, until_end);
         let affordable = left.as_secs_f64() / (per_scene.as_secs_f64() * 22.0).max(1e-9);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 2 to 40
-        let most = affordable.clamp(2.0, PLACED) as usize / chosen.len();
-        let (mut broken, mut of_law) = (Vec::new(), Vec::new());
+        let most = affordable.clamp(2.0, PLACED) as usize / chosen.len().max(1);
+        let mut broken = Vec::new();
         for law in chosen {
             let left: Vec<&Failure> = self.failures[law].iter().filter(is_left).collect();
             let count = left.len().min(most.max(1));
-            for i in 0..count {
-                broken.push(left[i * left.len() / count].tried.case.clone());
-                of_law.push(law);
+            broken.extend((0..count).map(|i| left[i * left.len() / count].tried.clone()));
+        }
+        self.places_of(&broken).unwrap_or_default()
+    }
+
+    /// Where these cases are broken: one place, or two where two things are wrong.
+    fn places_of(&mut self, broken: &[Tried]) -> Option<Vec<Place>> {
+        let profile = self.profile;
+        if self.is_over {
+            return None;
+        }
+        let mut ask = |cases: &[Tried]| {
+            let mut are_broken = Vec::new();
+            for cases in cases.chunks(256) {
+                let failures = self.judge(cases, None)?;
+                are_broken.extend(failures.iter().map(Option::is_some));
             }
-        }
-        if broken.is_empty() {
-            return Vec::new();
-        }
-        let edits = Edits::new(broken, self.profile);
-        let Some(still_broken) = self.try_edits(&edits, &of_law, stopped) else {
-            return Vec::new();
+            (!cases.is_empty()).then_some(are_broken)
         };
-        let whole = edits.place(&still_broken, |_| true);
-        let halves = edits
-            .split(&still_broken)
-            .filter(|_| whole.only_with.is_empty());
-        if let Some((repaired, left)) = halves {
-            let first = edits.place(&still_broken, |case| repaired.contains(&case));
-            let of_law: Vec<usize> = left.iter().map(|edit| of_law[edits.of[*edit].1]).collect();
-            let left = left.into_iter().map(|edit| edits.edited[edit].clone());
-            let edits = Edits::new(left.collect(), self.profile);
-            if let Some(still_broken) = self.try_edits(&edits, &of_law, stopped) {
-                let second = edits.place(&still_broken, |_| true);
+        let edits = Edits::new(broken, profile, &mut ask)?;
+        let whole = edits.place(|_| true);
+        if let Some((repaired, left)) = edits.split().filter(|_| whole.only_with.is_empty()) {
+            let first = edits.place(|case| repaired.contains(&case));
+            if let Some(edits) = Edits::new(&left, profile, &mut ask) {
+                let second = edits.place(|_| true);
                 // ambient light and that of lights alike is everything
                 let is_told = second.only_with.iter().any(|knob| *knob != "lights");
                 if is_told && !first.only_with.is_empty() {
-                    return vec![first, second];
+                    return Some(vec![first, second]);
                 }
             }
         }
-        vec![whole]
-    }
-
-    /// Whether each edited case is still broken; nothing if the renderer ended.
-    fn try_edits(
-        &mut self,
-        edits: &Edits,
-        of_law: &[usize],
-        stopped: &mut Option<String>,
-    ) -> Option<Vec<bool>> {
-        let mut still_broken = vec![true; edits.edited.len()];
-        for law in 0..self.plan.tries.len() {
-            let tried_law = self.plan.tries[law].law;
-            let (places, tried): (Vec<usize>, Vec<Tried>) = (0..edits.edited.len())
-                .filter(|edit| of_law[edits.of[*edit].1] == law)
-                .filter_map(|edit| {
-                    let case = edits.edited[edit].clone();
-                    Some((edit, Tried::new(tried_law, case, self.profile)?))
-                })
-                .unzip();
-            for (places, tried) in places.chunks(256).zip(tried.chunks(256)) {
-                let failures = self.judge(tried_law, tried, None);
-                *stopped = failures.as_ref().err().cloned();
-                for (place, failure) in places.iter().zip(failures.ok()?) {
-                    still_broken[*place] = failure.is_some();
-                }
-            }
-        }
-        Some(still_broken)
-    }
-
-    /// Whether colors depend on what was asked before, or on nothing that is known; nothing where it cannot be asked.
-    fn state(&mut self, law: usize, stopped: &mut Option<String>) -> Option<&'static str> {
-        if self.is_fickle {
-            return Some("NotRepeatable");
-        }
-        if stopped.is_some() || self.plan.laws.asks_once {
-            return None; // what repeats after as many scenes as there are in a batch looks the same
-        }
-        // the same scene again and again: the last ones follow themselves
-        let scene = &self.failures[law][0].tried.case.scene;
-        let mut other = scene.clone();
-        other.lights.clear();
-        let mut asked = vec![other];
-        asked.extend(std::iter::repeat_n(scene.clone(), 8));
-        let replies = match self.ask(&LAWS[0], &asked) {
-            Ok(replies) => replies,
-            Err(why) => {
-                *stopped = Some(why);
-                return None;
-            }
-        };
-        let differs =
-            |a: f64, b: f64| (a - b).abs() > 64.0 * self.profile.roundoff * a.abs().max(b.abs());
-        let is_settled = replies[2..]
-            .iter()
-            .all(|color| (0..3).all(|i| !differs(color[i], replies[8][i])));
-        Some(if is_settled { "Leak" } else { "NotRepeatable" })
+        Some(vec![whole])
     }
 }
 

@@ -1,5 +1,7 @@
 //! One place on a surface and the light on it, as plain numbers.
 
+use std::ops::{Add, Div, Mul, Sub};
+
 use serde::{Deserialize, Serialize};
 
 /// Three numbers: the coordinates of a point or a direction, or red, green and blue.
@@ -244,31 +246,48 @@ pub fn size(v: Triple) -> f64 {
     v.iter().fold(0.0, |most, c| most.max(c.abs()))
 }
 
-pub fn dot(a: Triple, b: Triple) -> f64 {
+/// What vectors are made of: plain numbers, and those that know their error.
+pub trait Number:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    fn root(self) -> Self;
+}
+
+impl Number for f64 {
+    fn root(self) -> Self {
+        self.sqrt()
+    }
+}
+
+pub fn zip<T: Copy>(a: [T; 3], b: [T; 3], f: impl Fn(T, T) -> T) -> [T; 3] {
+    [0, 1, 2].map(|i| f(a[i], b[i]))
+}
+
+pub fn dot<T: Number>(a: [T; 3], b: [T; 3]) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub fn add(a: Triple, b: Triple) -> Triple {
-    [0, 1, 2].map(|i| a[i] + b[i])
+pub fn add<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+    zip(a, b, |a, b| a + b)
 }
 
-pub fn sub(a: Triple, b: Triple) -> Triple {
-    [0, 1, 2].map(|i| a[i] - b[i])
+pub fn sub<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+    zip(a, b, |a, b| a - b)
 }
 
-pub fn mul(a: Triple, b: Triple) -> Triple {
-    [0, 1, 2].map(|i| a[i] * b[i])
+pub fn mul<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+    zip(a, b, |a, b| a * b)
 }
 
-pub fn scale(v: Triple, factor: f64) -> Triple {
+pub fn scale<T: Number>(v: [T; 3], factor: T) -> [T; 3] {
     v.map(|c| c * factor)
 }
 
-pub fn length(v: Triple) -> f64 {
-    dot(v, v).sqrt()
+pub fn length<T: Number>(v: [T; 3]) -> T {
+    dot(v, v).root()
 }
 
-pub fn unit(v: Triple) -> Triple {
+pub fn unit<T: Number>(v: [T; 3]) -> [T; 3] {
     let length = length(v);
     v.map(|c| c / length)
 }

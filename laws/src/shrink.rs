@@ -3,64 +3,62 @@
 use crate::bounded::rounded;
 use crate::edit::KNOBS;
 use crate::generator::Case;
-use crate::profile::{MOST_SHINY, Profile};
+use crate::profile::Profile;
 use crate::scene::{Light, Model, Scene, Triple, add, size, sub};
 
-/// What three numbers of a case are.
-#[derive(Clone, Copy, PartialEq)]
-enum Sort {
-    Any,
-    /// Of length 1, or of any where the renderer has it.
-    Unit,
-    Direction,
-    /// A position, seen from the point.
-    Lamp,
-}
+const ZERO: Triple = [0.0; 3];
 
-/// The triples of a case, each with its sort. Positions are relative to the point.
-fn triples(case: &mut Case) -> Vec<(Sort, &mut Triple)> {
-    let (scene, ways, factors) = (&mut case.scene, &mut case.ways, &mut case.factors);
-    let lamp = |color, position, attenuation| {
-        [
-            (Sort::Any, color),
-            (Sort::Lamp, position),
-            (Sort::Any, attenuation),
-        ]
-    };
-    let mut all = vec![
-        (Sort::Any, &mut scene.p),
-        (Sort::Direction, &mut scene.n),
-        (Sort::Direction, &mut scene.v),
-        (Sort::Any, &mut scene.k_a),
-        (Sort::Any, &mut scene.k_d),
-        (Sort::Any, &mut scene.k_s),
-        (Sort::Any, &mut scene.i_a),
-        (Sort::Any, factors),
+/// The triples of a case, and whether each is a position, which is made simpler as it is seen from the point.
+fn triples(case: &mut Case) -> Vec<(bool, &mut Triple)> {
+    let scene = &mut case.scene;
+    let colors = [
+        &mut scene.k_a,
+        &mut scene.k_d,
+        &mut scene.k_s,
+        &mut scene.i_a,
     ];
-    all.extend(ways.iter_mut().map(|way| (Sort::Direction, way)));
+    let places = [&mut scene.p, &mut scene.n, &mut scene.v, &mut case.factors];
+    let all = places.into_iter().chain(colors).chain(&mut case.ways);
+    let mut all: Vec<_> = all.map(|triple| (false, triple)).collect();
     for light in &mut scene.lights {
         match light {
-            Light::Directional { intensity, l } => {
-                all.extend([(Sort::Any, intensity), (Sort::Unit, l)]);
-            }
+            Light::Directional { intensity: i, l } => all.extend([(false, i), (false, l)]),
             Light::Point {
-                intensity: color,
+                intensity: i,
                 position,
-                attenuation,
-            } => all.extend(lamp(color, position, attenuation)),
+                attenuation: abc,
+            } => all.extend([(false, i), (true, position), (false, abc)]),
             Light::Spot {
-                intensity: color,
+                intensity: i,
                 position,
-                attenuation,
+                attenuation: abc,
                 axis,
                 ..
-            } => {
-                all.extend(lamp(color, position, attenuation));
-                all.push((Sort::Unit, axis));
-            }
+            } => all.extend([(false, i), (true, position), (false, abc), (false, axis)]),
         }
     }
     all
+}
+
+/// The case with directions of the length that the renderer needs.
+fn directed(mut case: Case, profile: &Profile) -> Case {
+    let unit = |v: &mut Triple| {
+        if *v != ZERO {
+            *v = profile.unit(*v);
+        }
+    };
+    let scene = &mut case.scene;
+    if profile.unit_vectors {
+        unit(&mut scene.n);
+        unit(&mut scene.v);
+    }
+    for light in &mut scene.lights {
+        match light {
+            Light::Directional { l: axis, .. } | Light::Spot { axis, .. } => unit(axis),
+            Light::Point { .. } => {}
+        }
+    }
+    case
 }
 
 /// How much there is to read in a case.
@@ -74,10 +72,8 @@ pub fn cost(case: &Case) -> u32 {
     let model = [0, 2, 1][scene.model as usize];
     let lights: u32 = scene.lights.iter().map(of_light).sum();
     let mut case = case.clone();
-    let triples = triples(&mut case)
-        .into_iter()
-        .flat_map(|(_, triple)| *triple);
-    model + lights + of_number(scene.m) + triples.map(of_number).sum::<u32>()
+    let numbers = triples(&mut case).into_iter().flat_map(|(_, of)| *of);
+    model + lights + of_number(scene.m) + numbers.map(of_number).sum::<u32>()
 }
 
 /// The bits of a number, and the zeros on its other side of the point.
@@ -106,15 +102,8 @@ pub fn simpler(case: &Case, profile: &Profile) -> Vec<Case> {
         of_scene(&|scene| scene.model = model);
     }
     let m = case.scene.m;
-    for m in [
-        1.0,
-        2.0,
-        8.0,
-        32.0,
-        128.0,
-        m.round(),
-        (m * 4.0).round() / 4.0,
-    ] {
+    let whole = [m.round(), (m * 4.0).round() / 4.0];
+    for m in [1.0, 2.0, 8.0, 32.0, 128.0].into_iter().chain(whole) {
         of_scene(&|scene| scene.m = m);
     }
     // all but one of the terms at once
@@ -122,10 +111,10 @@ pub fn simpler(case: &Case, profile: &Profile) -> Vec<Case> {
         of_scene(&|scene| {
             let terms = [&mut scene.k_a, &mut scene.k_d, &mut scene.k_s];
             for (_, k) in terms.into_iter().enumerate().filter(|(i, _)| *i != keep) {
-                *k = [0.0; 3];
+                *k = ZERO;
             }
             if keep > 0 {
-                scene.i_a = [0.0; 3];
+                scene.i_a = ZERO;
             }
         });
     }
@@ -133,84 +122,66 @@ pub fn simpler(case: &Case, profile: &Profile) -> Vec<Case> {
     of_scene(&|scene| scene.lights.truncate(count.div_ceil(2)));
     of_scene(&|scene| drop(scene.lights.drain(..count / 2)));
     for i in 0..count.min(32) {
-        of_scene(&|scene| {
-            scene.lights.remove(i);
-        });
+        of_scene(&|scene| _ = scene.lights.remove(i));
         of_scene(&|scene| scene.lights = vec![scene.lights[i]]);
-        of_scene(&|scene| scene.lights[i] = demoted(scene.lights[i], scene.p, profile));
-        let Light::Spot { half_angle, .. } = case.scene.lights[i] else {
-            continue;
-        };
-        let degrees = half_angle.to_degrees().round().to_radians();
-        for angle in [0.5, 1.0, 0.25, 1.5, profile.rounded(degrees)] {
-            of_scene(&|scene| {
-                if let Light::Spot { half_angle, .. } = &mut scene.lights[i] {
-                    *half_angle = angle;
-                }
-            });
+        of_scene(&|scene| scene.lights[i] = demoted(scene.lights[i], scene.p));
+        if let Light::Spot { half_angle, .. } = case.scene.lights[i] {
+            let degrees = half_angle.to_degrees().round().to_radians();
+            for angle in [0.5, 1.0, 0.25, 1.5, profile.rounded(degrees)] {
+                of_scene(&|scene| {
+                    if let Light::Spot { half_angle, .. } = &mut scene.lights[i] {
+                        *half_angle = angle;
+                    }
+                });
+            }
         }
     }
-    let p = case.scene.p;
-    for i in 0..triples(&mut case.clone()).len().min(40) {
-        let mut edited = case.clone();
-        let (sort, old) = triples(&mut edited).swap_remove(i);
-        let old = *old;
-        let old = if sort == Sort::Lamp { sub(old, p) } else { old };
-        for new in shorter(old) {
-            let new = match sort {
-                Sort::Unit if new != [0.0; 3] => profile.unit(new),
-                Sort::Direction if new != [0.0; 3] => profile.direction(new),
-                Sort::Lamp => add(new, p),
-                _ => new,
-            };
+    let mut old = case.clone();
+    let old = triples(&mut old).into_iter().take(40);
+    for (i, (is_position, old)) in old.enumerate() {
+        let origin = if is_position { case.scene.p } else { ZERO };
+        for new in shorter(sub(*old, origin)) {
             let mut edited = case.clone();
-            *triples(&mut edited).swap_remove(i).1 = new;
+            *triples(&mut edited).swap_remove(i).1 = add(new, origin);
             found.push(edited);
         }
     }
     let limit = cost(case);
-    let mut found: Vec<(u32, Case)> = found
-        .into_iter()
-        .map(|case| (cost(&case), case))
-        .filter(|(cost, case)| *cost < limit && is_valid(case, profile))
-        .collect();
+    let found = found.into_iter().map(|case| directed(case, profile));
+    let found = found.map(|case| (cost(&case), case));
+    let is_simpler = |(cost, case): &(u32, Case)| *cost < limit && is_valid(case, profile);
+    let mut found: Vec<_> = found.filter(is_simpler).collect();
     found.sort_by_key(|(cost, _)| *cost);
     found.dedup_by(|a, b| a.1 == b.1);
     found.into_iter().map(|(_, case)| case).collect()
 }
 
 /// A simpler light from the same direction.
-fn demoted(light: Light, p: Triple, profile: &Profile) -> Light {
+fn demoted(light: Light, p: Triple) -> Light {
     match light {
-        Light::Spot { .. } => light.without_cone(),
         Light::Point {
             intensity,
             position,
             ..
         } => Light::Directional {
             intensity,
-            l: profile.unit(sub(position, p)),
+            l: sub(position, p),
         },
-        Light::Directional { .. } => light,
+        other => other.without_cone(),
     }
 }
 
 /// Simple values, and shorter ones near the old, all at once and each alone.
 fn shorter(old: Triple) -> Vec<Triple> {
-    let mut found = vec![[0.0; 3], [1.0; 3], [0.5; 3]];
+    let with = |mut v: Triple, i: usize, c: f64| {
+        v[i] = c;
+        v
+    };
+    let mut found = vec![ZERO, [1.0; 3], [0.5; 3]];
     for axis in 0..3 {
-        let sizes = [
-            1.0,
-            -1.0,
-            0.5,
-            2.0,
-            4.0,
-            1024.0,
-            16384.0,
-            1.0 / 128.0,
-            old[axis],
-        ];
-        found.extend(sizes.map(|c| with([0.0; 3], axis, c)));
+        let sizes = [1.0, -1.0, 0.5, 2.0, 4.0, 1024.0, 16384.0, 1.0 / 128.0];
+        let sizes = sizes.into_iter().chain([old[axis]]);
+        found.extend(sizes.map(|c| with(ZERO, axis, c)));
         found.extend([0.0, 1.0, 2.0].map(|c| with(old, axis, c)));
     }
     let largest = size(old).max(f64::MIN_POSITIVE);
@@ -226,53 +197,36 @@ fn shorter(old: Triple) -> Vec<Triple> {
     found.into_iter().map(|v| v.map(|c| c + 0.0)).collect() // no -0
 }
 
-fn with(mut v: Triple, i: usize, c: f64) -> Triple {
-    v[i] = c;
-    v
-}
-
 /// Whether the case is one of those that the format allows, of a renderer like this.
 pub fn is_valid(case: &Case, profile: &Profile) -> bool {
     let scene = &case.scene;
-    let has = |triple: Triple| triple != [0.0; 3];
     let is_lit = |light: &Light| {
-        let is_attenuated = light.lamp().is_none_or(|(_, abc)| {
+        let is_attenuated = light.lamp().is_none_or(|(position, abc)| {
             abc.iter().sum::<f64>() > 0.0
                 && abc.iter().all(|c| *c >= 0.0)
                 && (!profile.unattenuated || abc == [1.0, 0.0, 0.0])
+                && position != ZERO // a lamp at the origin divides by 0 where p is forgotten
         });
         let is_aimed = match *light {
-            Light::Directional { l, .. } => has(l),
+            Light::Directional { l: axis, .. } | Light::Spot { axis, .. } => axis != ZERO,
             Light::Point { .. } => true,
-            Light::Spot { axis, .. } => has(axis),
         };
-        is_attenuated && is_aimed && profile.has(light.kind())
+        let is_lost = scene.has_lamp_at_the_point(light, profile.roundoff);
+        is_attenuated && is_aimed && !is_lost && profile.has(light.kind())
     };
-    let is_lost = |light| scene.has_lamp_at_the_point(light, profile.roundoff);
-    // a lamp at the origin divides by 0 where p is forgotten
-    let is_at_origin = |light: &Light| light.lamp().is_some_and(|(position, _)| !has(position));
-    let colors = [scene.k_a, scene.k_d, scene.k_s, scene.i_a];
-    let lights = scene.lights.iter();
-    let mut colors = colors
-        .into_iter()
-        .chain(lights.map(|light| light.intensity()))
-        .flatten();
-    has(scene.n)
-        && has(scene.v)
-        && case.ways.into_iter().all(has)
-        && case
-            .factors
-            .iter()
-            .all(|factor| (1.0..=8.0).contains(factor))
+    let intensities = scene.lights.iter().map(|light| light.intensity());
+    let colors = [scene.k_a, scene.k_d, scene.k_s, scene.i_a].into_iter();
+    let mut colors = colors.chain(intensities).flatten();
+    let mut factors = case.factors.iter();
+    scene.n != ZERO
+        && scene.v != ZERO
+        && !case.ways.contains(&ZERO)
+        && factors.all(|factor| (1.0..=8.0).contains(factor))
         && colors.all(|c| (0.0..=16.0).contains(&c))
         && (!profile.gray_highlight || scene.k_s == [scene.k_s[0]; 3])
         && profile.models.contains(&scene.model)
         && scene.lights.len() <= profile.most_lights
-        && (1.0..=profile.most_shiny.min(MOST_SHINY)).contains(&scene.m)
+        && (1.0..=profile.most_shiny).contains(&scene.m)
         && (!profile.integer_shininess || scene.m.fract() == 0.0)
         && scene.lights.iter().all(is_lit)
-        && !scene
-            .lights
-            .iter()
-            .any(|light| is_lost(light) || is_at_origin(light))
 }

@@ -8,8 +8,9 @@ use crate::formula::{Formula, Part, Scope};
 use crate::generator;
 use crate::law::LAWS;
 use crate::mistakes::{Fault, MISTAKES};
+use crate::plan::Plan;
 use crate::random::Random;
-use crate::{Laws, Light, Model, Plan, Profile, Report, Scene, from_fn};
+use crate::{Laws, Light, Model, Profile, Report, Scene, from_fn};
 
 fn single() -> Profile {
     Profile {
@@ -39,7 +40,7 @@ fn scenes(profile: &Profile, count: u64) -> impl Iterator<Item = Scene> {
 
 /// A renderer that makes these mistakes, in the arithmetic of the profile.
 fn planted(plan: &Plan, faults: &[Fault]) -> Report {
-    let profile = plan.profile();
+    let profile = &plan.profile;
     let formula = Formula::new(profile, faults).rounding();
     plan.run(&mut from_fn(profile.clone(), |scene| formula.reply(scene)))
 }
@@ -115,31 +116,20 @@ fn measure(profile: &Profile, only: impl Fn(usize) -> bool, broken: &mut BTreeSe
             missed.push(fault);
             continue;
         };
-        let is_it = |faults: &Vec<Fault>| *faults == [fault];
-        let is_named = finding
-            .cause
-            .as_ref()
-            .is_some_and(|cause| is_it(&cause.mistakes) || cause.alternatives.iter().any(is_it));
-        if !is_named {
+        let cause = finding.cause.iter();
+        let mut named = cause.flat_map(|it| it.alternatives.iter().chain([&it.mistakes]));
+        if !named.any(|faults| *faults == [fault]) {
             unnamed.push((
                 fault,
-                finding.cause.as_ref().map(|cause| cause.mistakes.clone()),
+                finding.cause.as_ref().map(|it| &it.mistakes).cloned(),
             ));
         }
-        let is_placed = fault.mistake.changes.iter().any(|(part, _)| {
-            let told = finding.places.iter().flat_map(|place| &place.only_with);
-            let told: Vec<&str> = told.copied().collect();
-            let expected = expected(*part);
-            expected
-                .iter()
-                .any(|place| told.contains(place) || place.is_empty() && told.is_empty())
-        });
-        if !is_placed {
-            let told = finding
-                .places
-                .iter()
-                .map(|place| place.only_with.join(", "));
-            astray.push((fault, told.collect::<Vec<_>>()));
+        let told = finding.places.iter().flat_map(|place| &place.only_with);
+        let told: Vec<&str> = told.copied().collect();
+        let parts = fault.mistake.changes.iter();
+        let mut expected = parts.flat_map(|(part, _)| expected(*part));
+        if !expected.any(|place| told.contains(place) || place.is_empty() && told.is_empty()) {
+            astray.push((fault, told));
         }
     }
     println!("{count} planted; unnamed {unnamed:?}; not placed {astray:?}");
@@ -148,17 +138,17 @@ fn measure(profile: &Profile, only: impl Fn(usize) -> bool, broken: &mut BTreeSe
     assert!(astray.len() * 10 <= count, "{count}: {astray:?}");
 }
 
-/// In `f32` every one, in `f64` a sixth, in bytes a third.
+/// In `f32` every one, in `f64` a twelfth, in bytes a sixth.
 #[test]
 fn mistakes_are_found_named_and_placed() {
     let mut broken = BTreeSet::new();
     measure(&single(), |_| true, &mut broken);
-    measure(&double(), |i| i % 6 == 0, &mut broken);
-    measure(&bytes(), |i| i % 3 == 1, &mut broken);
+    measure(&double(), |i| i % 12 == 0, &mut broken);
+    measure(&bytes(), |i| i % 6 == 1, &mut broken);
     // no law is there for show; state has no row
     let never = LAWS.iter().filter(|law| !broken.contains(law.name));
     let never: Vec<&str> = never.map(|law| law.name).collect();
-    assert_eq!(never, ["no_memory", "repeatable"]);
+    assert_eq!(never, ["no_memory"]);
 }
 
 #[test]
@@ -176,30 +166,13 @@ fn what_has_no_row_breaks_the_other_laws() {
         assert!(broken, "{law} holds:\n{report}");
         report
     };
-    let (mut previous, mut count) = (0.0, 0.0);
+    let mut previous = 0.0;
     let leak = breaks("no_memory", &mut |_, color| {
         let first = std::mem::replace(&mut previous, color[0]);
         [color[0] + 0.01 * first, color[1], color[2]]
     });
-    assert_eq!(
-        leak.findings[0].cause.as_ref().expect("a cause").mistakes[0].id(),
-        "Leak"
-    );
-    let fickle = breaks("repeatable", &mut |_, color| {
-        count += 0.001;
-        color.map(|c| c * (1.0 + count % 0.1))
-    });
-    assert_eq!(
-        fickle.findings[0].cause.as_ref().expect("a cause").mistakes[0].id(),
-        "NotRepeatable"
-    );
-    breaks("order", &mut |scene, color| {
-        let first = scene
-            .lights
-            .first()
-            .map_or(0.0, |light| light.intensity()[0]);
-        color.map(|c| c + 0.01 * first)
-    });
+    let cause = leak.findings[0].cause.as_ref().expect("a cause");
+    assert_eq!(cause.mistakes, [Fault::named("Leak")]);
     breaks("eye", &mut |scene, color| {
         color.map(|c| c * (1.0 + 0.01 * scene.v[2]))
     });
@@ -293,35 +266,28 @@ fn by_shading(scene: &Scene) -> [f64; 3] {
     };
     let unit = |v: [f64; 3]| -> UnitVec3 { Vec3::from(v).unit().expect("a direction") };
     let p = Vec3::from(scene.p);
-    let point = |position: [f64; 3], intensity: [f64; 3], [a, b, c]: [f64; 3]| PointLight {
-        position: Vec3::from(position),
-        intensity: Rgb::from(intensity),
-        attenuation: Attenuation::new(a, b, c).expect("coefficients"),
-    };
     let arriving = |light: &Light| -> IncidentLight {
+        let intensity = Rgb::from(light.intensity());
+        if let Light::Directional { l, .. } = *light {
+            let l = unit(l);
+            return DirectionalLight { l, intensity }.at(p);
+        }
+        let (position, [a, b, c]) = light.lamp().expect("a lamp");
+        let point = PointLight {
+            position: Vec3::from(position),
+            intensity,
+            attenuation: Attenuation::new(a, b, c).expect("coefficients"),
+        };
         match *light {
-            Light::Directional { l, intensity } => DirectionalLight {
-                l: unit(l),
-                intensity: Rgb::from(intensity),
-            }
-            .at(p),
-            Light::Point {
-                position,
-                intensity,
-                attenuation,
-            } => point(position, intensity, attenuation).at(p),
             Light::Spot {
-                position,
-                intensity,
-                attenuation,
-                axis,
-                half_angle,
+                axis, half_angle, ..
             } => SpotLight {
-                point: point(position, intensity, attenuation),
+                point,
                 axis: unit(axis),
                 cone: Cone::from_half_angle(half_angle).expect("an angle"),
             }
             .at(p),
+            _ => point.at(p),
         }
     };
     let lights = scene.lights.iter().map(arriving);

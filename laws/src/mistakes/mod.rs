@@ -10,10 +10,10 @@ use std::sync::LazyLock;
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 use table::{OPERATIONS, ROWS};
 
-use crate::bounded::{Bounded, Bounded3, dot, length, rounded, scale};
+use crate::bounded::{Bounded, Bounded3, rounded};
 use crate::formula::{At, Change, ONE, Part, Scope, ZERO};
 use crate::profile::Profile;
-use crate::scene::Light;
+use crate::scene::{Light, dot, length, scale, zip};
 
 /// A known mistake: what it changes in the formulas.
 pub struct Mistake {
@@ -157,7 +157,7 @@ fn mean([r, g, b]: Bounded3) -> Bounded3 {
 }
 
 fn max(a: Bounded3, b: Bounded3) -> Bounded3 {
-    [0, 1, 2].map(|i| a[i].max(b[i]))
+    zip(a, b, Bounded::max)
 }
 
 /// Colors and directions as they are stored, each rounded by `f`.

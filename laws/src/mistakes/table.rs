@@ -4,12 +4,11 @@ use std::f64::consts::{FRAC_1_PI, PI};
 
 #[allow(clippy::wildcard_imports)] // what the rows are made of
 use super::*;
-use crate::bounded::{add, multiply, subtract, unit};
 #[allow(clippy::enum_glob_use)]
 use crate::formula::Part::*;
 use crate::formula::{BLACK, Change};
 use crate::profile::{from_srgb, to_srgb};
-use crate::scene::Model;
+use crate::scene::{add, mul, sub, unit, Model, Number};
 
 /// A name that does not change, what is wrong, the numbers that are tried for `{}`, and what changes where.
 type Row = (&'static str, &'static str, &'static [f64], &'static [(Part, Change)]);
@@ -29,13 +28,13 @@ pub const ROWS: &[Row] = &[
     ("ViewNotNormalized", "V is not normalized", &[], &[(V, |_, at| at.raw_v)]),
     ("ViewReversed", "V points from the eye to the surface", &[], &[(V, |x, _| minus(x))]),
     ("EyeAtOrigin", "the eye is taken to be at the origin: V = -p", &[], &[(V, |_, at| unit(minus(at.p)))]),
-    ("ViewTakenForEye", "v is taken for the position of the eye: V = v - p", &[], &[(V, |_, at| unit(subtract(at.raw_v, at.p)))]),
+    ("ViewTakenForEye", "v is taken for the position of the eye: V = v - p", &[], &[(V, |_, at| unit(sub(at.raw_v, at.p)))]),
     ("ViewAlongZ", "V is always (0, 0, 1)", &[], &[(V, |_, _| [0.0, 0.0, 1.0].map(exact))]),
     ("LightNotNormalized", "L is not normalized", &[], &[(L, |_, at| at.way)]),
     ("LightNotNormalizedInDiffuse", "L is not normalized in the diffuse term", &[], &[(Lambert, |_, at| one(dot(at.n, at.way).at_least_zero()))]),
     ("LightNotNormalizedInHighlight", "L is not normalized in the highlight", &[], &[(Cosine, |_, at| one(at.cosine_of(at.n, at.way, 2.0)))]),
     ("LightReversed", "L points from the light to the surface", &[], &[(L, |x, _| minus(x))]),
-    ("SunTakenForPosition", "the direction to a directional light is taken for a position, from which p is subtracted", &[], &[(L, |x, at| if at.light.is_some_and(|l| l.lamp().is_none()) { unit(subtract(x, at.p)) } else { x })]),
+    ("SunTakenForPosition", "the direction to a directional light is taken for a position, from which p is subtracted", &[], &[(L, |x, at| if at.light.is_some_and(|l| l.lamp().is_none()) { unit(sub(x, at.p)) } else { x })]),
     ("PointForgotten", "L is the position of the lamp, from which p is not subtracted", &[], &[(Way, |_, at| at.position)]),
     ("FastInverseRoot", "vectors are normalized by the fast inverse root with {} steps of Newton's method", &[1.0, 2.0, 3.0],
         &[(N, |_, at| fast_unit(at.raw_n, at)), (V, |_, at| fast_unit(at.raw_v, at)), (Half, |_, at| fast_unit(at.sum, at)), (L, |x, at| if at.light.is_some_and(|l| l.lamp().is_none()) { x } else { fast_unit(at.way, at) })]),
@@ -50,7 +49,7 @@ pub const ROWS: &[Row] = &[
     ("DistanceFromOrigin", "the distance is that of the lamp to the origin, not to p", &[], &[(Q, |_, at| one(length(at.position)))]),
     ("SquaredDistance", "the attenuation gets q² for q", &[], &[(Q, |x, _| x.map(|q| q * q))]),
     ("ExpandedSquares", "the distance is computed from expanded squares, |a|² - 2a·b + |b|², which cancel", &[],
-        &[(Q, |_, at| one((dot(at.position, at.position) - exact(2.0) * dot(at.position, at.p) + dot(at.p, at.p)).at_least_zero().sqrt())), (L, |x, at| if at.light.is_some_and(|l| l.lamp().is_none()) { x } else { at.way.map(|c| c / at.q) })]),
+        &[(Q, |_, at| one((dot(at.position, at.position) - exact(2.0) * dot(at.position, at.p) + dot(at.p, at.p)).at_least_zero().root())), (L, |x, at| if at.light.is_some_and(|l| l.lamp().is_none()) { x } else { at.way.map(|c| c / at.q) })]),
     ("DistanceAtLeast", "the distance is at least {}", &[0.01, 0.001, 0.0001, 0.1, 0.25, 0.5, 1.0], &[(Q, |x, at| x.map(|q| q.at_least(at.value)))]),
     ("LampDistanceAtLeast", "the distance is at least {}, and L is the way to the lamp divided by it", &[0.01, 0.001, 0.1, 0.0001, 0.5, 1.0],
         &[(Q, |x, at| x.map(|q| q.at_least(at.value))), (L, |x, at| if at.light.is_some_and(|l| l.lamp().is_none()) { x } else { at.way.map(|c| c / at.q) })]),
@@ -64,7 +63,7 @@ pub const ROWS: &[Row] = &[
     ("QuadraticByDistance", "the attenuation has cq for cq²", &[], &[(Denominator, |_, at| one(at.abc[0] + at.abc[1] * at.q + at.abc[2] * at.q))]),
     ("DenominatorPlus", "{} is added to a + bq + cq²", &[1.0, 0.1, 0.01, 0.001, 1e-4, 1e-5, 1e-6], &[(Denominator, |x, at| x.map(|c| c + at.number()))]),
     ("AttenuationInverted", "the light is multiplied by a + bq + cq², not divided", &[], &[(Falloff, |_, at| one(at.denominator))]),
-    ("AttenuationRoot", "the attenuation is 1/√(a + bq + cq²)", &[], &[(Denominator, |x, _| x.map(Bounded::sqrt))]),
+    ("AttenuationRoot", "the attenuation is 1/√(a + bq + cq²)", &[], &[(Denominator, |x, _| x.map(Number::root))]),
     ("InverseSquareAlone", "the attenuation is 1/q², whatever a, b and c", &[], &[(Denominator, |_, at| one(at.q * at.q))]),
     ("InverseAlone", "the attenuation is 1/q, whatever a, b and c", &[], &[(Denominator, |_, at| one(at.q))]),
     ("NotAttenuated", "the light is not attenuated", &[], &[(Falloff, |_, _| one(ONE))]),
@@ -101,7 +100,7 @@ pub const ROWS: &[Row] = &[
     ("HalfLambertSquared", "the diffuse term takes half-Lambert squared, ((N·L + 1)/2)²", &[], &[(Lambert, |_, at| { let h = (at.n_l + ONE) / exact(2.0); one(h * h) })]),
     ("Wrapped", "the diffuse term is wrapped: (N·L + {})/(1 + {})", &[0.5, 0.25, 0.2, 0.1, 0.3, 0.4, 0.6, 0.75], &[(Lambert, |_, at| one(((at.n_l + at.number()) / (ONE + at.number())).at_least_zero()))]),
     ("CosineForgotten", "the diffuse term is not multiplied by N·L", &[], &[(Lambert, |_, at| one(at.n_l.if_positive(ONE, ZERO)))]),
-    ("DiffuseMinusSpecular", "the diffuse term is multiplied by 1 - k_s", &[], &[(Diffuse, |x, at| multiply(x, at.k_s.map(|c| ONE - c)))]),
+    ("DiffuseMinusSpecular", "the diffuse term is multiplied by 1 - k_s", &[], &[(Diffuse, |x, at| mul(x, at.k_s.map(|c| ONE - c)))]),
     ("DiffuseMinusLargest", "the diffuse term is multiplied by 1 - the largest channel of k_s", &[], &[(Diffuse, |x, at| scale(x, ONE - at.k_s[0].max(at.k_s[1]).max(at.k_s[2])))]),
     ("DiffuseWithoutLight", "the diffuse term does not have the color of the light", &[], &[(MatteLight, |_, _| one(ONE))]),
     ("DiffuseBySpecular", "the diffuse term takes k_s for k_d", &[], &[(Kd, |_, at| at.k_s)]),
@@ -134,7 +133,7 @@ pub const ROWS: &[Row] = &[
     ("NormalizedExactly", "the highlight is normalized by (m + 2)(m + 4)/(8π(2^(-m/2) + m))", &[], &[(Power, |x, at| normalized(x, at, |m| (m + 2.0) * (m + 4.0) / (8.0 * PI * ((-m / 2.0).exp2() + m))))]),
     ("Fresnel", "k_s has a Fresnel term, k_s + (1 - k_s)(1 - V·H)⁵", &[], &[(Reflectance, |x, at| fresnel(x, dot(at.v, unit(at.sum))))]),
     ("FresnelOfEye", "k_s has a Fresnel term, k_s + (1 - k_s)(1 - N·V)⁵", &[], &[(Reflectance, |x, at| fresnel(x, dot(at.n, at.v).at_least_zero()))]),
-    ("HighlightTimesDiffuse", "k_s is multiplied by k_d", &[], &[(Ks, |x, at| multiply(x, at.k_d))]),
+    ("HighlightTimesDiffuse", "k_s is multiplied by k_d", &[], &[(Ks, |x, at| mul(x, at.k_d))]),
     ("HighlightByDiffuse", "the highlight takes k_d for k_s", &[], &[(Ks, |_, at| at.k_d)]),
     ("HighlightWithoutMaterial", "the highlight is not multiplied by k_s", &[], &[(Ks, |_, _| one(ONE))]),
     ("HighlightWithoutLight", "the highlight does not have the color of the light", &[], &[(ShinyLight, |_, _| one(ONE))]),
@@ -155,7 +154,7 @@ pub const ROWS: &[Row] = &[
     ("AmbientArriving", "the ambient term is added for each light, attenuated and within its cone", &[], &[(Once, |_, _| BLACK), (AmbientToo, |_, at| scale(at.ambient, at.falloff * at.cone))]),
     ("AmbientAttenuated", "the ambient term is added for each light, attenuated", &[], &[(Once, |_, _| BLACK), (AmbientToo, |_, at| scale(at.ambient, at.falloff))]),
     ("AmbientByDiffuse", "the ambient term takes k_d for k_a", &[], &[(Ka, |_, at| at.k_d)]),
-    ("AmbientTimesDiffuse", "the ambient term is multiplied by k_d", &[], &[(Ambient, |x, at| multiply(x, at.k_d))]),
+    ("AmbientTimesDiffuse", "the ambient term is multiplied by k_d", &[], &[(Ambient, |x, at| mul(x, at.k_d))]),
     ("AmbientWithoutMaterial", "the ambient term is not multiplied by k_a", &[], &[(Ka, |_, _| one(ONE))]),
     ("AmbientWithoutLight", "the ambient term is not multiplied by I_a", &[], &[(Ia, |_, _| one(ONE))]),
     ("BlackWithoutLights", "without lights there is no ambient term", &[], &[(Once, |x, at| if at.count == 0.0 { BLACK } else { x })]),
@@ -163,8 +162,8 @@ pub const ROWS: &[Row] = &[
     ("AmbientAtLeast", "the ambient term is the least color, in place of a term of the sum", &[], &[(Sum, |_, at| max(at.ambients, at.lit))]),
     // lights
     ("LightsAtMost", "only the first {} lights count", &[4.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 32.0, 64.0], &[(OfLight, |x, at| if at.i >= at.value { BLACK } else { x })]),
-    ("BrightestLightOnly", "the brightest light is taken, in place of the sum", &[], &[(OfLight, |x, at| subtract(max(x, at.lit), at.lit))]),
-    ("LightsAssigned", "each light replaces the color, in place of adding to it: = for +=", &[], &[(OfLight, |x, at| if_positive(at.n_l, subtract(x, add(at.lit, at.ambients))))]),
+    ("BrightestLightOnly", "the brightest light is taken, in place of the sum", &[], &[(OfLight, |x, at| sub(max(x, at.lit), at.lit))]),
+    ("LightsAssigned", "each light replaces the color, in place of adding to it: = for +=", &[], &[(OfLight, |x, at| if_positive(at.n_l, sub(x, add(at.lit, at.ambients))))]),
     ("LightsAveraged", "the light is divided by the number of lights", &[], &[(Sum, |_, at| add(at.ambients, at.lit.map(|c| c / exact(at.count.max(1.0)))))]),
     ("CosineCutBelow", "light with N·L below {} is left out", &[0.01, 0.001, 0.0001, 0.00001, 0.05, 0.1], &[(OfLight, |x, at| if_positive(at.n_l - at.number(), x))]),
     ("LitFromEyeOnly", "only a surface that faces the eye is lit: light needs N·V > 0", &[], &[(OfLight, |x, at| if_positive(dot(at.n, at.v), x))]),
@@ -236,7 +235,7 @@ pub const OPERATIONS: &[Operation] = &[
     ("Forgotten", "is missing", &[], |_, _| BLACK, &[TERMS, LIGHT]),
     ("AtMost", "is at most {}", &[1.0, 2.0, 4.0, 10.0, 100.0, 0.5], |x, at| x.map(|c| c.at_most(at.value)), &[TERMS, LIGHT, FACTORS]),
     ("AtLeast", "is at least {}", &[0.01, 0.05, 0.1, 0.2, 0.25, 0.5, 0.001], |x, at| x.map(|c| c.at_least(at.value)), &[FACTORS]),
-    ("Squared", "is squared", &[], |x, _| multiply(x, x), &[TERMS, LIGHT, FACTORS]),
+    ("Squared", "is squared", &[], |x, _| mul(x, x), &[TERMS, LIGHT, FACTORS]),
     ("InGray", "has the mean of its channels", &[], |x, _| mean(x), &[TERMS, LIGHT, REFLECTANCES]),
     ("InRed", "has its red in all channels", &[], |x, _| one(x[0]), &[TERMS, LIGHT, REFLECTANCES]),
     ("InSteps", "is rounded to multiples of 1/{}", STEPS, in_steps, &[LIGHT, REFLECTANCES, COLORS, FACTORS]),

@@ -9,8 +9,8 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use clap::builder::PossibleValuesParser;
-use clap::{Args, Parser, Subcommand, ValueEnum};
-use shading_laws::{Laws, Plan, Profile, Renderer, Report, Scene, Triple};
+use clap::{Args, Parser, Subcommand};
+use shading_laws::{Laws, Profile, Renderer, Report, Scene, Triple};
 
 use piped::Piped;
 
@@ -24,8 +24,8 @@ use piped::Piped;
     disable_help_subcommand = true
 )]
 #[command(
-    after_help = "The exit status is 0 if all laws hold and all that the renderer says it has was \
-    exercised, 1 if not, and 2 if nothing was found before the renderer ended or answered with nonsense."
+    after_help = "The exit status is 0 if all laws hold, 1 if not, and 2 if nothing was found before the renderer ended \
+    or answered with nonsense."
 )]
 struct Arguments {
     /// The renderer: a program and its arguments
@@ -74,9 +74,6 @@ struct Options {
     /// The most batches in which the smallest case of a broken law is looked for
     #[arg(long, value_name = "N", default_value = "200")]
     shrink: usize,
-    /// The longest time of that, of all laws together
-    #[arg(long, value_name = "SECONDS", default_value = "3", value_parser = seconds)]
-    shrink_time: Duration,
     /// The longest time of the run; a law that is not tried by then is no pass
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     time: Option<Duration>,
@@ -93,22 +90,23 @@ struct Filed {
 }
 
 impl Filed {
-    /// What is asked for, which does not depend on the answers.
-    fn plan(&self) -> Result<Plan, String> {
-        let profile =
-            Profile::from_json(&self.profile).map_err(|why| format!("--profile: {why}"))?;
-        let laws = Laws {
-            asks_once: true,
-            ..laws(&self.options)?
-        };
-        laws.plan(&profile)
+    /// The profile, the laws, and the scenes, which do not depend on the answers.
+    fn planned(&self) -> Result<(Profile, Laws, Vec<Scene>), String> {
+        let profile = Profile::from_json(&self.profile);
+        let profile = profile.map_err(|why| format!("--profile: {why}"))?;
+        let laws = laws(&self.options)?;
+        let scenes = laws.scenes(&profile)?;
+        Ok((profile, laws, scenes))
     }
 }
 
 #[derive(Subcommand)]
 enum Other {
     /// Print a small renderer to copy from
-    Example { language: Language },
+    Example {
+        #[arg(value_parser = ["python", "c", "rust"])]
+        language: String,
+    },
     /// Print the scenes, one a line, for a renderer that cannot be piped
     Scenes(Filed),
     /// Judge a file with the color of each scene, one a line, that `scenes` with the same options has printed
@@ -118,13 +116,6 @@ enum Other {
         /// The file with the colors
         colors: PathBuf,
     },
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum Language {
-    Python,
-    C,
-    Rust,
 }
 
 fn seconds(text: &str) -> Result<Duration, String> {
@@ -167,22 +158,34 @@ fn main() -> ExitCode {
 fn run(arguments: &Arguments) -> Outcome {
     match &arguments.subcommand {
         Some(Other::Example { language }) => {
-            let text = match language {
-                Language::Python => include_str!("../../examples/renderer.py"),
-                Language::C => include_str!("../../examples/renderer.c"),
-                Language::Rust => include_str!("../../examples/renderer.rs"),
+            let text = match language.as_str() {
+                "python" => include_str!("../../examples/renderer.py"),
+                "c" => include_str!("../../examples/renderer.c"),
+                _ => include_str!("../../examples/renderer.rs"),
             };
             Ok((text.into(), true))
         }
         Some(Other::Scenes(run)) => {
-            let plan = run.plan()?;
-            let lines = plan.scenes().map(|scene| scene.to_json() + "\n");
+            let (_, _, scenes) = run.planned()?;
+            let lines = scenes.iter().map(|scene| scene.to_json() + "\n");
             Ok((lines.collect(), true))
         }
         Some(Other::Judge { run, colors }) => {
-            let plan = run.plan()?;
-            let mut renderer = Colors::new(&plan, &read(colors)?)?;
-            let report = plan.run(&mut renderer);
+            let (profile, laws, scenes) = run.planned()?;
+            let text = read(colors)?;
+            let lines = text.lines().enumerate();
+            let color =
+                |(i, line)| piped::color(line).map_err(|why| format!("line {}: {why}", i + 1));
+            let colors: Vec<Triple> = lines.map(color).collect::<Result<_, _>>()?;
+            if colors.len() != scenes.len() {
+                return Err(format!(
+                    "{} colors for {} scenes; `scenes` and `judge` need the same options",
+                    colors.len(),
+                    scenes.len()
+                ));
+            }
+            let mut report = laws.run(&mut Colors(profile, colors.into_iter()))?;
+            report.error = None; // more is asked for than the file has: smaller scenes, and places
             told(&report, &run.options)
         }
         None if arguments.list => {
@@ -193,7 +196,7 @@ fn run(arguments: &Arguments) -> Outcome {
             let laws = laws(&arguments.options)?;
             let mut renderer = Piped::start(&arguments.command, arguments.timeout)?;
             let mut report = laws.run(&mut renderer)?;
-            if report.error.is_none() && report.stopped.is_none() {
+            if report.error.is_none() {
                 report.error = renderer.finish().err();
             }
             let words = arguments.command.iter();
@@ -258,42 +261,19 @@ fn laws(options: &Options) -> Result<Laws, String> {
         known,
         replay: options.replay.as_deref().map_or(Ok(String::new()), read)?,
         shrinks: options.shrink,
-        shrinking: options.shrink_time,
         time: options.time,
-        asks_once: false,
     })
 }
 
-/// A renderer that answers with the colors of a file, in their order.
-struct Colors {
-    profile: Profile,
-    left: std::vec::IntoIter<Triple>,
-}
-
-impl Colors {
-    fn new(plan: &Plan, text: &str) -> Result<Self, String> {
-        let lines = text.lines().enumerate();
-        let read = |(i, line)| piped::color(line).map_err(|why| format!("line {}: {why}", i + 1));
-        let all: Vec<Triple> = lines.map(read).collect::<Result<_, _>>()?;
-        let (colors, scenes) = (all.len(), plan.scenes().count());
-        if colors != scenes {
-            return Err(format!(
-                "{colors} colors for {scenes} scenes; `scenes` and `judge` need the same options"
-            ));
-        }
-        Ok(Self {
-            profile: plan.profile().clone(),
-            left: all.into_iter(),
-        })
-    }
-}
+/// A renderer that answers with the colors of a file, in their order, as long as there are any.
+struct Colors(Profile, std::vec::IntoIter<Triple>);
 
 impl Renderer for Colors {
     fn profile(&self) -> Profile {
-        self.profile.clone()
+        self.0.clone()
     }
 
     fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
-        Ok(self.left.by_ref().take(scenes.len()).collect())
+        Ok(self.1.by_ref().take(scenes.len()).collect())
     }
 }

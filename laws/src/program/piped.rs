@@ -31,8 +31,6 @@ pub struct Piped {
     timeout: Duration,
     scenes: usize,
     batches: usize,
-    /// Its last line was no text.
-    unreadable: bool,
 }
 
 impl Piped {
@@ -53,14 +51,11 @@ impl Piped {
             };
             format!("cannot start {name}: {error}{hint}")
         })?;
-        let (input, to_write) = channel();
+        let (input, to_write) = channel::<String>();
         let (read, lines) = sync_channel(1024);
-        if let Some(stdin) = child.stdin.take() {
-            thread::spawn(move || write(stdin, &to_write));
-        }
-        if let Some(stdout) = child.stdout.take() {
-            thread::spawn(move || read_lines(stdout, &read));
-        }
+        let (stdin, stdout) = (child.stdin.take(), child.stdout.take());
+        thread::spawn(move || write(stdin?, &to_write));
+        thread::spawn(move || read_lines(stdout?, &read));
         let mut piped = Self {
             command: command.to_vec(),
             child,
@@ -71,28 +66,24 @@ impl Piped {
             timeout,
             scenes: 0,
             batches: 0,
-            unreadable: false,
         };
-        let name: Vec<_> = command.iter().map(|word| word.to_string_lossy()).collect();
-        let profile = piped.introduced(&name.join(" "));
+        piped.write(format!("{VERSION}\n"));
+        let profile = piped.profile_line();
         piped.profile = profile.map_err(|why| format!("in answer to {VERSION}: {why}"))?;
+        if piped.profile.name == Profile::default().name {
+            let words: Vec<_> = command.iter().map(|word| word.to_string_lossy()).collect();
+            piped.profile.name = words.join(" ");
+        }
         Ok(piped)
     }
 
-    fn introduced(&mut self, command: &str) -> Result<Profile, String> {
-        self.write(format!("{VERSION}\n"));
-        let line = self.line(self.timeout)?.ok_or_else(|| {
-            format!(
-                "no line within {:?}; does it flush its output?",
-                self.timeout
-            )
-        })?;
-        let mut profile =
-            Profile::from_json(&line).map_err(|why| format!("{why}, in {}", quoted(&line)))?;
-        if profile.name == Profile::default().name {
-            command.clone_into(&mut profile.name);
-        }
-        Ok(profile)
+    fn profile_line(&mut self) -> Result<Profile, String> {
+        let late = format!(
+            "no line within {:?}; does it flush its output?",
+            self.timeout
+        );
+        let line = self.line(self.timeout)?.ok_or(late)?;
+        Profile::from_json(&line).map_err(|why| format!("{why}, in {}", quoted(&line)))
     }
 
     /// Closes the renderer's input, and sees to it that it ends.
@@ -103,7 +94,7 @@ impl Piped {
     pub fn finish(mut self) -> Result<(), String> {
         self.input = None;
         self.nothing_more(self.timeout.min(Duration::from_secs(2)))?;
-        match self.status_within(GRACE) {
+        match self.status() {
             Some(status) if !status.success() => {
                 Err(format!("after its last color it ended ({status})"))
             }
@@ -112,29 +103,16 @@ impl Piped {
     }
 
     fn nothing_more(&mut self, patience: Duration) -> Result<(), String> {
-        // an end is told by whoever asks next
         let line = match self.line(patience) {
             Ok(Some(line)) => quoted(&line),
-            Err(why) if self.unreadable => why,
-            Ok(None) | Err(_) => return Ok(()),
+            Err(why) if !self.is_over => why,
+            Ok(None) | Err(_) => return Ok(()), // an end is told by whoever asks next
         };
         Err(format!(
             "after the answer to scene {}, the last of a batch, it wrote another line: {line}; the \
              empty line has no answer",
             self.scenes
         ))
-    }
-
-    fn answer(&mut self, left: usize) -> Result<Triple, String> {
-        let line = self.line(self.timeout)?.ok_or_else(|| {
-            let scenes = if left == 1 { "scene" } else { "scenes" };
-            format!(
-                "no answer within {:?}, and {left} {scenes} of the batch left; it must answer each \
-                 scene and flush its output at the empty line",
-                self.timeout
-            )
-        })?;
-        color(&line)
     }
 
     /// Writes a text, without waiting until it is read. That the process no longer reads becomes
@@ -147,50 +125,43 @@ impl Piped {
 
     /// The next line that it writes, without its end; nothing if none came in time.
     fn line(&mut self, patience: Duration) -> Result<Option<String>, String> {
-        let mut line = match self.lines.recv_timeout(patience) {
+        let line = match self.lines.recv_timeout(patience) {
             Ok(line) => line,
             Err(RecvTimeoutError::Timeout) => return Ok(None),
             Err(RecvTimeoutError::Disconnected) => return Err(self.end()),
         };
-        let is_whole = line.last() == Some(&b'\n');
-        line.truncate(line.len() - usize::from(is_whole));
         let text = String::from_utf8_lossy(&line);
-        let is_text = matches!(text, std::borrow::Cow::Borrowed(_));
-        if is_whole && is_text {
-            return Ok(Some(text.into_owned()));
+        let start = quoted(text.trim_end_matches('\n'));
+        let is_text = std::str::from_utf8(&line).is_ok();
+        match text.strip_suffix('\n') {
+            Some(whole) if is_text => Ok(Some(whole.into())),
+            Some(_) => Err(format!("{start} is not UTF-8")),
+            None if line.len() as u64 > LONGEST => {
+                Err(format!("the line {start} is longer than {LONGEST} bytes"))
+            }
+            None => Err(format!("{} in the middle of the line {start}", self.end())),
         }
-        self.unreadable = true;
-        let start = quoted(&text);
-        Err(if is_whole {
-            format!("{start} is not UTF-8")
-        } else if line.len() as u64 > LONGEST {
-            format!("the line {start} is longer than {LONGEST} bytes")
-        } else {
-            format!("{} in the middle of the line {start}", self.end())
-        })
     }
 
     /// How it ended, after it has closed its output.
     fn end(&mut self) -> String {
         self.is_over = true;
-        match self.status_within(GRACE) {
+        match self.status() {
             Some(status) => format!("it ended ({status})"),
             None => "it closed its output".into(),
         }
     }
 
     /// How it ended, if it ends soon.
-    fn status_within(&mut self, patience: Duration) -> Option<ExitStatus> {
+    fn status(&mut self) -> Option<ExitStatus> {
         let begin = Instant::now();
-        loop {
+        while begin.elapsed() < GRACE {
             if let Ok(Some(status)) = self.child.try_wait() {
                 return Some(status);
             }
-            if begin.elapsed() >= patience {
-                return None;
-            }
             thread::sleep(Duration::from_millis(5));
         }
+        None
     }
 }
 
@@ -200,9 +171,6 @@ impl Renderer for Piped {
     }
 
     fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
-        if scenes.is_empty() {
-            return Ok(vec![]);
-        }
         if self.is_over {
             *self = Self::start(&self.command, self.timeout)?;
         }
@@ -218,10 +186,16 @@ impl Renderer for Piped {
         let mut colors = Vec::with_capacity(scenes.len());
         for (i, line) in lines.iter().enumerate() {
             self.scenes += 1;
-            let color = self.answer(scenes.len() - i);
-            colors.push(
-                color.map_err(|why| format!("scene {}: {why}; the scene: {line}", self.scenes))?,
-            );
+            let (left, patience) = (scenes.len() - i, self.timeout);
+            let answer = self.line(patience).and_then(|line| {
+                line.ok_or_else(|| format!(
+                    "no answer within {patience:?}, and {left} of the batch left; it must answer each \
+                     scene and flush its output at the empty line"
+                ))
+            });
+            let color = answer.and_then(|answer| color(&answer));
+            let number = self.scenes;
+            colors.push(color.map_err(|why| format!("scene {number}: {why}; the scene: {line}"))?);
         }
         Ok(colors)
     }
@@ -235,53 +209,43 @@ impl Drop for Piped {
     }
 }
 
-fn write(mut stdin: ChildStdin, texts: &Receiver<String>) {
-    for text in texts {
-        if stdin.write_all(text.as_bytes()).is_err() {
-            return;
-        }
-    }
+fn write(mut stdin: ChildStdin, texts: &Receiver<String>) -> Option<()> {
+    texts
+        .iter()
+        .try_for_each(|text| stdin.write_all(text.as_bytes()).ok())
 }
 
 /// Hands on each line, with its end, and the beginning of one that is too long or has no end.
-fn read_lines(stdout: ChildStdout, lines: &SyncSender<Vec<u8>>) {
+fn read_lines(stdout: ChildStdout, lines: &SyncSender<Vec<u8>>) -> Option<()> {
     let mut stdout = BufReader::new(stdout);
     loop {
         let mut line = Vec::new();
         let mut limited = stdout.by_ref().take(LONGEST + 1);
-        let read = limited.read_until(b'\n', &mut line);
-        let is_whole = line.last() == Some(&b'\n');
-        if read.is_err() || line.is_empty() || lines.send(line).is_err() || !is_whole {
-            return;
-        }
+        limited.read_until(b'\n', &mut line).ok()?;
+        let is_whole = line.last()? == &b'\n';
+        lines.send(line).ok().filter(|()| is_whole)?;
     }
 }
 
 /// A color; also with the numbers that JSON lacks.
 pub fn color(line: &str) -> Result<Triple, String> {
-    let list = line.trim();
-    let list = list
-        .strip_prefix('[')
-        .and_then(|list| list.strip_suffix(']'));
+    let list = line.trim().strip_prefix('[');
+    let list = list.and_then(|list| list.strip_suffix(']'));
     let list = list.ok_or_else(|| format!("expected [red,green,blue], found {}", quoted(line)))?;
-    let numbers = list.split(',').map(|text| component(text.trim()));
-    let numbers: Result<Vec<f64>, _> = numbers.collect();
-    let numbers = numbers.map_err(|why| format!("{why} in {}", quoted(line)))?;
+    let number = |text: &str| match text.trim() {
+        "null" => Err("null is no number; JavaScript writes it for NaN and Infinity".into()),
+        text => text
+            .parse()
+            .map_err(|_| format!("{} is no number in {}", quoted(text), quoted(line))),
+    };
+    let numbers: Vec<f64> = list.split(',').map(number).collect::<Result<_, String>>()?;
     let count = numbers.len();
     Triple::try_from(numbers)
         .map_err(|_| format!("expected 3 numbers, found {count} in {}", quoted(line)))
 }
 
-fn component(text: &str) -> Result<f64, String> {
-    text.parse().map_err(|_| match text {
-        "" => "a number is missing".to_owned(),
-        "null" => "null is no number; JavaScript writes it for NaN and Infinity".to_owned(),
-        _ => format!("{} is no number", quoted(text)),
-    })
-}
-
 /// The beginning of a text, in quotation marks and with its control characters escaped.
-pub fn quoted(text: &str) -> String {
+fn quoted(text: &str) -> String {
     const MOST: usize = 80;
     match text.char_indices().nth(MOST) {
         Some((end, _)) => format!("{:?}…", &text[..end]),
