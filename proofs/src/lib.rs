@@ -1,4 +1,4 @@
-//! Proofs of formulas that are generic over [`Real`](shading::Real): for every bit pattern of their
+//! Proofs of formulas that are generic over [`Real`]: for every bit pattern of their
 //! input, not for samples of it.
 //!
 //! The formula runs with [`Term`], a number that records. Intervals, which know of rounding, overflow, NaN
