@@ -10,8 +10,6 @@ use super::range::Range;
 pub enum Node {
     Var(u32),
     Constant(u64), // the bits of an f64 that is a number of the format
-    Max,
-    Extreme,
     Neg(u32),
     Sqrt(u32),
     Add(u32, u32),
@@ -32,7 +30,7 @@ impl Node {
     /// The nodes that it is made of, and those that it tests.
     pub(super) fn parts(self) -> Vec<u32> {
         match self {
-            Self::Var(_) | Self::Constant(_) | Self::Max | Self::Extreme => vec![],
+            Self::Var(_) | Self::Constant(_) => vec![],
             Self::Neg(a) | Self::Sqrt(a) | Self::Call(_, a) => vec![a],
             Self::Add(a, b)
             | Self::Sub(a, b)
@@ -73,13 +71,6 @@ pub enum Test {
     Case(u32),
 }
 
-/// A node in the one way in which it is written.
-enum Simple {
-    Node(u32),
-    New(Node),
-    Negated(Node),
-}
-
 /// Where the variables get their values from, for a run with numbers.
 pub(super) type Sampler = Box<dyn FnMut(Range, &[f64]) -> f64>;
 
@@ -101,53 +92,35 @@ pub(super) const ZERO: u32 = 0;
 pub(super) const ONE: u32 = 1;
 
 impl Graph {
-    /// Records a node in the one way in which it is written.
+    /// Records a node in the one way in which it is written: what has the same bits by the rules of signs, and without a
+    /// factor of 1.
     pub(super) fn node(&mut self, node: Node) -> u32 {
-        match self.simplified(node) {
-            Simple::Node(id) => id,
-            Simple::New(node) => self.insert(node),
-            Simple::Negated(node) => {
-                let id = self.insert(node);
-                self.node(Node::Neg(id))
-            }
+        let parts = node.parts();
+        let of = |at: usize| parts.get(at).map(|id| self.nodes[*id as usize]);
+        match (node, of(0), of(1)) {
+            (
+                Node::Sub(a, ZERO) | Node::Mul(a, ONE) | Node::Mul(ONE, a) | Node::Div(a, ONE),
+                ..,
+            ) => a,
+            (Node::Neg(_), Some(Node::Neg(x)), _) => x,
+            (Node::Add(a, _), _, Some(Node::Neg(y))) => self.insert(Node::Sub(a, y)),
+            (Node::Add(_, b), Some(Node::Neg(x)), _) => self.insert(Node::Sub(b, x)),
+            (Node::Sub(a, _), _, Some(Node::Neg(y))) => self.node(Node::Add(a, y)),
+            (Node::Mul(..), Some(Node::Neg(x)), Some(Node::Neg(y))) => self.node(Node::Mul(x, y)),
+            (Node::Div(..), Some(Node::Neg(x)), Some(Node::Neg(y))) => self.node(Node::Div(x, y)),
+            (Node::Mul(_, b), Some(Node::Neg(x)), _) => self.negated(Node::Mul(x, b)),
+            (Node::Mul(a, _), _, Some(Node::Neg(y))) => self.negated(Node::Mul(a, y)),
+            (Node::Div(_, b), Some(Node::Neg(x)), _) => self.negated(Node::Div(x, b)),
+            (Node::Div(a, _), _, Some(Node::Neg(y))) => self.negated(Node::Div(a, y)),
+            (Node::Add(a, b), ..) => self.insert(Node::Add(a.min(b), a.max(b))),
+            (Node::Mul(a, b), ..) => self.insert(Node::Mul(a.min(b), a.max(b))),
+            _ => self.insert(node),
         }
     }
 
-    /// What has the same bits by the rules of signs, and without a factor of 1.
-    fn simplified(&self, node: Node) -> Simple {
-        let of = |id: u32| self.nodes[id as usize];
-        let sum = |a: u32, b: u32| Simple::New(Node::Add(a.min(b), a.max(b)));
-        match node {
-            Node::Sub(a, ZERO) | Node::Mul(a, ONE) | Node::Mul(ONE, a) | Node::Div(a, ONE) => {
-                Simple::Node(a)
-            }
-            Node::Neg(a) => match of(a) {
-                Node::Neg(x) => Simple::Node(x),
-                _ => Simple::New(node),
-            },
-            Node::Add(a, b) => match (of(a), of(b)) {
-                (_, Node::Neg(y)) => Simple::New(Node::Sub(a, y)),
-                (Node::Neg(x), _) => Simple::New(Node::Sub(b, x)),
-                _ => sum(a, b),
-            },
-            Node::Sub(a, b) => match of(b) {
-                Node::Neg(y) => sum(a, y),
-                _ => Simple::New(node),
-            },
-            Node::Mul(a, b) | Node::Div(a, b) => {
-                let make = |a: u32, b: u32| match node {
-                    Node::Mul(..) => Node::Mul(a.min(b), a.max(b)),
-                    _ => Node::Div(a, b),
-                };
-                match (of(a), of(b)) {
-                    (Node::Neg(x), Node::Neg(y)) => Simple::New(make(x, y)),
-                    (Node::Neg(x), _) => Simple::Negated(make(x, b)),
-                    (_, Node::Neg(y)) => Simple::Negated(make(a, y)),
-                    _ => Simple::New(make(a, b)),
-                }
-            }
-            node => Simple::New(node),
-        }
+    fn negated(&mut self, node: Node) -> u32 {
+        let id = self.node(node);
+        self.node(Node::Neg(id))
     }
 
     fn insert(&mut self, node: Node) -> u32 {
@@ -176,8 +149,6 @@ impl Graph {
         let exact = match node {
             Node::Var(_) => f64::NAN,
             Node::Constant(bits) => f64::from_bits(bits),
-            Node::Max => self.format.max(),
-            Node::Extreme => self.format.extreme(),
             Node::Neg(a) => -v(a),
             Node::Sqrt(a) => v(a).sqrt(),
             Node::Add(a, b) => v(a) + v(b),
@@ -223,11 +194,9 @@ impl Graph {
             format,
             ..Self::default()
         };
-        for constant in [0.0_f64, 1.0, -1.0] {
+        for constant in [0.0, 1.0, -1.0, format.max(), format.extreme()] {
             graph.insert(Node::Constant(constant.to_bits()));
         }
-        graph.insert(Node::Max);
-        graph.insert(Node::Extreme);
         graph.sampler = sampler;
         graph
     }

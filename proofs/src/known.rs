@@ -57,39 +57,24 @@ impl Known {
         if a == b || x == y && (x.only().is_some() || x == Range::NAN) {
             return true;
         }
-        // x + 0 = x, whatever the sign of that zero, unless x is −0
-        let without_zero = |known: &mut Self, sum: u32| {
-            let Node::Add(c, d) = g.nodes[sum as usize] else {
-                return None;
-            };
-            let ranges = [known.range(g, c), known.range(g, d)];
-            let is_zero = ranges.map(|range| Range::within(0.0, 0.0).covers(range));
-            match ranges.map(|range| range.minus_zero) {
-                [false, _] if is_zero[1] => Some(c),
-                [_, false] if is_zero[0] => Some(d),
-                _ => None,
-            }
-        };
-        if let Some(a) = without_zero(self, a) {
-            return self.same(g, a, b);
-        }
-        if let Some(b) = without_zero(self, b) {
-            return self.same(g, a, b);
-        }
         match (g.nodes[a as usize], g.nodes[b as usize]) {
-            (Node::Mul(c, d), Node::Mul(e, f)) | (Node::Add(c, d), Node::Add(e, f)) => {
-                self.same(g, c, e) && self.same(g, d, f) || self.same(g, c, f) && self.same(g, d, e)
+            // x + 0 = x, whatever the sign of that zero, unless x is −0
+            (Node::Add(c, d), _) if !self.range(g, c).minus_zero && self.is_zero(g, d) => {
+                self.same(g, c, b)
             }
-            (Node::Div(c, d), Node::Div(e, f))
-            | (Node::Sub(c, d), Node::Sub(e, f))
-            | (Node::Power(c, d), Node::Power(e, f)) => self.same(g, c, e) && self.same(g, d, f),
-            (Node::Sqrt(c), Node::Sqrt(d)) | (Node::Neg(c), Node::Neg(d)) => self.same(g, c, d),
-            (Node::Select(Test::Above(c, d), e, f), Node::Select(Test::Above(h, i), j, k)) => {
-                let is_same = [(c, h), (d, i), (e, j), (f, k)];
-                is_same.into_iter().all(|(a, b)| self.same(g, a, b))
+            (Node::Add(c, d), _) if !self.range(g, d).minus_zero && self.is_zero(g, c) => {
+                self.same(g, d, b)
             }
+            (Node::Mul(c, d), Node::Mul(e, f))
+            | (Node::Add(c, d), Node::Add(e, f))
+            | (Node::Div(c, d), Node::Div(e, f))
+            | (Node::Sub(c, d), Node::Sub(e, f)) => self.same(g, c, e) && self.same(g, d, f),
             _ => false,
         }
+    }
+
+    fn is_zero(&mut self, g: &Graph, id: u32) -> bool {
+        Range::within(0.0, 0.0).covers(self.range(g, id))
     }
 
     /// The values that a node can have on this path.
@@ -123,8 +108,6 @@ impl Known {
         match g.nodes[id as usize] {
             Node::Var(index) => g.names[index as usize].1,
             Node::Constant(bits) => constant(f64::from_bits(bits)),
-            Node::Max => constant(f.max()),
-            Node::Extreme => constant(f.extreme()),
             Node::Neg(a) => self.range(g, a).opposite(),
             Node::Sqrt(a) => self.range(g, a).sqrt(f),
             Node::Add(a, b) => self.range(g, a).add(self.range(g, b), f),
@@ -160,8 +143,6 @@ impl Known {
             }
             if otherwise == a && !of_b.nan {
                 y = y.meet(Range::within(-INF, of_b.high).or_nan());
-            } else if otherwise == b && !of_a.nan {
-                y = y.meet(Range::within(of_a.low, INF).or_nan());
             }
         }
         x.join(y)
@@ -184,10 +165,7 @@ impl Known {
                 x.high <= y.low || self.is_at_most(g, a, b),
                 x.low > y.high || self.facts.contains(&(Test::Above(a, b), true)),
             ),
-            _ => (
-                a == b || x.low == x.high && y.low == y.high && x.low == y.low,
-                x.low > y.high || x.high < y.low,
-            ),
+            _ => (false, false),
         };
         if has_none || is_false {
             Some(false)
@@ -201,7 +179,6 @@ impl Known {
         self.facts.iter().any(|fact| match *fact {
             (Test::AtMost(x, y), true) | (Test::Above(x, y), false) => (x, y) == (a, b),
             (Test::AtMost(x, y), false) | (Test::Above(x, y), true) => (x, y) == (b, a),
-            (Test::Equal(x, y), true) => (x, y) == (a, b) || (x, y) == (b, a),
             _ => false,
         })
     }
@@ -230,11 +207,6 @@ impl Known {
             (Test::AtMost(..), true) => {
                 self.learn(g, a, Range::within(-INF, of_b.high));
                 self.learn(g, b, Range::within(of_a.low, INF));
-            }
-            (Test::Equal(..), true) => {
-                let both = Range::within(of_a.low.max(of_b.low), of_a.high.min(of_b.high));
-                self.learn(g, a, both);
-                self.learn(g, b, both);
             }
             // the other answers are also those of NaN
             (Test::Above(..), false) => {
@@ -276,7 +248,6 @@ impl Known {
 
     fn learn_parts(&mut self, g: &Graph, id: u32, now: Range) {
         let f = g.format;
-        let positive = Range::within(f.tiny(), INF);
         let node = g.nodes[id as usize];
         if let Node::Select(test, then, otherwise) = node {
             // only one of the two can be what was selected
@@ -290,12 +261,6 @@ impl Known {
             return;
         }
         match node {
-            Node::Neg(a) => self.learn(g, a, now.opposite()),
-            Node::Sqrt(a) => {
-                let low = if now.low > 0.0 { f.tiny() } else { 0.0 };
-                let high = if now.high < INF { f.max() } else { INF };
-                self.learn(g, a, Range::within(low, high));
-            }
             // a rounded sum is at least each of its terms, if they are not negative
             Node::Add(a, b) => {
                 let both = self.range(g, a).low >= 0.0 && self.range(g, b).low >= 0.0;
@@ -304,39 +269,16 @@ impl Known {
                     self.learn(g, id, Range::within(-INF, high));
                 }
             }
-            Node::Sub(a, b) => {
+            // x − y is positive only if x > y
+            Node::Sub(a, b) if now.low > 0.0 => {
                 let (of_a, of_b) = (self.range(g, a), self.range(g, b));
-                // x − y is positive only if x > y
-                if now.low > 0.0 {
-                    self.learn(g, a, above(of_b.low, f));
-                    self.learn(g, b, below(of_a.high, f));
-                }
-                // x is the difference and y, each rounded away from x
-                let low = f.next_down(f.round(f.next_down(now.low) + of_b.low));
-                let high = f.next_up(f.round(f.next_up(now.high) + of_b.high));
-                // −∞ and ∞ leave anything
-                let [low, high] = [low.max(-INF), high.min(INF)];
-                self.learn(g, a, Range::within(low, high));
+                self.learn(g, a, above(of_b.low, f));
+                self.learn(g, b, below(of_a.high, f));
             }
             Node::Mul(a, b) if a == b => {
                 // the next number also covers half of the smallest one, which rounding may take away
                 let root = f.next_up(f.round(f.next_up(now.high).sqrt()));
                 self.learn(g, a, Range::within(-root, root));
-            }
-            // a product is positive only if both factors are, or neither
-            Node::Mul(a, b)
-                if now.low > 0.0 && self.range(g, a).low.max(self.range(g, b).low) >= 0.0 =>
-            {
-                self.learn(g, a, positive);
-                self.learn(g, b, positive);
-            }
-            // a quotient is positive only if neither is 0 and the divisor is not infinite
-            Node::Div(a, b)
-                if now.low > 0.0 && self.range(g, a).low.min(self.range(g, b).low) >= 0.0 =>
-            {
-                self.learn(g, a, positive);
-                let low = if now.high < INF { f.tiny() } else { 0.0 };
-                self.learn(g, b, Range::within(low, f.max()));
             }
             _ => {}
         }
@@ -387,11 +329,8 @@ fn called(function: Function, of: Range) -> Range {
 fn raised(cosine: Range, m: Range) -> Range {
     let is_lit = cosine.low > 0.0 && !cosine.nan;
     let is_dark = cosine.high <= 0.0 || !cosine.has_numbers();
-    let is_flat = m.high <= 0.0 || !m.has_numbers();
     if is_dark {
         constant(0.0)
-    } else if is_lit && is_flat {
-        constant(1.0)
     } else if is_lit && m.high <= 1.0 {
         Range::unsigned(cosine.low.min(1.0) - 2.0_f64.powi(-20), 1.0)
     } else {

@@ -1,4 +1,4 @@
-//! Proofs of formulas that are generic over [`Real`](shading::Real): for every bit pattern of their
+//! Proofs of formulas that are generic over [`Real`]: for every bit pattern of their
 //! input, not for samples of it.
 //!
 //! The formula runs with [`Term`], a number that records. Intervals, which know of rounding, overflow, NaN
@@ -253,23 +253,6 @@ pub fn witness(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) ->
 /// shading_proofs::prove(|given| {
 ///     let q = given.number("q", Range::within(f64::NEG_INFINITY, f64::INFINITY));
 ///     vec![Goal::Within(falloff(q), Range::within(0.0, 1.0))]
-/// });
-/// ```
-///
-/// A naive formula is refuted. At a distance of 0, 1/q² is infinite, and the light that it falls on is
-/// black, so their product is NaN:
-///
-/// ```should_panic
-/// use shading::Real;
-/// use shading_proofs::{Goal, Range};
-///
-/// fn arriving<T: Real>(light: T, q: T) -> T {
-///     light * (T::ONE / (q * q))
-/// }
-///
-/// shading_proofs::prove(|given| {
-///     let (light, q) = (given.not_negative("light"), given.not_negative("q"));
-///     vec![Goal::Within(arriving(light, q), Range::within(0.0, f64::INFINITY))]
 /// });
 /// ```
 ///

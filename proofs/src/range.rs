@@ -253,24 +253,9 @@ impl Range {
     }
 
     pub fn square(self, f: Format) -> Self {
-        let [low, high] = [self.low.abs(), self.high.abs()];
-        let least = if self.low * self.high > 0.0 {
-            low.min(high)
-        } else {
-            0.0
-        };
-        let most = low.max(high);
-        Self {
-            low: if self.has_numbers() {
-                f.round(least * least)
-            } else {
-                INF
-            },
-            high: f.round(most * most),
-            minus_zero: false,
-            ..self
-        }
-        .tidy()
+        let product = self.mul(self, f);
+        let nan = self.nan;
+        Self { nan, ..product }.meet(Self::unsigned(0.0, INF).or_nan())
     }
 
     pub fn div(self, b: Self, f: Format) -> Self {

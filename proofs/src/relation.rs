@@ -16,14 +16,6 @@ impl Known {
     pub(super) fn related(&mut self, g: &Graph, id: u32, range: Range) -> Range {
         let within = |most: f64| Range::within(-most, most).or_nan();
         match g.nodes[id as usize] {
-            Node::Mul(a, b) => [(a, b), (b, a)].into_iter().fold(range, |range, (v, by)| {
-                match g.nodes[self.resolved(g, by) as usize] {
-                    Node::Div(ONE, root) => self
-                        .share_of_root(g, v, root)
-                        .map_or(range, |most| range.meet(within(most))),
-                    _ => range,
-                }
-            }),
             Node::Div(a, b) => {
                 let share = self.share_of_root(g, a, b);
                 let range = share.map_or(range, |most| range.meet(within(most)));
@@ -38,14 +30,11 @@ impl Known {
         }
     }
 
-    /// The most that |v/√S| can be, and |v · 1/√S|, if S is above 0 and a sum of v² and of numbers that are
-    /// not negative.
+    /// The most that |v/√S| can be, if S is above 0 and a sum of v² and of numbers that are not negative.
     ///
     /// The sum is at least the rounded v², because rounding is monotone. So S ≥ v²(1 − u) − η/2, and with s for
     /// the least S, v² ≤ S(1 + η/2s)/(1 − u). The root is at least √S(1 − u). The quotient adds a
-    /// factor of 1 + u and η/2; the reciprocal, which is no subnormal number if there are three exponent bits,
-    /// and the product add two such factors and η/2. That is less than 16u for u ≤ ¼. If S is ∞, the
-    /// result is 0 or NaN.
+    /// factor of 1 + u and η/2. That is less than 16u for u ≤ ¼. If S is ∞, the result is 0 or NaN.
     fn share_of_root(&mut self, g: &Graph, v: u32, root: u32) -> Option<f64> {
         let root = self.resolved(g, root);
         let Node::Sqrt(sum) = g.nodes[root as usize] else {
@@ -93,6 +82,13 @@ impl Known {
         {
             return true;
         }
+        // a sum of a number that is not positive, and another
+        if let Node::Add(p, q) = g.nodes[a as usize]
+            && (self.range(g, p).high <= 0.0 && is(self, q, b)
+                || self.range(g, q).high <= 0.0 && is(self, p, b))
+        {
+            return true;
+        }
         match (g.nodes[a as usize], g.nodes[b as usize]) {
             (Node::Add(p, q), Node::Add(r, s)) => {
                 is(self, p, r) && is(self, q, s) || is(self, p, s) && is(self, q, r)
@@ -109,42 +105,24 @@ impl Known {
                     && is(self, p, r)
                     && is(self, s, q)
             }
-            (Node::Sqrt(p), Node::Sqrt(r)) => is(self, p, r),
-            (Node::Neg(p), Node::Neg(r)) => is(self, r, p),
-            (Node::Select(..), _) | (_, Node::Select(..)) => self.is_limited(g, a, b, is),
-            _ => false,
-        }
-    }
-
-    /// The same of limits: a minimum passes over a limit that is NaN, and a maximum over a number that is NaN.
-    fn is_limited(
-        &mut self,
-        g: &Graph,
-        a: u32,
-        b: u32,
-        is: impl Fn(&mut Self, u32, u32) -> bool,
-    ) -> bool {
-        let of_both = match (limit(g, a), limit(g, b)) {
-            (Some(Limit::Most(x, l)), Some(Limit::Most(y, m))) => {
-                let are_numbers = !self.range(g, l).nan && !self.range(g, m).nan;
-                (l == m || are_numbers) && is(self, x, y) && is(self, l, m)
+            // a minimum passes over a limit that is NaN, and a maximum over a number that is NaN
+            (x, y) => {
+                let of_first = match limit(x) {
+                    Some(Limit::Most(x, l)) => {
+                        is(self, x, b) || !self.range(g, l).nan && is(self, l, b)
+                    }
+                    Some(Limit::Least(x, l)) => is(self, x, b) && is(self, l, b),
+                    None => false,
+                };
+                match limit(y) {
+                    _ if of_first => true,
+                    Some(Limit::Most(y, m)) => is(self, a, y) && is(self, a, m),
+                    Some(Limit::Least(y, m)) => {
+                        is(self, a, m) || !self.range(g, y).nan && is(self, a, y)
+                    }
+                    None => false,
+                }
             }
-            (Some(Limit::Least(x, l)), Some(Limit::Least(y, m))) => {
-                !self.range(g, y).nan && is(self, x, y) && is(self, l, m)
-            }
-            _ => false,
-        };
-        let of_first = match limit(g, a) {
-            _ if of_both => true,
-            Some(Limit::Most(x, l)) => is(self, x, b) || !self.range(g, l).nan && is(self, l, b),
-            Some(Limit::Least(x, l)) => is(self, x, b) && is(self, l, b),
-            None => false,
-        };
-        match limit(g, b) {
-            _ if of_first => true,
-            Some(Limit::Most(y, m)) => is(self, a, y) && is(self, a, m),
-            Some(Limit::Least(y, m)) => is(self, a, m) || !self.range(g, y).nan && is(self, a, y),
-            None => false,
         }
     }
 }
@@ -155,13 +133,10 @@ enum Limit {
     Least(u32, u32),
 }
 
-fn limit(g: &Graph, id: u32) -> Option<Limit> {
-    let Node::Select(Test::Above(x, y), then, otherwise) = g.nodes[id as usize] else {
-        return None;
-    };
-    match (then, otherwise) {
-        _ if (then, otherwise) == (x, y) => Some(Limit::Least(x, y)),
-        _ if (then, otherwise) == (y, x) => Some(Limit::Most(x, y)),
+fn limit(node: Node) -> Option<Limit> {
+    match node {
+        Node::Select(Test::Above(x, y), a, b) if (a, b) == (x, y) => Some(Limit::Least(x, y)),
+        Node::Select(Test::Above(x, y), a, b) if (a, b) == (y, x) => Some(Limit::Most(x, y)),
         _ => None,
     }
 }

@@ -37,6 +37,12 @@ impl Run {
         };
     }
 
+    /// The answer that this path has given to a test.
+    fn told(&self, test: Test) -> Option<bool> {
+        let told = self.path.iter().find(|(told, _)| *told == test);
+        told.map(|(_, answer)| *answer)
+    }
+
     fn learn(&mut self, test: Test, answer: bool) {
         self.path.push((test, answer));
         self.known.refine(&self.graph, test, answer);
@@ -52,7 +58,7 @@ impl Run {
             self.path.push((test, answer));
             return answer;
         }
-        if let Some(&(_, answer)) = self.path.iter().find(|(known, _)| *known == test) {
+        if let Some(answer) = self.told(test) {
             return answer;
         }
         if self.known.impossible {
@@ -122,6 +128,11 @@ pub(super) fn case() -> bool {
         run.cases += 1;
         run.decide(Test::Case(run.cases))
     })
+}
+
+/// The answer that the path has given to a test.
+pub(super) fn told(test: Test) -> Option<bool> {
+    with_run(|run| run.told(test))
 }
 
 /// The answer to a test.

@@ -121,8 +121,6 @@ fn defined(g: &Graph, id: u32) -> String {
 fn value(g: &Graph, node: Node) -> String {
     match node {
         Node::Constant(bits) => constant(g.format, f64::from_bits(bits)),
-        Node::Max => constant(g.format, g.format.max()),
-        Node::Extreme => constant(g.format, g.format.extreme()),
         Node::Neg(a) => format!("(fp.neg n{a})"),
         Node::Sqrt(a) => format!("(fp.sqrt RNE n{a})"),
         Node::Add(a, b) => format!("(fp.add RNE n{a} n{b})"),

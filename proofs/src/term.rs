@@ -9,7 +9,7 @@ use shading::{Elementary, Exponent, Real};
 
 use super::graph::{Function, Node, ONE, Test, ZERO};
 use super::range::Range;
-use super::run::{decide, node, with};
+use super::run::{decide, node, told, with};
 
 /// A number that records the formula which it is put into. It implements [`Real`], and so every
 /// formula that is generic over it can be proved.
@@ -122,7 +122,10 @@ impl Real for Term {
             return then;
         }
         let test = Test::Above(self.0, threshold.0);
-        Self(node(Node::Select(test, then.0, otherwise.0)))
+        match told(test) {
+            Some(answer) => [otherwise, then][usize::from(answer)],
+            None => Self(node(Node::Select(test, then.0, otherwise.0))),
+        }
     }
     // one decision, for what floats decide by one comparison of bits
     fn any_outside(self, low: Self, high: Self) -> bool {

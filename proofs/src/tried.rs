@@ -1,7 +1,7 @@
 //! A claim with every input, in a format of few numbers: the value of each node must lie in the range that the
 //! rules derive for it, each answer of theirs must be that of the numbers, and each goal that they prove must hold.
 
-use std::cell::RefCell;
+use std::cell::Cell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -29,38 +29,6 @@ fn derive(run: &Run, goals: &[Goal]) -> Derived {
     }
 }
 
-/// The choice of each variable in turn: which of how many numbers.
-#[derive(Default)]
-struct Odometer {
-    places: Vec<(usize, usize)>,
-    next: usize,
-}
-
-impl Odometer {
-    fn choose(&mut self, range: Range, numbers: &[f64]) -> f64 {
-        let mut inside = numbers.iter().filter(|x| range.contains(**x));
-        if self.places.len() == self.next {
-            self.places.push((0, inside.clone().count()));
-        }
-        self.next += 1;
-        let chosen = inside.nth(self.places[self.next - 1].0);
-        *chosen.expect("a number of the range")
-    }
-
-    /// Whether another choice remains.
-    fn turn(&mut self) -> bool {
-        self.places.truncate(self.next);
-        self.next = 0;
-        while let Some((at, count)) = self.places.pop() {
-            if at + 1 < count {
-                self.places.push((at + 1, count));
-                return true;
-            }
-        }
-        false
-    }
-}
-
 /// Tries a claim with every input. Returns how many values were compared.
 ///
 /// # Errors
@@ -68,14 +36,24 @@ impl Odometer {
 /// The first value, answer or goal that the rules get wrong.
 pub fn every(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Result<u64, String> {
     let numbers = Rc::new(format.numbers());
-    let odometer: Rc<RefCell<Odometer>> = Rc::default();
+    // the input: the remainders by how many numbers each variable has; what is left when all have one ends the inputs
+    let rest = Rc::new(Cell::new(0));
     let mut derived: HashMap<Vec<(Test, bool)>, Derived> = HashMap::new();
     let (mut compared, mut wrong) = (0, None);
-    loop {
-        let (choices, numbers) = (odometer.clone(), numbers.clone());
-        let sampler = move |range: Range, _: &[f64]| choices.borrow_mut().choose(range, &numbers);
+    for input in 0_usize.. {
+        rest.set(input);
+        let (choices, numbers) = (rest.clone(), numbers.clone());
+        let sampler = move |range: Range, _: &[f64]| {
+            let mut inside = numbers.iter().filter(|x| range.contains(**x));
+            let (input, count) = (choices.get(), inside.clone().count());
+            choices.set(input / count);
+            *inside.nth(input % count).expect("a number of the range")
+        };
         let formula = || claim(Given(format));
         calculate(format, Box::new(sampler), &formula, |run, goals| {
+            if rest.get() > 0 {
+                return;
+            }
             if !derived.contains_key(&run.path) {
                 derived.insert(run.path.clone(), derive(run, &goals));
             }
@@ -105,8 +83,9 @@ pub fn every(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Result<u64, 
         if let Some(wrong) = wrong {
             return Err(wrong);
         }
-        if !odometer.borrow_mut().turn() {
+        if rest.get() > 0 {
             return Ok(compared);
         }
     }
+    unreachable!("the inputs end")
 }

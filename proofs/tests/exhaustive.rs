@@ -50,9 +50,7 @@ fn pairs<A: Copy, B: Copy>(a: &[A], b: &[B]) -> Vec<(A, B)> {
         .collect()
 }
 
-fn constants() -> [f64; 9] {
-    [0.0, -0.0, 1.0, -1.0, 0.5, 2.5, 4.0, 14.0, INF]
-}
+const CONSTANTS: [f64; 10] = [0.0, -0.0, 0.0625, 1.0, -1.0, 0.5, 2.5, 4.0, 14.0, INF];
 
 /// The operation with this number.
 #[allow(clippy::eq_op)] // a shape that a rule looks for
@@ -105,76 +103,46 @@ const TESTS: [usize; 5] = [0, 1, 2, 3, 4];
 /// Interval operations: every pair of ranges, with every pair of their numbers.
 #[test]
 fn ranges_hold_what_operations_give() {
-    type Unary = fn(Range, Format) -> Range;
-    type Binary = fn(Range, Range, Format) -> Range;
-    type Of = fn(f64) -> f64;
-    type OfTwo = fn(f64, f64) -> f64;
-    let f = Format::Small(2, 3);
-    let unary: [(Unary, Of); 3] = [
-        (Range::sqrt, f64::sqrt),
-        (Range::square, |x| x * x),
-        (|range, _| range.opposite(), |x| -x),
-    ];
-    let binary: [(Binary, OfTwo); 4] = [
+    type Operation = (fn(Range, Range, Format) -> Range, fn(f64, f64) -> f64);
+    let operations: [Operation; 7] = [
         (Range::add, |x, y| x + y),
         (Range::sub, |x, y| x - y),
         (Range::mul, |x, y| x * y),
         (Range::div, |x, y| x / y),
+        (|range, _, f| range.sqrt(f), |x, _| x.sqrt()),
+        (|range, _, f| range.square(f), |x, _| x * x),
+        (|range, _, _| range.opposite(), |x, _| -x),
     ];
+    let f = Format::Small(2, 3);
     let numbers = f.numbers();
-    let ends: Vec<f64> = numbers.iter().copied().filter(|x| !x.is_nan()).collect();
     let mut ranges = vec![Range::NONE, Range::NAN, Range::NOT_FINITE];
-    for (low, high) in pairs(&ends, &ends)
-        .into_iter()
-        .filter(|(low, high)| low <= high)
-    {
+    for (low, high) in pairs(&numbers, &numbers) {
         for range in [Range::within(low, high), Range::unsigned(low, high)] {
             ranges.extend((!ranges.contains(&range)).then_some(range));
         }
     }
-    let some: Vec<Range> = ranges
-        .iter()
-        .step_by(7)
-        .map(|range| range.or_nan())
-        .collect();
-    ranges.extend(some);
-    let inside = |range: &Range| {
-        numbers
-            .iter()
-            .copied()
-            .filter(|x| range.contains(*x))
-            .collect()
+    let some = ranges.iter().step_by(7).map(|range| range.or_nan());
+    ranges.extend(some.collect::<Vec<_>>());
+    let inside = |range: &Range| -> Vec<f64> {
+        let inside = numbers.iter().copied();
+        inside.filter(|x| range.contains(*x)).collect()
     };
-    let values: Vec<Vec<f64>> = ranges.iter().map(inside).collect();
-    for (a, xs) in ranges.iter().zip(&values) {
-        for (of_ranges, of_numbers) in unary {
-            let range = of_ranges(*a, f);
-            let wrong = xs
-                .iter()
-                .find(|x| !range.contains(f.round(of_numbers(**x))));
-            assert_eq!(wrong, None, "{a:?} gives {range:?}");
-        }
-        for (b, ys) in ranges.iter().zip(&values) {
-            for (op, (of_ranges, of_numbers)) in binary.iter().enumerate() {
+    let ranges: Vec<_> = ranges.iter().map(|range| (*range, inside(range))).collect();
+    for (a, xs) in &ranges {
+        for (b, ys) in &ranges {
+            for (op, (of_ranges, of_numbers)) in operations.iter().enumerate() {
                 let range = of_ranges(*a, *b, f);
-                for x in xs {
-                    let wrong = ys
-                        .iter()
-                        .find(|y| !range.contains(f.round(of_numbers(*x, **y))));
-                    assert_eq!(
-                        wrong, None,
-                        "operation {op} of {x} in {a:?} and in {b:?} gives {range:?}"
+                let ys = if op < 4 { &ys[..] } else { &[0.0] };
+                for (x, y) in xs.iter().flat_map(|x| ys.iter().map(move |y| (*x, *y))) {
+                    assert!(
+                        range.contains(f.round(of_numbers(x, y))),
+                        "operation {op} of {x} in {a:?} and {y} in {b:?} gives {range:?}"
                     );
                 }
             }
-            let (meet, join) = (a.meet(*b), a.covers(*b));
-            for x in &numbers {
-                assert!(!(a.contains(*x) && b.contains(*x)) || meet.contains(*x));
-                assert!(
-                    !join || !b.contains(*x) || a.contains(*x),
-                    "{a:?} does not cover {b:?}"
-                );
-            }
+            let (both, covers) = (a.meet(*b), a.covers(*b));
+            assert!(xs.iter().all(|x| both.contains(*x) || !b.contains(*x)));
+            assert!(!covers || ys.iter().all(|y| a.contains(*y)));
         }
     }
 }
@@ -226,7 +194,7 @@ fn operations_on_operations() {
 /// Constants as operands, as in x · 1, x + 0 and max(x, 0).
 #[test]
 fn operations_with_constants() {
-    let forms = pairs(&pairs(&OPERATIONS, &constants()), &ranges());
+    let forms = pairs(&pairs(&OPERATIONS, &CONSTANTS), &ranges());
     check(
         Format::Small(4, 3),
         forms,
@@ -299,31 +267,6 @@ fn decisions_about_decisions() {
     });
 }
 
-/// Selections of one value or another, of which a later decision shows which it was.
-#[test]
-fn decisions_about_selections() {
-    let ranges = ranges();
-    let forms = pairs(
-        &pairs(&TESTS, &[0, 1, 2, 3, 4, 5]),
-        &pairs(&ranges[..6], &[-1.0, 0.0, 0.5, 2.0]),
-    );
-    check(SMALL, forms, |given, &((test, form), (range, limit))| {
-        let (x, y, k) = (given.number("x", range), given.any("y"), Term::of(limit));
-        let (low, high) = (Term::of(-2.0), Term::of(4.0));
-        let selected = match form {
-            0 => x.if_above(y, low, high),
-            1 => x.if_above(k, y, low),
-            2 => y.if_positive(x, k),
-            3 => x.at_least(y).at_most(high),
-            4 => x.if_above(low, high.if_above(x, x, low), y),
-            _ => x.at_most(k).at_least(y),
-        };
-        let decided = decide(test, selected, k);
-        let other = if decided { x } else { y };
-        [all_of(selected, other), all_of(other, x), all_of(x - y, y)].concat()
-    });
-}
-
 /// A component over the root of a sum that has its square, by a division and by a reciprocal.
 #[test]
 fn components_of_vectors() {
@@ -374,7 +317,7 @@ fn order_of_results() {
         Range::within(-4.0, -0.25),
         Range::within(0.25, 4.0),
     ];
-    let forms = pairs(&pairs(&ranges, &ranges), &pairs(&TESTS, &OPERATIONS));
+    let forms = pairs(&pairs(&ranges, &ranges), &pairs(&TESTS[..2], &OPERATIONS));
     check(
         Format::Small(3, 2),
         forms,
@@ -410,35 +353,6 @@ fn order_of_results() {
                     ]
                 })
                 .collect()
-        },
-    );
-}
-
-/// Quotients of two sums or products of the same operands.
-#[test]
-fn quotients_of_sums() {
-    let factors = [0.0, 1.0, -1.0, 0.25];
-    let ranges = [
-        Range::within(0.0, INF),
-        Range::unsigned(0.0, 14.0),
-        Range::within(-INF, 0.0),
-    ];
-    let forms = pairs(
-        &pairs(&pairs(&factors, &factors), &pairs(&factors, &factors)),
-        &pairs(&ranges, &ranges),
-    );
-    check(
-        Format::Small(3, 2),
-        forms,
-        |given, &(((p, q), (r, s)), (range, other))| {
-            let (x, y) = (given.number("x", range), given.number("y", other));
-            let [p, q, r, s] = [p, q, r, s].map(Term::of);
-            let (a, b) = (x * p + y * q, x * r - y * s);
-            vec![
-                Goal::Within(a / b, Range::within(-1.0, 1.0).or_nan()),
-                Goal::AtMost(a, b),
-                Goal::Same(a, b),
-            ]
         },
     );
 }

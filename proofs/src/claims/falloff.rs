@@ -58,16 +58,6 @@ pub fn attenuation_never_rises(given: Given) -> Vec<Goal> {
     .into()
 }
 
-pub fn attenuation_at_no_denominator(given: Given) -> Vec<Goal> {
-    let (falloff, q) = (attenuation(given), given.number("q", not_negative(given)));
-    let [a, b, c] = falloff.coefficients();
-    given.assume_at_most(a + q * (b + c * q), Term::ZERO);
-    let max = given.format().max();
-    let mut goals = within([falloff.at(q)], Range::within(max, max));
-    goals.extend(within([falloff.clamped().at(q)], Range::within(1.0, 1.0)));
-    goals
-}
-
 pub fn range_of_invalid(given: Given) -> Vec<Goal> {
     let r = given.number("r", Range::within(-INF, 0.0).or_nan());
     none(attenuation(given).within(r))
@@ -89,15 +79,6 @@ pub fn range_never_adds(given: Given) -> Vec<Goal> {
         Goal::AtMost(ranged.at(q), free),
         Goal::AtMost(ranged.unsquared().at(q), free),
     ]
-}
-
-pub fn range_without_end(given: Given) -> Vec<Goal> {
-    let (falloff, q) = (attenuation(given), given.any("q"));
-    let infinite = given.number("r", Range::within(INF, INF));
-    let endless = falloff.within(infinite);
-    endless.map_or(vec![Goal::Never], |endless| {
-        vec![Goal::Same(endless.at(q), falloff.at(q))]
-    })
 }
 
 pub fn cone_of_any_cosines(given: Given) -> Vec<Goal> {

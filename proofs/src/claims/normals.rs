@@ -49,19 +49,20 @@ fn degenerate(given: Given) -> [Vec3<Term>; 3] {
     [[a, b, c], [c, a, b], [b, c, a]][given.one_of(3) as usize]
 }
 
-pub fn triangle_of_any(given: Given) -> Vec<Goal> {
-    let [a, b, c] = ["v1", "v2", "v3"].map(|name| any_vector(given, name));
-    none_or_unit(normal::triangle(a, b, c))
+pub fn normals_of_any(given: Given) -> Vec<Goal> {
+    let [a, b, c] = vertices(given);
+    none_or_unit(match given.one_of(5) {
+        0 => normal::triangle(a, b, c),
+        1 => normal::sphere(a, b),
+        2 => implicit(given, a),
+        3 => parametric(given, a, b),
+        _ => normal::from_tangents(a, b),
+    })
 }
 
 pub fn triangle_of_none(given: Given) -> Vec<Goal> {
     let [a, b, c] = degenerate(given);
     none(normal::triangle(a, b, c))
-}
-
-pub fn sphere_of_any(given: Given) -> Vec<Goal> {
-    let (center, p) = (any_vector(given, "center"), any_vector(given, "p"));
-    none_or_unit(normal::sphere(center, p))
 }
 
 pub fn sphere_of_none(given: Given) -> Vec<Goal> {
@@ -74,27 +75,13 @@ pub fn sphere_of_none(given: Given) -> Vec<Goal> {
     none(normal::sphere(center, p))
 }
 
-pub fn implicit_of_any(given: Given) -> Vec<Goal> {
-    none_or_unit(implicit(given, any_vector(given, "gradient")))
-}
-
 pub fn implicit_of_none(given: Given) -> Vec<Goal> {
     none(implicit(given, without_direction(given, "gradient")))
-}
-
-pub fn parametric_of_any(given: Given) -> Vec<Goal> {
-    let (s_u, s_v) = (any_vector(given, "s_u"), any_vector(given, "s_v"));
-    none_or_unit(parametric(given, s_u, s_v))
 }
 
 pub fn parametric_of_none(given: Given) -> Vec<Goal> {
     let (s_u, s_v) = parallel(given);
     none(parametric(given, s_u, s_v))
-}
-
-pub fn tangents_of_any(given: Given) -> Vec<Goal> {
-    let (s_u, s_v) = (any_vector(given, "s_u"), any_vector(given, "s_v"));
-    none_or_unit(normal::from_tangents(s_u, s_v))
 }
 
 pub fn tangents_of_none(given: Given) -> Vec<Goal> {
@@ -108,6 +95,7 @@ pub fn facing_faces(given: Given) -> Vec<Goal> {
         UnitVec3::assume_unit(given.vector(name, numbers))
     };
     let (n, v) = (direction("n"), direction("v"));
+    let _ = (-n).dot(v) > Term::ZERO; // on either path, what is selected is known
     within([normal::facing(n, v).dot(v)], light().or_nan())
 }
 
@@ -116,6 +104,7 @@ pub fn facing_stays(given: Given) -> Vec<Goal> {
     if Term::ZERO > n.dot(v) {
         return vec![];
     }
+    let _ = (-n).dot(v) > Term::ZERO;
     same(normal::facing(n, v), n)
 }
 

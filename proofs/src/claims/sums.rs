@@ -13,56 +13,24 @@ struct Scene {
     i_a: Rgb<Term>,
 }
 
-fn scene(given: Given) -> Scene {
+fn scene(given: Given, direction: fn(Given, &str) -> UnitVec3<Term>) -> Scene {
+    let [n, v] = ["n", "v"].map(|name| direction(given, name));
     Scene {
-        n: given.unit("n"),
-        v: given.unit("v"),
-        material: material(given),
-        i_a: given.rgb("I_a"),
-    }
-}
-
-fn of_any_directions(given: Given) -> Scene {
-    Scene {
-        n: any_direction(given, "n"),
-        v: any_direction(given, "v"),
+        n,
+        v,
         material: material(given),
         i_a: given.rgb("I_a"),
     }
 }
 
 impl Scene {
-    fn lambert(&self, lights: &[IncidentLight<Term>]) -> Shaded<Term> {
-        shade::lambert(self.n, &self.material, self.i_a, lights.iter().copied())
-    }
-
-    fn phong(&self, lights: &[IncidentLight<Term>]) -> Shaded<Term> {
-        shade::phong(
-            self.n,
-            self.v,
-            &self.material,
-            self.i_a,
-            lights.iter().copied(),
-        )
-    }
-
-    fn blinn_phong(&self, lights: &[IncidentLight<Term>]) -> Shaded<Term> {
-        shade::blinn_phong(
-            self.n,
-            self.v,
-            &self.material,
-            self.i_a,
-            lights.iter().copied(),
-        )
-    }
-
     /// One of the three models, each of which is proved apart.
-    fn any_model(&self, given: Given) -> impl Fn(&[IncidentLight<Term>]) -> Shaded<Term> {
-        let model = given.one_of(3);
-        move |lights| match model {
-            0 => self.lambert(lights),
-            1 => self.phong(lights),
-            _ => self.blinn_phong(lights),
+    fn shade(&self, model: u32, lights: &[IncidentLight<Term>]) -> Shaded<Term> {
+        let (material, lights) = (&self.material, lights.iter().copied());
+        match model {
+            0 => shade::lambert(self.n, material, self.i_a, lights),
+            1 => shade::phong(self.n, self.v, material, self.i_a, lights),
+            _ => shade::blinn_phong(self.n, self.v, material, self.i_a, lights),
         }
     }
 }
@@ -77,21 +45,13 @@ fn lights(given: Given) -> [IncidentLight<Term>; 2] {
     ["l1", "l2"].map(|name| sun(given, given.unit(name)))
 }
 
-pub fn lambert(given: Given) -> Vec<Goal> {
-    is_light(scene(given).lambert(&lights(given)))
-}
-
-pub fn phong(given: Given) -> Vec<Goal> {
-    is_light(scene(given).phong(&lights(given)))
-}
-
-pub fn blinn_phong(given: Given) -> Vec<Goal> {
-    is_light(scene(given).blinn_phong(&lights(given)))
+pub fn lit_by_suns(given: Given) -> Vec<Goal> {
+    is_light(scene(given, Given::unit).shade(given.one_of(3), &lights(given)))
 }
 
 pub fn lit_by_a_lamp(given: Given) -> Vec<Goal> {
     let lamp = lamp(given, any_vector(given, "position"));
-    is_light(scene(given).blinn_phong(&[lamp.at(any_vector(given, "p"))]))
+    is_light(scene(given, Given::unit).shade(2, &[lamp.at(any_vector(given, "p"))]))
 }
 
 /// The terms of a sum that is limited to MAX and multiplied by a reflectance, the last first.
@@ -117,8 +77,8 @@ fn added(channel: Term) -> Vec<Term> {
 }
 
 pub fn any_number_of_lights(given: Given) -> Vec<Goal> {
-    let scene = scene(given);
-    let lit = scene.any_model(given)(&lights(given));
+    let scene = scene(given, Given::unit);
+    let lit = scene.shade(given.one_of(3), &lights(given));
     let mut terms = Vec::new();
     for channel in [lit.diffuse.r, lit.specular.r] {
         if channel.0 != Term::ZERO.0 {
@@ -132,15 +92,15 @@ pub fn any_number_of_lights(given: Given) -> Vec<Goal> {
 fn adds_nothing(given: Given, scene: &Scene, light: IncidentLight<Term>) -> Vec<Goal> {
     let other = sun(given, any_direction(given, "other"));
     let lights = [[light, other], [other, light]][given.one_of(2) as usize];
-    let model = scene.any_model(given);
-    let (with, without) = (model(&lights), model(&[other]));
+    let model = given.one_of(3);
+    let [with, without] = [&lights[..], &[other]].map(|lights| scene.shade(model, lights));
     let colors = |s: Shaded<Term>| [s.ambient, s.diffuse, s.specular, s.total()];
     let pairs = colors(with).into_iter().zip(colors(without));
     pairs.flat_map(|(a, b)| same(a, b)).collect()
 }
 
 pub fn behind(given: Given) -> Vec<Goal> {
-    let scene = of_any_directions(given);
+    let scene = scene(given, any_direction);
     let l = any_direction(given, "l");
     if scene.n.dot(l) > Term::ZERO {
         return vec![];
@@ -149,7 +109,7 @@ pub fn behind(given: Given) -> Vec<Goal> {
 }
 
 pub fn lamp_behind(given: Given) -> Vec<Goal> {
-    let scene = of_any_directions(given);
+    let scene = scene(given, any_direction);
     let Some(spot) = spot(given, any_vector(given, "position")) else {
         return vec![];
     };
@@ -163,25 +123,25 @@ pub fn lamp_behind(given: Given) -> Vec<Goal> {
 
 pub fn black_light(given: Given) -> Vec<Goal> {
     let light = sun(given, given.unit("l")) * Rgb::BLACK;
-    adds_nothing(given, &scene(given), light)
+    adds_nothing(given, &scene(given, Given::unit), light)
 }
 
 pub fn broken_lamp(given: Given) -> Vec<Goal> {
     let lamp = lamp(given, broken(given, "position"));
     let light = lamp.at(finite_vector(given, "p"));
-    adds_nothing(given, &scene(given), light)
+    adds_nothing(given, &scene(given, Given::unit), light)
 }
 
 pub fn opposite(given: Given) -> Vec<Goal> {
-    let scene = scene(given);
+    let scene = scene(given, Given::unit);
     let light = sun(given, -scene.v);
-    black(scene.blinn_phong(&[light]).specular)
+    black(scene.shade(2, &[light]).specular)
 }
 
 pub fn black_surface(given: Given) -> Vec<Goal> {
-    let mut scene = scene(given);
+    let mut scene = scene(given, Given::unit);
     (scene.material.k_d, scene.material.k_s) = (Rgb::BLACK, Rgb::BLACK);
-    let lit = scene.any_model(given)(&lights(given));
+    let lit = scene.shade(given.one_of(3), &lights(given));
     [black(lit.diffuse), black(lit.specular)].concat()
 }
 
@@ -191,8 +151,8 @@ fn at_most(a: Rgb<Term>, b: Rgb<Term>) -> Vec<Goal> {
 }
 
 pub fn reflected_at_most(given: Given) -> Vec<Goal> {
-    let scene = scene(given);
-    let lit = scene.any_model(given)(&lights(given));
+    let scene = scene(given, Given::unit);
+    let lit = scene.shade(given.one_of(3), &lights(given));
     let most = |k: Rgb<Term>| k * Term::MAX;
     let (k_d, k_s) = (scene.material.k_d, scene.material.k_s);
     [
@@ -203,8 +163,8 @@ pub fn reflected_at_most(given: Given) -> Vec<Goal> {
 }
 
 pub fn highlight_at_most(given: Given) -> Vec<Goal> {
-    let scene = scene(given);
+    let scene = scene(given, Given::unit);
     let light = sun(given, given.unit("l"));
-    let lit = scene.any_model(given)(&[light]);
+    let lit = scene.shade(given.one_of(3), &[light]);
     at_most(lit.specular, light.intensity() * scene.material.k_s)
 }

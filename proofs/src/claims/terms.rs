@@ -1,6 +1,4 @@
-//! The terms of the model, what floats override, and numbers that differentiate.
-
-use std::ops::{Add, Div, Mul, Neg, Sub};
+//! The terms of the model, and numbers that differentiate.
 
 use shading::{Dual, Elementary, Exponent, Real, UnitVec3, Vec3, term};
 use shading_proofs::{Given, Goal, Range, Term};
@@ -55,8 +53,8 @@ pub fn highlights_of_one(given: Given) -> Vec<Goal> {
 /// Powers as the sums take them: of a cosine in [0, 1], and of its square.
 pub fn powers_in_their_range(given: Given) -> Vec<Goal> {
     let cosine = given.number("cosine", share());
-    let powers = SHININESS.map(|m| [m.raise(cosine), m.raise_root(cosine)]);
-    within(powers.concat(), Range::within(0.0, 1.0))
+    let m = SHININESS[given.one_of(9) as usize];
+    within([m.raise(cosine), m.raise_root(cosine)], share())
 }
 
 pub fn phong_normalization(given: Given) -> Vec<Goal> {
@@ -86,81 +84,12 @@ pub fn blinn_normalization(given: Given) -> Vec<Goal> {
     within([term::blinn_normalization(m)], range)
 }
 
-/// A number that records, with the trait's own methods.
-#[derive(Clone, Copy)]
-struct Derived(Term);
-
-macro_rules! operators {
-    ($($trait:ident::$method:ident)*) => {
-        $(impl $trait for Derived {
-            type Output = Self;
-            fn $method(self, other: Self) -> Self {
-                Self(self.0.$method(other.0))
-            }
-        })*
-    };
-}
-operators!(Add::add Sub::sub Mul::mul Div::div);
-
-impl Neg for Derived {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self(-self.0)
-    }
-}
-
-impl Real for Derived {
-    const ZERO: Self = Self(Term::ZERO);
-    const ONE: Self = Self(Term::ONE);
-    const NEG_ONE: Self = Self(Term::NEG_ONE);
-    const MAX: Self = Self(Term::MAX);
-    const EXTREME: Self = Self(Term::EXTREME);
-    fn of(literal: f64) -> Self {
-        Self(Term::of(literal))
-    }
-    fn sqrt(self) -> Self {
-        Self(self.0.sqrt())
-    }
-    fn if_positive(self, then: Self, otherwise: Self) -> Self {
-        Self(self.0.if_positive(then.0, otherwise.0))
-    }
-    fn any_positive(self) -> bool {
-        self.0.any_positive()
-    }
-}
-
-pub fn overrides(given: Given) -> Vec<Goal> {
-    let [x, y, a, b] = ["x", "y", "a", "b"].map(|name| Derived(given.any(name)));
-    let pairs = [
-        (x.if_above(y, a, b), x.0.if_above(y.0, a.0, b.0)),
-        (x.at_least(y), x.0.at_least(y.0)),
-        (x.at_most(y), x.0.at_most(y.0)),
-    ];
-    pairs
-        .map(|(derived, own)| Goal::Same(derived.0, own))
-        .into()
-}
-
-fn dual(given: Given, name: &str, value: Range, gradient: Range) -> Dual<Term> {
-    Dual {
-        value: given.number(name, value),
-        gradient: given.vector(&format!("∇{name}"), gradient),
-    }
-}
-
-/// Numbers of either sign up to a power of two.
-fn up_to(exponent: i32) -> Range {
-    Range::within(-2.0_f64.powi(exponent), 2.0_f64.powi(exponent))
-}
-
-fn is_finite(given: Given, x: Dual<Term>) -> Vec<Goal> {
-    let mut goals = components(x.gradient, finite(given));
-    goals.push(Goal::Within(x.value, finite(given)));
-    goals
-}
-
 pub fn dual_values(given: Given) -> Vec<Goal> {
-    let [f, g] = ["f", "g"].map(|name| dual(given, name, Range::ANY, Range::ANY));
+    let dual = |name| Dual {
+        value: given.any(name),
+        gradient: any_vector(given, &format!("∇{name}")),
+    };
+    let (f, g) = (dual("f"), dual("g"));
     let (x, y) = (f.value, g.value);
     let both = [
         (f + g, x + y),
@@ -175,11 +104,4 @@ pub fn dual_values(given: Given) -> Vec<Goal> {
     pairs
         .map(|(dual, number)| Goal::Same(dual.value, number))
         .collect()
-}
-
-pub fn dual_quotients(given: Given) -> Vec<Goal> {
-    let least = Range::within(2.0_f64.powi(-30), 2.0_f64.powi(30));
-    let f = dual(given, "f", up_to(30), up_to(30));
-    let g = dual(given, "g", least, up_to(30));
-    [f / g, f / -g].map(|x| is_finite(given, x)).concat()
 }

@@ -278,55 +278,40 @@ enum Of {
     Excess,
 }
 
-/// What is proved of a row of the page.
-struct Bound {
-    name: &'static str,
-    /// In units of roundoff.
-    most: f64,
-    of: Of,
-    formula: fn(Given) -> Formula,
-}
-
-const fn bound(name: &'static str, most: f64, of: Of, formula: fn(Given) -> Formula) -> Bound {
-    Bound {
-        name,
-        most,
-        of,
-        formula,
-    }
-}
+/// What is proved of a row of the page: its name, the most that it is off by, in units of roundoff, of what, and its formula.
+type Bound = (&'static str, f64, Of, fn(Given) -> Formula);
 
 #[rustfmt::skip]
 const BOUNDS: &[Bound] = &[
-    bound("length", 2.5, Of::Result, |given| vec![vector(given, "v").length()].into()),
-    bound("unit", 3.5, Of::Result, |given| first(vector(given, "v").unit())),
-    bound("sphere", 5.5, Of::Result, |given| first(normal::sphere(vector(given, "c"), vector(given, "p")))),
-    bound("paraboloid", 5.4, Of::Result, paraboloid),
-    bound("reflection", 9.0, Of::One, mirrored),
-    bound("half_vector", 5.5, Of::Result, |given| first(half_vector(direction(given, "l"), direction(given, "v")))),
-    bound("lambert", COSINE, Of::Magnitudes, lambert),
-    bound("phong_1", COSINE, Of::Magnitudes, phong),
-    bound("phong_32", 111.5, Of::One, |given| power(given, 32, COSINE, 0.125)),
-    bound("blinn_128", 447.5, Of::One, |given| power(given, 128, COSINE, 0.6)),
-    bound("raise_32", 31.0, Of::Result, |given| vec![32_u32.raise(number(given, "c", 0.125, 1.0))].into()),
-    bound("raise_1000", 999.0, Of::Result, |given| vec![1000_u32.raise(number(given, "c", 0.94, 1.0))].into()),
-    bound("phong_normalization", 3.0, Of::Result, |given| vec![term::phong_normalization(number(given, "m", TINY, 1e6))].into()),
-    bound("blinn_normalization", 11.75, Of::Result, |given| vec![term::blinn_normalization(number(given, "m", TINY, 1e6))].into()),
-    bound("attenuation", 5.0, Of::Result, attenuated),
-    bound("ranged", 8.5, Of::Named('f'), |given| ranged(given, true)),
-    bound("ranged_unsquared", 7.0, Of::Named('f'), |given| ranged(given, false)),
-    bound("soft_cone", 11.9, Of::Named('w'), |given| soft_cone(given, false)),
-    bound("smoothstep", 8.6, Of::Named('w'), |given| soft_cone(given, true)),
-    bound("lamp_direction", 6.5, Of::Result, |given| vec![lamp(given).l().x].into()),
-    bound("lamp_intensity", 13.0, Of::Result, |given| vec![lamp(given).intensity().r].into()),
-    bound("shade_lambert", 9.0, Of::Magnitudes, |given| shaded(given, Model::Lambert)),
-    bound("highlight_phong", 399.5, Of::One, |given| power(given, 32, 12.0, 0.125)),
-    bound("shade_phong", 405.5, Of::Magnitudes, |given| shaded(given, Model::Phong)),
-    bound("highlight_blinn", 183.5, Of::One, |given| power(given, 16, 11.0, 0.125)),
-    bound("shade_blinn", 193.0, Of::Magnitudes, |given| shaded(given, Model::BlinnPhong)),
+    ("length", 2.5, Of::Result, |given| vec![vector(given, "v").length()].into()),
+    ("unit", 3.5, Of::Result, |given| first(vector(given, "v").unit())),
+    ("sphere", 5.5, Of::Result, |given| first(normal::sphere(vector(given, "c"), vector(given, "p")))),
+    ("paraboloid", 5.4, Of::Result, paraboloid),
+    ("reflection", 9.0, Of::One, mirrored),
+    ("half_vector", 5.5, Of::Result, |given| first(half_vector(direction(given, "l"), direction(given, "v")))),
+    ("lambert", COSINE, Of::Magnitudes, lambert),
+    ("phong_1", COSINE, Of::Magnitudes, phong),
+    ("phong_32", 111.5, Of::One, |given| power(given, 32, COSINE, 0.125)),
+    ("blinn_128", 447.5, Of::One, |given| power(given, 128, COSINE, 0.6)),
+    ("raise_32", 31.0, Of::Result, |given| vec![32_u32.raise(number(given, "c", 0.125, 1.0))].into()),
+    ("raise_1000", 999.0, Of::Result, |given| vec![1000_u32.raise(number(given, "c", 0.94, 1.0))].into()),
+    ("phong_normalization", 3.0, Of::Result, |given| vec![term::phong_normalization(number(given, "m", TINY, 1e6))].into()),
+    ("blinn_normalization", 11.75, Of::Result, |given| vec![term::blinn_normalization(number(given, "m", TINY, 1e6))].into()),
+    ("attenuation", 5.0, Of::Result, attenuated),
+    ("ranged", 8.5, Of::Named('f'), |given| ranged(given, true)),
+    ("ranged_unsquared", 7.0, Of::Named('f'), |given| ranged(given, false)),
+    ("soft_cone", 11.9, Of::Named('w'), |given| soft_cone(given, false)),
+    ("smoothstep", 8.6, Of::Named('w'), |given| soft_cone(given, true)),
+    ("lamp_direction", 6.5, Of::Result, |given| vec![lamp(given).l().x].into()),
+    ("lamp_intensity", 13.0, Of::Result, |given| vec![lamp(given).intensity().r].into()),
+    ("shade_lambert", 9.0, Of::Magnitudes, |given| shaded(given, Model::Lambert)),
+    ("highlight_phong", 399.5, Of::One, |given| power(given, 32, 12.0, 0.125)),
+    ("shade_phong", 405.5, Of::Magnitudes, |given| shaded(given, Model::Phong)),
+    ("highlight_blinn", 183.5, Of::One, |given| power(given, 16, 11.0, 0.125)),
+    ("shade_blinn", 193.0, Of::Magnitudes, |given| shaded(given, Model::BlinnPhong)),
     // claims rather than rows
-    bound("lambert_of_units", 16.0, Of::Excess, |given| units(given, |n, l| n.dot(l))),
-    bound("cone_of_everything", 16.0, Of::Excess, |given| units(given, |axis, l| -(-axis).dot(l))),
+    ("lambert_of_units", 16.0, Of::Excess, |given| units(given, |n, l| n.dot(l))),
+    ("cone_of_everything", 16.0, Of::Excess, |given| units(given, |axis, l| -(-axis).dot(l))),
 ];
 
 fn paraboloid(given: Given) -> Formula {
@@ -386,22 +371,22 @@ fn is_rescaled(g: &Graph, (test, answer): (Test, bool)) -> bool {
 /// Writes one script for a share of each bound, format and way through the formula, but for vectors that are rescaled.
 pub fn write(folder: &Path, share: f64) -> std::io::Result<()> {
     fs::create_dir_all(folder)?;
-    for bound in BOUNDS {
+    for &(name, most, of, formula) in BOUNDS {
         for format in [Format::F32, Format::F64] {
             let mut scripts = Vec::new();
-            paths(format, bound.formula, |run, formula| {
-                let (g, most) = (&run.graph, bound.most * share);
+            paths(format, formula, |run, formula| {
+                let (g, most) = (&run.graph, most * share);
                 if run.path.iter().any(|fact| is_rescaled(g, *fact)) {
                     return;
                 }
                 for &result in &formula.results {
                     let script = Script::new(g, run.known.clone(), &formula);
-                    scripts.push(script.text(result, most, bound.of));
+                    scripts.push(script.text(result, most, of));
                 }
             });
-            assert!(!scripts.is_empty(), "{} has no way", bound.name);
+            assert!(!scripts.is_empty(), "{name} has no way");
             for (way, script) in scripts.into_iter().enumerate() {
-                let file = format!("{}.{way}.{format:?}.g", bound.name);
+                let file = format!("{name}.{way}.{format:?}.g");
                 fs::write(folder.join(file), script)?;
             }
         }

@@ -180,10 +180,7 @@ impl<'a> Script<'a> {
     /// The node without rounding: a variable is what it is.
     fn exact(&mut self, id: u32) -> String {
         let id = self.plain(id);
-        let is_given = matches!(
-            self.g.nodes[id as usize],
-            Node::Var(_) | Node::Constant(_) | Node::Max | Node::Extreme
-        );
+        let is_given = matches!(self.g.nodes[id as usize], Node::Var(_) | Node::Constant(_));
         let case = if is_given && self.taken(id).is_none() {
             'n'
         } else {
@@ -196,39 +193,30 @@ impl<'a> Script<'a> {
         let parts = self.parts(id);
         let exact: Vec<String> = parts.iter().map(|&part| self.exact(part)).collect();
         let is_taken = self.taken(id).is_some();
-        let text = &mut self.definitions;
-        let mut binary = |sign: char| {
-            let _ = writeln!(text, "n{id} rnd= n{} {sign} n{};", parts[0], parts[1]);
-            let _ = writeln!(text, "N{id} = {} {sign} {};", exact[0], exact[1]);
+        let rounded: Vec<String> = parts.iter().map(|part| format!("n{part}")).collect();
+        let node = self.g.nodes[id as usize];
+        let apply = |x: &[String]| match (node, x) {
+            (Node::Sqrt(_), [x]) => format!("sqrt({x})"),
+            (Node::Neg(_) | Node::Sub(..), [x]) => format!("-{x}"),
+            (Node::Add(..), [x, y]) => format!("{x} + {y}"),
+            (Node::Sub(..), [x, y]) => format!("{x} - {y}"),
+            (Node::Mul(..), [x, y]) => format!("{x} * {y}"),
+            (Node::Div(..), [x, y]) => format!("{x} / {y}"),
+            _ => panic!("{node:?} is not on this way"),
         };
-        match self.g.nodes[id as usize] {
-            _ if is_taken => {}
-            Node::Add(a, b) if a == b => {
-                let _ = writeln!(
-                    text,
-                    "n{id} = n{0} + n{0};\nN{id} = {1} + {1};",
-                    parts[0], exact[0]
-                );
+        let text = match node {
+            _ if is_taken => String::new(),
+            Node::Constant(bits) => format!("n{id} = {};\n", f64::from_bits(bits)),
+            Node::Var(_) | Node::Power(..) => format!("n{id} = rnd(v{id});\n"),
+            _ => {
+                let is_exact = parts.len() == 1 && !matches!(node, Node::Sqrt(_))
+                    || matches!(node, Node::Add(a, b) if a == b);
+                let rnd = if is_exact { "" } else { "rnd" };
+                let [rounded, exact] = [&rounded, &exact].map(|x| apply(x));
+                format!("n{id} {rnd}= {rounded};\nN{id} = {exact};\n")
             }
-            Node::Add(..) => binary('+'),
-            Node::Sub(..) if parts.len() == 1 => {
-                _ = writeln!(text, "n{id} = -n{};\nN{id} = -{};", parts[0], exact[0]);
-            }
-            Node::Sub(..) => binary('-'),
-            Node::Mul(..) => binary('*'),
-            Node::Div(..) => binary('/'),
-            Node::Neg(_) => _ = writeln!(text, "n{id} = -n{};\nN{id} = -{};", parts[0], exact[0]),
-            Node::Sqrt(_) => {
-                _ = writeln!(
-                    text,
-                    "n{id} rnd= sqrt(n{});\nN{id} = sqrt({});",
-                    parts[0], exact[0]
-                );
-            }
-            Node::Constant(bits) => _ = writeln!(text, "n{id} = {};", f64::from_bits(bits)),
-            Node::Var(_) | Node::Power(..) => _ = writeln!(text, "n{id} = rnd(v{id});"),
-            node => panic!("{node:?} is not on this way"),
-        }
+        };
+        self.definitions += &text;
         if let Some((off, [low, high])) = self.taken(id) {
             let _ = writeln!(self.definitions, "n{id} = rnd(v{id});");
             let error = off * 65_536.0;
@@ -290,6 +278,7 @@ impl<'a> Script<'a> {
     fn magnitude(&mut self, id: u32, parts: &[u32], exact: &[String]) {
         let is_taken = self.taken(id).is_some();
         let e = self.exact(id);
+        let share = |part: u32| format!("((m{part} - M{part}) / M{part})");
         let mut rule = |text: String| _ = writeln!(self.rules, "{text};");
         let magnitude = match (self.g.nodes[id as usize], parts, exact) {
             (Node::Add(..), [a, b], _) => {
@@ -298,11 +287,12 @@ impl<'a> Script<'a> {
                     format!("(n{a} + n{b})"),
                     format!("((m{a} + m{b}) - M{id}) / M{id}"),
                 );
+                let off = format!("(n{id} - {sum})");
                 rule(format!(
-                    "(m{id} - M{id}) / M{id} -> {all} + (n{id} - {sum}) / M{id} {{ M{id} <> 0 }}"
+                    "(m{id} - M{id}) / M{id} -> {all} + {off} / M{id} {{ M{id} <> 0 }}"
                 ));
                 rule(format!(
-                    "(n{id} - {sum}) / M{id} -> ((n{id} - {sum}) / {sum}) * ({sum} / M{id}) {{ M{id} <> 0, {sum} <> 0 }}"
+                    "{off} / M{id} -> ({off} / {sum}) * ({sum} / M{id}) {{ M{id} <> 0, {sum} <> 0 }}"
                 ));
                 rule(format!(
                     "{sum} / M{id} -> {e} / M{id} + {all} {{ M{id} <> 0 }}"
@@ -313,24 +303,21 @@ impl<'a> Script<'a> {
                 let product = format!("(n{a} * n{b})");
                 let mut error =
                     format!("((n{id} - {product}) / {product}) * ((n{a} / M{a}) * (n{b} / M{b}))");
-                let off = |id: &u32| format!("((m{id} - M{id}) / M{id})");
-                let [of_a, of_b] =
-                    [(a, x), (b, y)].map(|(part, exact)| exact.starts_with('N').then(|| off(part)));
-                for (part, exact, of) in [(a, x, &of_a), (b, y, &of_b)] {
-                    if let Some(of) = of {
+                let mut both = Vec::new();
+                for (part, exact, rest) in [
+                    (a, x, format!("({y} / M{b})")),
+                    (b, y, format!("({x} / M{a})")),
+                ] {
+                    if exact.starts_with('N') {
+                        let of = share(*part);
                         rule(format!(
                             "n{part} / M{part} -> {exact} / M{part} + {of} {{ M{part} <> 0 }}"
                         ));
+                        let _ = write!(error, " + {rest} * {of}");
+                        both.push(of);
                     }
                 }
-                let of_a = of_a.map(|of| (format!(" + {of} * ({y} / M{b})"), of));
-                let of_b = of_b.map(|of| (format!(" + ({x} / M{a}) * {of}"), of));
-                error += &[&of_a, &of_b]
-                    .into_iter()
-                    .flatten()
-                    .map(|(text, _)| text.as_str())
-                    .collect::<String>();
-                if let (Some((_, a)), Some((_, b))) = (of_a, of_b) {
+                if let [a, b] = &both[..] {
                     let _ = write!(error, " + {a} * {b}");
                 }
                 rule(format!(
