@@ -124,6 +124,7 @@ impl Given<f32> {
 
 impl<T: Number> Given<T> {
     /// The light that arrives from each lamp.
+    #[allow(clippy::wrong_self_convention)] // the name in the table of functions
     fn from_lamps(&self) -> impl Iterator<Item = IncidentLight<T>> {
         let (lamp, step, p) = (self.lamps[0], self.step, self.p);
         (0..4_u32).map(move |k| {
