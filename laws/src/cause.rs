@@ -3,16 +3,16 @@
 use serde::Serialize;
 
 use crate::bounded::Bounded;
-use crate::formula::{Formula, Scope};
+use crate::formula::Formula;
 use crate::law::LAWS;
-use crate::mistakes::Fault;
+use crate::mistakes::{Fault, SCOPES};
 use crate::profile::Profile;
 use crate::random::Random;
 use crate::scene::{Scene, Triple};
 
-/// The most scenes of each law that are kept, wrong ones and right ones.
-const WRONG: usize = 24;
-const RIGHT: usize = 12;
+/// The most scenes that are kept, wrong ones and right ones, of all laws together.
+const WRONG: usize = 600;
+const RIGHT: usize = 300;
 
 /// A share of the wrong colors that is nearly all.
 const NEARLY_ALL: f64 = 0.9;
@@ -63,8 +63,8 @@ impl Evidence {
         self.all[usize::from(is_right)].push(Sample { law, scene, reply });
     }
 
-    /// Takes some colors of each law, in random order, so that the first ones are like all.
-    pub fn sample(&mut self) {
+    /// Takes some colors of each of so many laws, in random order, so that the first ones are like all.
+    pub fn sample(&mut self, laws: usize) {
         let mut random = Random::new(0, "evidence");
         let [wrong, right] = std::mem::take(&mut self.all);
         [self.wrong, self.right] = [(wrong, WRONG), (right, RIGHT)].map(|(mut samples, most)| {
@@ -72,7 +72,7 @@ impl Evidence {
             let mut counts = [0; LAWS.len()];
             samples.retain(|sample| {
                 counts[sample.law] += 1;
-                counts[sample.law] <= most
+                counts[sample.law] <= most.div_ceil(laws)
             });
             samples
         });
@@ -89,8 +89,8 @@ impl Evidence {
         let single = alone(NEARLY_ALL);
         // of some lights or models alone
         let scoped = exact.iter().flat_map(|fault| {
-            let of_some = Scope::OTHERS.iter();
-            of_some.map(|(of, _)| vec![Fault { of: *of, ..*fault }])
+            let of_some = SCOPES[1..].iter();
+            of_some.map(|of| vec![Fault { of, ..*fault }])
         });
         // what is not known of some colors, no mistake explains
         let is_exact = |cause: &Cause| cause.errors + cause.of == self.wrong.len();

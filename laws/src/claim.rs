@@ -1,5 +1,7 @@
 //! What a law says about the colors of a few scenes.
 
+use serde::Serialize;
+
 use crate::bounded::Bounded3;
 use crate::profile::Profile;
 use crate::scene::{Scene, Triple};
@@ -107,12 +109,14 @@ impl Seen {
     }
 }
 
-/// A claim that does not hold.
-#[derive(Clone, Copy, Debug)]
+/// How a claim does not hold.
+#[derive(Clone, Copy, Debug, Serialize)]
 pub struct Broken {
+    /// The channel in which the claim does not hold: 0 for red, 1 for green, 2 for blue.
     pub channel: usize,
-    /// How far the channel is off, and how far it may be.
+    /// How far the channel is off.
     pub off: f64,
+    /// How far rounding may put it off.
     pub allowed: f64,
 }
 
@@ -152,18 +156,10 @@ impl Claim {
             low += ends[0].min(ends[1]);
             high += ends[0].max(ends[1]);
             // what a law says of several colors must hold of a wrong formula, too
-            let error = if self.weights.len() > 1 {
-                color.spread
-            } else {
-                color.error
-            };
+            let is_alone = self.weights.len() == 1;
+            let error = if is_alone { color.error } else { color.spread };
             allowed += weight.abs() * error[channel];
-            sum += weight
-                * if most.is_finite() {
-                    f64::midpoint(least, most)
-                } else {
-                    least
-                };
+            sum += weight * f64::midpoint(least, if most.is_finite() { most } else { least });
         }
         if let (Relation::Zero, [weight]) = (self.relation, &self.weights[..]) {
             // where the formulas leave it open, such as the highlight where L = -V, the right color is one of many

@@ -6,9 +6,6 @@ use crate::generator::Case;
 use crate::profile::Profile;
 use crate::scene::{Kind, Light, Model, Scene, Triple, add, scale};
 
-/// Changes when scenes are added, so that a report says which edges it has tried.
-pub const VERSION: u32 = 4;
-
 const BLACK: Triple = [0.0; 3];
 const UP: Triple = [0.0, 0.0, 1.0];
 
@@ -170,6 +167,12 @@ impl Corpus<'_> {
         // R or H below the surface, and an m with which any floor of the cosine shows
         self.each_kind(UP, [0.8, 0.0, 0.6], [0.8, 0.0, 0.6], Some(1.0));
         self.each_kind(UP, [0.0, 0.25, -1.5], [0.6, 0.0, 0.8], Some(1.0));
+        // the same, but black, where few levels show a floor
+        for light in self.kinds([0.8, 0.0, 0.6], [1.0; 3]) {
+            let mut scene = self.scene(UP, [0.8, 0.0, 0.6], vec![light]);
+            (scene.k_d, scene.i_a, scene.m) = (BLACK, BLACK, 1.0);
+            self.add(&scene);
+        }
         // N·L just above 0, seen in the mirror direction, where the highlight is bright
         for height in [0.07, 0.03, 0.008, 0.0008, 0.00008, 0.000_008] {
             let v = self.long([-1.0, 0.0, height]);

@@ -125,8 +125,8 @@ impl At {
         self.given(self.value)
     }
 
-    pub fn is_spot(&self) -> bool {
-        matches!(self.light, Some(Light::Spot { .. }))
+    pub fn is_of(&self, kind: Kind) -> bool {
+        self.light.is_some_and(|light| light.kind() == kind)
     }
 
     /// The axis and the half-angle of a spot.
@@ -203,7 +203,7 @@ impl<'a> Formula<'a> {
         let mut x = right;
         for fault in &self.faults {
             for (of, change) in &fault.mistake.changes {
-                if *of == part && fault.of.has(at) {
+                if *of == part && (fault.of.has)(at) {
                     at.value = fault.value;
                     x = change(x, at);
                 }
@@ -239,11 +239,11 @@ impl<'a> Formula<'a> {
         at.model = scene.model;
         let model = Bounded::exact(f64::from(scene.model as u8));
         let model = self.number(Part::Model, at, model);
-        at.model = Model::ALL[if model.value > 1.0 {
-            2
-        } else {
-            usize::from(model.value > 0.0)
-        }];
+        at.model = match model.value {
+            0.0 => Model::Lambert,
+            1.0 => Model::Phong,
+            _ => Model::BlinnPhong,
+        };
         at.p = self.hook(Part::P, at, given3(scene.p, how));
         (at.raw_v, at.raw_n) = (given3(scene.v, how), given3(scene.n, how));
         at.v = self.hook(Part::V, at, unit(at.raw_v));
@@ -286,7 +286,7 @@ impl<'a> Formula<'a> {
             at.denominator = self.number(Part::Denominator, at, denominator);
             at.falloff = self.number(Part::Falloff, at, ONE / at.denominator);
         }
-        if at.is_spot() {
+        if at.is_of(Kind::Spot) {
             let (axis, half_angle) = at.spot();
             at.against = self.number(Part::Against, at, -dot(axis, at.l));
             let angle = self.number(Part::Angle, at, Bounded::given(half_angle, how));
@@ -379,16 +379,14 @@ impl<'a> Formula<'a> {
     /// Whether a renderer like this may give this color; nothing where it may give any.
     pub fn fits(&self, scene: &Scene, reply: Triple) -> Option<bool> {
         let fits = self.fits_linear(self.linear(scene), reply);
-        let is_lost =
-            reply.iter().any(|c| !c.is_finite()) || reply.iter().all(|c| self.is_lost(*c));
+        let mut channels = reply.iter();
+        let is_lost = channels.any(|c| !c.is_finite()) || reply.iter().all(|c| self.is_lost(*c));
         // where the right color is not known either, the mistakes explain nothing
         let is_known = || {
             let right = Formula::new(self.profile, &[]).linear(scene);
-            let no_half_vector = self
-                .faults
-                .iter()
-                .any(|f| f.mistake.id == "HalfVectorUnguarded");
-            no_half_vector || right.iter().any(|c| c.error.is_finite())
+            let mut made = self.faults.iter();
+            made.any(|fault| fault.mistake.id == "HalfVectorUnguarded")
+                || right.iter().any(|c| c.error.is_finite())
         };
         fits.filter(|fits| !fits || !is_lost || is_known())
     }
@@ -465,60 +463,5 @@ impl<'a> Formula<'a> {
             None if self.how.rounds => self.profile.rounded(y),
             None => y,
         }
-    }
-}
-
-/// Which lights or models have a mistake.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Scope {
-    All,
-    Suns,
-    Points,
-    Spots,
-    Lamps,
-    Phong,
-    Blinn,
-    First,
-    Later,
-    Last,
-    Earlier,
-}
-
-impl Scope {
-    /// All but the whole, in words after those of the mistake.
-    pub const OTHERS: [(Self, &str); 10] = [
-        (Self::Suns, ", of directional lights only"),
-        (Self::Points, ", of point lights only"),
-        (Self::Spots, ", of spots only"),
-        (Self::Lamps, ", of point lights and spots only"),
-        (Self::Phong, ", in Phong's model only"),
-        (Self::Blinn, ", in Blinn's model only"),
-        (Self::First, ", of the first light only"),
-        (Self::Later, ", of all lights but the first"),
-        (Self::Last, ", of the last light only"),
-        (Self::Earlier, ", of all lights but the last"),
-    ];
-
-    fn has(self, at: &At) -> bool {
-        let kind = at.light.map(|light| light.kind());
-        match self {
-            Self::All => true,
-            Self::Suns => kind == Some(Kind::Directional),
-            Self::Points => kind == Some(Kind::Point),
-            Self::Spots => kind == Some(Kind::Spot),
-            Self::Lamps => kind.is_some() && kind != Some(Kind::Directional),
-            Self::Phong => at.model == Model::Phong,
-            Self::Blinn => at.model == Model::BlinnPhong,
-            Self::First => kind.is_some() && at.i == 0.0,
-            Self::Later => kind.is_some() && at.i > 0.0,
-            Self::Last => kind.is_some() && at.i + 1.0 == at.count,
-            Self::Earlier => kind.is_some() && at.i + 1.0 < at.count,
-        }
-    }
-
-    /// In words, after those of the mistake.
-    pub fn says(self) -> &'static str {
-        let words = Self::OTHERS.iter().find(|(of, _)| *of == self);
-        words.map_or("", |(_, says)| says)
     }
 }

@@ -301,18 +301,6 @@ fn eye(case: Case, profile: &Profile) -> Option<Group> {
     same(scene, other)
 }
 
-fn toward_the_normal(case: Case, profile: &Profile) -> Option<Group> {
-    let mut scene = facing(case.scene, profile);
-    scene.k_s = [0.0; 3];
-    let tilted = add(case.ways[0], scale(scene.n, case.factors[0]));
-    if tilted == [0.0; 3] {
-        return None;
-    }
-    let says = "the first color, of the tilted light, is the brighter";
-    let [first, second] = [tilted, case.ways[0]].map(|way| white(&scene, profile, way));
-    brighter(says, first, second)
-}
-
 fn length_of_n(case: Case, _: &Profile) -> Option<Group> {
     let mut other = case.scene.clone();
     other.n = scale(other.n, (case.factors[0] + 1.0) / 8.0);
@@ -387,31 +375,13 @@ fn far_lamp(case: Case, profile: &Profile) -> Option<Group> {
     )
 }
 
-fn unit_of_length(case: Case, _: &Profile) -> Option<Group> {
-    // a power of two, so that the numbers stay exact
-    let unit = (case.factors[0] - 4.0).exp2();
-    let mut other = moved(&case.scene, |p| scale(p, unit), |d| d);
-    for light in &mut other.lights {
-        if let Some((_, attenuation)) = light.lamp_mut() {
-            let [a, b, c] = *attenuation;
-            *attenuation = [a, b / unit, c / (unit * unit)];
-        }
-    }
-    same(case.scene, other)
-}
-
 fn translation(case: Case, profile: &Profile) -> Option<Group> {
     let offset = case.factors.map(|c| c - 4.0);
     let other = moved(&case.scene, |p| add(p, offset), |d| d);
     // long numbers would be others after the sum
-    let is_exact = |p: Triple, moved: Triple| {
-        sub(moved, offset) == p && moved.map(|c| profile.rounded(c)) == moved
-    };
-    let place = |light: &Light| light.lamp().map_or([0.0; 3], |(position, _)| position);
-    let mut lamps = case.scene.lights.iter().zip(&other.lights);
-    let are_exact =
-        lamps.all(|(lamp, moved)| lamp.lamp().is_none() || is_exact(place(lamp), place(moved)));
-    let is_exact = is_exact(case.scene.p, other.p) && are_exact;
+    let back = moved(&other, |p| sub(p, offset), |d| d);
+    let held = moved(&other, |p| p.map(|c| profile.rounded(c)), |d| d);
+    let is_exact = back == case.scene && held == other;
     same(case.scene, other).filter(|_| is_exact)
 }
 
@@ -471,7 +441,6 @@ pub const LAWS: &[Law] = &[
     Law { name: "bound", says: "no more light comes back than k_a I_a + Σ (k_d + k_s) I/(a + bq + cq²)", needs: &[], group: bound },
     Law { name: "behind", says: "a light behind the surface adds nothing", needs: &[TWO_LIGHTS], group: behind },
     Law { name: "eye", says: "diffuse light does not depend on the eye", needs: &[], group: eye },
-    Law { name: "toward_the_normal", says: "a light that is tilted toward the normal does not darken a diffuse surface", needs: &[LAMP], group: toward_the_normal },
     Law { name: "length_of_n", says: "the length of the vector along N does not matter", needs: &[ANY_LENGTH], group: length_of_n },
     Law { name: "length_of_v", says: "the distance of the eye does not matter", needs: &[ANY_LENGTH], group: length_of_v },
     Law { name: "mirror", says: "seen in the mirror direction, the highlight is k_s I", needs: &[HIGHLIGHT, LAMP], group: mirror },
@@ -479,7 +448,6 @@ pub const LAWS: &[Law] = &[
     Law { name: "dark_side", says: "a highlight needs N·L > 0", needs: &[HIGHLIGHT, GATED], group: dark_side },
     Law { name: "distance", says: "a lamp farther away in the same direction does not brighten", needs: &[POINT, ATTENUATION], group: distance },
     Law { name: "far_lamp", says: "a lamp far away that is not attenuated is a directional light", needs: &[POINT, SUN], group: far_lamp },
-    Law { name: "unit_of_length", says: "the unit of length does not matter", needs: &[], group: unit_of_length },
     Law { name: "translation", says: "moving everything changes nothing", needs: &[], group: translation },
     Law { name: "rotation", says: "turning everything changes nothing", needs: &[], group: rotation },
     Law { name: "cone", says: "a spot is a point light within its cone, and dark outside", needs: &[POINT, SPOT], group: cone },

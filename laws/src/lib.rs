@@ -34,6 +34,7 @@ mod run;
 mod tests;
 
 pub use cause::Cause;
+pub use claim::Broken;
 pub use mistakes::Fault;
 pub use place::Place;
 pub use profile::Profile;

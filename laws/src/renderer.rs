@@ -35,16 +35,6 @@ pub trait Renderer {
     fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String>;
 }
 
-impl<R: Renderer + ?Sized> Renderer for &mut R {
-    fn profile(&self) -> Profile {
-        (**self).profile()
-    }
-
-    fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
-        (**self).shade(scenes)
-    }
-}
-
 /// Makes a renderer of a function that gives the color of one scene.
 ///
 /// ```

@@ -5,18 +5,19 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::cause::Cause;
+use crate::claim::Broken;
 use crate::generator::Case;
 use crate::mistakes::Fault;
 use crate::place::Place;
 use crate::profile::Profile;
 use crate::scene::{Scene, Triple};
+use crate::shrink::cost;
 
 /// What a run found. Its text begins with the findings.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
-    /// The version of the report, and of the fixed scenes.
+    /// The version of the report.
     pub(crate) version: u32,
-    pub(crate) corpus: u32,
     /// The seed of the scenes.
     pub seed: u64,
     /// What ended the run, or the search for smaller scenes and for places, early.
@@ -40,8 +41,6 @@ pub struct Finding {
     pub places: Vec<Place>,
     /// The names of the laws.
     pub laws: Vec<&'static str>,
-    /// The law whose smallest case is shown.
-    pub shown: &'static str,
 }
 
 /// What was found of one law.
@@ -97,12 +96,9 @@ pub struct Counterexample {
     pub colors: Vec<Triple>,
     /// The color that the formulas give each.
     pub right: Vec<Triple>,
-    /// The channel in which the claim does not hold: 0 for red, 1 for green, 2 for blue.
-    pub channel: usize,
-    /// How far the channel is off.
-    pub off: f64,
-    /// How far rounding may put it off.
-    pub allowed: f64,
+    /// How the claim does not hold.
+    #[serde(flatten)]
+    pub broken: Broken,
     #[serde(skip)]
     pub(crate) case: Case,
 }
@@ -177,7 +173,7 @@ impl Report {
     ///
     /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
     /// let json = Laws::default().run(&mut black).unwrap().to_json();
-    /// assert!(json.starts_with(r#"{"passes":false,"version":4,"corpus":4,"seed":0,"#));
+    /// assert!(json.starts_with(r#"{"passes":false,"version":4,"seed":0,"#));
     /// ```
     #[must_use]
     pub fn to_json(&self) -> String {
@@ -238,17 +234,14 @@ impl Report {
 
     /// What gives the colors of these scenes again.
     fn reproduction(&self, scenes: &[Scene]) -> String {
-        let each = |line: &dyn Fn(String) -> String| -> String {
-            let lines: Vec<_> = scenes.iter().map(|scene| line(scene.to_json())).collect();
-            lines.concat()
-        };
-        match &self.command {
+        let lines: Vec<String> = scenes.iter().map(Scene::to_json).collect();
+        if let Some(command) = &self.command {
             // a line has neither a quote of this kind nor a backslash
-            Some(command) => {
-                let lines = each(&|line| format!(" '{line}'"));
-                format!("printf '%s\\n' '{{\"shading-laws\":1}}'{lines} '' | {command}\n")
-            }
-            None => each(&|line| format!("Scene::from_json(r#\"{line}\"#)\n")),
+            let lines = lines.join("' '");
+            format!("printf '%s\\n' '{{\"shading-laws\":1}}' '{lines}' '' | {command}\n")
+        } else {
+            let lines = lines.join("\"#)\nScene::from_json(r#\"");
+            format!("Scene::from_json(r#\"{lines}\"#)\n")
         }
     }
 
@@ -288,8 +281,13 @@ impl Report {
                 writeln!(f, "  Broken: {says} ({law})")?;
             }
         }
-        let shown = self.laws.iter().find(|law| law.law == finding.shown);
-        if let Some((law, smallest)) = shown.and_then(|law| Some((law, law.smallest()?))) {
+        let of = self
+            .laws
+            .iter()
+            .filter(|law| finding.laws.contains(&law.law));
+        let smallest = of.filter_map(|law| Some((law, law.smallest()?)));
+        let size = |it: &Counterexample| (it.scenes.len(), cost(&it.case));
+        if let Some((law, smallest)) = smallest.min_by_key(|(_, smallest)| size(smallest)) {
             write!(f, "\n  {}: {}\n{smallest}", law.law, law.says)?;
             let again = self.reproduction(&smallest.scenes);
             writeln!(f, "  To reproduce it:\n{again}")?;
@@ -343,8 +341,12 @@ impl fmt::Display for Report {
 
 impl fmt::Display for Counterexample {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let channel = ["red", "green", "blue"][self.channel];
-        let Self { off, allowed, .. } = self;
+        let Broken {
+            channel,
+            off,
+            allowed,
+        } = self.broken;
+        let channel = ["red", "green", "blue"][channel];
         writeln!(f, "  expected: {}", self.claim)?;
         for (i, (color, right)) in self.colors.iter().zip(&self.right).enumerate() {
             let i = i + 1;

@@ -5,7 +5,6 @@ use std::time::{Duration, Instant};
 
 use crate::cause::{Cause, Evidence};
 use crate::claim::{Broken, Seen};
-use crate::corpus;
 use crate::formula::Formula;
 use crate::law::{LAWS, Law};
 use crate::mistakes::Fault;
@@ -249,8 +248,8 @@ impl Run<'_> {
 
     /// What was found, with smaller cases and places where the renderer still answers.
     fn report(mut self) -> Report {
-        self.evidence.sample();
-        let mut findings = self.findings();
+        self.evidence.sample(self.plan.tries.len());
+        let findings = self.findings();
         let mut order: Vec<usize> = (0..self.plan.tries.len()).collect();
         // what is shown is made smaller first
         order.sort_by_key(|law| {
@@ -275,19 +274,9 @@ impl Run<'_> {
                 verdict,
             }
         });
-        let laws: Vec<LawReport> = laws.collect();
-        for finding in &mut findings {
-            let of = laws.iter().filter(|law| finding.laws.contains(&law.law));
-            let shown = of.min_by_key(|law| {
-                law.smallest().map_or((usize::MAX, 0), |smallest| {
-                    (smallest.scenes.len(), shrink::cost(&smallest.case))
-                })
-            });
-            finding.shown = shown.map_or("", |law| law.law);
-        }
+        let laws = laws.collect();
         Report {
             version: 4,
-            corpus: corpus::VERSION,
             seed: self.plan.laws.seed,
             error: self.error,
             findings,
@@ -320,9 +309,7 @@ impl Run<'_> {
             right: group.scenes.iter().map(|s| formula.reply(s)).collect(),
             scenes: handed(&[failure.tried], self.profile),
             colors: failure.replies,
-            channel: failure.broken.channel,
-            off: failure.broken.off,
-            allowed: failure.broken.allowed,
+            broken: failure.broken,
             case,
         };
         Verdict::Broken {
@@ -370,9 +357,8 @@ impl Run<'_> {
             let laws = laws.iter().map(name).collect();
             findings.push(Finding {
                 cause,
-                laws,
                 places,
-                shown: "",
+                laws,
             });
         };
         let is_fickle = !state.is_empty();

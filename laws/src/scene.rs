@@ -132,8 +132,9 @@ impl Light {
     /// A spot in the place of a point light; nothing else is one.
     pub(crate) fn with_cone(self, axis: Triple, half_angle: f64) -> Self {
         let (position, attenuation) = self.lamp().unwrap_or_default();
+        let intensity = self.intensity();
         Self::Spot {
-            intensity: self.intensity(),
+            intensity,
             position,
             attenuation,
             axis,

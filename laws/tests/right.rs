@@ -6,45 +6,36 @@
 use num_traits::Float;
 use shading_laws::{Kind, Laws, Light, Model, Profile, Scene, Triple, from_fn};
 
-/// How a right renderer computes.
-#[derive(Clone, Copy, Debug)]
-struct Form {
-    /// 0: a quotient by the root; 1: a product with the inverse root; 2: scaled by the largest component first.
-    normalize: usize,
-    /// Sums are fused, and run backwards.
-    is_fused: bool,
-    /// 0: R·V by R; 1: 2(N·L)(N·V) − L·V; 2: by the mirrored eye.
-    reflection: usize,
-    /// 0: N·H; 1: (N·L + N·V)/|L + V|; 2: its square, to m/2.
-    half: usize,
-    /// 0: a power; 1: exp(m ln x); 2: by squaring where m is whole.
-    power: usize,
-    /// 0: Horner; 1: a sum of powers; 2: by 1/q.
-    attenuation: usize,
-    /// Positions are relative to 0: the world; 1: the eye; 2: the point.
-    frame: usize,
-    /// The lights run backwards, and their sum is multiplied by k_d and k_s once.
-    is_factored: bool,
-}
+/// How the renderer of a number computes.
+#[derive(Clone, Copy)]
+struct Form(usize);
 
 impl Form {
-    fn number(i: usize) -> Self {
-        Self {
-            normalize: i % 3,
-            is_fused: i % 2 == 1,
-            reflection: (i / 2) % 3,
-            half: (i / 3 + i) % 3,
-            power: (i / 5) % 3,
-            attenuation: (i / 7 + i) % 3,
-            frame: (i / 4) % 3,
-            is_factored: (i / 3) % 2 == 1,
-        }
+    /// One of so many ways.
+    fn way(self, divisor: usize, count: usize) -> usize {
+        (self.0 / divisor) % count
     }
 }
 
 /// The color of a scene, in real numbers of a type.
 #[allow(clippy::too_many_lines)] // a renderer in one piece
 fn shade<T: Float>(form: Form, scene: &Scene, profile: &Profile) -> Triple {
+    // by a quotient, by a product, or scaled by the largest component first
+    let normalize = form.way(1, 3);
+    // sums are fused, and run backwards
+    let is_fused = form.way(1, 2) == 1;
+    // R·V by R, by 2(N·L)(N·V) - L·V, or by the mirrored eye
+    let reflection = form.way(2, 3);
+    // N·H, (N·L + N·V)/|L + V|, or its square to m/2
+    let half = (form.way(3, 3) + form.0) % 3;
+    // a power, exp(m ln x), or by squaring where m is whole
+    let by = form.way(5, 3);
+    // Horner, a sum of powers, or by 1/q
+    let attenuate = (form.way(7, 3) + form.0) % 3;
+    // positions are relative to 0 in the world, the eye, or the point
+    let frame = form.way(4, 3);
+    // the lights run backwards
+    let is_reversed = form.way(3, 2) == 1;
     let real = |x: f64| T::from(x).expect("a number");
     let of = |v: Triple| v.map(real);
     let (zero, two) = (T::zero(), real(2.0));
@@ -54,24 +45,24 @@ fn shade<T: Float>(form: Form, scene: &Scene, profile: &Profile) -> Triple {
     let mul = |a, b| zip(a, b, &|a, b| a * b);
     let scale = |v: [T; 3], factor: T| v.map(|c| c * factor);
     let dot = |a: [T; 3], b: [T; 3]| {
-        if form.is_fused {
+        if is_fused {
             a[2].mul_add(b[2], a[1].mul_add(b[1], a[0] * b[0]))
         } else {
             a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
         }
     };
     let unit = |mut v: [T; 3]| {
-        if form.normalize == 2 {
+        if normalize == 2 {
             let largest = v[0].abs().max(v[1].abs()).max(v[2].abs());
             v = v.map(|c| c / largest);
         }
         let length = dot(v, v).sqrt();
-        match form.normalize {
+        match normalize {
             0 => v.map(|c| c / length),
             _ => scale(v, length.recip()),
         }
     };
-    let power = |x: T, m: f64| match form.power {
+    let power = |x: T, m: f64| match by {
         1 if x > zero => (real(m) * x.ln()).exp(),
         2 if m.fract() == 0.0 => x.powi(m as i32),
         _ => x.powf(real(m)),
@@ -84,7 +75,7 @@ fn shade<T: Float>(form: Form, scene: &Scene, profile: &Profile) -> Triple {
         let (n_l, n_v) = (dot(n, l), dot(n, v));
         let mirrored = |a: [T; 3], cosine: T| sub(scale(n, two * cosine), a);
         if scene.model == Model::Phong {
-            let cosine = match form.reflection {
+            let cosine = match reflection {
                 0 => dot(mirrored(l, n_l), v),
                 1 => two * n_l * n_v - dot(l, v),
                 _ => dot(mirrored(v, n_v), l),
@@ -94,14 +85,14 @@ fn shade<T: Float>(form: Form, scene: &Scene, profile: &Profile) -> Triple {
         let sum = add(l, v);
         let square = dot(sum, sum);
         let cosine = dot(n, sum).max(zero);
-        match form.half {
+        match half {
             _ if square <= zero => zero, // where L = -V there is no H
             0 => power(dot(n, unit(sum)).max(zero), scene.m),
             1 => power(((n_l + n_v) / square.sqrt()).max(zero), scene.m),
             _ => power(cosine * cosine / square, scene.m / 2.0),
         }
     };
-    let origin = match form.frame {
+    let origin = match frame {
         0 => [zero; 3],
         1 => add(of(scene.p), of(scene.v)),
         _ => of(scene.p),
@@ -121,7 +112,7 @@ fn shade<T: Float>(form: Form, scene: &Scene, profile: &Profile) -> Triple {
     }
     let (mut matte, mut shiny) = ([zero; 3], [zero; 3]);
     let mut lights = scene.lights.clone();
-    if form.is_factored {
+    if is_reversed {
         lights.reverse();
     }
     for light in &lights {
@@ -136,7 +127,7 @@ fn shade<T: Float>(form: Form, scene: &Scene, profile: &Profile) -> Triple {
             l = unit(way);
             let [a, b, c] = of(attenuation);
             let inverse = q.recip();
-            falloff = match form.attenuation {
+            falloff = match attenuate {
                 0 => (a + q * (b + q * c)).recip(),
                 1 => (c * square + b * q + a).recip(),
                 _ => inverse * inverse / (c + inverse * (b + inverse * a)),
@@ -219,7 +210,7 @@ fn forty_right_renderers_hold_at_two_seeds() {
         ..single.clone()
     };
     for (seed, i) in (0..2).flat_map(|seed| (0..40).map(move |i| (seed, i))) {
-        let form = Form::number(i);
+        let form = Form(i);
         match (i + seed as usize) % 3 {
             0 => holds(&single, seed, |scene| shade::<f32>(form, scene, &single)),
             1 => holds(&double, seed, |scene| shade::<f64>(form, scene, &double)),
@@ -243,7 +234,7 @@ fn what_differs_on_purpose_is_no_mistake() {
         r#"{"unlit_without_lights":true,"lights":["point","spot"],"most_lights":1024}"#,
     ] {
         let profile = Profile::from_json(profile).expect("a profile");
-        let form = Form::number(1);
+        let form = Form(1);
         for seed in 0..4 {
             holds(&profile, seed, |scene| shade::<f32>(form, scene, &profile));
         }
@@ -259,7 +250,7 @@ fn single_precision_is_not_double() {
         lights: vec![Kind::Directional],
         ..Profile::default()
     };
-    let color = |scene: &Scene| shade::<f32>(Form::number(0), scene, &profile);
+    let color = |scene: &Scene| shade::<f32>(Form(0), scene, &profile);
     let report = Laws::default().run(&mut from_fn(profile.clone(), color));
     let report = report.expect("a profile").to_string();
     for line in [

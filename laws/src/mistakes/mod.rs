@@ -7,11 +7,12 @@ use std::f64::consts::{FRAC_1_PI, PI};
 use std::fmt;
 use std::sync::LazyLock;
 
-use serde::ser::{Serialize, SerializeStruct, Serializer};
+use serde::{Serialize, Serializer};
+pub use table::SCOPES;
 use table::{OPERATIONS, ROWS};
 
 use crate::bounded::{Bounded, Bounded3, rounded};
-use crate::formula::{At, Change, ONE, Part, Scope, ZERO};
+use crate::formula::{At, Change, ONE, Part, ZERO};
 use crate::profile::Profile;
 use crate::scene::{Light, dot, length, scale, zip};
 
@@ -30,7 +31,15 @@ pub struct Mistake {
 pub struct Fault {
     pub(crate) mistake: &'static Mistake,
     pub(crate) value: f64,
-    pub(crate) of: Scope,
+    pub(crate) of: &'static Scope,
+}
+
+/// Which lights or models have a mistake.
+pub struct Scope {
+    pub id: &'static str,
+    /// In words, after those of the mistake.
+    pub says: &'static str,
+    pub has: fn(&At) -> bool,
 }
 
 impl Mistake {
@@ -53,7 +62,7 @@ impl Fault {
     }
 
     pub(crate) fn new(mistake: &'static Mistake, value: f64) -> Self {
-        let of = Scope::All;
+        let of = &SCOPES[0];
         Self { mistake, value, of }
     }
 
@@ -77,25 +86,23 @@ impl Fault {
 
 impl PartialEq for Fault {
     fn eq(&self, other: &Self) -> bool {
-        let of = |fault: &Self| (&fault.mistake.id, fault.of);
+        let of = |fault: &Self| (&fault.mistake.id, fault.of.id);
         of(self) == of(other) && self.value == other.value
     }
 }
 
 impl Serialize for Fault {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut fault = serializer.serialize_struct("Fault", 4)?;
-        fault.serialize_field("id", self.id())?;
-        fault.serialize_field("value", &self.value)?;
-        fault.serialize_field("of", &format!("{:?}", self.of))?;
-        fault.serialize_field("says", &self.to_string())?;
-        fault.end()
+        let (of, says) = (self.of.id, self.to_string());
+        let told =
+            serde_json::json!({ "id": self.id(), "value": self.value, "of": of, "says": says });
+        told.serialize(serializer)
     }
 }
 
 impl fmt::Debug for Fault {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{} {} {:?}", self.mistake.id, self.value, self.of)
+        write!(f, "{} {} {}", self.mistake.id, self.value, self.of.id)
     }
 }
 
@@ -105,7 +112,7 @@ impl fmt::Display for Fault {
         let name = named.iter().find(|(value, _)| *value == self.value);
         let number = name.map_or(self.value.to_string(), |(_, name)| (*name).into());
         let says = self.mistake.says.replace("{}", &number);
-        write!(f, "{says}{}", self.of.says())
+        write!(f, "{says}{}", self.of.says)
     }
 }
 
@@ -188,23 +195,6 @@ fn fresnel(k_s: Bounded3, cosine: Bounded) -> Bounded3 {
     k_s.map(|c| c + (ONE - c) * grazing)
 }
 
-/// 1/√x as *Quake III Arena* computes it, with some steps of Newton's method; times the vector.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // in the precision of the renderer
-fn fast_unit(v: Bounded3, at: &At) -> Bounded3 {
-    let x = dot(v, v);
-    let guess = if at.how.u > f64::EPSILON {
-        let bits = 0x5f37_59df_u32.wrapping_sub((x.value as f32).to_bits() >> 1);
-        f64::from(f32::from_bits(bits))
-    } else {
-        f64::from_bits(0x5fe6_eb50_c7b5_37a9_u64.wrapping_sub(x.value.to_bits() >> 1))
-    };
-    let step = |y: f64, _| y * (1.5 - 0.5 * x.value * y * y);
-    let root = (0..at.value as u32).fold(guess, step);
-    // the error of x moves the root by half of it
-    let off = root * x.error / x.value;
-    scale(v, Bounded::computed(root, 16.0, at.how).looser(off))
-}
-
 fn unit_by(v: Bounded3, by: impl Fn(Bounded) -> Bounded) -> Bounded3 {
     let length = by(length(v));
     v.map(|c| c / length)
@@ -265,19 +255,20 @@ pub static MISTAKES: LazyLock<Vec<Mistake>> = LazyLock::new(|| {
         values,
         changes: changes.to_vec(),
     });
-    let operations = OPERATIONS
-        .iter()
-        .flat_map(|(does, says, values, change, ingredients)| {
+    let mut all: Vec<Mistake> = rows.collect();
+    for (does, says, values, change, ingredients) in OPERATIONS {
+        all.extend(
             ingredients
                 .iter()
                 .copied()
                 .flatten()
-                .map(move |(id, name, parts)| Mistake {
+                .map(|(id, name, parts)| Mistake {
                     id: format!("{id}{does}"),
                     says: format!("{name} {says}").replace(" ,", ","),
                     values,
                     changes: parts.iter().map(|part| (*part, *change)).collect(),
-                })
-        });
-    rows.chain(operations).collect()
+                }),
+        );
+    }
+    all
 });

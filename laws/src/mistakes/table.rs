@@ -8,10 +8,25 @@ use super::*;
 use crate::formula::Part::*;
 use crate::formula::{BLACK, Change};
 use crate::profile::{from_srgb, to_srgb};
-use crate::scene::{add, mul, sub, unit, Model, Number};
+use crate::scene::{add, mul, sub, unit, Kind, Model, Number};
 
 /// A name that does not change, what is wrong, the numbers that are tried for `{}`, and what changes where.
 type Row = (&'static str, &'static str, &'static [f64], &'static [(Part, Change)]);
+
+/// Which lights or models have a mistake, the whole first.
+pub static SCOPES: [Scope; 11] = [
+    Scope { id: "All", says: "", has: |_| true },
+    Scope { id: "Suns", says: ", of directional lights only", has: |at| at.is_of(Kind::Directional) },
+    Scope { id: "Points", says: ", of point lights only", has: |at| at.is_of(Kind::Point) },
+    Scope { id: "Spots", says: ", of spots only", has: |at| at.is_of(Kind::Spot) },
+    Scope { id: "Lamps", says: ", of point lights and spots only", has: |at| at.is_of(Kind::Point) || at.is_of(Kind::Spot) },
+    Scope { id: "Phong", says: ", in Phong's model only", has: |at| at.model == Model::Phong },
+    Scope { id: "Blinn", says: ", in Blinn's model only", has: |at| at.model == Model::BlinnPhong },
+    Scope { id: "First", says: ", of the first light only", has: |at| at.light.is_some() && at.i == 0.0 },
+    Scope { id: "Later", says: ", of all lights but the first", has: |at| at.light.is_some() && at.i > 0.0 },
+    Scope { id: "Last", says: ", of the last light only", has: |at| at.light.is_some() && at.i + 1.0 == at.count },
+    Scope { id: "Earlier", says: ", of all lights but the last", has: |at| at.light.is_some() && at.i + 1.0 < at.count },
+];
 
 const ENDS: &[f64] = &[10.0, 5.0, 8.0, 16.0, 20.0, 25.0, 32.0, 50.0, 64.0, 100.0, 200.0, 256.0, 500.0, 1000.0, 1024.0, 10000.0];
 
@@ -36,10 +51,6 @@ pub const ROWS: &[Row] = &[
     ("LightReversed", "L points from the light to the surface", &[], &[(L, |x, _| minus(x))]),
     ("SunTakenForPosition", "the direction to a directional light is taken for a position, from which p is subtracted", &[], &[(L, |x, at| if at.light.is_some_and(|l| l.lamp().is_none()) { unit(sub(x, at.p)) } else { x })]),
     ("PointForgotten", "L is the position of the lamp, from which p is not subtracted", &[], &[(Way, |_, at| at.position)]),
-    ("FastInverseRoot", "vectors are normalized by the fast inverse root with {} steps of Newton's method", &[1.0, 2.0, 3.0],
-        &[(N, |_, at| fast_unit(at.raw_n, at)), (V, |_, at| fast_unit(at.raw_v, at)), (Half, |_, at| fast_unit(at.sum, at)), (L, |x, at| if at.light.is_some_and(|l| l.lamp().is_none()) { x } else { fast_unit(at.way, at) })]),
-    ("FastInverseRootBesideLamps", "N, V and H are normalized by the fast inverse root with {} steps of Newton's method", &[1.0, 2.0, 3.0],
-        &[(N, |_, at| fast_unit(at.raw_n, at)), (V, |_, at| fast_unit(at.raw_v, at)), (Half, |_, at| fast_unit(at.sum, at))]),
     ("LengthPlus", "{} is added to the length by which a vector is normalized", &[1e-4, 1e-3, 1e-5, 1e-6],
         &[(N, |_, at| unit_by(at.raw_n, |q| q + at.number())), (V, |_, at| unit_by(at.raw_v, |q| q + at.number())), (Half, |_, at| unit_by(at.sum, |q| q + at.number())), (L, |x, at| lamp_by(x, at, |q| q + at.number()))]),
     ("LengthAtLeast", "the length by which a vector is normalized is at least {}", &[0.01, 0.001, 0.0001, 0.1],
