@@ -386,23 +386,30 @@ impl Run<'_> {
         if explained.is_empty() {
             std::mem::swap(&mut explained, &mut others);
         }
-        // a second mistake, in what the first leaves
-        let mut second = None;
-        if is_nearly_all {
-            let mut left = self.evidence.leave(self.profile, &mistakes);
+        // other mistakes, in what the first leaves; what is left of a part may be several things
+        let (mut made, mut rest) = (mistakes.clone(), Vec::new());
+        let mut last = mistakes;
+        while !last.is_empty() && rest.len() < 2 {
+            let mut left = self.evidence.leave(self.profile, &last);
             let found = self.evidence.cause(self.profile);
-            second = found.filter(|cause| left.len() >= 4 && cause.explained == cause.of);
-            if second.is_some() {
-                left.sort_unstable();
-                left.dedup();
-                others = left;
-            }
+            let is_enough = |it: &Cause| it.explained == it.of || !is_nearly_all;
+            let Some(found) = found.filter(|it| left.len() >= 4 && is_enough(it)) else {
+                break;
+            };
+            left.sort_unstable();
+            left.dedup();
+            last.clone_from(&found.mistakes);
+            rest.push((Some(found), left));
+        }
+        if rest.is_empty() && !others.is_empty() {
+            rest.push((None, others));
         }
         let places = self.places(&explained, None);
         is_told(cause, &explained, places);
-        if !others.is_empty() {
-            let places = self.places(&others, Some(&mistakes));
-            is_told(second, &others, places);
+        for (cause, laws) in rest {
+            let places = self.places(&laws, Some(&made));
+            made.extend(cause.iter().flat_map(|cause| &cause.mistakes));
+            is_told(cause, &laws, places);
         }
         findings
     }
