@@ -428,28 +428,146 @@ fn cone(case: Case, profile: &Profile) -> Option<Group> {
 }
 
 /// Every law, in the order of the report.
-#[rustfmt::skip] // a table
 pub const LAWS: &[Law] = &[
-    Law { name: "finite", says: "every color is finite", needs: &[], group: |case, _| Claim::new("the color is finite", Relation::Finite, &[1.0]).of([case.scene]) },
-    Law { name: "as_said", says: "colors are in the range and the levels that the renderer promises", needs: &[RANGE], group: |case, _| Claim::new("the color is as the profile says", Relation::AsSaid, &[1.0]).of([case.scene]) },
-    Law { name: "not_negative", says: "no light is negative", needs: &[], group: |case, _| Claim::new("the color is not negative", Relation::NotNegative, &[1.0]).of([case.scene]) },
-    Law { name: "no_memory", says: "a scene has the same color wherever it is in a batch", needs: &[], group: no_memory },
-    Law { name: "ambient_alone", says: "without lights there is k_a I_a", needs: &[AMBIENT, LIT], group: ambient_alone },
-    Law { name: "additive", says: "the light of several lights is the sum of the light of each", needs: &[TWO_LIGHTS], group: additive },
-    Law { name: "scale", says: "twice the light gives twice the color", needs: &[], group: scaled },
-    Law { name: "channels_apart", says: "red does not change green and blue", needs: &[], group: channels_apart },
-    Law { name: "bound", says: "no more light comes back than k_a I_a + Σ (k_d + k_s) I/(a + bq + cq²)", needs: &[], group: bound },
-    Law { name: "behind", says: "a light behind the surface adds nothing", needs: &[TWO_LIGHTS], group: behind },
-    Law { name: "eye", says: "diffuse light does not depend on the eye", needs: &[], group: eye },
-    Law { name: "length_of_n", says: "the length of the vector along N does not matter", needs: &[ANY_LENGTH], group: length_of_n },
-    Law { name: "length_of_v", says: "the distance of the eye does not matter", needs: &[ANY_LENGTH], group: length_of_v },
-    Law { name: "mirror", says: "seen in the mirror direction, the highlight is k_s I", needs: &[HIGHLIGHT, LAMP], group: mirror },
-    Law { name: "shininess", says: "a higher shininess does not brighten", needs: &[HIGHLIGHT], group: shininess },
-    Law { name: "dark_side", says: "a highlight needs N·L > 0", needs: &[HIGHLIGHT, GATED], group: dark_side },
-    Law { name: "distance", says: "a lamp farther away in the same direction does not brighten", needs: &[POINT, ATTENUATION], group: distance },
-    Law { name: "far_lamp", says: "a lamp far away that is not attenuated is a directional light", needs: &[POINT, SUN], group: far_lamp },
-    Law { name: "translation", says: "moving everything changes nothing", needs: &[], group: translation },
-    Law { name: "rotation", says: "turning everything changes nothing", needs: &[], group: rotation },
-    Law { name: "cone", says: "a spot is a point light within its cone, and dark outside", needs: &[POINT, SPOT], group: cone },
-    Law { name: "formula", says: "the color is that of the formula, within the renderer's precision", needs: &[], group: |case, _| Claim::new("the color is that of the formula", Relation::Right, &[1.0]).of([case.scene]) },
+    Law {
+        name: "finite",
+        says: "every color is finite",
+        needs: &[],
+        group: |case, _| {
+            Claim::new("the color is finite", Relation::Finite, &[1.0]).of([case.scene])
+        },
+    },
+    Law {
+        name: "as_said",
+        says: "colors are in the range and the levels that the renderer promises",
+        needs: &[RANGE],
+        group: |case, _| {
+            Claim::new("the color is as the profile says", Relation::AsSaid, &[1.0])
+                .of([case.scene])
+        },
+    },
+    Law {
+        name: "not_negative",
+        says: "no light is negative",
+        needs: &[],
+        group: |case, _| {
+            Claim::new("the color is not negative", Relation::NotNegative, &[1.0]).of([case.scene])
+        },
+    },
+    Law {
+        name: "no_memory",
+        says: "a scene has the same color wherever it is in a batch",
+        needs: &[],
+        group: no_memory,
+    },
+    Law {
+        name: "ambient_alone",
+        says: "without lights there is k_a I_a",
+        needs: &[AMBIENT, LIT],
+        group: ambient_alone,
+    },
+    Law {
+        name: "additive",
+        says: "the light of several lights is the sum of the light of each",
+        needs: &[TWO_LIGHTS],
+        group: additive,
+    },
+    Law {
+        name: "scale",
+        says: "twice the light gives twice the color",
+        needs: &[],
+        group: scaled,
+    },
+    Law {
+        name: "channels_apart",
+        says: "red does not change green and blue",
+        needs: &[],
+        group: channels_apart,
+    },
+    Law {
+        name: "bound",
+        says: "no more light comes back than k_a I_a + Σ (k_d + k_s) I/(a + bq + cq²)",
+        needs: &[],
+        group: bound,
+    },
+    Law {
+        name: "behind",
+        says: "a light behind the surface adds nothing",
+        needs: &[TWO_LIGHTS],
+        group: behind,
+    },
+    Law {
+        name: "eye",
+        says: "diffuse light does not depend on the eye",
+        needs: &[],
+        group: eye,
+    },
+    Law {
+        name: "length_of_n",
+        says: "the length of the vector along N does not matter",
+        needs: &[ANY_LENGTH],
+        group: length_of_n,
+    },
+    Law {
+        name: "length_of_v",
+        says: "the distance of the eye does not matter",
+        needs: &[ANY_LENGTH],
+        group: length_of_v,
+    },
+    Law {
+        name: "mirror",
+        says: "seen in the mirror direction, the highlight is k_s I",
+        needs: &[HIGHLIGHT, LAMP],
+        group: mirror,
+    },
+    Law {
+        name: "shininess",
+        says: "a higher shininess does not brighten",
+        needs: &[HIGHLIGHT],
+        group: shininess,
+    },
+    Law {
+        name: "dark_side",
+        says: "a highlight needs N·L > 0",
+        needs: &[HIGHLIGHT, GATED],
+        group: dark_side,
+    },
+    Law {
+        name: "distance",
+        says: "a lamp farther away in the same direction does not brighten",
+        needs: &[POINT, ATTENUATION],
+        group: distance,
+    },
+    Law {
+        name: "far_lamp",
+        says: "a lamp far away that is not attenuated is a directional light",
+        needs: &[POINT, SUN],
+        group: far_lamp,
+    },
+    Law {
+        name: "translation",
+        says: "moving everything changes nothing",
+        needs: &[],
+        group: translation,
+    },
+    Law {
+        name: "rotation",
+        says: "turning everything changes nothing",
+        needs: &[],
+        group: rotation,
+    },
+    Law {
+        name: "cone",
+        says: "a spot is a point light within its cone, and dark outside",
+        needs: &[POINT, SPOT],
+        group: cone,
+    },
+    Law {
+        name: "formula",
+        says: "the color is that of the formula, within the renderer's precision",
+        needs: &[],
+        group: |case, _| {
+            Claim::new("the color is that of the formula", Relation::Right, &[1.0]).of([case.scene])
+        },
+    },
 ];

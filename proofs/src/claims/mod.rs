@@ -28,7 +28,6 @@ macro_rules! claims {
     };
 }
 
-#[rustfmt::skip]
 pub const CLAIMS: &[Claim] = claims! {
     vectors::length_of_numbers "`Vec3::length` of any numbers is in [0, ∞]"
     vectors::unit_of_any "`Vec3::unit` of any bits is `None` or has components up to 1.25 in size"
