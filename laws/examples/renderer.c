@@ -1,4 +1,4 @@
-/* A renderer to copy from: Lambert, Phong and Blinn-Phong, put to the test by
+/* A renderer to copy from: Lambert, Phong and Blinn-Phong, checked by
 
        cc -O2 renderer.c -o renderer -lm
        shading-laws ./renderer

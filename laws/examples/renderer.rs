@@ -1,4 +1,4 @@
-//! A renderer to copy from: Lambert, Phong and Blinn–Phong in `f32`, put to the test by
+//! A renderer to copy from: Lambert, Phong and Blinn–Phong in `f32`, checked by
 //!
 //! ```sh
 //! rustc -O --edition 2021 renderer.rs

@@ -78,7 +78,8 @@ impl Plan {
         let (mut batches, mut start, mut sizes) = (Vec::new(), 0, SIZES.iter());
         while start < most.unwrap_or(0) {
             let end = start + sizes.next().unwrap_or(&SIZES[3]);
-            for (law, tries) in self.tries.iter().enumerate() {
+            // backward, so that the formula judges the first scene, which a renderer may not be ready for
+            for (law, tries) in self.tries.iter().enumerate().rev() {
                 let count = tries.cases.len();
                 if start < count {
                     batches.push((law, start..end.min(count)));

@@ -361,7 +361,13 @@ impl Run<'_> {
                 laws,
             });
         };
-        let is_fickle = !state.is_empty();
+        // what was wrong and is right when it is asked again depends on what was asked before
+        let first = broken.iter().filter_map(|law| self.failures[*law].first());
+        let first: Vec<Tried> = first.map(|failure| failure.tried.clone()).collect();
+        let is_asked = !first.is_empty() && !self.is_over;
+        let again = is_asked.then(|| self.judge(&first, None)).flatten();
+        let is_right_again = again.is_some_and(|it| it.iter().flatten().count() * 2 < it.len());
+        let is_fickle = !state.is_empty() || is_right_again;
         if is_fickle {
             let alone = if cause.is_none() { &broken[..] } else { &[] };
             let of_state = Cause {

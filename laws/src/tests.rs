@@ -164,6 +164,12 @@ fn what_has_no_row_breaks_the_other_laws() {
     });
     let cause = leak.findings[0].cause.as_ref().expect("a cause");
     assert_eq!(cause.mistakes, [Fault::named("Leak")]);
+    let mut is_ready = false;
+    let unready = breaks("formula", &mut |_, color| {
+        let is_first = !std::mem::replace(&mut is_ready, true);
+        color.map(|c| if is_first { 0.0 } else { c })
+    });
+    assert_eq!(unready.findings[0].cause, leak.findings[0].cause);
     breaks("eye", &mut |scene, color| {
         color.map(|c| c * (1.0 + 0.01 * scene.v[2]))
     });
