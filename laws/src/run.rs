@@ -404,8 +404,12 @@ impl Run<'_> {
             };
             left.sort_unstable();
             left.dedup();
+            // a law may hold of colors that are not those of the formula
+            left.retain(|law| !self.failures[*law].is_empty());
             last.clone_from(&found.mistakes);
-            rest.push((Some(found), left));
+            if !left.is_empty() {
+                rest.push((Some(found), left));
+            }
         }
         if rest.is_empty() && !others.is_empty() {
             rest.push((None, others));

@@ -42,7 +42,16 @@ fn scenes(profile: &Profile, count: u64) -> impl Iterator<Item = Scene> {
 fn planted(plan: &Plan, faults: &[Fault]) -> Report {
     let profile = &plan.profile;
     let formula = Formula::new(profile, faults).rounding();
-    plan.run(&mut from_fn(profile.clone(), |scene| formula.reply(scene)))
+    let report = plan.run(&mut from_fn(profile.clone(), |scene| formula.reply(scene)));
+    let holds = |told: &&str| {
+        report
+            .laws
+            .iter()
+            .any(|law| law.law == *told && !law.is_broken())
+    };
+    let mut told = report.findings.iter().flat_map(|finding| &finding.laws);
+    assert!(!told.any(|law| holds(law)), "{report}");
+    report
 }
 
 fn plan(profile: &Profile, cases: usize) -> Plan {
