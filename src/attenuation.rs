@@ -1,6 +1,6 @@
 //! Falloff of light with distance.
 
-use crate::real::{Real, Scalar};
+use crate::real::{Mask, Real, Scalar};
 use crate::rgb::Rgb;
 
 /// The factor by which distance attenuates a light.
@@ -25,7 +25,7 @@ use crate::rgb::Rgb;
 #[inline]
 #[must_use]
 pub fn attenuation<T: Real>(a: T, b: T, c: T, q: T) -> T {
-    T::attenuated([T::ONE; 3], [a, b, c], q, T::MAX)[0]
+    T::attenuated(Rgb::WHITE, [a, b, c], q, T::MAX).r
 }
 
 /// Checked coefficients of the [`attenuation`], and a range at which the light may end. A light with
@@ -55,15 +55,15 @@ pub fn attenuation<T: Real>(a: T, b: T, c: T, q: T) -> T {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct Attenuation<T = f32> {
-    a: T,
-    b: T,
-    c: T,
+    pub(crate) a: T,
+    pub(crate) b: T,
+    pub(crate) c: T,
     /// The largest factor: 1 if it is clamped, else `MAX`.
-    limit: T,
+    pub(crate) limit: T,
     /// The distance at which the light ends, or `MAX`.
     pub(crate) range: T,
     /// 1 if the window is squared, 0 if it is glTF's.
-    squared: T,
+    pub(crate) squared: T,
 }
 
 impl<T: Real> Attenuation<T> {
@@ -172,14 +172,14 @@ impl<T: Real> Attenuation<T> {
     #[inline]
     #[must_use]
     pub fn is_clamped(self) -> bool {
-        (T::MAX - self.limit).any_positive()
+        T::MAX.above(self.limit).any()
     }
 
     /// Whether the window is glTF's.
     #[inline]
     #[must_use]
     pub fn is_unsquared(self) -> bool {
-        !self.squared.any_positive()
+        !self.squared.above(T::ZERO).any()
     }
 
     /// The factor at the distance q ≥ 0.
@@ -209,11 +209,11 @@ impl<T: Real> Attenuation<T> {
     /// A color times the factor at q.
     #[inline(always)]
     pub(crate) fn dimmed(&self, color: Rgb<T>, q: T) -> Rgb<T> {
-        let color = T::attenuated(color.into(), [self.a, self.b, self.c], q, self.limit);
-        if (T::MAX - self.range).any_positive() {
-            Rgb::from(color) * self.window(q)
+        let color = T::attenuated(color, self.coefficients(), q, self.limit);
+        if T::MAX.above(self.range).any() {
+            color * self.window(q)
         } else {
-            color.into()
+            color
         }
     }
 
@@ -222,8 +222,8 @@ impl<T: Real> Attenuation<T> {
         let share = q / self.range;
         let square = share * share;
         let root = (T::ONE - square * square).at_least(T::ZERO);
-        let window = self.squared.if_positive(root * root, root);
-        (T::MAX - self.range).if_positive(window, T::ONE) // in lanes, some may have no range
+        let window = T::select(self.squared.above(T::ZERO), root * root, root);
+        T::select(T::MAX.above(self.range), window, T::ONE) // in lanes, some may have no range
     }
 
     /// The same attenuation in another number type. `f` converts each number and may only round it.
@@ -233,12 +233,13 @@ impl<T: Real> Attenuation<T> {
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> Attenuation<U> {
         // what is above 0 or finite stays so, and MAX of one type is not MAX in another
         let mut number = |x: T| {
-            let mut yes = |x: T| f(x.if_positive(T::ONE, T::ZERO));
-            let (is_positive, is_below) = (yes(x), yes(T::MAX - x));
+            let mut holds = |mask| f(T::select(mask, T::ONE, T::ZERO)).above(U::ZERO);
+            let (is_positive, is_below) = (holds(x.above(T::ZERO)), holds(T::MAX.above(x)));
             let number = f(x);
-            let positive = number.if_positive(number.at_most(U::MAX), U::ONE / U::MAX);
-            let number = is_positive.if_positive(positive, U::ZERO);
-            is_below.if_positive(number, U::MAX)
+            let stays = number.above(U::ZERO);
+            let positive = U::select(stays, number.at_most(U::MAX), U::ONE / U::MAX);
+            let number = U::select(is_positive, positive, U::ZERO);
+            U::select(is_below, number, U::MAX)
         };
         Attenuation {
             a: number(self.a),

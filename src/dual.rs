@@ -256,6 +256,8 @@ number_first!(f64: Add add, Sub sub, Mul mul, Div div);
 
 #[diagnostic::do_not_recommend] // the trait's own message names the types
 impl<T: Real> Real for Dual<T> {
+    type Mask = T::Mask;
+
     const ZERO: Self = Self::constant(T::ZERO);
     const ONE: Self = Self::constant(T::ONE);
     const NEG_ONE: Self = Self::constant(T::NEG_ONE);
@@ -278,16 +280,16 @@ impl<T: Real> Real for Dual<T> {
     }
 
     #[inline]
-    fn if_positive(self, then: Self, otherwise: Self) -> Self {
-        let select = |a, b| self.value.if_positive(a, b);
-        let (a, b) = (then.gradient, otherwise.gradient);
-        let gradient = Vec3::new(select(a.x, b.x), select(a.y, b.y), select(a.z, b.z));
-        Self::new(select(then.value, otherwise.value), gradient)
+    fn above(self, other: Self) -> T::Mask {
+        self.value.above(other.value)
     }
 
     #[inline]
-    fn any_positive(self) -> bool {
-        self.value.any_positive()
+    fn select(mask: T::Mask, then: Self, otherwise: Self) -> Self {
+        Self::new(
+            T::select(mask, then.value, otherwise.value),
+            Vec3::select(mask, then.gradient, otherwise.gradient),
+        )
     }
 }
 
@@ -312,7 +314,7 @@ impl<T: Elementary> Elementary for Dual<T> {
     fn ln(self) -> Self {
         let ln = self.value.ln();
         // below 0, 1/x has a value, but the logarithm does not
-        let slope = (-self.value).if_positive(ln, T::ONE / self.value);
+        let slope = T::select(T::ZERO.above(self.value), ln, T::ONE / self.value);
         self.chain(ln, slope)
     }
 
@@ -334,7 +336,7 @@ impl<T: Elementary> Elementary for Dual<T> {
     fn powf(self, exponent: Self) -> Self {
         let power = self.value.powf(exponent.value);
         // what does not vary adds nothing, even where the other factor is infinite or NaN
-        let times = |x: T, slope: T| size(x).if_positive(x * slope, x);
+        let times = |x: T, slope: T| T::select(size(x).above(T::ZERO), x * slope, x);
         let slope = times(exponent.value, self.value.powf(exponent.value - T::ONE));
         let growth = power * self.value.ln();
         let gradient = self.gradient * slope + exponent.gradient.map(|x| times(x, growth));

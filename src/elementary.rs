@@ -51,7 +51,7 @@ pub trait Elementary: Real {
     #[must_use]
     fn atan2(self, x: Self) -> Self {
         let angle = angle(size(self), x);
-        (-self).if_positive(-angle, angle)
+        Self::select(Self::ZERO.above(self), -angle, angle)
     }
 
     /// A real power.
@@ -67,7 +67,8 @@ pub trait Elementary: Real {
     #[must_use]
     fn abs(self) -> Self {
         // 0, −0 and NaN are neither above nor below 0; NaN stays NaN
-        self.if_positive(self, (-self).if_positive(-self, self + -self))
+        let otherwise = Self::select(Self::ZERO.above(self), -self, self + -self);
+        Self::select(self.above(Self::ZERO), self, otherwise)
     }
 
     /// An integer power, computed by repeated squaring. A negative exponent gives 1 over the
@@ -115,9 +116,9 @@ pub(crate) fn angle<T: Real>(sine: T, cosine: T) -> T {
         constant(const { parts(SQRT_2 + 1.0) }),
     ];
     let size = size(cosine);
-    let sign = cosine.if_positive(T::ONE, T::NEG_ONE);
-    let x = (size * tan_3_pi_8).if_above(sine, sign, T::ZERO);
-    let y = sine.if_above(size * tan_pi_8, T::ONE, T::ZERO);
+    let sign = T::select(cosine.above(T::ZERO), T::ONE, T::NEG_ONE);
+    let x = T::select((size * tan_3_pi_8).above(sine), sign, T::ZERO);
+    let y = T::select(sine.above(size * tan_pi_8), T::ONE, T::ZERO);
 
     let [quarter, half] = [
         constant(const { parts(FRAC_PI_4) }),

@@ -120,6 +120,7 @@
 
 mod elementary;
 mod real;
+mod triple;
 
 mod encoding;
 mod rgb;
@@ -152,12 +153,11 @@ pub use features::Lanes;
 #[cfg(feature = "fixed")]
 pub use features::fixed;
 pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
-pub use real::{Exponent, Real, Scalar};
-pub use rgb::Rgb;
+pub use real::{Exponent, Mask, Measured, Real, Scalar};
 #[doc(inline)]
 pub use shade::{Material, Shaded};
+pub use triple::{Rgb, Vec3};
 pub use unit::UnitVec3;
-pub use vector::Vec3;
 
 #[cfg(all(doc, not(doctest)))]
 macro_rules! pages {

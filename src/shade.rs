@@ -64,7 +64,7 @@ use core::ops::{Add, AddAssign, Mul};
 
 use crate::direction::mirrored;
 use crate::light::{Arriving, IncidentLight};
-use crate::real::{Exponent, Real};
+use crate::real::{Exponent, Mask, Real};
 use crate::rgb::Rgb;
 use crate::term;
 use crate::unit::UnitVec3;
@@ -294,7 +294,7 @@ pub fn blinn_phong<T: Real, M: Exponent<T>>(
     // H is the direction of |way| (L + V)
     sum(n, material, i_a, lights, |way, length| {
         let h = way + *v * length;
-        T::cosine_power((*n).into(), h.into(), material.m)
+        T::cosine_power(*n, h, material.m)
     })
 }
 
@@ -312,8 +312,8 @@ fn sum<T: Real, M>(
     // not `for_each`, whose closure keeps the sums in memory
     for light in lights {
         // the sign of N·L decides before the root of |way|
-        let in_front = light.in_front_by(n);
-        if in_front.any_positive() {
+        let in_front = light.in_front(n);
+        if in_front.any() {
             let Arriving {
                 way,
                 length,
@@ -321,8 +321,8 @@ fn sum<T: Real, M>(
             } = light.arriving();
             // a way that overflowed gives ∞, and its light is black
             let n_dot_l = (n.dot(way) / length).at_least(T::ZERO).at_most(T::ONE);
-            diffuse += intensity * in_front.if_positive(n_dot_l, T::ZERO);
-            specular += intensity * in_front.if_positive(highlight(way, length), T::ZERO);
+            diffuse += intensity * T::select(in_front, n_dot_l, T::ZERO);
+            specular += intensity * T::select(in_front, highlight(way, length), T::ZERO);
         }
     }
     Shaded {

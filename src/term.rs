@@ -119,7 +119,7 @@ pub fn blinn<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: UnitVec3<T>, m: M) -> T
 #[inline]
 pub(crate) fn highlight<T: Real, M: Exponent<T>>(cosine: T, m: M) -> T {
     let power = m.raise(cosine.at_least(T::ZERO).at_most(T::ONE));
-    cosine.if_positive(power, T::ZERO)
+    T::select(cosine.above(T::ZERO), power, T::ZERO)
 }
 
 /// The factor that normalizes the highlight of [`phong`], for renderers whose diffuse term has a 1/π.

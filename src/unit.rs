@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Deref, Mul, Neg, Sub};
 
-use crate::real::{Real, Scalar, const_sqrt, epsilon, size, tamed};
+use crate::real::{Measured, Real, Scalar, const_sqrt, epsilon, size};
 use crate::vector::Vec3;
 
 impl<T: Real> Vec3<T> {
@@ -24,7 +24,7 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn length(self) -> T {
-        T::direction(self.into()).2
+        T::measured(self).length
     }
 
     /// The direction of the vector: the vector of length 1 that points the same way.
@@ -50,8 +50,8 @@ impl<T: Real> Vec3<T> {
     where
         T: Scalar,
     {
-        let (w, length, _) = T::direction(self.into());
-        (length > T::ZERO).then(|| UnitVec3(T::divided(w, length).into()))
+        let Measured { w, w_length, .. } = T::measured(self);
+        (w_length > T::ZERO).then(|| UnitVec3(w / w_length))
     }
 
     /// [`unit`](Vec3::unit), or `fallback` if that is `None`. This method does not branch on the
@@ -70,18 +70,13 @@ impl<T: Real> Vec3<T> {
     /// [`unit_or`](Vec3::unit_or), and the length, by one root.
     #[inline]
     pub(crate) fn unit_and_length(self, fallback: UnitVec3<T>) -> (UnitVec3<T>, T) {
-        let (w, length, size) = T::direction(self.into());
-        let or = |w, fallback| length.if_positive(w, fallback);
-        let [x, y, z] = T::divided(w, length);
-        let unit = Vec3::new(or(x, fallback.x), or(y, fallback.y), or(z, fallback.z));
-        (UnitVec3(unit), size)
-    }
-
-    /// The vector from `origin` to this one, times a power of two that makes it fit for squares and
-    /// products.
-    #[inline(always)]
-    pub(crate) fn tamed_from(self, origin: Self) -> Self {
-        tamed(self.into(), origin.into()).into()
+        let Measured {
+            w,
+            w_length,
+            length,
+        } = T::measured(self);
+        let unit = Vec3::select(w_length.above(T::ZERO), w / w_length, fallback.0);
+        (UnitVec3(unit), length)
     }
 }
 

@@ -1,32 +1,10 @@
-//! Vectors, and the operations that they share with colors.
+//! The operations of vectors of real numbers.
 
 use core::iter::Sum;
-use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+use core::ops::{Add, Mul};
 
 use crate::real::Real;
-
-/// A vector or a point in space, with operators for sums, differences and scaling.
-///
-/// ```
-/// use shading::Vec3;
-///
-/// let a = Vec3::new(1.0_f32, 2.0, 2.0);
-/// assert_eq!(a + a, 2.0 * a);
-/// assert_eq!(a.dot(a), 9.0);
-/// assert_eq!(a.length(), 3.0);
-/// assert_eq!(Vec3::from([1.0, 2.0, 2.0]), a);
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[repr(C)]
-#[must_use]
-pub struct Vec3<T = f32> {
-    /// The x coordinate.
-    pub x: T,
-    /// The y coordinate.
-    pub y: T,
-    /// The z coordinate.
-    pub z: T,
-}
+pub use crate::triple::Vec3;
 
 impl<T: Real> Vec3<T> {
     /// The origin, and the vector of length 0.
@@ -62,7 +40,7 @@ impl<T: Real> Vec3<T> {
     #[inline]
     #[must_use]
     pub fn dot(self, other: impl Into<Self>) -> T {
-        T::dot(self.into(), other.into().into())
+        T::dot(self, other.into())
     }
 
     /// The cross product, perpendicular to both vectors and right-handed, with either as for
@@ -89,14 +67,6 @@ impl<T: Real> Vec3<T> {
     }
 }
 
-impl<T: Real> Neg for Vec3<T> {
-    type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        self.map(|x| -x)
-    }
-}
-
 macro_rules! number_first {
     ($type:ident $float:ident) => {
         impl Mul<$type<$float>> for $float {
@@ -109,68 +79,18 @@ macro_rules! number_first {
     };
 }
 
-/// The operations that vectors and colors share.
-macro_rules! componentwise {
+/// What a vector and a color can do if their numbers are real.
+macro_rules! of_reals {
     ($type:ident { $x:ident, $y:ident, $z:ident }) => {
         impl<T: Real> $type<T> {
-            /// The value with these three components.
+            /// Each component of `then` where the mask holds, and of `otherwise` elsewhere.
             #[inline]
-            pub const fn new($x: T, $y: T, $z: T) -> Self {
-                Self { $x, $y, $z }
-            }
-        }
-
-        impl<T> $type<T> {
-            /// Applies a function to each component.
-            #[inline]
-            pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> $type<U> {
-                $type {
-                    $x: f(self.$x),
-                    $y: f(self.$y),
-                    $z: f(self.$z),
-                }
-            }
-        }
-
-        impl<T: Real> Add for $type<T> {
-            type Output = Self;
-            #[inline]
-            fn add(self, other: Self) -> Self {
-                Self::new(self.$x + other.$x, self.$y + other.$y, self.$z + other.$z)
-            }
-        }
-
-        impl<T: Real> Sub for $type<T> {
-            type Output = Self;
-            #[inline]
-            fn sub(self, other: Self) -> Self {
-                Self::new(self.$x - other.$x, self.$y - other.$y, self.$z - other.$z)
-            }
-        }
-
-        impl<T: Real> Mul<T> for $type<T> {
-            type Output = Self;
-            #[inline]
-            fn mul(self, factor: T) -> Self {
-                self.map(|x| x * factor)
-            }
-        }
-
-        impl<T: Real> Div<T> for $type<T> {
-            type Output = Self;
-            #[inline]
-            fn div(self, divisor: T) -> Self {
-                self.map(|x| x / divisor)
-            }
-        }
-
-        number_first!($type f32);
-        number_first!($type f64);
-
-        impl<T: Real> AddAssign for $type<T> {
-            #[inline]
-            fn add_assign(&mut self, other: Self) {
-                *self = *self + other;
+            pub(crate) fn select(mask: T::Mask, then: Self, otherwise: Self) -> Self {
+                Self::new(
+                    T::select(mask, then.$x, otherwise.$x),
+                    T::select(mask, then.$y, otherwise.$y),
+                    T::select(mask, then.$z, otherwise.$z),
+                )
             }
         }
 
@@ -181,21 +101,10 @@ macro_rules! componentwise {
             }
         }
 
-        impl<T> From<[T; 3]> for $type<T> {
-            #[inline]
-            fn from([$x, $y, $z]: [T; 3]) -> Self {
-                Self { $x, $y, $z }
-            }
-        }
-
-        impl<T> From<$type<T>> for [T; 3] {
-            #[inline]
-            fn from(value: $type<T>) -> Self {
-                [value.$x, value.$y, value.$z]
-            }
-        }
+        number_first!($type f32);
+        number_first!($type f64);
     };
 }
 
-componentwise!(Vec3 { x, y, z });
-pub(crate) use {componentwise, number_first};
+of_reals!(Vec3 { x, y, z });
+pub(crate) use {number_first, of_reals};

@@ -5,7 +5,7 @@ use std::fmt::Debug;
 
 use proptest::prelude::*;
 use shading::{
-    Attenuation, Cone, DirectionalLight, Exponent, IncidentLight, Lanes, Light, Material,
+    Attenuation, Cone, DirectionalLight, Exponent, IncidentLight, Lanes, Light, Mask, Material,
     PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, normal, reflection,
     shade, term,
 };
@@ -104,11 +104,11 @@ fn edges_agree<L: Simd>() {
             a / b,
             -a,
             a.sqrt(),
-            a.if_positive(b, T::ONE),
-            a.if_above(b, T::ONE, b),
+            T::select(a.above(T::ZERO), b, T::ONE),
+            T::select(a.above(b), T::ONE, b),
             a.at_least(b),
             a.at_most(b),
-            T::divided([b, T::ONE, a], b)[2],
+            (Vec3::new(b, T::ONE, a) / b).z,
             term::lambert(UnitVec3::Z, tilted(a)),
         ]
     }
@@ -139,8 +139,8 @@ fn edges_agree<L: Simd>() {
         }
         let mixed = L::from_fn(|i| if i == 0 { edges[j] } else { edges[k] });
         assert_eq!(
-            mixed.any_positive(),
-            edges[j].any_positive() || edges[k].any_positive()
+            mixed.above(L::ZERO).any(),
+            edges[j] > <_>::ZERO || edges[k] > <_>::ZERO
         );
         for m in [0, 1, 2, 3, 100, u32::MAX] {
             for i in 0..L::COUNT {
@@ -333,7 +333,7 @@ fn everything<T: Real, M: Exponent<T>>(c: &Place<T>, m: M) -> Vec<T> {
         term::lambert(n, v),
         term::phong(n, v, m),
         term::blinn(n, v, m),
-        T::cosine_power(n.into(), p.into(), m),
+        T::cosine_power(*n, p, m),
         attenuation(rgb.r, rgb.g, rgb.b, q),
         c.lamp.attenuation.at(q),
         c.spot.cone.factor(n, v),

@@ -5,7 +5,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use shading::{Elementary, Exponent, Real};
+use shading::{Elementary, Exponent, Mask, Real};
 
 use super::graph::{Function, Node, ONE, Test, ZERO};
 use super::range::Range;
@@ -97,6 +97,8 @@ impl PartialOrd for Term {
 }
 
 impl Real for Term {
+    type Mask = Above;
+
     const ZERO: Self = Self(ZERO);
     const ONE: Self = Self(ONE);
     const NEG_ONE: Self = Self(2);
@@ -110,18 +112,13 @@ impl Real for Term {
     fn sqrt(self) -> Self {
         Self(node(Node::Sqrt(self.0)))
     }
-    fn if_positive(self, then: Self, otherwise: Self) -> Self {
-        self.if_above(Self::ZERO, then, otherwise)
+    fn above(self, other: Self) -> Above {
+        Above(Test::Above(self.0, other.0))
     }
-    fn any_positive(self) -> bool {
-        decide(Test::Above(self.0, ZERO))
-    }
-    // Floats override these two, too, and give the same results.
-    fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
+    fn select(Above(test): Above, then: Self, otherwise: Self) -> Self {
         if then.0 == otherwise.0 {
             return then;
         }
-        let test = Test::Above(self.0, threshold.0);
         match told(test) {
             Some(answer) => [otherwise, then][usize::from(answer)],
             None => Self(node(Node::Select(test, then.0, otherwise.0))),
@@ -129,10 +126,23 @@ impl Real for Term {
     }
     // one decision, for what floats decide by one comparison of bits
     fn any_outside(self, low: Self, high: Self) -> bool {
-        let below_high = high.if_above(self, Self::ONE, Self::ZERO).0;
+        let below_high = Self::select(high.above(self), Self::ONE, Self::ZERO).0;
         let test = Test::AtMost(low.0, self.0);
         let is_inside = Self(node(Node::Select(test, below_high, ZERO)));
-        !is_inside.any_positive()
+        !is_inside.above(Self::ZERO).any()
+    }
+}
+
+/// A comparison, which is a decision only where a path depends on it.
+#[derive(Clone, Copy, Debug)]
+pub struct Above(Test);
+
+impl Mask for Above {
+    fn any(self) -> bool {
+        decide(self.0)
+    }
+    fn all(self) -> bool {
+        decide(self.0)
     }
 }
 

@@ -4,15 +4,19 @@ use core::ops::Mul;
 
 use crate::attenuation::Attenuation;
 use crate::cone::Cone;
-use crate::real::Real;
+use crate::real::{Mask, Measured, Real};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
-// the kinds: shaders have neither enums with data nor an `Option` of an enum
-pub(super) const DIRECTIONAL: usize = 0;
-const POINT: usize = 1;
-pub(super) const SPOT: usize = 2;
+/// The kind of a light. Shaders have no enums with data, and integers of 32 bits alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(u32)]
+pub(super) enum Kind {
+    Directional,
+    Point,
+    Spot,
+}
 
 /// The light that arrives at a point: a [`Light`](crate::Light), and the way to it.
 ///
@@ -34,15 +38,14 @@ pub(super) const SPOT: usize = 2;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct IncidentLight<T = f32> {
-    /// From the point to the light: y, z and x, as the dot product takes them. In an array of lights,
-    /// it would otherwise wait for two stores.
-    way: [T; 3],
+    /// From the point to the light, of any length.
+    way: Vec3<T>,
     /// Before attenuation.
     intensity: Rgb<T>,
     attenuation: Attenuation<T>,
     pub(super) axis: UnitVec3<T>,
     pub(super) cone: Cone<T>,
-    pub(super) kind: usize,
+    pub(super) kind: Kind,
 }
 
 /// What the sums need to know of an [`IncidentLight`].
@@ -58,25 +61,19 @@ impl<T: Real> IncidentLight<T> {
     #[inline(always)]
     pub(super) fn new(way: Vec3<T>, intensity: Rgb<T>, attenuation: Attenuation<T>) -> Self {
         Self {
-            way: [way.y, way.z, way.x],
+            way,
             intensity,
             attenuation,
             axis: UnitVec3::Z,
             cone: Cone::EVERYWHERE,
-            kind: POINT,
+            kind: Kind::Point,
         }
     }
 
+    /// Where N·L > 0. N·(the way to the light) has the sign of N·L and needs no root.
     #[inline]
-    fn way(&self) -> Vec3<T> {
-        let [y, z, x] = self.way;
-        Vec3::new(x, y, z)
-    }
-
-    /// N·(the way to the light), which has the sign of N·L and needs no root.
-    #[inline]
-    pub(crate) fn in_front_by(&self, n: UnitVec3<T>) -> T {
-        n.dot(self.way())
+    pub(crate) fn in_front(&self, n: UnitVec3<T>) -> T::Mask {
+        n.dot(self.way).above(T::ZERO)
     }
 
     /// Whether the light comes from the front of a surface with the normal N. Otherwise it adds
@@ -90,15 +87,15 @@ impl<T: Real> IncidentLight<T> {
     #[inline]
     #[must_use]
     pub fn is_in_front(&self, n: UnitVec3<T>) -> bool {
-        self.in_front_by(n).any_positive()
+        self.in_front(n).any()
     }
 
     /// L, the direction from the surface **to** the light; the z axis if there is none.
     #[inline]
     pub fn l(&self) -> UnitVec3<T> {
         match self.kind {
-            DIRECTIONAL => UnitVec3::assume_unit(self.way()),
-            _ => self.way().unit_or(UnitVec3::Z),
+            Kind::Directional => UnitVec3::assume_unit(self.way),
+            _ => self.way.unit_or(UnitVec3::Z),
         }
     }
 
@@ -111,8 +108,8 @@ impl<T: Real> IncidentLight<T> {
     #[must_use]
     pub fn distance(&self) -> T {
         match self.kind {
-            DIRECTIONAL => T::MAX,
-            _ => self.way().length().at_most(T::MAX),
+            Kind::Directional => T::MAX,
+            _ => self.way.length().at_most(T::MAX),
         }
     }
 
@@ -122,22 +119,25 @@ impl<T: Real> IncidentLight<T> {
         let Arriving {
             length, intensity, ..
         } = self.arriving();
-        intensity.map(|channel| length.if_positive(channel, T::ZERO))
+        Rgb::select(length.above(T::ZERO), intensity, Rgb::BLACK)
     }
 
     #[inline(always)]
     pub(crate) fn arriving(&self) -> Arriving<T> {
-        if self.kind == DIRECTIONAL {
+        if self.kind == Kind::Directional {
             return Arriving {
-                way: self.way(),
+                way: self.way,
                 length: T::ONE,
                 intensity: self.intensity,
             };
         }
-        let (way, length, distance) = T::direction(self.way().into());
-        let way = Vec3::from(way);
+        let Measured {
+            w: way,
+            w_length: length,
+            length: distance,
+        } = T::measured(self.way);
         let mut intensity = self.attenuation.dimmed(self.intensity, distance);
-        if self.kind == SPOT {
+        if self.kind == Kind::Spot {
             let cosine = (-self.axis).dot(way) / length;
             intensity = intensity * self.cone.share(cosine);
         }
@@ -152,7 +152,7 @@ impl<T: Real> IncidentLight<T> {
     /// it, or take one of several lanes.
     #[inline]
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> IncidentLight<U> {
-        let (way, intensity) = (self.way().map(&mut f), self.intensity.map(&mut f));
+        let (way, intensity) = (self.way.map(&mut f), self.intensity.map(&mut f));
         let mut light = IncidentLight::new(way, intensity, self.attenuation.cast(&mut f));
         (light.axis, light.cone) = (self.axis.cast(&mut f), self.cone.cast(f));
         light.kind = self.kind;

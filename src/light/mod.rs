@@ -10,7 +10,7 @@ use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 pub(crate) use incident::Arriving;
 pub use incident::IncidentLight;
-use incident::{DIRECTIONAL, SPOT};
+use incident::Kind;
 
 /// A light so far away, such as the sun, that its direction is the same everywhere. It is not
 /// attenuated.
@@ -52,7 +52,7 @@ impl<T: Real> DirectionalLight<T> {
     #[inline]
     pub fn at(&self, _p: impl Into<[T; 3]>) -> IncidentLight<T> {
         let mut light = IncidentLight::new(*self.l, self.intensity, Attenuation::NONE);
-        light.kind = DIRECTIONAL;
+        light.kind = Kind::Directional;
         light
     }
 
@@ -181,7 +181,7 @@ impl<T: Real> SpotLight<T> {
     #[inline]
     pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
         let mut light = self.point.at(p);
-        (light.kind, light.axis, light.cone) = (SPOT, self.axis, self.cone);
+        (light.kind, light.axis, light.cone) = (Kind::Spot, self.axis, self.cone);
         light
     }
 

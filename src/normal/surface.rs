@@ -1,7 +1,7 @@
 //! Normals of planes, triangles, spheres, implicit and parametric surfaces.
 
 use crate::dual::Dual;
-use crate::real::{Real, Scalar, epsilon, is_extreme, size};
+use crate::real::{Real, Scalar, epsilon, is_extreme, size, tamed};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -76,7 +76,7 @@ pub fn triangle<T: Real + Scalar>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Opti
 #[inline(always)]
 #[must_use]
 pub fn sphere<T: Real + Scalar>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitVec3<T>> {
-    p.tamed_from(center).unit()
+    tamed(p, center).unit()
 }
 
 /// The normal of the implicit surface f(x, y, z) = 0 at a point p on it, from f itself.
@@ -228,7 +228,7 @@ pub fn from_tangents<T: Real + Scalar>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<Uni
 pub(super) fn product<T: Real>(a: Vec3<T>, b: Vec3<T>, origin: Vec3<T>) -> Vec3<T> {
     let product = (a - origin).cross(b - origin);
     if is_extreme(product.dot(product)) {
-        a.tamed_from(origin).cross(b.tamed_from(origin))
+        tamed(a, origin).cross(tamed(b, origin))
     } else {
         product
     }

@@ -57,7 +57,7 @@ pub fn tangent<T: Real + Scalar>(
     let (x2, x3) = shares(x2 * half - x1 * half, x3 * half - x1 * half);
     let (y2, y3) = shares(y2 * half - y1 * half, y3 * half - y1 * half);
     let d = x2 * y3 - x3 * y2;
-    let h = d.if_positive(T::ONE, T::NEG_ONE);
+    let h = T::select(d.above(T::ZERO), T::ONE, T::NEG_ONE);
     let t = (e2 / edge * y3 - e3 / edge * y2) * h;
     t.unit().filter(|_| size(d) > T::ZERO).map(|t| (t, h))
 }

@@ -81,7 +81,10 @@ pub trait Exponent<T: Real>: Copy {
 impl<T: Real> Exponent<T> for u32 {
     #[inline]
     fn raise(self, cosine: T) -> T {
-        by_squaring(least::<T>(self).if_above(cosine, T::ZERO, cosine), self)
+        by_squaring(
+            T::select(least::<T>(self).above(cosine), T::ZERO, cosine),
+            self,
+        )
     }
 
     #[inline]
@@ -115,9 +118,10 @@ fn least<T: Real>(m: u32) -> T {
     let from_half = (linear >> 12 & 0x7FF).wrapping_sub(0x400);
     let bend = 0x10_0000 - from_half.wrapping_mul(from_half);
     let least = f32::from_bits(linear.wrapping_sub(bend / 32 * 25 + 1600));
-    let is_wider = T::MAX - T::of_f32(f32::MAX);
-    let is_finer = T::of_f32(f32::MIN_POSITIVE);
-    is_finer.if_positive(is_wider.if_positive(T::ZERO, T::of_f32(least)), T::ZERO)
+    let is_wider = T::MAX.above(T::of_f32(f32::MAX));
+    let is_fine = T::of_f32(f32::MIN_POSITIVE).above(T::ZERO);
+    let least = T::select(is_wider, T::ZERO, T::of_f32(least));
+    T::select(is_fine, least, T::ZERO)
 }
 
 /// baseᵐ by repeated squaring, from the lowest bit of m up, so that no square waits for a product.
@@ -140,7 +144,7 @@ pub(crate) fn by_squaring<T: Real>(mut base: T, mut m: u32) -> T {
 #[inline]
 pub(crate) fn shininess<T: Real>(m: T) -> T {
     // not `at_least`, which may let a signaling NaN through
-    m.if_positive(m.at_most(T::MAX), T::ZERO)
+    T::select(m.above(T::ZERO), m.at_most(T::MAX), T::ZERO)
 }
 
 macro_rules! real {

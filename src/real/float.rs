@@ -1,14 +1,14 @@
 //! The floats, whose operations the processor or `libm` has. This is the only file with unsafe code,
 //! apart from the `bytemuck` feature.
 
-use core::ops::Div;
-
 use super::Real;
 
 macro_rules! float {
-    ($float:ident, $extreme:expr, $sqrt:path, $divided:path) => {
+    ($float:ident, $extreme:expr, $sqrt:path) => {
         #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Real for $float {
+            type Mask = bool;
+
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const NEG_ONE: Self = -1.0;
@@ -33,18 +33,15 @@ macro_rules! float {
             }
 
             #[inline]
-            fn if_positive(self, then: Self, otherwise: Self) -> Self {
-                if self > 0.0 { then } else { otherwise }
+            fn above(self, other: Self) -> bool {
+                self > other
             }
 
+            // The compiler can turn this into the processor's minimum or maximum.
+            // `f32::min` is a library call on Arm.
             #[inline]
-            fn any_positive(self) -> bool {
-                self > 0.0
-            }
-
-            #[inline(always)]
-            fn divided(numbers: [Self; 3], divisor: Self) -> [Self; 3] {
-                $divided(numbers, divisor)
+            fn select(mask: bool, then: Self, otherwise: Self) -> Self {
+                if mask { then } else { otherwise }
             }
 
             // Positive floats are ordered as their bits are, so one integer comparison replaces two.
@@ -53,20 +50,13 @@ macro_rules! float {
                 let range = high.to_bits().wrapping_sub(low.to_bits());
                 self.to_bits().wrapping_sub(low.to_bits()) >= range
             }
-
-            // The compiler can turn this comparison into the processor's minimum or maximum.
-            // `f32::min` is a library call on Arm.
-            #[inline]
-            fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
-                if self > threshold { then } else { otherwise }
-            }
         }
     };
 }
 
 // 2^100 and 2^720, as their bits
-float!(f32, f32::from_bits((127 + 100) << 23), sqrtf, dividedf);
-float!(f64, f64::from_bits((1023 + 720) << 52), sqrt, divided);
+float!(f32, f32::from_bits((127 + 100) << 23), sqrtf);
+float!(f64, f64::from_bits((1023 + 720) << 52), sqrt);
 
 // IEEE 754 requires a correctly rounded root, so an instruction and `libm`'s routine give the same
 // bits. `libm`'s are best except on x86-64, where they are assembly code that stays an SSE
@@ -74,21 +64,20 @@ float!(f64, f64::from_bits((1023 + 720) << 52), sqrt, divided);
 // with an FPU, where they take 55 instructions.
 
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-use self::x86_64::{dividedf, sqrt, sqrtf};
+use self::x86_64::{sqrt, sqrtf};
+#[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
+use libm::sqrt;
 #[cfg(not(any(
     all(target_arch = "x86_64", target_feature = "sse2"),
     all(target_arch = "arm", target_abi = "eabihf")
 )))]
 use libm::sqrtf;
-#[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
-use {divided as dividedf, libm::sqrt};
 
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 #[allow(unsafe_code)]
 mod x86_64 {
     use core::arch::x86_64::{
-        _mm_cvtsd_f64, _mm_cvtss_f32, _mm_div_ps, _mm_set_sd, _mm_set_ss, _mm_set1_ps, _mm_setr_ps,
-        _mm_sqrt_sd, _mm_sqrt_ss,
+        _mm_cvtsd_f64, _mm_cvtss_f32, _mm_set_sd, _mm_set_ss, _mm_sqrt_sd, _mm_sqrt_ss,
     };
 
     #[inline]
@@ -105,25 +94,6 @@ mod x86_64 {
             _mm_cvtsd_f64(_mm_sqrt_sd(x, x))
         }
     }
-
-    /// Three quotients by one instruction, where the compiler would take two. The order of the lanes
-    /// lets it keep x and y side by side, as it loads them.
-    #[inline(always)]
-    pub(super) fn dividedf([x, y, z]: [f32; 3], divisor: f32) -> [f32; 3] {
-        // SAFETY: This is compiled only for processors with SSE2. Four numbers in a register are four
-        // numbers in an array.
-        let [z, _, x, y]: [f32; 4] = unsafe {
-            let quotients = _mm_div_ps(_mm_setr_ps(z, 1.0, x, y), _mm_set1_ps(divisor));
-            core::mem::transmute(quotients)
-        };
-        [x, y, z]
-    }
-}
-
-/// Three numbers over one divisor.
-#[inline(always)]
-fn divided<T: Copy + Div<Output = T>>([x, y, z]: [T; 3], divisor: T) -> [T; 3] {
-    [x / divisor, y / divisor, z / divisor]
 }
 
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]

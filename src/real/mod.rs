@@ -7,6 +7,8 @@ pub(crate) mod power;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::triple::{Rgb, Vec3};
+
 pub use exponent::Exponent;
 pub(crate) use exponent::{by_squaring, shininess};
 pub(crate) use float::const_sqrt;
@@ -16,8 +18,8 @@ pub(crate) use length::{is_extreme, tamed};
 ///
 /// The trait has the operations that the formulas of this crate need. `f32`, `f64` and the SIMD
 /// lanes round each of + − × ÷ √ correctly, so their results have the same bits on every machine.
-/// There is no comparison: [`if_positive`](Real::if_positive) makes each decision, separately for
-/// each lane.
+/// A comparison gives a [`Mask`](Real::Mask), a `bool` for each lane, and [`select`](Real::select)
+/// makes each decision by one.
 ///
 /// ```
 /// use shading::Real;
@@ -53,6 +55,9 @@ pub trait Real:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
+    /// Where a comparison holds: `bool`, or one for each lane.
+    type Mask: Mask;
+
     /// Zero.
     const ZERO: Self;
     /// One.
@@ -77,20 +82,20 @@ pub trait Real:
     #[must_use]
     fn sqrt(self) -> Self;
 
-    /// Selects `then` where `self` > 0 and `otherwise` elsewhere, also for 0, −0 and NaN. In lanes,
-    /// each lane is selected on its own. Maximum, clamp and all guards are built from this method.
+    /// Where `self` > `other`; nowhere, if either is NaN.
+    #[doc(alias("gt", "greater"))]
+    #[must_use]
+    fn above(self, other: Self) -> Self::Mask;
+
+    /// `then` where the mask holds, and `otherwise` elsewhere. Maximum, clamp and all guards are built
+    /// from it.
     ///
     /// ```
-    /// assert_eq!(shading::Real::if_positive(0.0_f32, 10.0, 20.0), 20.0);
+    /// use shading::Real;
+    /// assert_eq!(f32::select(0.0.above(0.0), 10.0, 20.0), 20.0);
     /// ```
-    #[doc(alias = "select")]
     #[must_use]
-    fn if_positive(self, then: Self, otherwise: Self) -> Self;
-
-    /// Whether `self` > 0 or, for lanes, whether any lane is. If it is false, a whole computation
-    /// may be skipped.
-    #[must_use]
-    fn any_positive(self) -> bool;
+    fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
 
     // the methods below are derived
 
@@ -102,21 +107,13 @@ pub trait Real:
         Self::of(literal.into())
     }
 
-    /// `then` where `self` > `threshold`, and `otherwise` elsewhere, lane by lane.
-    #[doc(alias = "select")]
-    #[inline]
-    #[must_use]
-    fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
-        (self - threshold).if_positive(then, otherwise)
-    }
-
     /// The maximum, max(self, floor); `floor` if `self` is NaN. A signaling NaN, which no operation
     /// produces, may stay NaN on AArch64 and POWER.
     #[doc(alias = "max")]
     #[inline]
     #[must_use]
     fn at_least(self, floor: Self) -> Self {
-        self.if_above(floor, self, floor)
+        Self::select(self.above(floor), self, floor)
     }
 
     /// The minimum, min(self, limit).
@@ -124,7 +121,7 @@ pub trait Real:
     #[inline]
     #[must_use]
     fn at_most(self, limit: Self) -> Self {
-        self.if_above(limit, limit, self)
+        Self::select(self.above(limit), limit, self)
     }
 
     /// Whether `self` is outside of the range from `low` to `high`, both positive, or NaN; for lanes,
@@ -132,39 +129,27 @@ pub trait Real:
     #[inline]
     #[must_use]
     fn any_outside(self, low: Self, high: Self) -> bool {
-        let above_low = self.if_above(low, Self::ZERO, Self::ONE);
-        high.if_above(self, above_low, Self::ONE).any_positive()
+        !self.above(low).all() || !high.above(self).all()
     }
 
     /// The dot product of two vectors, a.x b.x + a.y b.y + a.z b.z. Its sign decides whether a light is
     /// in front of a surface. A number of even precision may round once, and keep the sign.
     #[inline(always)]
     #[must_use]
-    fn dot(a: [Self; 3], b: [Self; 3]) -> Self {
-        a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-    }
-
-    /// Three numbers over one divisor. Some processors divide several numbers at once.
-    #[inline(always)]
-    #[must_use]
-    fn divided([x, y, z]: [Self; 3], divisor: Self) -> [Self; 3] {
-        [x / divisor, y / divisor, z / divisor]
+    fn dot(a: Vec3<Self>, b: Vec3<Self>) -> Self {
+        a.x * b.x + a.y * b.y + a.z * b.z
     }
 
     // the methods below are for numbers whose precision is not relative, as that of fixed point is not
 
-    /// A vector w in the direction of v, its length, and the length of v: (w, |w|, |v|). The squares
-    /// of w and of its sums with other vectors of its length neither overflow nor vanish.
+    /// The direction of v, not yet divided by its length, and the length of v.
     ///
-    /// The direction is w/|w|. A vector that is zero, infinite or NaN has none; its |w| is 0. A |v|
-    /// that overflows is the largest finite number, and that of an infinite vector is infinite.
-    ///
-    /// For a float, w is v, or v times a power of two if the square of v is out of range. A number of
-    /// even precision may divide by |v| here, and return 1 for |w|.
+    /// For a float, w is v, or v times a power of two if the square of v is out of range. A fixed-point
+    /// type may divide by |v| here, and return 1 for |w|.
     #[inline(always)]
     #[must_use]
-    fn direction(v: [Self; 3]) -> ([Self; 3], Self, Self) {
-        length::direction(v)
+    fn measured(v: Vec3<Self>) -> Measured<Self> {
+        length::measured(v)
     }
 
     /// The power of the cosine between a direction n and a vector v of any length, limited to 1. It is
@@ -175,7 +160,7 @@ pub trait Real:
     /// ```
     #[inline(always)]
     #[must_use]
-    fn cosine_power(n: [Self; 3], v: [Self; 3], m: impl Exponent<Self>) -> Self {
+    fn cosine_power(n: Vec3<Self>, v: Vec3<Self>, m: impl Exponent<Self>) -> Self {
         length::cosine_power(n, v, m)
     }
 
@@ -188,17 +173,48 @@ pub trait Real:
     /// The factor is 0 if the denominator is negative or NaN. A product that overflows is the largest
     /// finite number.
     #[inline(always)]
-    #[must_use]
-    fn attenuated(color: [Self; 3], [a, b, c]: [Self; 3], q: Self, limit: Self) -> [Self; 3] {
+    fn attenuated(color: Rgb<Self>, [a, b, c]: [Self; 3], q: Self, limit: Self) -> Rgb<Self> {
         let factor = Self::ONE / (a + q * (b + c * q));
         let factor = if factor.any_outside(Self::ONE / Self::EXTREME, Self::ONE) {
             factor.at_least(Self::ZERO).at_most(limit)
         } else {
             factor
         };
-        let [red, green, blue] = color;
-        let dimmed = |channel: Self| (channel * factor).at_most(Self::MAX);
-        [dimmed(red), dimmed(green), dimmed(blue)]
+        color.map(|channel| (channel * factor).at_most(Self::MAX))
+    }
+}
+
+/// A direction that is not yet divided by its length, with the length of the vector that it is from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured<T> {
+    /// w, a vector in the direction of v. Its square, and those of its sums with vectors of its length,
+    /// neither overflow nor vanish.
+    pub w: Vec3<T>,
+    /// |w|; 0 if v has no direction, because it is zero, infinite or NaN.
+    pub w_length: T,
+    /// |v|; the largest finite number if it overflows, and infinite if v is.
+    pub length: T,
+}
+
+/// Where a comparison of numbers holds: a `bool`, or one for each lane.
+pub trait Mask: Copy {
+    /// Whether it holds in any lane. If not, a whole computation may be skipped.
+    #[must_use]
+    fn any(self) -> bool;
+    /// Whether it holds in each lane.
+    #[must_use]
+    fn all(self) -> bool;
+}
+
+impl Mask for bool {
+    #[inline]
+    fn any(self) -> bool {
+        self
+    }
+
+    #[inline]
+    fn all(self) -> bool {
+        self
     }
 }
 

@@ -38,8 +38,11 @@ fn sums_and_comparisons_are_exact_or_saturate() {
         assert_eq!(a.cmp(&b), wide(a).cmp(&wide(b)));
         assert_eq!(a.at_least(b), a.max(b));
         assert_eq!(a.at_most(b), a.min(b));
-        assert_eq!(a.if_positive(a, b), if wide(a) > 0 { a } else { b });
-        assert_eq!(a.any_positive(), wide(a) > 0);
+        assert_eq!(
+            Fixed::select(a.above(Fixed::ZERO), a, b),
+            if wide(a) > 0 { a } else { b }
+        );
+        assert_eq!(a.above(Fixed::ZERO), wide(a) > 0);
     }
 }
 
@@ -83,8 +86,8 @@ fn dot_products_are_rounded_once_and_keep_the_sign() {
     for _ in 0..300_000 {
         let (a, b) = (random.three(), random.three());
         let sum: i128 = (0..3).map(|i| wide(a[i]) * wide(b[i])).sum();
-        let dot = <Fixed as Real>::dot(a, b);
-        assert_eq!(dot.any_positive(), sum > 1, "{a:?} · {b:?}"); // to 2⁻³¹
+        let dot = <Fixed as Real>::dot(a.into(), b.into());
+        assert_eq!(dot.above(Fixed::ZERO), sum > 1, "{a:?} · {b:?}"); // to 2⁻³¹
         // each half may lose half of 2⁻³²
         let [low, high] = [-3, 0].map(|lost| wide(rounded(sum + lost)));
         assert!((low..=high.max(1)).contains(&wide(dot)), "{a:?} · {b:?}");

@@ -54,7 +54,7 @@ fn cosines_are_near_the_exact_ones() {
     while let (Some(n), Some(v)) = (directions.next(), others.next()) {
         let wide = shading::f64::Vec3::from(v.map(exact)).unit();
         let expected = wide.map_or(0.0, |wide| n.cast(exact).dot(wide));
-        let actual = Fixed::cosine_power((*n).into(), v, 1);
+        let actual = Fixed::cosine_power(*n, v.into(), 1);
         let error = steps(actual) - 65536.0 * expected.clamp(0.0, 1.0);
         assert!(error.abs() <= 0.52, "{n:?} {v:?}: {error} steps");
     }
@@ -65,11 +65,11 @@ fn cosines_are_near_the_exact_ones() {
 fn anything_has_a_result() {
     let (mut n, mut others) = (vectors(), vectors().skip(2));
     while let (Some(n), Some(v)) = (n.next(), others.next()) {
-        let _ = <Fixed as Real>::dot(n, v);
-        let power = Fixed::cosine_power(n, v, 128);
+        let _ = <Fixed as Real>::dot(n.into(), v.into());
+        let power = Fixed::cosine_power(n.into(), v.into(), 128);
         assert!(Fixed::ZERO <= power && power <= Fixed::ONE);
         let [a, b, c] = n;
         let [q, limit, color] = v;
-        let _ = Fixed::attenuated([color; 3], [a, b, c], q, limit);
+        let _ = Fixed::attenuated(shading::Rgb::gray(color), [a, b, c], q, limit);
     }
 }

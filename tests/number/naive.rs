@@ -32,6 +32,7 @@ macro_rules! float {
         operators!($name, |x, y, op| Self::round(op(x.0, y.0)));
 
         impl Real for $name {
+            type Mask = bool;
             const ZERO: Self = Self(0.0);
             const ONE: Self = Self(1.0);
             const NEG_ONE: Self = Self(-1.0);
@@ -46,12 +47,12 @@ macro_rules! float {
                 Self::round(self.0.sqrt())
             }
 
-            fn if_positive(self, then: Self, otherwise: Self) -> Self {
-                if self.0 > 0.0 { then } else { otherwise }
+            fn above(self, other: Self) -> bool {
+                self > other
             }
 
-            fn any_positive(self) -> bool {
-                self.0 > 0.0
+            fn select(mask: bool, then: Self, otherwise: Self) -> Self {
+                if mask { then } else { otherwise }
             }
         }
 
@@ -115,6 +116,7 @@ impl Q16 {
 operators!(Q16, |x, y, op| Self::round(op(x.exact(), y.exact())));
 
 impl Real for Q16 {
+    type Mask = bool;
     const ZERO: Self = Self(0);
     const ONE: Self = Self(1 << 16);
     const NEG_ONE: Self = Self(-1 << 16);
@@ -129,12 +131,12 @@ impl Real for Q16 {
         Self::round(self.exact().max(0.0).sqrt())
     }
 
-    fn if_positive(self, then: Self, otherwise: Self) -> Self {
-        if self.0 > 0 { then } else { otherwise }
+    fn above(self, other: Self) -> bool {
+        self > other
     }
 
-    fn any_positive(self) -> bool {
-        self.0 > 0
+    fn select(mask: bool, then: Self, otherwise: Self) -> Self {
+        if mask { then } else { otherwise }
     }
 }
 
@@ -178,6 +180,7 @@ impl<const FAULT: u8> Neg for Broken<FAULT> {
 }
 
 impl<const FAULT: u8> Real for Broken<FAULT> {
+    type Mask = bool;
     const ZERO: Self = Self(0.0);
     const ONE: Self = Self(1.0);
     const NEG_ONE: Self = Self(-1.0);
@@ -199,13 +202,12 @@ impl<const FAULT: u8> Real for Broken<FAULT> {
         )
     }
 
-    fn if_positive(self, then: Self, otherwise: Self) -> Self {
-        let is_positive = self.0 > 0.0 || FAULT == 4 && self.0 >= 0.0;
-        if is_positive { then } else { otherwise }
+    fn above(self, other: Self) -> bool {
+        self.0 > other.0 || FAULT == 4 && self.0 >= other.0
     }
 
-    fn any_positive(self) -> bool {
-        self.0 > 0.0
+    fn select(mask: bool, then: Self, otherwise: Self) -> Self {
+        if mask { then } else { otherwise }
     }
 }
 

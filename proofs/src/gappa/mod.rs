@@ -215,10 +215,7 @@ fn shaded(given: Given, model: Model) -> Formula {
         let highlight = match model {
             Model::Lambert => continue,
             Model::Phong => term::phong(reflection(n, l), v, 32),
-            Model::BlinnPhong => {
-                let [n, h] = [*n, *l + *v].map(<[Term; 3]>::from);
-                Term::cosine_power(n, h, 32)
-            }
+            Model::BlinnPhong => Term::cosine_power(*n, *l + *v, 32),
         };
         given.assume_above(highlight, Term::of(TINY));
         taken.push((highlight, model.highlight(), [0.0, 1.0]));

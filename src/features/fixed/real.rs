@@ -3,7 +3,9 @@
 
 use super::{Fixed, ONE, rounded};
 use crate::elementary::Elementary;
-use crate::real::{Exponent, Real};
+use crate::real::{Exponent, Measured, Real};
+use crate::rgb::Rgb;
+use crate::vector::Vec3;
 
 /// A Cortex-M0 multiplies 32 bits, and the compiler would call a routine for 64.
 const HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
@@ -161,6 +163,8 @@ fn reciprocal_beyond([a, b, c, q]: [Fixed; 4], is_large: bool) -> (u32, u32) {
 
 #[diagnostic::do_not_recommend] // the trait's own message names the types
 impl Real for Fixed {
+    type Mask = bool;
+
     const ZERO: Self = Self(0);
     const ONE: Self = Self(ONE);
     const NEG_ONE: Self = Self(-ONE);
@@ -181,23 +185,18 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn if_positive(self, then: Self, otherwise: Self) -> Self {
-        if self.0 > 0 { then } else { otherwise }
+    fn above(self, other: Self) -> bool {
+        self > other
     }
 
     #[inline]
-    fn any_positive(self) -> bool {
-        self.0 > 0
-    }
-
-    #[inline]
-    fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
-        if self > threshold { then } else { otherwise }
+    fn select(mask: bool, then: Self, otherwise: Self) -> Self {
+        if mask { then } else { otherwise }
     }
 
     /// It is rounded once, and above 0 if the exact sum is.
     #[inline]
-    fn dot([a, b, c]: [Self; 3], [x, y, z]: [Self; 3]) -> Self {
+    fn dot(Vec3 { x: a, y: b, z: c }: Vec3<Self>, Vec3 { x, y, z }: Vec3<Self>) -> Self {
         // halves, whose sum cannot overflow
         let sum = (product(a.0, x.0) >> 1) + (product(b.0, y.0) >> 1) + (product(c.0, z.0) >> 1);
         let Self(steps) = rounded(sum, 15, (sum >> 32) as i32);
@@ -205,18 +204,22 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn direction(v: [Self; 3]) -> ([Self; 3], Self, Self) {
-        let (unit, length) = unit_and_length(v);
-        let one = if length.0 == 0 { 0 } else { ONE };
-        (unit, Self(one), length)
+    fn measured(v: Vec3<Self>) -> Measured<Self> {
+        let (unit, length) = unit_and_length(v.into());
+        let w_length = Self(if length.0 == 0 { 0 } else { ONE });
+        Measured {
+            w: unit.into(),
+            w_length,
+            length,
+        }
     }
 
     #[inline]
-    fn cosine_power(n: [Self; 3], v: [Self; 3], m: impl Exponent<Self>) -> Self {
+    fn cosine_power(n: Vec3<Self>, v: Vec3<Self>, m: impl Exponent<Self>) -> Self {
         let Scaled {
             v: [x, y, z], root, ..
-        } = scaled(v.map(|x| x.0));
-        let [a, b, c] = n.map(|x| x.0 << 12);
+        } = scaled(v.map(|x| x.0).into());
+        let [a, b, c] = n.map(|x| x.0 << 12).into();
         let dot = upper(a, x)
             .wrapping_add(upper(b, y))
             .wrapping_add(upper(c, z));
@@ -230,12 +233,7 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn attenuated(
-        [red, green, blue]: [Self; 3],
-        [a, b, c]: [Self; 3],
-        q: Self,
-        limit: Self,
-    ) -> [Self; 3] {
+    fn attenuated(color: Rgb<Self>, [a, b, c]: [Self; 3], q: Self, limit: Self) -> Rgb<Self> {
         let slope = rounded(product(c.0, q.0) + ((b.0 as i64) << 16), 16, 0);
         let d = rounded(product(slope.0, q.0) + ((a.0 as i64) << 16), 16, 0);
         if d.0 > ONE && d != Self::MAX && limit.0 >= ONE {
@@ -243,11 +241,11 @@ impl Real for Fixed {
             // 31 bits after the point
             let share = (reciprocal((d.0 as u32) << zeros) << 3 >> (16 - zeros)) as i32;
             let times = |x: Self| Self(((product(x.0, share) + (1 << 30)) >> 31) as i32);
-            [times(red), times(green), times(blue)]
+            color.map(times)
         } else if d.0 == ONE && limit.0 >= ONE {
-            [red, green, blue]
+            color
         } else if d.0 < 0 {
-            [Self(0); 3]
+            Rgb::BLACK
         } else {
             let (share, shift) = reciprocal_beyond([a, b, c, q], d.0 > ONE);
             let times = |x: Self| {
@@ -255,10 +253,10 @@ impl Real for Fixed {
                 Self(steps.clamp(i32::MIN as i64, i32::MAX as i64) as i32)
             };
             if limit == Self::MAX {
-                [times(red), times(green), times(blue)]
+                color.map(times)
             } else {
                 let factor = times(Self(ONE)).at_most(limit);
-                [red * factor, green * factor, blue * factor]
+                color * factor
             }
         }
     }

@@ -11,7 +11,7 @@ use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8, i32x4, i32x8, i32x16, u64x2, u64x4, u64x8};
 
 use crate::real::power::{Bits, EXPONENT, LEAST, double, single};
-use crate::real::{Exponent, Real, shininess};
+use crate::real::{Exponent, Mask, Real, shininess};
 
 // x87 rounds a number in a register differently from a number in memory
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
@@ -85,6 +85,10 @@ pub trait Lanes: Real {
     fn sum(self) -> Self::Lane;
 }
 
+/// The lanes in which a comparison holds: all bits of the number in them are set.
+#[derive(Clone, Copy)]
+pub struct In<L>(L);
+
 macro_rules! real {
     ($lanes:ident of $count:literal $float:ident, $power:ident) => {
         /// One m for all lanes.
@@ -129,8 +133,22 @@ macro_rules! real {
             }
         }
 
+        impl Mask for In<$lanes> {
+            #[inline]
+            fn any(self) -> bool {
+                self.0.any()
+            }
+
+            #[inline]
+            fn all(self) -> bool {
+                self.0.all()
+            }
+        }
+
         #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Real for $lanes {
+            type Mask = In<Self>;
+
             const ZERO: Self = Self::splat($float::ZERO);
             const ONE: Self = Self::splat($float::ONE);
             const NEG_ONE: Self = Self::splat($float::NEG_ONE);
@@ -157,18 +175,13 @@ macro_rules! real {
             }
 
             #[inline]
-            fn if_positive(self, then: Self, otherwise: Self) -> Self {
-                self.if_above(Self::ZERO, then, otherwise)
+            fn above(self, other: Self) -> In<Self> {
+                In(self.simd_gt(other))
             }
 
             #[inline]
-            fn any_positive(self) -> bool {
-                self.simd_gt(Self::ZERO).any()
-            }
-
-            #[inline]
-            fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
-                self.simd_gt(threshold).bitselect(then, otherwise)
+            fn select(mask: In<Self>, then: Self, otherwise: Self) -> Self {
+                mask.0.bitselect(then, otherwise)
             }
 
             #[inline]
@@ -176,7 +189,7 @@ macro_rules! real {
                 if SSE2 {
                     self.fast_max(floor)
                 } else {
-                    self.if_above(floor, self, floor)
+                    Real::select(self.above(floor), self, floor)
                 }
             }
 
@@ -185,7 +198,7 @@ macro_rules! real {
                 if SSE2 {
                     limit.fast_min(self)
                 } else {
-                    self.if_above(limit, limit, self)
+                    Real::select(self.above(limit), limit, self)
                 }
             }
         }

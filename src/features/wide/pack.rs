@@ -1,9 +1,53 @@
 //! Packs lights into lanes: a pack is a light over lanes, and every formula takes it as such.
 
 use super::Lanes;
+use crate::attenuation::Attenuation;
+use crate::cone::Cone;
 use crate::light::{DirectionalLight, PointLight, SpotLight};
 use crate::real::Real;
 use crate::rgb::Rgb;
+use crate::unit::UnitVec3;
+use crate::vector::Vec3;
+
+/// What is made of numbers, over lanes: gathered from that of each lane.
+trait Gather<Lane> {
+    fn gather(lane: &impl Fn(usize) -> Lane) -> Self;
+}
+
+impl<L: Lanes> Gather<L::Lane> for L {
+    #[inline]
+    fn gather(lane: &impl Fn(usize) -> L::Lane) -> Self {
+        L::from_fn(lane)
+    }
+}
+
+impl<L: Lanes> Gather<UnitVec3<L::Lane>> for UnitVec3<L> {
+    #[inline]
+    fn gather(lane: &impl Fn(usize) -> UnitVec3<L::Lane>) -> Self {
+        Self::assume_unit(Gather::gather(&|i| *lane(i)))
+    }
+}
+
+macro_rules! gather {
+    ($($type:ident { $($field:ident),+ })*) => {$(
+        impl<L: Lanes> Gather<$type<L::Lane>> for $type<L> {
+            #[inline]
+            fn gather(lane: &impl Fn(usize) -> $type<L::Lane>) -> Self {
+                Self { $($field: Gather::gather(&|i| lane(i).$field)),+ }
+            }
+        }
+    )*};
+}
+
+gather! {
+    Vec3 { x, y, z }
+    Rgb { r, g, b }
+    Attenuation { a, b, c, limit, range, squared }
+    Cone { inner, outer, smooth }
+    DirectionalLight { l, intensity }
+    PointLight { position, intensity, attenuation }
+    SpotLight { point, axis, cone }
+}
 
 macro_rules! packed {
     ($($(#[$doc:meta])* $light:ident: $($intensity:ident).+;)*) => {$(
@@ -13,30 +57,10 @@ macro_rules! packed {
             pub fn packed<L: Lanes<Lane = T>>(lights: &[Self]) -> impl Iterator<Item = $light<L>> {
                 lights.chunks(L::COUNT).filter_map(|lights| {
                     // black copies of the first are in front of a surface only if it is
-                    let first = *lights.first()?;
-                    let mut black = first;
+                    let mut black = *lights.first()?;
                     black.$($intensity).+ = Rgb::BLACK;
-                    let lane = |i| *lights.get(i).unwrap_or(&black);
-                    let mut numbers = 0..;
-                    Some(first.cast(|_| {
-                        let k = numbers.next().unwrap_or_default();
-                        L::from_fn(|i| lane(i).number(k))
-                    }))
+                    Some(Gather::gather(&|i| *lights.get(i).unwrap_or(&black)))
                 })
-            }
-
-            /// The k-th of its numbers, in the order of `cast`.
-            #[inline]
-            fn number(self, k: usize) -> T {
-                let (mut i, mut number) = (0, T::ZERO);
-                let _ = self.cast(|x| {
-                    if i == k {
-                        number = x;
-                    }
-                    i += 1;
-                    x
-                });
-                number
             }
         }
     )*};

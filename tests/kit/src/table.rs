@@ -15,15 +15,16 @@
 macro_rules! for_each_function {
     ($callback:ident) => { $callback! {
         ARITHMETIC: Number {
-            divided "Real::divided" |g| T::divided(g.a.into(), g.x) => nothing;
+            divided "Vec3, divided" |g| g.a / g.x => nothing;
             any_outside "Real::any_outside" |g| if g.x.any_outside(T::ONE, T::ONE + T::ONE) { T::ONE } else { T::ZERO } => nothing;
-            if_positive "Real::if_positive" |g| g.x.if_positive(g.y, g.cosine) => nothing;
-            if_above "Real::if_above" |g| g.x.if_above(g.y, g.cosine, g.x) => nothing;
+            if_positive "Real::select" |g| T::select(g.x.above(T::ZERO), g.y, g.cosine) => nothing;
+            if_above "Real::above" |g| T::select(g.x.above(g.y), g.cosine, g.x) => nothing;
             at_least "Real::at_least" |g| g.x.at_least(g.y) => nothing;
             at_most "Real::at_most" |g| g.x.at_most(g.y) => nothing;
             // a signaling NaN, which no operation returns, may be its own positive part
             positive_part "Real::at_least, zero" |g| (g.x + T::ZERO).at_least(T::ZERO) => not_negative;
-            any_positive "Real::any_positive" |g| g.x.any_positive() => nothing;
+            any_positive "Mask::any" |g| g.x.above(T::ZERO).any() => nothing;
+            all_positive "Mask::all" |g| g.x.above(T::ZERO).all() => nothing;
             vec3_operators "Vec3, operators" |g| [g.a + g.b, g.a - g.b, g.a * g.x, g.x.times_vector(g.a), g.a / g.x, -g.a] => nothing;
             vec3_assigned "Vec3, assigned" |g| { let mut v = g.a; v += g.b; v } => nothing;
             vec3_sum "Vec3::sum" |g| [g.b, g.a, g.p].into_iter().sum::<Vec3<T>>() => nothing;
@@ -39,7 +40,7 @@ macro_rules! for_each_function {
             gray "Rgb::gray" |g| Rgb::gray(g.x) => nothing;
             dual_operators "Dual, operators" |g| [g.f + g.h, g.f - g.h, g.f * g.h, g.f / g.h, -g.f] => nothing;
             dual_with_number "Dual, with a number" |g| [g.f + g.y, g.f - g.y, g.f * g.y, g.f / g.y] => nothing;
-            dual_compared "Dual, compared" |g| [g.f.at_least(Dual::ZERO), g.f.at_most(g.h), g.f.abs(), g.f.if_above(g.h, g.h, g.f)]
+            dual_compared "Dual, compared" |g| [g.f.at_least(Dual::ZERO), g.f.at_most(g.h), g.f.abs(), Real::select(g.f.above(g.h), g.h, g.f)]
                 => nothing;
             dual_chain "Dual::chain" |g| g.f.chain(g.y, g.x) => nothing;
             shaded_operators "Shaded, operators" |g| [g.shaded + g.shaded * g.x, [g.shaded, g.shaded].into_iter().sum()] => nothing;
@@ -95,12 +96,11 @@ macro_rules! for_each_function {
             light_distance "IncidentLight::distance" |g| g.spot.at(g.p).distance() => nothing;
             light_intensity "IncidentLight::intensity" |g| g.soft_spot.at(g.p).intensity() => nothing;
             light_dimmed "IncidentLight, dimmed and filtered" |g| [g.spot.at(g.p) * g.cosine, g.sun.at(g.p) * g.rgb] => nothing;
-            hook_direction "Real::direction" |g| { let (w, w_length, length) = T::direction(g.a.into()); [w,
-                [w_length, length, T::ZERO]] }
+            hook_direction "Real::measured" |g| { let m = T::measured(g.a); [m.w, Vec3::new(m.w_length, m.length, T::ZERO)] }
                 => nothing;
-            hook_cosine_power "Real::cosine_power" |g| T::cosine_power(g.n.into(), g.a.into(), g.integer.m) => share;
+            hook_cosine_power "Real::cosine_power" |g| T::cosine_power(*g.n, g.a, g.integer.m) => share;
             raise_root "Exponent::raise_root" |g| INTEGER.map(|m| m.raise_root(g.cosine)) => nothing;
-            hook_attenuated "Real::attenuated" |g| T::attenuated(g.rgb.into(), g.attenuation.coefficients(), g.x.abs(), T::ONE) => light;
+            hook_attenuated "Real::attenuated" |g| T::attenuated(g.rgb, g.attenuation.coefficients(), g.x.abs(), T::ONE) => light;
             every_lambert "shade::lambert, every light" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lights()) => light;
             every_phong "shade::phong, every light" |g| shade::phong(g.n, g.v, &g.integer, g.rgb,
                 g.from_lights().filter(|light| light.is_in_front(g.n)))
@@ -231,8 +231,8 @@ macro_rules! for_each_function {
 /// Each row as a function.
 pub mod row {
     use shading::{
-        Attenuation, Cone, Dual, Elementary, Exponent, Real, Rgb, UnitVec3, Vec3, normal, shade,
-        term,
+        Attenuation, Cone, Dual, Elementary, Exponent, Mask as _, Real, Rgb, UnitVec3, Vec3,
+        normal, shade, term,
     };
 
     use crate::digest::{Each, Value};

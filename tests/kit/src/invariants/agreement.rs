@@ -53,7 +53,7 @@ agreements! {
     dot_cross: |c| [Vec3::splat(c.n.dot(c.v)), c.n.cross(c.l)];
     length: |c| n([c.a.length()]);
     direction: |c| c.a.unit();
-    cosine_power: |c| n([T::cosine_power(c.n.into(), c.a.into(), c.m)]);
+    cosine_power: |c| n([T::cosine_power(*c.n, c.a, c.m)]);
     power_of_root: |c| n([c.m.raise_root(c.x)]);
     reflected: |c| reflection(c.n, c.l);
     halfway: |c| half_vector(c.l, c.v);

@@ -7,7 +7,7 @@ use core::marker::PhantomData;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use std::thread_local;
 
-use shading::Real;
+use shading::{Mask, Real};
 
 use super::Tried;
 
@@ -164,7 +164,27 @@ impl<T: Tried> Div for Tracked<T> {
     }
 }
 
+/// A comparison, and whether rounding cannot have decided it.
+#[derive(Clone, Copy, Debug)]
+pub struct Above {
+    holds: bool,
+    is_sure: bool,
+}
+
+impl Mask for Above {
+    fn any(self) -> bool {
+        UNDECIDED.set(UNDECIDED.get() || !self.is_sure);
+        self.holds
+    }
+
+    fn all(self) -> bool {
+        self.any()
+    }
+}
+
 impl<T: Tried> Real for Tracked<T> {
+    type Mask = Above;
+
     const ZERO: Self = Self::given(0.0, 0.0);
     const ONE: Self = Self::given(1.0, 0.0);
     const NEG_ONE: Self = Self::given(-1.0, 0.0);
@@ -189,13 +209,22 @@ impl<T: Tried> Real for Tracked<T> {
         Self::rounded(root, error)
     }
 
-    fn if_positive(self, then: Self, otherwise: Self) -> Self {
-        let (taken, other) = if self.exact > 0.0 {
+    /// The sign of a rounded difference is that of the difference.
+    fn above(self, other: Self) -> Above {
+        let difference = Self::given(self.exact - other.exact, self.error + other.error);
+        Above {
+            holds: difference.exact > 0.0,
+            is_sure: difference.has_sign(),
+        }
+    }
+
+    fn select(above: Above, then: Self, otherwise: Self) -> Self {
+        let (taken, other) = if above.holds {
             (then, otherwise)
         } else {
             (otherwise, then)
         };
-        if self.has_sign() {
+        if above.is_sure {
             return taken;
         }
         // either may be taken
@@ -204,16 +233,5 @@ impl<T: Tried> Real for Tracked<T> {
             taken.exact,
             if error.is_nan() { f64::INFINITY } else { error },
         )
-    }
-
-    /// The sign of a rounded difference is that of the difference.
-    fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
-        Self::given(self.exact - threshold.exact, self.error + threshold.error)
-            .if_positive(then, otherwise)
-    }
-
-    fn any_positive(self) -> bool {
-        UNDECIDED.set(UNDECIDED.get() || !self.has_sign());
-        self.exact > 0.0
     }
 }
