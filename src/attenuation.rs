@@ -1,6 +1,6 @@
 //! Falloff of light with distance.
 
-use crate::real::{Mask, Real, Scalar};
+use crate::real::{Mask, Real, Scalar, Select};
 use crate::rgb::Rgb;
 
 /// The factor by which distance attenuates a light.
@@ -222,8 +222,8 @@ impl<T: Real> Attenuation<T> {
         let share = q / self.range;
         let square = share * share;
         let root = (T::ONE - square * square).at_least(T::ZERO);
-        let window = T::select(self.squared.above(T::ZERO), root * root, root);
-        T::select(T::MAX.above(self.range), window, T::ONE) // in lanes, some may have no range
+        let window = self.squared.above(T::ZERO).select(root * root, root);
+        T::MAX.above(self.range).select(window, T::ONE) // in lanes, some may have no range
     }
 
     /// The same attenuation in another number type. `f` converts each number and may only round it.
@@ -233,13 +233,13 @@ impl<T: Real> Attenuation<T> {
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> Attenuation<U> {
         // what is above 0 or finite stays so, and MAX of one type is not MAX in another
         let mut number = |x: T| {
-            let mut holds = |mask| f(T::select(mask, T::ONE, T::ZERO)).above(U::ZERO);
+            let mut holds = |mask: T::Mask| f(mask.select(T::ONE, T::ZERO)).above(U::ZERO);
             let (is_positive, is_below) = (holds(x.above(T::ZERO)), holds(T::MAX.above(x)));
             let number = f(x);
             let stays = number.above(U::ZERO);
-            let positive = U::select(stays, number.at_most(U::MAX), U::ONE / U::MAX);
-            let number = U::select(is_positive, positive, U::ZERO);
-            U::select(is_below, number, U::MAX)
+            let positive = stays.select(number.at_most(U::MAX), U::ONE / U::MAX);
+            let number = is_positive.select(positive, U::ZERO);
+            is_below.select(number, U::MAX)
         };
         Attenuation {
             a: number(self.a),

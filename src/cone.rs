@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use crate::elementary::Elementary;
-use crate::real::{Mask, Real, Scalar, constant, epsilon, parts};
+use crate::real::{Mask, Real, Scalar, Select, constant, epsilon, parts};
 use crate::unit::UnitVec3;
 
 /// The cone of a spot light, given by its **half**-angle: the angle between the axis and the edge,
@@ -73,7 +73,7 @@ impl<T: Real> Cone<T> {
     /// The share of the light at an angle to the axis of this cosine.
     #[inline]
     pub(crate) fn share(self, cosine: T) -> T {
-        let within = |edge: T, share| T::select(edge.above(cosine), share, T::ONE);
+        let within = |edge: T, share| edge.above(cosine).select(share, T::ONE);
         let (width, is_soft) = (self.inner - self.outer, self.inner.above(self.outer));
         if !is_soft.any() {
             return within(self.inner, T::ZERO);
@@ -83,8 +83,8 @@ impl<T: Real> Cone<T> {
             .at_least(T::ZERO)
             .at_most(T::ONE);
         let smoothstep = (t * t * (T::ONE + T::ONE + T::ONE - (t + t))).at_most(T::ONE);
-        let share = T::select(self.smooth.above(T::ZERO), smoothstep, t * t);
-        within(self.inner, T::select(is_soft, share, T::ZERO))
+        let share = self.smooth.above(T::ZERO).select(smoothstep, t * t);
+        within(self.inner, is_soft.select(share, T::ZERO))
     }
 
     /// The same cone, with a soft edge that begins as smoothly as it ends: t²(3 − 2t) in place of t².
@@ -194,7 +194,7 @@ impl<T: Real> Cone<T> {
         let wide = |cosine: T| {
             let cosine = cosine.at_most(T::ONE - slack);
             let wider = cosine.at_most(T::NEG_ONE - two * slack);
-            T::select(everywhere.above(cosine), wider, cosine)
+            everywhere.above(cosine).select(wider, cosine)
         };
         let (inner, outer) = (wide(inner), wide(outer));
         Self {

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::elementary::Elementary;
-use crate::real::{Real, size};
+use crate::real::{Mask, Real, Select, size};
 use crate::vector::Vec3;
 
 /// A dual number: a value and its gradient, ∇ = (∂/∂x, ∂/∂y, ∂/∂z).
@@ -256,7 +256,7 @@ number_first!(f64: Add add, Sub sub, Mul mul, Div div);
 
 #[diagnostic::do_not_recommend] // the trait's own message names the types
 impl<T: Real> Real for Dual<T> {
-    type Mask = T::Mask;
+    type Mask = Where<T::Mask>;
 
     const ZERO: Self = Self::constant(T::ZERO);
     const ONE: Self = Self::constant(T::ONE);
@@ -280,15 +280,33 @@ impl<T: Real> Real for Dual<T> {
     }
 
     #[inline]
-    fn above(self, other: Self) -> T::Mask {
-        self.value.above(other.value)
+    fn above(self, other: Self) -> Where<T::Mask> {
+        Where(self.value.above(other.value))
+    }
+}
+
+/// Where a comparison of values holds.
+#[derive(Clone, Copy)]
+pub struct Where<M>(M);
+
+impl<M: Mask> Mask for Where<M> {
+    #[inline]
+    fn any(self) -> bool {
+        self.0.any()
     }
 
     #[inline]
-    fn select(mask: T::Mask, then: Self, otherwise: Self) -> Self {
-        Self::new(
-            T::select(mask, then.value, otherwise.value),
-            Vec3::select(mask, then.gradient, otherwise.gradient),
+    fn all(self) -> bool {
+        self.0.all()
+    }
+}
+
+impl<T: Real> Select<Dual<T>> for Where<T::Mask> {
+    #[inline]
+    fn select(self, then: Dual<T>, otherwise: Dual<T>) -> Dual<T> {
+        Dual::new(
+            self.0.select(then.value, otherwise.value),
+            Vec3::select(self.0, then.gradient, otherwise.gradient),
         )
     }
 }
@@ -314,7 +332,7 @@ impl<T: Elementary> Elementary for Dual<T> {
     fn ln(self) -> Self {
         let ln = self.value.ln();
         // below 0, 1/x has a value, but the logarithm does not
-        let slope = T::select(T::ZERO.above(self.value), ln, T::ONE / self.value);
+        let slope = T::ZERO.above(self.value).select(ln, T::ONE / self.value);
         self.chain(ln, slope)
     }
 
@@ -336,7 +354,7 @@ impl<T: Elementary> Elementary for Dual<T> {
     fn powf(self, exponent: Self) -> Self {
         let power = self.value.powf(exponent.value);
         // what does not vary adds nothing, even where the other factor is infinite or NaN
-        let times = |x: T, slope: T| T::select(size(x).above(T::ZERO), x * slope, x);
+        let times = |x: T, slope: T| size(x).above(T::ZERO).select(x * slope, x);
         let slope = times(exponent.value, self.value.powf(exponent.value - T::ONE));
         let growth = power * self.value.ln();
         let gradient = self.gradient * slope + exponent.gradient.map(|x| times(x, growth));

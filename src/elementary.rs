@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, SQRT_2};
 
-use crate::real::{Real, by_squaring, constant, parts, size};
+use crate::real::{Real, Select, by_squaring, constant, parts, size};
 
 /// The functions, beyond those of [`Real`], that surfaces are written with. sin, cos, exp and ln are
 /// required; the others are derived from them. [`Dual`](crate::Dual) has all of them without an import.
@@ -51,7 +51,7 @@ pub trait Elementary: Real {
     #[must_use]
     fn atan2(self, x: Self) -> Self {
         let angle = angle(size(self), x);
-        Self::select(Self::ZERO.above(self), -angle, angle)
+        Self::ZERO.above(self).select(-angle, angle)
     }
 
     /// A real power.
@@ -67,8 +67,8 @@ pub trait Elementary: Real {
     #[must_use]
     fn abs(self) -> Self {
         // 0, −0 and NaN are neither above nor below 0; NaN stays NaN
-        let otherwise = Self::select(Self::ZERO.above(self), -self, self + -self);
-        Self::select(self.above(Self::ZERO), self, otherwise)
+        let otherwise = Self::ZERO.above(self).select(-self, self + -self);
+        self.above(Self::ZERO).select(self, otherwise)
     }
 
     /// An integer power, computed by repeated squaring. A negative exponent gives 1 over the
@@ -116,9 +116,9 @@ pub(crate) fn angle<T: Real>(sine: T, cosine: T) -> T {
         constant(const { parts(SQRT_2 + 1.0) }),
     ];
     let size = size(cosine);
-    let sign = T::select(cosine.above(T::ZERO), T::ONE, T::NEG_ONE);
-    let x = T::select((size * tan_3_pi_8).above(sine), sign, T::ZERO);
-    let y = T::select(sine.above(size * tan_pi_8), T::ONE, T::ZERO);
+    let sign = cosine.above(T::ZERO).select(T::ONE, T::NEG_ONE);
+    let x = (size * tan_3_pi_8).above(sine).select(sign, T::ZERO);
+    let y = sine.above(size * tan_pi_8).select(T::ONE, T::ZERO);
 
     let [quarter, half] = [
         constant(const { parts(FRAC_PI_4) }),

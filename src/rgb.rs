@@ -3,7 +3,7 @@
 use core::iter::Sum;
 use core::ops::{Add, Mul};
 
-use crate::real::Real;
+use crate::real::{Real, Select};
 pub use crate::triple::Rgb;
 use crate::vector::{number_first, of_reals};
 
@@ -32,7 +32,7 @@ impl<T: Real> Rgb<T> {
     #[inline]
     pub fn clamped(self) -> Self {
         // not `at_least`, which may let a signaling NaN through
-        self.map(|channel| T::select(channel.above(T::ZERO), channel.at_most(T::ONE), T::ZERO))
+        self.map(|channel| channel.above(T::ZERO).select(channel.at_most(T::ONE), T::ZERO))
     }
 
     /// The color with the largest finite number for each channel that overflowed.

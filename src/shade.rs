@@ -64,7 +64,7 @@ use core::ops::{Add, AddAssign, Mul};
 
 use crate::direction::mirrored;
 use crate::light::{Arriving, IncidentLight};
-use crate::real::{Exponent, Mask, Real};
+use crate::real::{Exponent, Mask, Real, Select};
 use crate::rgb::Rgb;
 use crate::term;
 use crate::unit::UnitVec3;
@@ -321,8 +321,8 @@ fn sum<T: Real, M>(
             } = light.arriving();
             // a way that overflowed gives ∞, and its light is black
             let n_dot_l = (n.dot(way) / length).at_least(T::ZERO).at_most(T::ONE);
-            diffuse += intensity * T::select(in_front, n_dot_l, T::ZERO);
-            specular += intensity * T::select(in_front, highlight(way, length), T::ZERO);
+            diffuse += intensity * in_front.select(n_dot_l, T::ZERO);
+            specular += intensity * in_front.select(highlight(way, length), T::ZERO);
         }
     }
     Shaded {

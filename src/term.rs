@@ -12,7 +12,7 @@
 
 use core::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
 
-use crate::real::{Exponent, Real, constant, parts, shininess};
+use crate::real::{Exponent, Real, Select, constant, parts, shininess};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 
@@ -119,7 +119,7 @@ pub fn blinn<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: UnitVec3<T>, m: M) -> T
 #[inline]
 pub(crate) fn highlight<T: Real, M: Exponent<T>>(cosine: T, m: M) -> T {
     let power = m.raise(cosine.at_least(T::ZERO).at_most(T::ONE));
-    T::select(cosine.above(T::ZERO), power, T::ZERO)
+    cosine.above(T::ZERO).select(power, T::ZERO)
 }
 
 /// The factor that normalizes the highlight of [`phong`], for renderers whose diffuse term has a 1/π.

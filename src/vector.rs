@@ -3,7 +3,7 @@
 use core::iter::Sum;
 use core::ops::{Add, Mul};
 
-use crate::real::Real;
+use crate::real::{Real, Select};
 pub use crate::triple::Vec3;
 
 impl<T: Real> Vec3<T> {
@@ -87,9 +87,9 @@ macro_rules! of_reals {
             #[inline]
             pub(crate) fn select(mask: T::Mask, then: Self, otherwise: Self) -> Self {
                 Self::new(
-                    T::select(mask, then.$x, otherwise.$x),
-                    T::select(mask, then.$y, otherwise.$y),
-                    T::select(mask, then.$z, otherwise.$z),
+                    mask.select(then.$x, otherwise.$x),
+                    mask.select(then.$y, otherwise.$y),
+                    mask.select(then.$z, otherwise.$z),
                 )
             }
         }

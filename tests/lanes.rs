@@ -5,7 +5,7 @@ use std::fmt::Debug;
 
 use proptest::prelude::*;
 use shading::{
-    Attenuation, Cone, DirectionalLight, Exponent, IncidentLight, Lanes, Light, Mask, Material,
+    Attenuation, Cone, DirectionalLight, Exponent, IncidentLight, Lanes, Light, Mask, Select, Material,
     PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, normal, reflection,
     shade, term,
 };
@@ -104,8 +104,8 @@ fn edges_agree<L: Simd>() {
             a / b,
             -a,
             a.sqrt(),
-            T::select(a.above(T::ZERO), b, T::ONE),
-            T::select(a.above(b), T::ONE, b),
+            a.above(T::ZERO).select(b, T::ONE),
+            a.above(b).select(T::ONE, b),
             a.at_least(b),
             a.at_most(b),
             (Vec3::new(b, T::ONE, a) / b).z,

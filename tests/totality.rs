@@ -15,7 +15,7 @@ use std::fmt::Debug;
 use kit::{Float, direction, rgb, vector};
 use shading::term::{blinn, blinn_normalization, phong, phong_normalization};
 use shading::{
-    Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, IncidentLight, Light, Mask,
+    Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, IncidentLight, Light, Mask, Select,
     Material, PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector,
     normal, reflection, shade, term,
 };
@@ -203,7 +203,7 @@ const WHOLE: [u32; 5] = [0, 1, 2, 1000, u32::MAX];
 table! {
     // numbers
     "selection": [tiniest(), T::ONE, T::INFINITY, T::ZERO, -T::ZERO, -tiniest::<T>(), T::NAN]
-        .map(|x| x.above(T::ZERO)).map(|is| (is.any(), T::select(is, T::ONE, T::ZERO)))
+        .map(|x| x.above(T::ZERO)).map(|is| (is.any(), is.select(T::ONE, T::ZERO)))
         => [true, true, true, false, false, false, false].map(|above| (above, if above { T::ONE } else { T::ZERO }));
     "literals": [T::of_f32(0.1), T::of_f32(f32::MAX)] => of::<T, 2>([0.1_f32.into(), f32::MAX.into()]);
     "root and logarithm below zero": [-tiniest::<T>(), -T::ONE, -T::INFINITY]

@@ -5,7 +5,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use shading::{Elementary, Exponent, Mask, Real};
+use shading::{Elementary, Exponent, Mask, Real, Select};
 
 use super::graph::{Function, Node, ONE, Test, ZERO};
 use super::range::Range;
@@ -115,18 +115,9 @@ impl Real for Term {
     fn above(self, other: Self) -> Above {
         Above(Test::Above(self.0, other.0))
     }
-    fn select(Above(test): Above, then: Self, otherwise: Self) -> Self {
-        if then.0 == otherwise.0 {
-            return then;
-        }
-        match told(test) {
-            Some(answer) => [otherwise, then][usize::from(answer)],
-            None => Self(node(Node::Select(test, then.0, otherwise.0))),
-        }
-    }
     // one decision, for what floats decide by one comparison of bits
     fn any_outside(self, low: Self, high: Self) -> bool {
-        let below_high = Self::select(high.above(self), Self::ONE, Self::ZERO).0;
+        let below_high = high.above(self).select(Self::ONE, Self::ZERO).0;
         let test = Test::AtMost(low.0, self.0);
         let is_inside = Self(node(Node::Select(test, below_high, ZERO)));
         !is_inside.above(Self::ZERO).any()
@@ -136,6 +127,19 @@ impl Real for Term {
 /// A comparison, which is a decision only where a path depends on it.
 #[derive(Clone, Copy, Debug)]
 pub struct Above(Test);
+
+impl Select<Term> for Above {
+    fn select(self, then: Term, otherwise: Term) -> Term {
+        let Self(test) = self;
+        if then.0 == otherwise.0 {
+            return then;
+        }
+        match told(test) {
+            Some(answer) => [otherwise, then][usize::from(answer)],
+            None => Term(node(Node::Select(test, then.0, otherwise.0))),
+        }
+    }
+}
 
 impl Mask for Above {
     fn any(self) -> bool {

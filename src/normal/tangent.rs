@@ -1,6 +1,6 @@
 //! The tangent that a normal map needs.
 
-use crate::real::{Real, Scalar, size};
+use crate::real::{Real, Scalar, Select, size};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -57,7 +57,7 @@ pub fn tangent<T: Real + Scalar>(
     let (x2, x3) = shares(x2 * half - x1 * half, x3 * half - x1 * half);
     let (y2, y3) = shares(y2 * half - y1 * half, y3 * half - y1 * half);
     let d = x2 * y3 - x3 * y2;
-    let h = T::select(d.above(T::ZERO), T::ONE, T::NEG_ONE);
+    let h = d.above(T::ZERO).select(T::ONE, T::NEG_ONE);
     let t = (e2 / edge * y3 - e3 / edge * y2) * h;
     t.unit().filter(|_| size(d) > T::ZERO).map(|t| (t, h))
 }

@@ -1,6 +1,6 @@
 //! The shininess m of a highlight.
 
-use super::Real;
+use super::{Real, Select};
 use super::power::{double, single};
 
 /// The shininess m of a highlight: an integer (`u32`) or a real number of the scene's type (`f32`,
@@ -82,7 +82,7 @@ impl<T: Real> Exponent<T> for u32 {
     #[inline]
     fn raise(self, cosine: T) -> T {
         by_squaring(
-            T::select(least::<T>(self).above(cosine), T::ZERO, cosine),
+            least::<T>(self).above(cosine).select(T::ZERO, cosine),
             self,
         )
     }
@@ -120,8 +120,8 @@ fn least<T: Real>(m: u32) -> T {
     let least = f32::from_bits(linear.wrapping_sub(bend / 32 * 25 + 1600));
     let is_wider = T::MAX.above(T::of_f32(f32::MAX));
     let is_fine = T::of_f32(f32::MIN_POSITIVE).above(T::ZERO);
-    let least = T::select(is_wider, T::ZERO, T::of_f32(least));
-    T::select(is_fine, least, T::ZERO)
+    let least = is_wider.select(T::ZERO, T::of_f32(least));
+    is_fine.select(least, T::ZERO)
 }
 
 /// baseᵐ by repeated squaring, from the lowest bit of m up, so that no square waits for a product.
@@ -144,7 +144,7 @@ pub(crate) fn by_squaring<T: Real>(mut base: T, mut m: u32) -> T {
 #[inline]
 pub(crate) fn shininess<T: Real>(m: T) -> T {
     // not `at_least`, which may let a signaling NaN through
-    T::select(m.above(T::ZERO), m.at_most(T::MAX), T::ZERO)
+    m.above(T::ZERO).select(m.at_most(T::MAX), T::ZERO)
 }
 
 macro_rules! real {

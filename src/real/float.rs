@@ -37,13 +37,6 @@ macro_rules! float {
                 self > other
             }
 
-            // The compiler can turn this into the processor's minimum or maximum.
-            // `f32::min` is a library call on Arm.
-            #[inline]
-            fn select(mask: bool, then: Self, otherwise: Self) -> Self {
-                if mask { then } else { otherwise }
-            }
-
             // Positive floats are ordered as their bits are, so one integer comparison replaces two.
             #[inline]
             fn any_outside(self, low: Self, high: Self) -> bool {

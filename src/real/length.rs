@@ -1,7 +1,7 @@
 //! Lengths and directions that neither overflow nor vanish: the defaults of [`Real`]'s methods for
 //! vectors.
 
-use super::{Exponent, Measured, Real};
+use super::{Exponent, Measured, Real, Select};
 use crate::triple::Vec3;
 
 #[inline(always)]
@@ -21,8 +21,8 @@ pub(super) fn measured<T: Real>(v: Vec3<T>) -> Measured<T> {
     let length = (w_length / power).at_most(T::MAX);
     // the square is neither zero nor infinite nor NaN
     let or = |a, b| {
-        let finite = T::select(T::MAX.above(square), a, b);
-        T::select(square.above(T::ZERO), finite, b)
+        let finite = T::MAX.above(square).select(a, b);
+        square.above(T::ZERO).select(finite, b)
     };
     Measured {
         w,
@@ -37,10 +37,8 @@ pub(super) fn cosine_power<T: Real>(n: Vec3<T>, v: Vec3<T>, m: impl Exponent<T>)
     let n_dot_v = T::dot(n, v);
     let cosine_squared = n_dot_v * n_dot_v / T::dot(v, v);
     // at most 1; 0/0 counts as 1, too
-    let cosine_squared = T::select(T::ONE.above(cosine_squared), cosine_squared, T::ONE);
-    T::select(
-        n_dot_v.above(T::ZERO),
-        m.raise_root(cosine_squared),
+    let cosine_squared = T::ONE.above(cosine_squared).select(cosine_squared, T::ONE);
+    n_dot_v.above(T::ZERO).select(m.raise_root(cosine_squared),
         T::ZERO,
     )
 }
@@ -63,8 +61,8 @@ pub(crate) fn tamed<T: Real>(v: Vec3<T>, origin: Vec3<T>) -> Vec3<T> {
 /// (`f64`) of the largest one, which is far below the unit roundoff.
 #[inline(always)]
 fn tamed_by<T: Real>(v: Vec3<T>, origin: Vec3<T>, square: T) -> (Vec3<T>, T) {
-    let grow = T::select((T::ONE / T::EXTREME).above(square), T::EXTREME, T::ONE);
-    let power = T::select(T::EXTREME.above(square), grow, T::ONE / T::EXTREME);
+    let grow = (T::ONE / T::EXTREME).above(square).select(T::EXTREME, T::ONE);
+    let power = T::EXTREME.above(square).select(grow, T::ONE / T::EXTREME);
     // scaled down before the subtraction, which may overflow, and up after it, because the points
     // may be far from the origin
     let (shrink, grow) = (power.at_most(T::ONE), power.at_least(T::ONE));

@@ -18,7 +18,7 @@ pub(crate) use length::{is_extreme, tamed};
 ///
 /// The trait has the operations that the formulas of this crate need. `f32`, `f64` and the SIMD
 /// lanes round each of + − × ÷ √ correctly, so their results have the same bits on every machine.
-/// A comparison gives a [`Mask`](Real::Mask), a `bool` for each lane, and [`select`](Real::select)
+/// A comparison gives a [`Mask`](Real::Mask), a `bool` for each lane, and [`select`](Select::select)
 /// makes each decision by one.
 ///
 /// ```
@@ -56,7 +56,7 @@ pub trait Real:
     + Neg<Output = Self>
 {
     /// Where a comparison holds: `bool`, or one for each lane.
-    type Mask: Mask;
+    type Mask: Mask + Select<Self>;
 
     /// Zero.
     const ZERO: Self;
@@ -87,16 +87,6 @@ pub trait Real:
     #[must_use]
     fn above(self, other: Self) -> Self::Mask;
 
-    /// `then` where the mask holds, and `otherwise` elsewhere. Maximum, clamp and all guards are built
-    /// from it.
-    ///
-    /// ```
-    /// use shading::Real;
-    /// assert_eq!(f32::select(0.0.above(0.0), 10.0, 20.0), 20.0);
-    /// ```
-    #[must_use]
-    fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
-
     // the methods below are derived
 
     /// The number nearest to a single-precision literal, for processors without double precision,
@@ -113,7 +103,7 @@ pub trait Real:
     #[inline]
     #[must_use]
     fn at_least(self, floor: Self) -> Self {
-        Self::select(self.above(floor), self, floor)
+        self.above(floor).select(self, floor)
     }
 
     /// The minimum, min(self, limit).
@@ -121,7 +111,7 @@ pub trait Real:
     #[inline]
     #[must_use]
     fn at_most(self, limit: Self) -> Self {
-        Self::select(self.above(limit), limit, self)
+        self.above(limit).select(limit, self)
     }
 
     /// Whether `self` is outside of the range from `low` to `high`, both positive, or NaN; for lanes,
@@ -204,6 +194,27 @@ pub trait Mask: Copy {
     /// Whether it holds in each lane.
     #[must_use]
     fn all(self) -> bool;
+}
+
+/// What a mask chooses between: every type for a `bool`, and lanes for a mask of lanes.
+pub trait Select<T> {
+    /// `then` where the mask holds, and `otherwise` elsewhere. Maximum, clamp and all guards are built
+    /// from it.
+    ///
+    /// ```
+    /// use shading::{Real, Select};
+    /// assert_eq!(0.0.above(0.0).select(10.0, 20.0), 20.0);
+    /// ```
+    #[must_use]
+    fn select(self, then: T, otherwise: T) -> T;
+}
+
+// The compiler can turn this into the processor's minimum or maximum. `f32::min` is a library call on Arm.
+impl<T> Select<T> for bool {
+    #[inline]
+    fn select(self, then: T, otherwise: T) -> T {
+        if self { then } else { otherwise }
+    }
 }
 
 impl Mask for bool {

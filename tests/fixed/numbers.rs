@@ -39,7 +39,7 @@ fn sums_and_comparisons_are_exact_or_saturate() {
         assert_eq!(a.at_least(b), a.max(b));
         assert_eq!(a.at_most(b), a.min(b));
         assert_eq!(
-            Fixed::select(a.above(Fixed::ZERO), a, b),
+            a.above(Fixed::ZERO).select(a, b),
             if wide(a) > 0 { a } else { b }
         );
         assert_eq!(a.above(Fixed::ZERO), wide(a) > 0);

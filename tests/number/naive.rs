@@ -50,10 +50,6 @@ macro_rules! float {
             fn above(self, other: Self) -> bool {
                 self > other
             }
-
-            fn select(mask: bool, then: Self, otherwise: Self) -> Self {
-                if mask { then } else { otherwise }
-            }
         }
 
         #[allow(clippy::cast_precision_loss)] // a power of two
@@ -134,10 +130,6 @@ impl Real for Q16 {
     fn above(self, other: Self) -> bool {
         self > other
     }
-
-    fn select(mask: bool, then: Self, otherwise: Self) -> Self {
-        if mask { then } else { otherwise }
-    }
 }
 
 impl Tried for Q16 {
@@ -204,10 +196,6 @@ impl<const FAULT: u8> Real for Broken<FAULT> {
 
     fn above(self, other: Self) -> bool {
         self.0 > other.0 || FAULT == 4 && self.0 >= other.0
-    }
-
-    fn select(mask: bool, then: Self, otherwise: Self) -> Self {
-        if mask { then } else { otherwise }
     }
 }
 

@@ -189,11 +189,6 @@ impl Real for Fixed {
         self > other
     }
 
-    #[inline]
-    fn select(mask: bool, then: Self, otherwise: Self) -> Self {
-        if mask { then } else { otherwise }
-    }
-
     /// It is rounded once, and above 0 if the exact sum is.
     #[inline]
     fn dot(Vec3 { x: a, y: b, z: c }: Vec3<Self>, Vec3 { x, y, z }: Vec3<Self>) -> Self {

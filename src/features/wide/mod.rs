@@ -11,7 +11,7 @@ use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8, i32x4, i32x8, i32x16, u64x2, u64x4, u64x8};
 
 use crate::real::power::{Bits, EXPONENT, LEAST, double, single};
-use crate::real::{Exponent, Mask, Real, shininess};
+use crate::real::{Exponent, Mask, Real, Select, shininess};
 
 // x87 rounds a number in a register differently from a number in memory
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
@@ -145,6 +145,13 @@ macro_rules! real {
             }
         }
 
+        impl Select<$lanes> for In<$lanes> {
+            #[inline]
+            fn select(self, then: $lanes, otherwise: $lanes) -> $lanes {
+                self.0.bitselect(then, otherwise)
+            }
+        }
+
         #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Real for $lanes {
             type Mask = In<Self>;
@@ -180,16 +187,11 @@ macro_rules! real {
             }
 
             #[inline]
-            fn select(mask: In<Self>, then: Self, otherwise: Self) -> Self {
-                mask.0.bitselect(then, otherwise)
-            }
-
-            #[inline]
             fn at_least(self, floor: Self) -> Self {
                 if SSE2 {
                     self.fast_max(floor)
                 } else {
-                    Real::select(self.above(floor), self, floor)
+                    self.above(floor).select(self, floor)
                 }
             }
 
@@ -198,7 +200,7 @@ macro_rules! real {
                 if SSE2 {
                     limit.fast_min(self)
                 } else {
-                    Real::select(self.above(limit), limit, self)
+                    self.above(limit).select(limit, self)
                 }
             }
         }

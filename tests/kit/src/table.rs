@@ -17,8 +17,8 @@ macro_rules! for_each_function {
         ARITHMETIC: Number {
             divided "Vec3, divided" |g| g.a / g.x => nothing;
             any_outside "Real::any_outside" |g| if g.x.any_outside(T::ONE, T::ONE + T::ONE) { T::ONE } else { T::ZERO } => nothing;
-            if_positive "Real::select" |g| T::select(g.x.above(T::ZERO), g.y, g.cosine) => nothing;
-            if_above "Real::above" |g| T::select(g.x.above(g.y), g.cosine, g.x) => nothing;
+            if_positive "Real::select" |g| g.x.above(T::ZERO).select(g.y, g.cosine) => nothing;
+            if_above "Real::above" |g| g.x.above(g.y).select(g.cosine, g.x) => nothing;
             at_least "Real::at_least" |g| g.x.at_least(g.y) => nothing;
             at_most "Real::at_most" |g| g.x.at_most(g.y) => nothing;
             // a signaling NaN, which no operation returns, may be its own positive part
@@ -40,7 +40,7 @@ macro_rules! for_each_function {
             gray "Rgb::gray" |g| Rgb::gray(g.x) => nothing;
             dual_operators "Dual, operators" |g| [g.f + g.h, g.f - g.h, g.f * g.h, g.f / g.h, -g.f] => nothing;
             dual_with_number "Dual, with a number" |g| [g.f + g.y, g.f - g.y, g.f * g.y, g.f / g.y] => nothing;
-            dual_compared "Dual, compared" |g| [g.f.at_least(Dual::ZERO), g.f.at_most(g.h), g.f.abs(), Real::select(g.f.above(g.h), g.h, g.f)]
+            dual_compared "Dual, compared" |g| [g.f.at_least(Dual::ZERO), g.f.at_most(g.h), g.f.abs(), g.f.above(g.h).select(g.h, g.f)]
                 => nothing;
             dual_chain "Dual::chain" |g| g.f.chain(g.y, g.x) => nothing;
             shaded_operators "Shaded, operators" |g| [g.shaded + g.shaded * g.x, [g.shaded, g.shaded].into_iter().sum()] => nothing;
@@ -231,7 +231,7 @@ macro_rules! for_each_function {
 /// Each row as a function.
 pub mod row {
     use shading::{
-        Attenuation, Cone, Dual, Elementary, Exponent, Mask as _, Real, Rgb, UnitVec3, Vec3,
+        Attenuation, Cone, Dual, Elementary, Exponent, Mask as _, Select as _, Real, Rgb, UnitVec3, Vec3,
         normal, shade, term,
     };
 

@@ -4,7 +4,7 @@ use std::format;
 use std::vec::Vec;
 
 use shading::{
-    Attenuation, Cone, Dual, Exponent, IncidentLight, Light, Mask, Material, Real, Rgb, Shaded,
+    Attenuation, Cone, Dual, Exponent, IncidentLight, Light, Mask, Select, Material, Real, Rgb, Shaded,
     UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 
@@ -202,13 +202,13 @@ laws! {
             => { let [_, a, b, d] = c.grid; [normal::triangle(a, b, d), normal::sphere(a, b)] };
         a_projection_along_n_keeps_it: |c| normal::transformed(UnitVec3::Z, [*UnitVec3::X, *UnitVec3::Y, Vec3::ZERO * c.x]) => UnitVec3::Z;
         handedness_turns_y: |c| normal::mapped(c.n, *c.l, -c.x, Vec3::new(c.v.x, -c.v.y, c.v.z))
-            => normal::mapped(c.n, *c.l, T::select(c.x.above(T::ZERO), T::ONE, T::NEG_ONE), if c.x > T::ZERO { *c.v } else {
+            => normal::mapped(c.n, *c.l, c.x.above(T::ZERO).select(T::ONE, T::NEG_ONE), if c.x > T::ZERO { *c.v } else {
                 Vec3::new(c.v.x, -c.v.y, c.v.z) });
         half_a_turn_turns_normals: |c| all(turning(&scene_turned(c))) => all(turning(c).into_iter().map(turned).collect());
         // terms and falloff
         the_power_0_is_1: |c| n([0.raise(c.x.at_least(T::of(T::SMALLEST))), term::phong(c.n, c.v, 0), term::blinn(UnitVec3::X,
             UnitVec3::Y, 0)])
-            => n([T::ONE, T::select(c.n.dot(c.v).above(T::ZERO), T::ONE, T::ZERO), T::ZERO]);
+            => n([T::ONE, c.n.dot(c.v).above(T::ZERO).select(T::ONE, T::ZERO), T::ZERO]);
         the_power_1_is_the_cosine: |c| n([1.raise(c.x)]) => n([c.x]);
         a_power_of_1_is_1: |c| n([c.m.raise(T::ONE), u32::MAX.raise(T::ONE)]) => n([T::ONE; 2]);
         no_attenuation_is_1: |c| n([Attenuation::NONE.at(c.q), Attenuation::NONE.at(T::MAX),
@@ -242,7 +242,7 @@ laws! {
                 .map(|i| { let [a, b, d, e] = [0, 1, 2, 3].map(|j| each[j][i]); [a.diffuse + b.diffuse + d.diffuse + e.diffuse,
                 a.specular + b.specular + d.specular + e.specular] }) };
         a_sum_is_of_its_terms: |c| white(c, &[c.sun.at(c.p)]).map(|s| [s.diffuse, s.specular])
-            => { let lit = term::lambert(c.n, c.l); let shine = |x: T| c.sun.intensity * T::select(lit.above(T::ZERO), x, T::ZERO); let [phong,
+            => { let lit = term::lambert(c.n, c.l); let shine = |x: T| c.sun.intensity * lit.above(T::ZERO).select(x, T::ZERO); let [phong,
                 blinn] = [term::phong(reflection(c.n, c.l), c.v, c.m), T::cosine_power(*c.n, *c.l + *c.v, c.m)];
                 [[c.sun.intensity * lit, Rgb::BLACK], [c.sun.intensity * lit, shine(phong)], [c.sun.intensity * lit, shine(blinn)]] };
         lights_behind_are_left_out: |c| sums(c, &c.arriving().into_iter().filter(|light| light.is_in_front(c.n)).collect::<Vec<_>>())
@@ -257,7 +257,7 @@ laws! {
         half_a_turn_changes_nothing: |c| sums(&scene_turned(c), &scene_turned(c).arriving()) => sums(c, &c.arriving());
         opposite_the_eye_nothing_shines: |c| shade::blinn_phong(c.n, -c.l, &c.material, c.rgb, [c.sun.at(c.p)]).specular => gray(T::ZERO);
         // numbers
-        derived_methods: |c| n([c.x.at_least(-c.x), (-c.x).at_least(c.x), c.x.at_least(c.y), c.x.at_most(c.y), T::select(c.x.above(c.y), c.q,
+        derived_methods: |c| n([c.x.at_least(-c.x), (-c.x).at_least(c.x), c.x.at_least(c.y), c.x.at_most(c.y), c.x.above(c.y).select(c.q,
             c.x), T::of_f32(0.375)])
             => n([c.x, c.x, if c.x > c.y { c.x } else { c.y }, if c.x > c.y { c.y } else { c.x }, if c.x > c.y { c.q } else { c.x },
                 T::of(0.375)]);
@@ -305,7 +305,7 @@ laws! {
         facing_faces: |c| { let f = normal::facing(c.n, c.v); f.dot(c.v) >= T::ZERO && (f == c.n || f == -c.n) };
         a_lamp_at_p_adds_nothing: |c| is_black(c, c.lamp.at(c.a)) && is_black(c, c.spot.at(c.b));
         selection: |c| { let [p, z, n] = [T::of(T::SMALLEST), T::ZERO, -T::of(T::SMALLEST)]; let is = |x: T| x.above(T::ZERO).any();
-            let pick = |x: T| T::select(x.above(T::ZERO), c.x, c.y); is(p) && !is(z) && !is(n) && !is(-z) && pick(p) == c.x
+            let pick = |x: T| x.above(T::ZERO).select(c.x, c.y); is(p) && !is(z) && !is(n) && !is(-z) && pick(p) == c.x
             && pick(z) == c.y && pick(n) == c.y };
         order: |c| (c.x < c.y) == (c.x.exact() < c.y.exact()) && T::MAX > c.x && -T::MAX < c.x && T::ZERO < T::ONE;
         a_cast_to_f64_and_back: |c| { let there = c.cast(T::exact); let back = there.cast(T::of); format!("{:?}{:?}", c.arriving(),

@@ -7,7 +7,7 @@ use core::marker::PhantomData;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use std::thread_local;
 
-use shading::{Mask, Real};
+use shading::{Mask, Real, Select};
 
 use super::Tried;
 
@@ -171,6 +171,25 @@ pub struct Above {
     is_sure: bool,
 }
 
+impl<T: Tried> Select<Tracked<T>> for Above {
+    fn select(self, then: Tracked<T>, otherwise: Tracked<T>) -> Tracked<T> {
+        let (taken, other) = if self.holds {
+            (then, otherwise)
+        } else {
+            (otherwise, then)
+        };
+        if self.is_sure {
+            return taken;
+        }
+        // either may be taken
+        let error = ((taken.exact - other.exact).abs() + other.error).max(taken.error);
+        Tracked::given(
+            taken.exact,
+            if error.is_nan() { f64::INFINITY } else { error },
+        )
+    }
+}
+
 impl Mask for Above {
     fn any(self) -> bool {
         UNDECIDED.set(UNDECIDED.get() || !self.is_sure);
@@ -218,20 +237,4 @@ impl<T: Tried> Real for Tracked<T> {
         }
     }
 
-    fn select(above: Above, then: Self, otherwise: Self) -> Self {
-        let (taken, other) = if above.holds {
-            (then, otherwise)
-        } else {
-            (otherwise, then)
-        };
-        if above.is_sure {
-            return taken;
-        }
-        // either may be taken
-        let error = ((taken.exact - other.exact).abs() + other.error).max(taken.error);
-        Self::given(
-            taken.exact,
-            if error.is_nan() { f64::INFINITY } else { error },
-        )
-    }
 }
