@@ -317,12 +317,14 @@ fn sum<T: Real, M>(
             let Arriving {
                 way,
                 length,
+                n_dot_way,
                 intensity,
-            } = light.arriving();
+            } = light.arriving(n);
             // a way that overflowed gives ∞, and its light is black
-            let n_dot_l = (n.dot(way) / length).at_least(T::ZERO).at_most(T::ONE);
-            diffuse += intensity * in_front.select(n_dot_l, T::ZERO);
-            specular += intensity * in_front.select(highlight(way, length), T::ZERO);
+            let n_dot_l = (n_dot_way / length).at_least(T::ZERO).at_most(T::ONE);
+            let shine = highlight(way, length);
+            diffuse = T::reflected(diffuse, intensity, in_front.select(n_dot_l, T::ZERO));
+            specular = T::reflected(specular, intensity, in_front.select(shine, T::ZERO));
         }
     }
     Shaded {

@@ -53,6 +53,8 @@ pub(crate) struct Arriving<T> {
     /// A vector in the direction of L, and its length, which is 0 if there is no such direction.
     pub(crate) way: Vec3<T>,
     pub(crate) length: T,
+    /// N·way
+    pub(crate) n_dot_way: T,
     pub(crate) intensity: Rgb<T>,
 }
 
@@ -73,7 +75,7 @@ impl<T: Real> IncidentLight<T> {
     /// Where N·L > 0. N·(the way to the light) has the sign of N·L and needs no root.
     #[inline]
     pub(crate) fn in_front(&self, n: UnitVec3<T>) -> T::Mask {
-        n.dot(self.way).above(T::ZERO)
+        T::faces(*n, self.way)
     }
 
     /// Whether the light comes from the front of a surface with the normal N. Otherwise it adds
@@ -116,35 +118,42 @@ impl<T: Real> IncidentLight<T> {
     /// I as it arrives: attenuated, and 0 outside a spot's cone.
     #[inline]
     pub fn intensity(&self) -> Rgb<T> {
-        let Arriving {
-            length, intensity, ..
-        } = self.arriving();
-        Rgb::select(length.above(T::ZERO), intensity, Rgb::BLACK)
+        if self.kind == Kind::Directional {
+            return self.intensity;
+        }
+        let measured = T::measured(self.way);
+        let is_somewhere = measured.w_length.above(T::ZERO);
+        Rgb::select(is_somewhere, self.dimmed(&measured), Rgb::BLACK)
     }
 
     #[inline(always)]
-    pub(crate) fn arriving(&self) -> Arriving<T> {
+    pub(crate) fn arriving(&self, n: UnitVec3<T>) -> Arriving<T> {
         if self.kind == Kind::Directional {
             return Arriving {
                 way: self.way,
                 length: T::ONE,
+                n_dot_way: n.dot(self.way),
                 intensity: self.intensity,
             };
         }
-        let Measured {
-            w: way,
-            w_length: length,
-            length: distance,
-        } = T::measured(self.way);
-        let mut intensity = self.attenuation.dimmed(self.intensity, distance);
-        if self.kind == Kind::Spot {
-            let cosine = (-self.axis).dot(way) / length;
-            intensity = intensity * self.cone.share(cosine);
-        }
+        let (measured, n_dot_way) = T::toward(*n, self.way);
         Arriving {
-            way,
-            length,
-            intensity,
+            way: measured.w,
+            length: measured.w_length,
+            n_dot_way,
+            intensity: self.dimmed(&measured),
+        }
+    }
+
+    /// I after the distance and the cone.
+    #[inline(always)]
+    fn dimmed(&self, to_light: &Measured<T>) -> Rgb<T> {
+        let intensity = self.attenuation.dimmed(self.intensity, to_light.length);
+        if self.kind == Kind::Spot {
+            let cosine = (-self.axis).dot(to_light.w) / to_light.w_length;
+            intensity * self.cone.share(cosine)
+        } else {
+            intensity
         }
     }
 

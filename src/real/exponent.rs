@@ -81,10 +81,7 @@ pub trait Exponent<T: Real>: Copy {
 impl<T: Real> Exponent<T> for u32 {
     #[inline]
     fn raise(self, cosine: T) -> T {
-        by_squaring(
-            least::<T>(self).above(cosine).select(T::ZERO, cosine),
-            self,
-        )
+        least::<T>(self).above(cosine).select(T::ZERO, cosine).whole_power(self)
     }
 
     #[inline]

@@ -7,14 +7,34 @@ use crate::triple::Vec3;
 #[inline(always)]
 pub(super) fn measured<T: Real>(v: Vec3<T>) -> Measured<T> {
     let square = T::dot(v, v);
-    if !is_extreme(square) {
-        let length = square.sqrt();
-        return Measured {
-            w: v,
-            w_length: length,
-            length,
-        };
+    if is_extreme(square) { rescued(v, square) } else { plain(v, square) }
+}
+
+/// n·w is computed before the two cases meet, so that it is the n·v of the test whether the light is in
+/// front.
+#[inline(always)]
+pub(super) fn toward<T: Real>(n: Vec3<T>, v: Vec3<T>) -> (Measured<T>, T) {
+    let square = T::dot(v, v);
+    if is_extreme(square) {
+        let measured = rescued(v, square);
+        (measured, T::dot(n, measured.w))
+    } else {
+        (plain(v, square), T::dot(n, v))
     }
+}
+
+#[inline(always)]
+fn plain<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
+    let length = square.sqrt();
+    Measured {
+        w: v,
+        w_length: length,
+        length,
+    }
+}
+
+#[inline(always)]
+fn rescued<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
     let (w, power) = tamed_by(v, Vec3::new(T::ZERO, T::ZERO, T::ZERO), square);
     let square = T::dot(w, w);
     let w_length = square.sqrt();

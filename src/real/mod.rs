@@ -142,6 +142,34 @@ pub trait Real:
         length::measured(v)
     }
 
+    /// Where v points to the front of a surface with the normal n: where n·v > 0, to the last bit.
+    #[inline(always)]
+    #[must_use]
+    fn faces(n: Vec3<Self>, v: Vec3<Self>) -> Self::Mask {
+        Self::dot(n, v).above(Self::ZERO)
+    }
+
+    /// [`measured`](Real::measured), and n·w. It is called where v [faces](Real::faces) the surface, so v
+    /// is not zero there.
+    #[inline(always)]
+    #[must_use]
+    fn toward(n: Vec3<Self>, v: Vec3<Self>) -> (Measured<Self>, Self) {
+        length::toward(n, v)
+    }
+
+    /// The power of a number within [0, 1] by a whole number.
+    #[inline]
+    #[must_use]
+    fn whole_power(self, m: u32) -> Self {
+        by_squaring(self, m)
+    }
+
+    /// sum + light · factor, for a factor within [0, 1].
+    #[inline(always)]
+    fn reflected(sum: Rgb<Self>, light: Rgb<Self>, factor: Self) -> Rgb<Self> {
+        sum + light * factor
+    }
+
     /// The power of the cosine between a direction n and a vector v of any length, limited to 1. It is
     /// 0 if n·v ≤ 0 or if v is 0.
     ///

@@ -118,27 +118,43 @@ pub(super) const fn unit_and_length(v: [Fixed; 3]) -> ([Fixed; 3], Fixed) {
     if (x.0 | y.0 | z.0) == 0 {
         return (v, Fixed(0));
     }
-    let Scaled {
-        v: [x, y, z],
-        shift,
-        square,
-        root,
-        ..
-    } = scaled([x.0, y.0, z.0]);
-    let unit = [
-        Fixed((upper(x, root) + (1 << 10)) >> 11),
-        Fixed((upper(y, root) + (1 << 10)) >> 11),
-        Fixed((upper(z, root) + (1 << 10)) >> 11),
-    ];
-    let length = upper_unsigned(square, root as u32); // in units of 2^(5 − shift) steps
-    let length = if shift > 5 {
-        ((length >> (shift - 6)) + 1) >> 1
-    } else if length >> (26 + shift) != 0 {
-        i32::MAX as u32
-    } else {
-        length << (5 - shift)
-    };
-    (unit, Fixed(length as i32))
+    scaled([x.0, y.0, z.0]).unit_and_length()
+}
+
+impl Scaled {
+    #[inline]
+    const fn unit_and_length(self) -> ([Fixed; 3], Fixed) {
+        let Self {
+            v: [x, y, z],
+            shift,
+            square,
+            root,
+        } = self;
+        let unit = [
+            Fixed((upper(x, root) + (1 << 10)) >> 11),
+            Fixed((upper(y, root) + (1 << 10)) >> 11),
+            Fixed((upper(z, root) + (1 << 10)) >> 11),
+        ];
+        let length = upper_unsigned(square, root as u32); // in units of 2^(5 − shift) steps
+        let length = if shift > 5 {
+            ((length >> (shift - 6)) + 1) >> 1
+        } else if length >> (26 + shift) != 0 {
+            i32::MAX as u32
+        } else {
+            length << (5 - shift)
+        };
+        (unit, Fixed(length as i32))
+    }
+
+    /// The cosine of the angle to a direction, with 25 bits after the point.
+    #[inline]
+    fn cosine(&self, n: Vec3<Fixed>) -> i32 {
+        let ([a, b, c], [x, y, z]) = (n.map(|x| x.0 << 12).into(), self.v);
+        let dot = upper(a, x)
+            .wrapping_add(upper(b, y))
+            .wrapping_add(upper(c, z));
+        upper(dot << 2, self.root)
+    }
 }
 
 /// 1/(a + bq + cq²) as x/2^s where the denominator is at most 1, or beyond the range: (x, s).
@@ -210,15 +226,62 @@ impl Real for Fixed {
     }
 
     #[inline]
+    fn faces(n: Vec3<Self>, v: Vec3<Self>) -> bool {
+        let half = |a: Self, x: Self| product(a.0, x.0) >> 1;
+        half(n.x, v.x) + half(n.y, v.y) + half(n.z, v.z) > 0
+    }
+
+    /// n·w by the root of the length, with more bits than w has.
+    #[inline]
+    fn toward(n: Vec3<Self>, v: Vec3<Self>) -> (Measured<Self>, Self) {
+        let scaled = scaled(v.map(|x| x.0).into());
+        let cosine = Self((scaled.cosine(n) + (1 << 8)) >> 9);
+        let (unit, length) = scaled.unit_and_length();
+        let measured = Measured {
+            w: unit.into(),
+            w_length: Self(ONE),
+            length,
+        };
+        (measured, cosine)
+    }
+
+    #[inline]
+    fn whole_power(self, m: u32) -> Self {
+        // 32 bits hold the products of numbers below 1
+        let times = |a: u32, b: u32| a.wrapping_mul(b).wrapping_add(1 << 15) >> 16;
+        let (mut base, mut m) = (self.0 as u32, m);
+        if self.0 == ONE || m == 0 {
+            return Self(ONE);
+        }
+        while m & 1 == 0 {
+            base = times(base, base);
+            m >>= 1;
+        }
+        let mut power = base;
+        while m > 1 {
+            base = times(base, base);
+            m >>= 1;
+            if m & 1 == 1 {
+                power = times(power, base);
+            }
+        }
+        Self(power as i32)
+    }
+
+    #[inline]
+    fn reflected(sum: Rgb<Self>, light: Rgb<Self>, factor: Self) -> Rgb<Self> {
+        let times = |x: Self| {
+            // in halves, because a factor has 17 bits
+            let (high, low) = (x.0 >> 16, x.0 as u32 & 0xFFFF);
+            let low = (low * factor.0 as u32).wrapping_add(1 << 15) >> 16;
+            Self(high.wrapping_mul(factor.0).wrapping_add(low as i32))
+        };
+        sum + light.map(times)
+    }
+
+    #[inline]
     fn cosine_power(n: Vec3<Self>, v: Vec3<Self>, m: impl Exponent<Self>) -> Self {
-        let Scaled {
-            v: [x, y, z], root, ..
-        } = scaled(v.map(|x| x.0).into());
-        let [a, b, c] = n.map(|x| x.0 << 12).into();
-        let dot = upper(a, x)
-            .wrapping_add(upper(b, y))
-            .wrapping_add(upper(c, z));
-        let cosine = upper(dot << 2, root); // 25 bits after the point
+        let cosine = scaled(v.map(|x| x.0).into()).cosine(n);
         let cosine = Self((cosine + (1 << 8)) >> 9);
         if cosine.0 > 0 {
             m.raise(cosine.at_most(Self(ONE)))
