@@ -257,6 +257,7 @@ number_first!(f64: Add add, Sub sub, Mul mul, Div div);
 #[diagnostic::do_not_recommend] // the trait's own message names the types
 impl<T: Real> Real for Dual<T> {
     type Mask = Where<T::Mask>;
+    type Sum = Self;
 
     const ZERO: Self = Self::constant(T::ZERO);
     const ONE: Self = Self::constant(T::ONE);

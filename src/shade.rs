@@ -64,7 +64,7 @@ use core::ops::{Add, AddAssign, Mul};
 
 use crate::direction::mirrored;
 use crate::light::{Arriving, IncidentLight};
-use crate::real::{Exponent, Mask, Real, Select};
+use crate::real::{Exponent, LightSum, Mask, Real, Select};
 use crate::rgb::Rgb;
 use crate::term;
 use crate::unit::UnitVec3;
@@ -308,7 +308,7 @@ fn sum<T: Real, M>(
     lights: impl IntoIterator<Item = IncidentLight<T>>,
     highlight: impl Fn(Vec3<T>, T) -> T,
 ) -> Shaded<T> {
-    let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
+    let [mut diffuse, mut specular] = [Rgb::new(T::Sum::DARK, T::Sum::DARK, T::Sum::DARK); 2];
     // not `for_each`, whose closure keeps the sums in memory
     for light in lights {
         // the sign of N·L decides before the root of |way|
@@ -323,13 +323,21 @@ fn sum<T: Real, M>(
             // a way that overflowed gives ∞, and its light is black
             let n_dot_l = (n_dot_way / length).at_least(T::ZERO).at_most(T::ONE);
             let shine = highlight(way, length);
-            diffuse = T::reflected(diffuse, intensity, in_front.select(n_dot_l, T::ZERO));
-            specular = T::reflected(specular, intensity, in_front.select(shine, T::ZERO));
+            let add = |sum: Rgb<T::Sum>, factor: T| {
+                let factor = in_front.select(factor, T::ZERO);
+                Rgb {
+                    r: sum.r.add(intensity.r, factor),
+                    g: sum.g.add(intensity.g, factor),
+                    b: sum.b.add(intensity.b, factor),
+                }
+            };
+            diffuse = add(diffuse, n_dot_l);
+            specular = add(specular, shine);
         }
     }
     Shaded {
         ambient: term::ambient(material.k_a, i_a),
-        diffuse: diffuse.finite() * material.k_d,
-        specular: specular.finite() * material.k_s,
+        diffuse: diffuse.map(LightSum::total) * material.k_d,
+        specular: specular.map(LightSum::total) * material.k_s,
     }
 }

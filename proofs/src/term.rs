@@ -98,6 +98,7 @@ impl PartialOrd for Term {
 
 impl Real for Term {
     type Mask = Above;
+    type Sum = Self;
 
     const ZERO: Self = Self(ZERO);
     const ONE: Self = Self(ONE);

@@ -8,6 +8,7 @@ macro_rules! float {
         #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Real for $float {
             type Mask = bool;
+            type Sum = Self;
 
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;

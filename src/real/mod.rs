@@ -57,6 +57,8 @@ pub trait Real:
 {
     /// Where a comparison holds: `bool`, or one for each lane.
     type Mask: Mask + Select<Self>;
+    /// What a sum over lights is held in: the number, or one with more digits.
+    type Sum: LightSum<Self>;
 
     /// Zero.
     const ZERO: Self;
@@ -164,12 +166,6 @@ pub trait Real:
         by_squaring(self, m)
     }
 
-    /// sum + light · factor, for a factor within [0, 1].
-    #[inline(always)]
-    fn reflected(sum: Rgb<Self>, light: Rgb<Self>, factor: Self) -> Rgb<Self> {
-        sum + light * factor
-    }
-
     /// The power of the cosine between a direction n and a vector v of any length, limited to 1. It is
     /// 0 if n·v ≤ 0 or if v is 0.
     ///
@@ -212,6 +208,32 @@ pub struct Measured<T> {
     pub w_length: T,
     /// |v|; the largest finite number if it overflows, and infinite if v is.
     pub length: T,
+}
+
+/// One channel of a sum over lights. Every number is one for itself.
+pub trait LightSum<T>: Copy {
+    /// No light.
+    const DARK: Self;
+    /// self + light · factor, for a factor within [0, 1].
+    #[must_use]
+    fn add(self, light: T, factor: T) -> Self;
+    /// The sum as a number; the largest, if it overflows.
+    #[must_use]
+    fn total(self) -> T;
+}
+
+impl<T: Real> LightSum<T> for T {
+    const DARK: Self = T::ZERO;
+
+    #[inline(always)]
+    fn add(self, light: T, factor: T) -> Self {
+        self + light * factor
+    }
+
+    #[inline(always)]
+    fn total(self) -> T {
+        self.at_most(T::MAX)
+    }
 }
 
 /// Where a comparison of numbers holds: a `bool`, or one for each lane.

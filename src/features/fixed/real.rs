@@ -3,7 +3,7 @@
 
 use super::{Fixed, ONE, rounded};
 use crate::elementary::Elementary;
-use crate::real::{Exponent, Measured, Real};
+use crate::real::{Exponent, LightSum, Measured, Real};
 use crate::rgb::Rgb;
 use crate::vector::Vec3;
 
@@ -33,6 +33,20 @@ const fn upper(a: i32, b: i32) -> i32 {
             .wrapping_add(other >> 16)
     } else {
         ((a as i64 * b as i64) >> 32) as i32
+    }
+}
+
+/// The upper half of an unsigned product, rounded.
+#[inline]
+const fn upper_rounded(a: u32, b: u32) -> u32 {
+    if HALVES {
+        let (a_1, a_0, b_1, b_0) = (a >> 16, a & 0xFFFF, b >> 16, b & 0xFFFF);
+        let middle = (a_1 * b_0).wrapping_add(a_0 * b_0 >> 16);
+        let other = (a_0 * b_1).wrapping_add((middle & 0xFFFF) + (1 << 15));
+        let carry = (other < (middle & 0xFFFF) + (1 << 15)) as u32;
+        (a_1 * b_1).wrapping_add((middle >> 16) + (other >> 16) + (carry << 16))
+    } else {
+        ((a as u64 * b as u64 + (1 << 31)) >> 32) as u32
     }
 }
 
@@ -180,6 +194,7 @@ fn reciprocal_beyond([a, b, c, q]: [Fixed; 4], is_large: bool) -> (u32, u32) {
 #[diagnostic::do_not_recommend] // the trait's own message names the types
 impl Real for Fixed {
     type Mask = bool;
+    type Sum = Exact;
 
     const ZERO: Self = Self(0);
     const ONE: Self = Self(ONE);
@@ -227,8 +242,9 @@ impl Real for Fixed {
 
     #[inline]
     fn faces(n: Vec3<Self>, v: Vec3<Self>) -> bool {
-        let half = |a: Self, x: Self| product(a.0, x.0) >> 1;
-        half(n.x, v.x) + half(n.y, v.y) + half(n.z, v.z) > 0
+        // n has 17 bits, so the sum has 50
+        let sum = product(n.x.0, v.x.0).wrapping_add(product(n.y.0, v.y.0));
+        sum.wrapping_add(product(n.z.0, v.z.0)) > 0
     }
 
     /// n·w by the root of the length, with more bits than w has.
@@ -269,17 +285,6 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn reflected(sum: Rgb<Self>, light: Rgb<Self>, factor: Self) -> Rgb<Self> {
-        let times = |x: Self| {
-            // in halves, because a factor has 17 bits
-            let (high, low) = (x.0 >> 16, x.0 as u32 & 0xFFFF);
-            let low = (low * factor.0 as u32).wrapping_add(1 << 15) >> 16;
-            Self(high.wrapping_mul(factor.0).wrapping_add(low as i32))
-        };
-        sum + light.map(times)
-    }
-
-    #[inline]
     fn cosine_power(n: Vec3<Self>, v: Vec3<Self>, m: impl Exponent<Self>) -> Self {
         let cosine = scaled(v.map(|x| x.0).into()).cosine(n);
         let cosine = Self((cosine + (1 << 8)) >> 9);
@@ -297,8 +302,9 @@ impl Real for Fixed {
         if d.0 > ONE && d != Self::MAX && limit.0 >= ONE {
             let zeros = d.0.leading_zeros();
             // 31 bits after the point
-            let share = (reciprocal((d.0 as u32) << zeros) << 3 >> (16 - zeros)) as i32;
-            let times = |x: Self| Self(((product(x.0, share) + (1 << 30)) >> 31) as i32);
+            // 32 bits after the point
+            let share = reciprocal((d.0 as u32) << zeros) << 3 >> (15 - zeros);
+            let times = |x: Self| Self(upper_rounded(x.0 as u32, share) as i32);
             color.map(times)
         } else if d.0 == ONE && limit.0 >= ONE {
             color
@@ -317,6 +323,31 @@ impl Real for Fixed {
                 color * factor
             }
         }
+    }
+}
+
+/// A sum with 32 bits after the point, of products that are not rounded.
+#[derive(Clone, Copy)]
+pub struct Exact(i64);
+
+impl LightSum<Fixed> for Exact {
+    const DARK: Self = Self(0);
+
+    #[inline(always)]
+    fn add(self, light: Fixed, factor: Fixed) -> Self {
+        let product = if HALVES {
+            // a factor has 17 bits
+            let (high, low) = (light.0 >> 16, light.0 as u32 & 0xFFFF);
+            ((high.wrapping_mul(factor.0) as i64) << 16) + low.wrapping_mul(factor.0 as u32) as i64
+        } else {
+            light.0 as i64 * factor.0 as i64
+        };
+        Self(self.0.wrapping_add(product))
+    }
+
+    #[inline]
+    fn total(self) -> Fixed {
+        rounded(self.0, 16, (self.0 >> 32) as i32)
     }
 }
 

@@ -155,6 +155,7 @@ macro_rules! real {
         #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Real for $lanes {
             type Mask = In<Self>;
+            type Sum = Self;
 
             const ZERO: Self = Self::splat($float::ZERO);
             const ONE: Self = Self::splat($float::ONE);

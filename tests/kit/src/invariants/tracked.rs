@@ -203,6 +203,7 @@ impl Mask for Above {
 
 impl<T: Tried> Real for Tracked<T> {
     type Mask = Above;
+    type Sum = Self;
 
     const ZERO: Self = Self::given(0.0, 0.0);
     const ONE: Self = Self::given(1.0, 0.0);
