@@ -64,11 +64,10 @@ use core::ops::{Add, AddAssign, Mul};
 
 use crate::direction::mirrored;
 use crate::light::{Arriving, IncidentLight};
-use crate::real::{Exponent, LightSum, Mask, Real, Select};
+use crate::real::{Exponent, LightSum, Mask, Measured, Real, Select};
 use crate::rgb::Rgb;
 use crate::term;
 use crate::unit::UnitVec3;
-use crate::vector::Vec3;
 
 /// The material of a surface: three reflectances, each with three channels, and the shininess.
 ///
@@ -233,7 +232,7 @@ pub fn lambert<T: Real, M>(
     let specular = Rgb::BLACK;
     Shaded {
         specular,
-        ..sum(n, material, i_a, lights, |_, _| T::ZERO)
+        ..sum(n, material, i_a, lights, |_| T::ZERO)
     }
 }
 
@@ -267,8 +266,8 @@ pub fn phong<T: Real, M: Exponent<T>>(
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
     // R is the direction of the mirrored way
-    sum(n, material, i_a, lights, |way, length| {
-        term::highlight(mirrored(n, way).dot(v) / length, material.m)
+    sum(n, material, i_a, lights, |way| {
+        term::highlight(mirrored(n, way.w).dot(v) / way.w_length, material.m)
     })
 }
 
@@ -292,9 +291,8 @@ pub fn blinn_phong<T: Real, M: Exponent<T>>(
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
     // H is the direction of |way| (L + V)
-    sum(n, material, i_a, lights, |way, length| {
-        let h = way + *v * length;
-        T::cosine_power(*n, h, material.m)
+    sum(n, material, i_a, lights, |way| {
+        T::halfway_power(*n, way, *v, material.m)
     })
 }
 
@@ -306,7 +304,7 @@ fn sum<T: Real, M>(
     material: &Material<T, M>,
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
-    highlight: impl Fn(Vec3<T>, T) -> T,
+    highlight: impl Fn(Measured<T>) -> T,
 ) -> Shaded<T> {
     let [mut diffuse, mut specular] = [Rgb::new(T::Sum::DARK, T::Sum::DARK, T::Sum::DARK); 2];
     // not `for_each`, whose closure keeps the sums in memory
@@ -316,13 +314,12 @@ fn sum<T: Real, M>(
         if in_front.any() {
             let Arriving {
                 way,
-                length,
                 n_dot_way,
                 intensity,
             } = light.arriving(n);
             // a way that overflowed gives ∞, and its light is black
-            let n_dot_l = (n_dot_way / length).at_least(T::ZERO).at_most(T::ONE);
-            let shine = highlight(way, length);
+            let n_dot_l = (n_dot_way / way.w_length).at_least(T::ZERO).at_most(T::ONE);
+            let shine = highlight(way);
             let add = |sum: Rgb<T::Sum>, factor: T| {
                 let factor = in_front.select(factor, T::ZERO);
                 Rgb {

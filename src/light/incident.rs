@@ -50,10 +50,9 @@ pub struct IncidentLight<T = f32> {
 
 /// What the sums need to know of an [`IncidentLight`].
 pub(crate) struct Arriving<T> {
-    /// A vector in the direction of L, and its length, which is 0 if there is no such direction.
-    pub(crate) way: Vec3<T>,
-    pub(crate) length: T,
-    /// N·way
+    /// A vector in the direction of L.
+    pub(crate) way: Measured<T>,
+    /// N·w
     pub(crate) n_dot_way: T,
     pub(crate) intensity: Rgb<T>,
 }
@@ -130,18 +129,20 @@ impl<T: Real> IncidentLight<T> {
     pub(crate) fn arriving(&self, n: UnitVec3<T>) -> Arriving<T> {
         if self.kind == Kind::Directional {
             return Arriving {
-                way: self.way,
-                length: T::ONE,
+                way: Measured {
+                    w: self.way,
+                    w_length: T::ONE,
+                    length: T::MAX,
+                },
                 n_dot_way: n.dot(self.way),
                 intensity: self.intensity,
             };
         }
-        let (measured, n_dot_way) = T::toward(*n, self.way);
+        let (way, n_dot_way) = T::toward(*n, self.way);
         Arriving {
-            way: measured.w,
-            length: measured.w_length,
+            way,
             n_dot_way,
-            intensity: self.dimmed(&measured),
+            intensity: self.dimmed(&way),
         }
     }
 

@@ -178,6 +178,23 @@ pub trait Real:
         length::cosine_power(n, v, m)
     }
 
+    /// The power of the cosine between a direction n and the vector halfway between w and v, limited to
+    /// 1. It is 0 if that is not above 0 or if there is no such vector.
+    ///
+    /// ```text
+    /// max(0, n·h/|h|)ᵐ,  h = w + |w| v
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    fn halfway_power(
+        n: Vec3<Self>,
+        w: Measured<Self>,
+        v: Vec3<Self>,
+        m: impl Exponent<Self>,
+    ) -> Self {
+        Self::cosine_power(n, w.w + v * w.w_length, m)
+    }
+
     /// A color of light at the distance q ≥ 0, attenuated by a factor of at most `limit`.
     ///
     /// ```text

@@ -53,8 +53,12 @@ const fn upper_rounded(a: u32, b: u32) -> u32 {
 /// The upper half of a product whose factors are below 2³¹, but for the first.
 #[inline]
 const fn upper_unsigned(a: u32, b: u32) -> u32 {
-    // the sign of a stands for 2³², which b takes part in
-    (upper(a as i32, b as i32) as u32).wrapping_add(if a >> 31 == 1 { b } else { 0 })
+    if HALVES {
+        // the sign of a stands for 2³², which b takes part in
+        (upper(a as i32, b as i32) as u32).wrapping_add(if a >> 31 == 1 { b } else { 0 })
+    } else {
+        ((a as u64 * b as u64) >> 32) as u32
+    }
 }
 
 /// 2²⁷/√x for x = `bits`/2³² from ¼ on, by Newton's method.
@@ -111,7 +115,7 @@ struct Scaled {
 #[inline]
 const fn scaled([x, y, z]: [i32; 3]) -> Scaled {
     let bits = (x ^ x >> 31) | (y ^ y >> 31) | (z ^ z >> 31);
-    let shift = (bits as u32 | 1).leading_zeros() - 1;
+    let shift = (2 * bits as u32 | 1).leading_zeros();
     let v = [x << shift, y << shift, z << shift];
     let [x, y, z] = v;
     let square = (upper(x, x) as u32 + upper(y, y) as u32 + upper(z, z) as u32) | 1;
@@ -172,7 +176,6 @@ impl Scaled {
 }
 
 /// 1/(a + bq + cq²) as x/2^s where the denominator is at most 1, or beyond the range: (x, s).
-#[cold]
 fn reciprocal_beyond([a, b, c, q]: [Fixed; 4], is_large: bool) -> (u32, u32) {
     let steps = |x: Fixed| x.0.max(0) as u64;
     let q = steps(q);
@@ -285,6 +288,19 @@ impl Real for Fixed {
     }
 
     #[inline]
+    fn halfway_power(
+        n: Vec3<Self>,
+        Measured { w, .. }: Measured<Self>,
+        v: Vec3<Self>,
+        m: impl Exponent<Self>,
+    ) -> Self {
+        // both are directions
+        let sum = |w: Self, v: Self| Self(w.0.wrapping_add(v.0));
+        let h = Vec3::new(sum(w.x, v.x), sum(w.y, v.y), sum(w.z, v.z));
+        Self::cosine_power(n, h, m)
+    }
+
+    #[inline]
     fn cosine_power(n: Vec3<Self>, v: Vec3<Self>, m: impl Exponent<Self>) -> Self {
         let cosine = scaled(v.map(|x| x.0).into()).cosine(n);
         let cosine = Self((cosine + (1 << 8)) >> 9);
@@ -297,57 +313,82 @@ impl Real for Fixed {
 
     #[inline]
     fn attenuated(color: Rgb<Self>, [a, b, c]: [Self; 3], q: Self, limit: Self) -> Rgb<Self> {
-        let slope = rounded(product(c.0, q.0) + ((b.0 as i64) << 16), 16, 0);
-        let d = rounded(product(slope.0, q.0) + ((a.0 as i64) << 16), 16, 0);
-        if d.0 > ONE && d != Self::MAX && limit.0 >= ONE {
-            let zeros = d.0.leading_zeros();
-            // 31 bits after the point
-            // 32 bits after the point
-            let share = reciprocal((d.0 as u32) << zeros) << 3 >> (15 - zeros);
-            let times = |x: Self| Self(upper_rounded(x.0 as u32, share) as i32);
-            color.map(times)
-        } else if d.0 == ONE && limit.0 >= ONE {
-            color
-        } else if d.0 < 0 {
-            Rgb::BLACK
-        } else {
-            let (share, shift) = reciprocal_beyond([a, b, c, q], d.0 > ONE);
-            let times = |x: Self| {
-                let steps = (x.0 as i64 * share as i64 + (1_i64 << shift >> 1)) >> shift;
-                Self(steps.clamp(i32::MIN as i64, i32::MAX as i64) as i32)
-            };
-            if limit == Self::MAX {
-                color.map(times)
+        // a sum of more than 31 bits tells so in the second number
+        let plus_product = |a: Self, b: u32, q: Self| {
+            let sum = if HALVES {
+                product(b as i32, q.0) as u64
             } else {
-                let factor = times(Self(ONE)).at_most(limit);
-                color * factor
-            }
+                b as u64 * q.0 as u32 as u64
+            };
+            let sum = sum.wrapping_add((a.0 as u32 as u64) << 16 | 1 << 15);
+            ((sum >> 16) as u32, (sum >> 47) as u32)
+        };
+        let (slope, slope_above) = plus_product(b, c.0 as u32, q);
+        let (d, d_above) = plus_product(a, slope, q);
+        let is_negative = (a.0 | b.0 | c.0 | q.0) < 0;
+        if is_negative || slope_above | d_above != 0 || d < ONE as u32 || limit.0 < ONE {
+            return attenuated_beyond(color, [a, b, c], q, limit);
         }
+        if d == ONE as u32 {
+            return color;
+        }
+        let zeros = d.leading_zeros();
+        // 32 bits after the point
+        let share = reciprocal(d << zeros) << 3 >> (15 - zeros);
+        color.map(|x| Self(upper_rounded(x.0.max(0) as u32, share) as i32))
+    }
+}
+
+/// [`Real::attenuated`] where the denominator is below 1 or beyond the range, and with another limit.
+#[cold]
+#[inline(never)]
+fn attenuated_beyond(
+    color: Rgb<Fixed>,
+    [a, b, c]: [Fixed; 3],
+    q: Fixed,
+    limit: Fixed,
+) -> Rgb<Fixed> {
+    let slope = rounded(product(c.0, q.0) + ((b.0 as i64) << 16), 16, 0);
+    let d = rounded(product(slope.0, q.0) + ((a.0 as i64) << 16), 16, 0);
+    if d.0 < 0 {
+        return Rgb::new(Fixed(0), Fixed(0), Fixed(0));
+    }
+    let (share, shift) = reciprocal_beyond([a, b, c, q], d.0 > ONE);
+    let times = |x: Fixed| {
+        let steps = (x.0 as i64 * share as i64 + (1_i64 << shift >> 1)) >> shift;
+        Fixed(steps.clamp(i32::MIN as i64, i32::MAX as i64) as i32)
+    };
+    if limit == Fixed::MAX {
+        color.map(times)
+    } else {
+        color * times(Fixed(ONE)).at_most(limit)
     }
 }
 
 /// A sum with 32 bits after the point, of products that are not rounded.
 #[derive(Clone, Copy)]
-pub struct Exact(i64);
+pub struct Exact(u64);
 
 impl LightSum<Fixed> for Exact {
     const DARK: Self = Self(0);
 
     #[inline(always)]
     fn add(self, light: Fixed, factor: Fixed) -> Self {
+        let (light, factor) = (light.0.max(0) as u32, factor.0.clamp(0, ONE) as u32);
         let product = if HALVES {
             // a factor has 17 bits
-            let (high, low) = (light.0 >> 16, light.0 as u32 & 0xFFFF);
-            ((high.wrapping_mul(factor.0) as i64) << 16) + low.wrapping_mul(factor.0 as u32) as i64
+            (((light >> 16) * factor) as u64) << 16
         } else {
-            light.0 as i64 * factor.0 as i64
+            light as u64 * factor as u64
         };
-        Self(self.0.wrapping_add(product))
+        let low = if HALVES { (light & 0xFFFF).wrapping_mul(factor) as u64 } else { 0 };
+        Self(self.0.wrapping_add(product).wrapping_add(low))
     }
 
     #[inline]
     fn total(self) -> Fixed {
-        rounded(self.0, 16, (self.0 >> 32) as i32)
+        let steps = (self.0 + (1 << 15)) >> 16;
+        Fixed(if steps >> 31 == 0 { steps as i32 } else { i32::MAX })
     }
 }
 

@@ -23,6 +23,7 @@ macro_rules! for_each_function {
             at_most "Real::at_most" |g| g.x.at_most(g.y) => nothing;
             // a signaling NaN, which no operation returns, may be its own positive part
             positive_part "Real::at_least, zero" |g| (g.x + T::ZERO).at_least(T::ZERO) => not_negative;
+            light_sum "LightSum::add" |g| <T::Sum as shading::LightSum<T>>::DARK.add(g.x, g.cosine).total() => nothing;
             any_positive "Mask::any" |g| g.x.above(T::ZERO).any() => nothing;
             all_positive "Mask::all" |g| g.x.above(T::ZERO).all() => nothing;
             vec3_operators "Vec3, operators" |g| [g.a + g.b, g.a - g.b, g.a * g.x, g.x.times_vector(g.a), g.a / g.x, -g.a] => nothing;
@@ -231,7 +232,7 @@ macro_rules! for_each_function {
 /// Each row as a function.
 pub mod row {
     use shading::{
-        Attenuation, Cone, Dual, Elementary, Exponent, Mask as _, Select as _, Real, Rgb, UnitVec3, Vec3,
+        Attenuation, Cone, Dual, Elementary, Exponent, LightSum as _, Mask as _, Select as _, Real, Rgb, UnitVec3, Vec3,
         normal, shade, term,
     };
 
