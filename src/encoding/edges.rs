@@ -30,6 +30,20 @@ pub(super) const fn next_edges<const N: usize>() -> [u32; N] {
     next
 }
 
+/// The least fixed-point number with 16 bits after the point of the next level, and the largest number
+/// of 16 bits above the highest level.
+#[cfg(feature = "fixed")]
+pub(super) const fn next_fixed_edges<const N: usize>() -> [u16; N] {
+    let (edges, mut next, mut level) = (edges::<N>(), [u16::MAX; N], 1);
+    while level < N {
+        let steps = edges[level] * 65536.0;
+        let floor = steps as u16;
+        next[level - 1] = floor + ((floor as f64) < steps) as u16;
+        level += 1;
+    }
+    next
+}
+
 /// Whether the encoding E of a number reaches the level minus one half.
 ///
 /// ```text

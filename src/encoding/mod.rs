@@ -18,7 +18,9 @@ mod steps;
 
 use crate::rgb::Rgb;
 use edges::decoded;
-use steps::clamped;
+use steps::{clamped, eight_bits, five_bits, six_bits};
+#[cfg(feature = "fixed")]
+pub(crate) use steps::{FIXED_EIGHT_BITS, FIXED_FIVE_BITS, FIXED_SIX_BITS};
 
 /// Colors on a display, whose light is encoded as sRGB, and linear colors for programs that
 /// encode elsewhere or not at all. Single precision is more than any display shows; convert with
@@ -48,11 +50,10 @@ impl Rgb<f32> {
     #[inline]
     #[must_use]
     pub const fn to_srgb8(self) -> [u8; 3] {
-        let steps = &steps::EIGHT_BITS;
         [
-            steps.level(self.r) as u8,
-            steps.level(self.g) as u8,
-            steps.level(self.b) as u8,
+            eight_bits(self.r) as u8,
+            eight_bits(self.g) as u8,
+            eight_bits(self.b) as u8,
         ]
     }
 
@@ -76,8 +77,7 @@ impl Rgb<f32> {
     #[inline]
     #[must_use]
     pub const fn to_rgb565(self) -> u16 {
-        let (five, six) = (&steps::FIVE_BITS, &steps::SIX_BITS);
-        (five.level(self.r) << 11 | six.level(self.g) << 5 | five.level(self.b)) as u16
+        (five_bits(self.r) << 11 | six_bits(self.g) << 5 | five_bits(self.b)) as u16
     }
 
     /// Rounds linear light to bytes **without encoding it as sRGB**. A display that is given

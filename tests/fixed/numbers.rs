@@ -163,6 +163,7 @@ fn colors_are_encoded_as_those_of_single_precision() {
         let single = gray.map(|x| exact(x) as f32);
         assert_eq!(gray.to_srgb8(), single.to_srgb8(), "{gray:?}");
         assert_eq!(gray.to_rgb565(), single.to_rgb565(), "{gray:?}");
+        assert_eq!(gray.to_linear8(), single.to_linear8(), "{gray:?}");
     }
     assert_eq!(const { Rgb::WHITE.to_srgb8() }, [255; 3]);
     assert_eq!(const { Rgb::WHITE.to_rgb565() }, 0xFFFF);
