@@ -153,7 +153,7 @@ pub use features::Lanes;
 #[cfg(feature = "fixed")]
 pub use features::fixed;
 pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
-pub use real::{Exponent, LightSum, Mask, Measured, Real, Scalar, Select};
+pub use real::{Exponent, LightSum, Mask, Measured, Real, Scalar, Select, Toward};
 #[doc(inline)]
 pub use shade::{Material, Shaded};
 pub use triple::{Rgb, Vec3};

@@ -314,11 +314,9 @@ fn sum<T: Real, M>(
         if in_front.any() {
             let Arriving {
                 way,
-                n_dot_way,
+                n_dot_l,
                 intensity,
             } = light.arriving(n);
-            // a way that overflowed gives ∞, and its light is black
-            let n_dot_l = (n_dot_way / way.w_length).at_least(T::ZERO).at_most(T::ONE);
             let shine = highlight(way);
             let add = |sum: Rgb<T::Sum>, factor: T| {
                 let factor = in_front.select(factor, T::ZERO);

@@ -4,7 +4,7 @@ use core::ops::Mul;
 
 use crate::attenuation::Attenuation;
 use crate::cone::Cone;
-use crate::real::{Mask, Measured, Real};
+use crate::real::{Mask, Measured, Real, Toward};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
@@ -52,8 +52,7 @@ pub struct IncidentLight<T = f32> {
 pub(crate) struct Arriving<T> {
     /// A vector in the direction of L.
     pub(crate) way: Measured<T>,
-    /// N·w
-    pub(crate) n_dot_way: T,
+    pub(crate) n_dot_l: T,
     pub(crate) intensity: Rgb<T>,
 }
 
@@ -128,21 +127,24 @@ impl<T: Real> IncidentLight<T> {
     #[inline(always)]
     pub(crate) fn arriving(&self, n: UnitVec3<T>) -> Arriving<T> {
         if self.kind == Kind::Directional {
+            let way = Measured {
+                w: self.way,
+                w_length: T::ONE,
+                length: T::MAX,
+            };
+            let n_dot_v = n.dot(self.way);
             return Arriving {
-                way: Measured {
-                    w: self.way,
-                    w_length: T::ONE,
-                    length: T::MAX,
-                },
-                n_dot_way: n.dot(self.way),
+                way,
+                n_dot_l: T::cosine(*n, &Toward { way, n_dot_v }),
                 intensity: self.intensity,
             };
         }
-        let (way, n_dot_way) = T::toward(*n, self.way);
+        let toward = T::toward(*n, self.way);
+        let intensity = self.dimmed(&toward.way);
         Arriving {
-            way,
-            n_dot_way,
-            intensity: self.dimmed(&way),
+            way: toward.way,
+            n_dot_l: T::cosine(*n, &toward),
+            intensity,
         }
     }
 

@@ -1,7 +1,11 @@
 //! The floats, whose operations the processor or `libm` has. This is the only file with unsafe code,
 //! apart from the `bytemuck` feature.
 
+#[cfg(any(target_arch = "arm", target_arch = "riscv32"))]
+use super::{Toward, length::toward};
 use super::Real;
+#[cfg(any(target_arch = "arm", target_arch = "riscv32"))]
+use crate::triple::Vec3;
 
 macro_rules! float {
     ($float:ident, $extreme:expr, $sqrt:path) => {
@@ -36,6 +40,20 @@ macro_rules! float {
             #[inline]
             fn above(self, other: Self) -> bool {
                 self > other
+            }
+
+            // A desktop computes the product anew while it waits for the root.
+            #[cfg(any(target_arch = "arm", target_arch = "riscv32"))]
+            #[inline(always)]
+            fn toward(n: Vec3<Self>, v: Vec3<Self>) -> Toward<Self> {
+                toward(n, v)
+            }
+
+            #[cfg(any(target_arch = "arm", target_arch = "riscv32"))]
+            #[inline(always)]
+            fn cosine(_: Vec3<Self>, toward: &Toward<Self>) -> Self {
+                let cosine = toward.n_dot_v / toward.way.w_length;
+                cosine.at_least(0.0).at_most(1.0)
             }
 
             // Positive floats are ordered as their bits are, so one integer comparison replaces two.

@@ -7,21 +7,33 @@ use crate::triple::Vec3;
 #[inline(always)]
 pub(super) fn measured<T: Real>(v: Vec3<T>) -> Measured<T> {
     let square = T::dot(v, v);
-    if is_extreme(square) { rescued(v, square) } else { plain(v, square) }
+    if is_extreme(square) {
+        cold();
+        return rescued(v, square);
+    }
+    plain(v, square)
 }
 
-/// n·w is computed before the two cases meet, so that it is the n·v of the test whether the light is in
-/// front.
+/// [`Real::toward`] with n·w, which is the product that told that v faces the surface, unless v had to
+/// be scaled.
+#[cfg(any(target_arch = "arm", target_arch = "riscv32"))]
 #[inline(always)]
-pub(super) fn toward<T: Real>(n: Vec3<T>, v: Vec3<T>) -> (Measured<T>, T) {
+pub(super) fn toward<T: Real>(n: Vec3<T>, v: Vec3<T>) -> super::Toward<T> {
     let square = T::dot(v, v);
-    if is_extreme(square) {
-        let measured = rescued(v, square);
-        (measured, T::dot(n, measured.w))
+    let (way, n_dot_v) = if is_extreme(square) {
+        cold();
+        let way = rescued(v, square);
+        (way, T::dot(n, way.w))
     } else {
         (plain(v, square), T::dot(n, v))
-    }
+    };
+    super::Toward { way, n_dot_v }
 }
+
+/// Marks a path as rare, so that the compiler does not compute it beside the other and choose.
+#[cold]
+#[inline]
+const fn cold() {}
 
 #[inline(always)]
 fn plain<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {

@@ -151,12 +151,28 @@ pub trait Real:
         Self::dot(n, v).above(Self::ZERO)
     }
 
-    /// [`measured`](Real::measured), and n·w. It is called where v [faces](Real::faces) the surface, so v
-    /// is not zero there.
+    /// [`measured`](Real::measured), with what [`cosine`](Real::cosine) may want to know of n·v. It is
+    /// called where v [faces](Real::faces) the surface, so v is not zero there.
     #[inline(always)]
     #[must_use]
-    fn toward(n: Vec3<Self>, v: Vec3<Self>) -> (Measured<Self>, Self) {
-        length::toward(n, v)
+    fn toward(n: Vec3<Self>, v: Vec3<Self>) -> Toward<Self> {
+        Toward {
+            way: Self::measured(v),
+            n_dot_v: Self::dot(n, v),
+        }
+    }
+
+    /// The cosine of the angle between a direction n and a vector, limited to 1.
+    ///
+    /// ```text
+    /// max(0, n·w/|w|)
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    fn cosine(n: Vec3<Self>, toward: &Toward<Self>) -> Self {
+        // w that overflowed gives ∞, and its light is black
+        let cosine = Self::dot(n, toward.way.w) / toward.way.w_length;
+        cosine.at_least(Self::ZERO).at_most(Self::ONE)
     }
 
     /// The power of a number within [0, 1] by a whole number.
@@ -225,6 +241,15 @@ pub struct Measured<T> {
     pub w_length: T,
     /// |v|; the largest finite number if it overflows, and infinite if v is.
     pub length: T,
+}
+
+/// A vector toward a light, seen from a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Toward<T> {
+    /// The vector.
+    pub way: Measured<T>,
+    /// n·v, or what serves [`cosine`](Real::cosine) better.
+    pub n_dot_v: T,
 }
 
 /// One channel of a sum over lights. Every number is one for itself.

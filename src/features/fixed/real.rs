@@ -3,7 +3,7 @@
 
 use super::{Fixed, ONE, rounded};
 use crate::elementary::Elementary;
-use crate::real::{Exponent, LightSum, Measured, Real};
+use crate::real::{Exponent, LightSum, Measured, Real, Toward};
 use crate::rgb::Rgb;
 use crate::vector::Vec3;
 
@@ -250,18 +250,23 @@ impl Real for Fixed {
         sum.wrapping_add(product(n.z.0, v.z.0)) > 0
     }
 
-    /// n·w by the root of the length, with more bits than w has.
-    #[inline]
-    fn toward(n: Vec3<Self>, v: Vec3<Self>) -> (Measured<Self>, Self) {
+    /// With the cosine by the root of the length, which has more bits than the direction has.
+    #[inline(always)]
+    fn toward(n: Vec3<Self>, v: Vec3<Self>) -> Toward<Self> {
         let scaled = scaled(v.map(|x| x.0).into());
-        let cosine = Self((scaled.cosine(n) + (1 << 8)) >> 9);
+        let n_dot_v = Self((scaled.cosine(n) + (1 << 8)) >> 9);
         let (unit, length) = scaled.unit_and_length();
-        let measured = Measured {
+        let way = Measured {
             w: unit.into(),
             w_length: Self(ONE),
             length,
         };
-        (measured, cosine)
+        Toward { way, n_dot_v }
+    }
+
+    #[inline]
+    fn cosine(_: Vec3<Self>, toward: &Toward<Self>) -> Self {
+        Self(toward.n_dot_v.0.clamp(0, ONE))
     }
 
     #[inline]
