@@ -7,8 +7,14 @@ use super::Real;
 #[cfg(any(target_arch = "arm", target_arch = "riscv32"))]
 use crate::triple::Vec3;
 
+/// Whether a comparison of floats is a call, so that one of their bits is shorter.
+const SOFT: bool = cfg!(any(
+    all(target_arch = "arm", not(target_abi = "eabihf")),
+    all(target_arch = "riscv32", not(target_feature = "f"))
+));
+
 macro_rules! float {
-    ($float:ident, $extreme:expr, $sqrt:path) => {
+    ($float:ident $integer:ident, $extreme:expr, $sqrt:path) => {
         #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Real for $float {
             type Mask = bool;
@@ -39,7 +45,43 @@ macro_rules! float {
 
             #[inline]
             fn above(self, other: Self) -> bool {
-                self > other
+                if !SOFT {
+                    return self > other;
+                }
+                if other.to_bits() == 0 {
+                    // a constant, as a rule; neither 0, nor NaN, nor negative
+                    return self.to_bits().wrapping_sub(1) < $float::INFINITY.to_bits();
+                }
+                // the order of numbers is that of their bits, with NaN at both ends
+                let order = |x: Self| {
+                    let bits = x.to_bits().cast_signed();
+                    let sign = bits >> ($integer::BITS - 1);
+                    (bits ^ (sign & $integer::MAX)) - sign
+                };
+                let (x, than, infinity) = (order(self), order(other), order($float::INFINITY));
+                x > than && x <= infinity && than >= -infinity
+            }
+
+            // the product with 1 is a call
+            #[cfg(any(target_arch = "arm", target_arch = "riscv32"))]
+            #[inline]
+            fn whole_power(mut self, mut m: u32) -> Self {
+                if m == 0 {
+                    return 1.0;
+                }
+                while m & 1 == 0 {
+                    self = self * self;
+                    m >>= 1;
+                }
+                let mut power = self;
+                while m > 1 {
+                    self = self * self;
+                    m >>= 1;
+                    if m & 1 == 1 {
+                        power = power * self;
+                    }
+                }
+                power
             }
 
             // A desktop computes the product anew while it waits for the root.
@@ -67,8 +109,8 @@ macro_rules! float {
 }
 
 // 2^100 and 2^720, as their bits
-float!(f32, f32::from_bits((127 + 100) << 23), sqrtf);
-float!(f64, f64::from_bits((1023 + 720) << 52), sqrt);
+float!(f32 i32, f32::from_bits((127 + 100) << 23), sqrtf);
+float!(f64 i64, f64::from_bits((1023 + 720) << 52), sqrt);
 
 // IEEE 754 requires a correctly rounded root, so an instruction and `libm`'s routine give the same
 // bits. `libm`'s are best except on x86-64, where they are assembly code that stays an SSE
