@@ -317,7 +317,6 @@ fn sum<T: Real, M>(
                 n_dot_l,
                 intensity,
             } = light.arriving(n);
-            let shine = highlight(way);
             let add = |sum: Rgb<T::Sum>, factor: T| {
                 let factor = in_front.select(factor, T::ZERO);
                 Rgb {
@@ -327,7 +326,7 @@ fn sum<T: Real, M>(
                 }
             };
             diffuse = add(diffuse, n_dot_l);
-            specular = add(specular, shine);
+            specular = add(specular, highlight(way));
         }
     }
     Shaded {
