@@ -274,7 +274,7 @@ impl Real for Fixed {
         // 32 bits hold the products of numbers below 1
         let times = |a: u32, b: u32| a.wrapping_mul(b).wrapping_add(1 << 15) >> 16;
         let (mut base, mut m) = (self.0 as u32, m);
-        if self.0 == ONE || m == 0 {
+        if self.0 >= ONE || m == 0 {
             return Self(ONE);
         }
         while m & 1 == 0 {
