@@ -25,7 +25,8 @@ use crate::rgb::Rgb;
 #[inline]
 #[must_use]
 pub fn attenuation<T: Real>(a: T, b: T, c: T, q: T) -> T {
-    T::attenuated(Rgb::WHITE, [a, b, c], q, T::MAX).r
+    let (white, factor) = T::attenuated(Rgb::WHITE, [a, b, c], q, T::MAX);
+    white.r * factor
 }
 
 /// Checked coefficients of the [`attenuation`], and a range at which the light may end. A light with
@@ -203,27 +204,19 @@ impl<T: Real> Attenuation<T> {
     #[inline(always)]
     #[must_use]
     pub fn at(self, q: T) -> T {
-        self.dimmed(Rgb::WHITE, q).r
+        let (white, factor) = self.dimmed(Rgb::WHITE, q);
+        white.r * factor
     }
 
-    /// A color times the factor at q.
+    /// A color and the factor at q.
     #[inline(always)]
-    pub(crate) fn dimmed(&self, color: Rgb<T>, q: T) -> Rgb<T> {
-        let color = T::attenuated(color, self.coefficients(), q, self.limit);
+    pub(crate) fn dimmed(&self, color: Rgb<T>, q: T) -> (Rgb<T>, T) {
+        let light = T::attenuated(color, self.coefficients(), q, self.limit);
         if T::MAX.above(self.range).any() {
-            color * self.window(q)
+            T::windowed(light, q, self.range, self.squared)
         } else {
-            color
+            light
         }
-    }
-
-    #[inline]
-    fn window(self, q: T) -> T {
-        let share = q / self.range;
-        let square = share * share;
-        let root = (T::ONE - square * square).at_least(T::ZERO);
-        let window = self.squared.above(T::ZERO).select(root * root, root);
-        T::MAX.above(self.range).select(window, T::ONE) // in lanes, some may have no range
     }
 
     /// The same attenuation in another number type. `f` converts each number and may only round it.

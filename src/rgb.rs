@@ -35,10 +35,11 @@ impl<T: Real> Rgb<T> {
         self.map(|channel| channel.above(T::ZERO).select(channel.at_most(T::ONE), T::ZERO))
     }
 
-    /// The color with the largest finite number for each channel that overflowed.
+    /// The color with the largest finite number for each channel that overflowed, or that is NaN, as
+    /// infinite light times a factor of 0.
     #[inline]
     pub(crate) fn finite(self) -> Self {
-        self.map(|channel| channel.at_most(T::MAX))
+        self.map(T::finite)
     }
 }
 

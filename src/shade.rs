@@ -315,14 +315,16 @@ fn sum<T: Real, M>(
             let Arriving {
                 way,
                 n_dot_l,
-                intensity,
+                color,
+                factor,
             } = light.arriving(n);
-            let add = |sum: Rgb<T::Sum>, factor: T| {
-                let factor = in_front.select(factor, T::ZERO);
+            let factor = in_front.select(factor, T::ZERO);
+            let add = |sum: Rgb<T::Sum>, share: T| {
+                let factor = T::dimmed(factor, share);
                 Rgb {
-                    r: sum.r.add(intensity.r, factor),
-                    g: sum.g.add(intensity.g, factor),
-                    b: sum.b.add(intensity.b, factor),
+                    r: sum.r.add(color.r, factor),
+                    g: sum.g.add(color.g, factor),
+                    b: sum.b.add(color.b, factor),
                 }
             };
             diffuse = add(diffuse, n_dot_l);

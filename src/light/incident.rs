@@ -4,7 +4,7 @@ use core::ops::Mul;
 
 use crate::attenuation::Attenuation;
 use crate::cone::Cone;
-use crate::real::{Mask, Measured, Real, Toward};
+use crate::real::{Mask, Measured, Real, Toward, Select};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
@@ -53,7 +53,10 @@ pub(crate) struct Arriving<T> {
     /// A vector in the direction of L.
     pub(crate) way: Measured<T>,
     pub(crate) n_dot_l: T,
-    pub(crate) intensity: Rgb<T>,
+    /// Before attenuation.
+    pub(crate) color: Rgb<T>,
+    /// What attenuates it.
+    pub(crate) factor: T,
 }
 
 impl<T: Real> IncidentLight<T> {
@@ -121,7 +124,9 @@ impl<T: Real> IncidentLight<T> {
         }
         let measured = T::measured(self.way);
         let is_somewhere = measured.w_length.above(T::ZERO);
-        Rgb::select(is_somewhere, self.dimmed(&measured), Rgb::BLACK)
+        let (color, factor) = self.dimmed(&measured);
+        let factor = is_somewhere.select(factor, T::ZERO);
+        (color * factor).finite()
     }
 
     #[inline(always)]
@@ -136,27 +141,29 @@ impl<T: Real> IncidentLight<T> {
             return Arriving {
                 way,
                 n_dot_l: T::cosine(*n, &Toward { way, n_dot_v }),
-                intensity: self.intensity,
+                color: self.intensity,
+                factor: T::ONE,
             };
         }
         let toward = T::toward(*n, self.way);
-        let intensity = self.dimmed(&toward.way);
+        let (color, factor) = self.dimmed(&toward.way);
         Arriving {
             way: toward.way,
             n_dot_l: T::cosine(*n, &toward),
-            intensity,
+            color,
+            factor,
         }
     }
 
     /// I after the distance and the cone.
     #[inline(always)]
-    fn dimmed(&self, to_light: &Measured<T>) -> Rgb<T> {
-        let intensity = self.attenuation.dimmed(self.intensity, to_light.length);
+    fn dimmed(&self, to_light: &Measured<T>) -> (Rgb<T>, T) {
+        let (color, factor) = self.attenuation.dimmed(self.intensity, to_light.length);
         if self.kind == Kind::Spot {
             let cosine = (-self.axis).dot(to_light.w) / to_light.w_length;
-            intensity * self.cone.share(cosine)
+            T::within((color, factor), self.cone.share(cosine))
         } else {
-            intensity
+            (color, factor)
         }
     }
 

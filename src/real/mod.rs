@@ -211,23 +211,71 @@ pub trait Real:
         Self::cosine_power(n, w.w + v * w.w_length, m)
     }
 
-    /// A color of light at the distance q ≥ 0, attenuated by a factor of at most `limit`.
+    /// The number, or [`MAX`](Real::MAX) if it is infinite or NaN.
+    #[inline]
+    #[must_use]
+    fn finite(self) -> Self {
+        Self::MAX.above(self).select(self, Self::MAX)
+    }
+
+    /// A color of light and the factor, at most `limit`, that attenuates it at the distance q ≥ 0.
     ///
     /// ```text
-    /// color · min(limit, 1/(a + bq + cq²))
+    /// color, min(limit, 1/(a + bq + cq²))
     /// ```
     ///
-    /// The factor is 0 if the denominator is negative or NaN. A product that overflows is the largest
-    /// finite number.
+    /// The factor is 0 if the denominator is negative or NaN. A number of even precision may
+    /// multiply the color at once, and return the factor 1.
     #[inline(always)]
-    fn attenuated(color: Rgb<Self>, [a, b, c]: [Self; 3], q: Self, limit: Self) -> Rgb<Self> {
+    #[must_use]
+    fn attenuated(
+        color: Rgb<Self>,
+        [a, b, c]: [Self; 3],
+        q: Self,
+        limit: Self,
+    ) -> (Rgb<Self>, Self) {
         let factor = Self::ONE / (a + q * (b + c * q));
         let factor = if factor.any_outside(Self::ONE / Self::EXTREME, Self::ONE) {
             factor.at_least(Self::ZERO).at_most(limit)
         } else {
             factor
         };
-        color.map(|channel| (channel * factor).at_most(Self::MAX))
+        (color, factor)
+    }
+
+    /// A color and its factor, times the window of a range r.
+    ///
+    /// ```text
+    /// max(0, 1 − (q/r)⁴)², or not squared
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    fn windowed(
+        (color, factor): (Rgb<Self>, Self),
+        q: Self,
+        range: Self,
+        squared: Self,
+    ) -> (Rgb<Self>, Self) {
+        let share = q / range;
+        let square = share * share;
+        let root = (Self::ONE - square * square).at_least(Self::ZERO);
+        let window = squared.above(Self::ZERO).select(root * root, root);
+        let windowed = factor * window;
+        (color, Self::MAX.above(range).select(windowed, factor)) // in lanes, some may have no range
+    }
+
+    /// A color and its factor, times a share within [0, 1].
+    #[inline(always)]
+    #[must_use]
+    fn within((color, factor): (Rgb<Self>, Self), share: Self) -> (Rgb<Self>, Self) {
+        (color, factor * share)
+    }
+
+    /// A factor times a share within [0, 1].
+    #[inline(always)]
+    #[must_use]
+    fn dimmed(factor: Self, share: Self) -> Self {
+        factor * share
     }
 }
 
@@ -274,7 +322,7 @@ impl<T: Real> LightSum<T> for T {
 
     #[inline(always)]
     fn total(self) -> T {
-        self.at_most(T::MAX)
+        self.finite()
     }
 }
 

@@ -317,7 +317,7 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn attenuated(color: Rgb<Self>, [a, b, c]: [Self; 3], q: Self, limit: Self) -> Rgb<Self> {
+    fn attenuated(color: Rgb<Self>, [a, b, c]: [Self; 3], q: Self, limit: Self) -> (Rgb<Self>, Self) {
         // a sum of more than 31 bits tells so in the second number
         let plus_product = |a: Self, b: u32, q: Self| {
             let sum = if HALVES {
@@ -332,15 +332,47 @@ impl Real for Fixed {
         let (d, d_above) = plus_product(a, slope, q);
         let is_negative = (a.0 | b.0 | c.0 | q.0) < 0;
         if is_negative || slope_above | d_above != 0 || d < ONE as u32 || limit.0 < ONE {
-            return attenuated_beyond(color, [a, b, c], q, limit);
+            return (attenuated_beyond(color, [a, b, c], q, limit), Self(ONE));
         }
         if d == ONE as u32 {
-            return color;
+            return (color, Self(ONE));
         }
         let zeros = d.leading_zeros();
         // 32 bits after the point
         let share = reciprocal(d << zeros) << 3 >> (15 - zeros);
-        color.map(|x| Self(upper_rounded(x.0.max(0) as u32, share) as i32))
+        let color = color.map(|x| Self(upper_rounded(x.0.max(0) as u32, share) as i32));
+        (color, Self(ONE))
+    }
+
+    #[inline]
+    fn windowed(
+        (color, factor): (Rgb<Self>, Self),
+        q: Self,
+        range: Self,
+        squared: Self,
+    ) -> (Rgb<Self>, Self) {
+        if q >= range {
+            return (color.map(|_| Self(0)), factor);
+        }
+        let zeros = range.0.leading_zeros();
+        let share = upper_unsigned((q.0 << zeros) as u32, reciprocal((range.0 as u32) << zeros)); // 28 bits
+        let share = if share >> 28 == 0 { share << 3 } else { u32::MAX >> 1 };
+        let square = upper_unsigned(share, share) << 1; // 31 bits
+        let root = (1 << 31) - 1 - (upper_unsigned(square, square) << 1);
+        let window = if squared.0 > 0 { upper_unsigned(root, root) << 1 } else { root };
+        let color = color.map(|x| Self(upper_rounded(x.0.max(0) as u32, window << 1) as i32));
+        (color, factor)
+    }
+
+    #[inline]
+    fn dimmed(factor: Self, share: Self) -> Self {
+        // the factor is 1, or 0 where there is no direction
+        if factor.0 == ONE { share } else { factor * share }
+    }
+
+    #[inline]
+    fn within((color, factor): (Rgb<Self>, Self), share: Self) -> (Rgb<Self>, Self) {
+        (color * share, factor)
     }
 }
 

@@ -204,6 +204,15 @@ macro_rules! real {
                     self.above(limit).select(limit, self)
                 }
             }
+
+            #[inline]
+            fn finite(self) -> Self {
+                if SSE2 {
+                    self.fast_min(Self::MAX)
+                } else {
+                    Self::MAX.above(self).select(self, Self::MAX)
+                }
+            }
         }
     };
 }

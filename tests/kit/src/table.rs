@@ -101,7 +101,7 @@ macro_rules! for_each_function {
                 => nothing;
             hook_cosine_power "Real::cosine_power" |g| T::cosine_power(*g.n, g.a, g.integer.m) => share;
             raise_root "Exponent::raise_root" |g| INTEGER.map(|m| m.raise_root(g.cosine)) => nothing;
-            hook_attenuated "Real::attenuated" |g| T::attenuated(g.rgb, g.attenuation.coefficients(), g.x.abs(), T::ONE) => light;
+            hook_attenuated "Real::attenuated" |g| { let (color, factor) = T::attenuated(g.rgb, g.attenuation.coefficients(), g.x.abs(), T::ONE); color * factor } => light;
             every_lambert "shade::lambert, every light" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lights()) => light;
             every_phong "shade::phong, every light" |g| shade::phong(g.n, g.v, &g.integer, g.rgb,
                 g.from_lights().filter(|light| light.is_in_front(g.n)))
