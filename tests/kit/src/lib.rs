@@ -23,8 +23,6 @@ pub mod places;
 #[cfg(feature = "std")]
 pub mod everything;
 #[cfg(feature = "std")]
-pub mod invariants;
-#[cfg(feature = "std")]
 pub mod promise;
 
 pub use digest::{Each, Sink, Value};

@@ -1,0 +1,176 @@
+//! What the formulas expect of a number, and what dual numbers make of it.
+
+use proptest::prelude::*;
+use shading::{Dual, Mask, Rgb, Select, Vec3};
+
+use crate::book;
+use crate::given::{Directions, Numbers, Scene, Triangle};
+use crate::tracked::{prop_assert_book, prop_assert_near};
+use crate::{Number, Outcome};
+
+/// x + 0 = x · 1 = x, x − x = x · 0 = 0 and √1 = 1.
+pub fn zero_and_one_are_neutral<T: Number>(n: &Numbers<T>) -> Outcome {
+    let x = n.z;
+    prop_assert_eq!([x + T::ZERO, x - T::ZERO, x * T::ONE, x / T::ONE], [x; 4]);
+    prop_assert_eq!([x + -x, x * T::ZERO, T::ZERO.sqrt()], [T::ZERO; 3]);
+    prop_assert_eq!([x * T::NEG_ONE, T::ONE.sqrt()], [-x, T::ONE]);
+    Ok(())
+}
+
+/// + − × ÷ √ are off by one rounding.
+pub fn each_operation_rounds_once<T: Number>(n: &Numbers<T>) -> Outcome {
+    prop_assert_book!(n => vec![n.x + n.y, n.x - n.y, n.x * n.y], [n.x + n.y, n.x - n.y, n.x * n.y]);
+    prop_assert_book!(n => vec![n.z + n.x, n.z - n.y, n.z * n.y], [n.z + n.x, n.z - n.y, n.z * n.y]);
+    let divisor = n.y + T::of(0.25);
+    let quotient = (n.x / divisor).exact();
+    let should = n.x.exact() / divisor.exact();
+    prop_assert_near!(quotient, should, T::U * should + T::STEP);
+    let root = n.x.exact().sqrt();
+    prop_assert_near!(n.x.sqrt().exact(), root, T::U * root + T::STEP);
+    Ok(())
+}
+
+/// A product with a power of two is exact.
+pub fn doubling_is_exact<T: Number>(n: &Numbers<T>) -> Outcome {
+    let is_normal = |x: f64| x == 0.0 || x.abs() > 4.0 * T::SMALLEST / T::U;
+    let z = n.z.exact();
+    prop_assume!(is_normal(z) && z.abs() < T::LARGEST / 4.0);
+    for k in [0.25, 0.5, 2.0] {
+        prop_assert_eq!((n.z * T::of(k)).exact(), z * k);
+        prop_assert_eq!((n.z / T::of(k)).exact(), z / k);
+    }
+    Ok(())
+}
+
+/// A comparison is that of the numbers, and `select` takes the one or the other; 0 is not above −0.
+pub fn a_comparison_decides<T: Number>(n: &Numbers<T>) -> Outcome {
+    let least = T::of(T::SMALLEST);
+    for (a, b) in [
+        (n.x, n.y),
+        (n.z, n.x),
+        (least, T::ZERO),
+        (T::ZERO, -least),
+        (n.z, n.z),
+        (T::ZERO, -T::ZERO),
+    ] {
+        let above = a.above(b);
+        let is = a.exact() > b.exact();
+        prop_assert_eq!((above.any(), above.all(), a > b), (is, is, is));
+        prop_assert_eq!(above.select(n.x, n.y), if is { n.x } else { n.y });
+        prop_assert_eq!(a.at_least(b), if is { a } else { b });
+        prop_assert_eq!(a.at_most(b), if is { b } else { a });
+    }
+    prop_assert!(T::MAX >= n.z && -T::MAX <= n.z);
+    prop_assert_eq!(n.z.finite(), n.z);
+    Ok(())
+}
+
+/// The constants are what they are called, and `of` and `of_f32` give the nearest number.
+pub fn constants_are_themselves<T: Number>(n: &Numbers<T>) -> Outcome {
+    let is = [T::ZERO, T::ONE, T::NEG_ONE, T::MAX, T::EXTREME].map(T::exact);
+    prop_assert_eq!(is, [0.0, 1.0, -1.0, T::LARGEST, T::LARGE]);
+    prop_assert_eq!(T::of_f32(0.375), T::of(0.375));
+    let x = n.x.exact() / 3.0;
+    prop_assert_near!(T::of(x).exact(), x, T::U * x + T::STEP);
+    prop_assert_eq!(T::of(n.z.exact()), n.z);
+    Ok(())
+}
+
+/// max(0, n·v/|v|)ᵐ, written out, for v of any size; 0 where v has no direction.
+pub fn the_power_of_a_cosine_is_its_formula<T: Number>(d: &Directions<T>) -> Outcome {
+    for size in [0.25, 1.0, 3.0] {
+        let v = *d.l * T::of(size);
+        let is = T::cosine_power(*d.n, v, d.m).exact();
+        let [n, v] = [*d.n, v].map(|v| book::xyz(v.map(T::exact)));
+        let should = book::highlight(book::dot(n, v) / book::length(v), d.m);
+        let tolerance = (f64::from(d.m) + 1.0) * 16.0 * (T::U + T::STEP / size);
+        if d.m > 0 || book::dot(n, v).abs() > 8.0 * (T::U + T::STEP) {
+            prop_assert_near!(is, should, tolerance);
+        }
+    }
+    prop_assert_eq!(T::cosine_power(*d.n, Vec3::ZERO, d.m), T::ZERO);
+    Ok(())
+}
+
+/// A scene cast to `f64` and back is the same scene.
+pub fn a_cast_to_f64_and_back_is_the_same<T: Number>(scene: &Scene<T>) -> Outcome {
+    let back = scene.cast(T::exact).cast(T::of);
+    prop_assert_eq!(back.arriving(), scene.arriving());
+    prop_assert_eq!(back.material, scene.material);
+    Ok(())
+}
+
+/// In dual numbers, every light has the value that it has in the number itself, to the bit.
+pub fn a_dual_number_has_the_value_of_its_number<T: Number>(scene: &Scene<T>) -> Outcome {
+    let dual = scene.cast(Dual::constant);
+    let sums = dual.shaded(&dual.arriving());
+    for (dual, plain) in sums.into_iter().zip(scene.shaded(&scene.arriving())) {
+        let value = |c: Rgb<Dual<T>>| c.map(|x| x.value);
+        prop_assert_eq!(value(dual.diffuse), plain.diffuse);
+        prop_assert_eq!(value(dual.specular), plain.specular);
+        prop_assert_eq!(value(dual.ambient), plain.ambient);
+        for x in [dual.diffuse.r, dual.specular.r] {
+            prop_assert_eq!(x.gradient, Vec3::ZERO);
+        }
+    }
+    Ok(())
+}
+
+/// x = 1 + the first number as a variable, and the second as another.
+fn variables<T: Number>(n: &Numbers<T>) -> [Dual<T>; 2] {
+    let p = Dual::point(Vec3::new(n.x + T::ONE, n.y, T::ZERO));
+    [p.x, p.y]
+}
+
+/// (xy)′ = x′y + xy′, (x/y)′ = (x′y − xy′)/y², (√x)′ = 1/(2√x), (x + y)′ = x′ + y′ and the like.
+pub fn derivatives_follow_their_rules<T: Number>(n: &Numbers<T>) -> Outcome {
+    let [x, y] = variables(n);
+    let [a, b] = [x, y].map(|x| x.value.exact());
+    let rules = [
+        (x + y, [1.0, 1.0]),
+        (x - y, [1.0, -1.0]),
+        (x * y, [b, a]),
+        (y / x, [-b / (a * a), 1.0 / a]),
+        (x.sqrt(), [0.5 / a.sqrt(), 0.0]),
+        (-x, [-1.0, 0.0]),
+        (x * x * x, [3.0 * a * a, 0.0]),
+        (x.chain(x.value, T::of(5.0)), [5.0, 0.0]),
+        (x.max(y), if a > b { [1.0, 0.0] } else { [0.0, 1.0] }),
+        (x.min(y), if a > b { [0.0, 1.0] } else { [1.0, 0.0] }),
+        (Dual::constant(n.z), [0.0, 0.0]),
+    ];
+    for (i, (is, should)) in rules.into_iter().enumerate() {
+        let slope = [is.gradient.x, is.gradient.y].map(T::exact);
+        for (is, should) in slope.into_iter().zip(should) {
+            let tolerance = 8.0 * (T::U * (1.0 + should.abs()) + T::STEP * 4.0);
+            prop_assert!(
+                (is - should).abs() <= tolerance,
+                "rule {i}: {is} is not {should}"
+            );
+        }
+        prop_assert_eq!(is.gradient.z, T::ZERO);
+    }
+    Ok(())
+}
+
+/// A slope is linear in the tangent: four times as steep, four times the slope, to the bit.
+pub fn a_slope_is_linear_in_the_tangent<T: Number>(n: &Numbers<T>) -> Outcome {
+    let slope = |k: f64| {
+        let x = Dual {
+            value: n.x + T::ONE,
+            gradient: Vec3::new(T::of(k), T::ZERO, T::ZERO),
+        };
+        ((x * x + Dual::constant(n.y)) / x).sqrt().gradient.x
+    };
+    prop_assert_eq!(slope(4.0), slope(1.0) * T::of(4.0));
+    prop_assert_eq!(slope(-1.0), -slope(1.0));
+    Ok(())
+}
+
+/// Colors are clamped to [0, 1] channel by channel, and those within it stay.
+pub fn a_clamped_color_is_within_0_and_1<T: Number>(t: &Triangle<T>) -> Outcome {
+    let color = Rgb::from(<[T; 3]>::from(t.a));
+    let [is, was] = [color.clamped(), color].map(|c| [c.r, c.g, c.b].map(T::exact));
+    prop_assert_eq!(is, was.map(|x| x.clamp(0.0, 1.0)));
+    Ok(())
+}
