@@ -5,9 +5,9 @@ use std::fmt::Debug;
 
 use proptest::prelude::*;
 use shading::{
-    Attenuation, Cone, DirectionalLight, Exponent, IncidentLight, Lanes, Light, Mask, Select, Material,
-    PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, normal, reflection,
-    shade, term,
+    Attenuation, Cone, DirectionalLight, Exponent, IncidentLight, Lanes, Light, Mask, Material,
+    PointLight, Real, Rgb, Select, Shaded, SpotLight, UnitVec3, Vec3, attenuation, normal,
+    reflection, shade, term,
 };
 
 /// `f32` or `f64`, the type of one lane.

@@ -15,9 +15,9 @@ use std::fmt::Debug;
 use kit::{Float, direction, rgb, vector};
 use shading::term::{blinn, blinn_normalization, phong, phong_normalization};
 use shading::{
-    Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, IncidentLight, Light, Mask, Select,
-    Material, PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector,
-    normal, reflection, shade, term,
+    Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, IncidentLight, Light, Mask,
+    Material, PointLight, Real, Rgb, Select, Shaded, SpotLight, UnitVec3, Vec3, attenuation,
+    half_vector, normal, reflection, shade, term,
 };
 
 /// Runs each row for `f32` and `f64`, and names those that fail.

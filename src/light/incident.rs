@@ -4,7 +4,7 @@ use core::ops::Mul;
 
 use crate::attenuation::Attenuation;
 use crate::cone::Cone;
-use crate::real::{Mask, Measured, Real, Toward, Select};
+use crate::real::{Mask, Measured, Real, Select, Toward};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;

@@ -1,7 +1,7 @@
 //! The shininess m of a highlight.
 
-use super::{Real, Select};
 use super::power::{double, single};
+use super::{Real, Select};
 
 /// The shininess m of a highlight: an integer (`u32`) or a real number of the scene's type (`f32`,
 /// `f64`). The type of the argument decides; an integer is faster:
@@ -81,7 +81,10 @@ pub trait Exponent<T: Real>: Copy {
 impl<T: Real> Exponent<T> for u32 {
     #[inline]
     fn raise(self, cosine: T) -> T {
-        least::<T>(self).above(cosine).select(T::ZERO, cosine).whole_power(self)
+        least::<T>(self)
+            .above(cosine)
+            .select(T::ZERO, cosine)
+            .whole_power(self)
     }
 
     #[inline]

@@ -1,9 +1,9 @@
 //! The floats, whose operations the processor or `libm` has. This is the only file with unsafe code,
 //! apart from the `bytemuck` feature.
 
+use super::Real;
 #[cfg(any(target_arch = "arm", target_arch = "riscv32"))]
 use super::{Toward, length::toward};
-use super::Real;
 #[cfg(any(target_arch = "arm", target_arch = "riscv32"))]
 use crate::triple::Vec3;
 

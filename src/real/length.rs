@@ -70,9 +70,9 @@ pub(super) fn cosine_power<T: Real>(n: Vec3<T>, v: Vec3<T>, m: impl Exponent<T>)
     let cosine_squared = n_dot_v * n_dot_v / T::dot(v, v);
     // at most 1; 0/0 counts as 1, too
     let cosine_squared = T::ONE.above(cosine_squared).select(cosine_squared, T::ONE);
-    n_dot_v.above(T::ZERO).select(m.raise_root(cosine_squared),
-        T::ZERO,
-    )
+    n_dot_v
+        .above(T::ZERO)
+        .select(m.raise_root(cosine_squared), T::ZERO)
 }
 
 /// The vector from `origin` to `v`, times a power of two that makes it fit for squares and products.
@@ -93,7 +93,9 @@ pub(crate) fn tamed<T: Real>(v: Vec3<T>, origin: Vec3<T>) -> Vec3<T> {
 /// (`f64`) of the largest one, which is far below the unit roundoff.
 #[inline(always)]
 fn tamed_by<T: Real>(v: Vec3<T>, origin: Vec3<T>, square: T) -> (Vec3<T>, T) {
-    let grow = (T::ONE / T::EXTREME).above(square).select(T::EXTREME, T::ONE);
+    let grow = (T::ONE / T::EXTREME)
+        .above(square)
+        .select(T::EXTREME, T::ONE);
     let power = T::EXTREME.above(square).select(grow, T::ONE / T::EXTREME);
     // scaled down before the subtraction, which may overflow, and up after it, because the points
     // may be far from the origin

@@ -38,7 +38,8 @@ fn attenuated_colors_are_near_the_exact_ones() {
             continue;
         }
         let expected = exact(color) / d;
-        let (actual, factor) = Fixed::attenuated(Rgb::gray(color), [a, b, c], q, Fixed::MAX); let actual = actual.r * factor;
+        let (actual, factor) = Fixed::attenuated(Rgb::gray(color), [a, b, c], q, Fixed::MAX);
+        let actual = actual.r * factor;
         let error = steps(actual) - (65536.0 * expected).min(steps(Fixed::MAX));
         let of_denominator = if d > 0.999 {
             expected / d * (1.0 + wide_q / 2.0)
@@ -53,7 +54,8 @@ fn attenuated_colors_are_near_the_exact_ones() {
             error.abs() <= bound,
             "{color} at {q} of {a}, {b}, {c}: {error} steps of {bound}"
         );
-        let (clamped, factor) = Fixed::attenuated(Rgb::gray(color), [a, b, c], q, Fixed::ONE); let clamped = clamped.r * factor;
+        let (clamped, factor) = Fixed::attenuated(Rgb::gray(color), [a, b, c], q, Fixed::ONE);
+        let clamped = clamped.r * factor;
         let error = (clamped - actual.at_most(color)).to_bits().abs();
         assert!(error <= 1 + color.to_bits() / 65536);
     }

@@ -99,7 +99,11 @@ const fn wide(cosine: Fixed) -> Fixed {
 #[inline]
 const fn within_16_bits(channel: Fixed) -> u16 {
     let steps = channel.0 & !(channel.0 >> 31);
-    if steps > u16::MAX as i32 { u16::MAX } else { steps as u16 }
+    if steps > u16::MAX as i32 {
+        u16::MAX
+    } else {
+        steps as u16
+    }
 }
 
 /// As for `f32`, with whole numbers alone: each `Fixed` from 0 to 1 is an `f32`.
@@ -121,7 +125,8 @@ impl Rgb<Fixed> {
     #[must_use]
     pub const fn to_rgb565(self) -> u16 {
         let [r, g, b] = self.levels();
-        (FIXED_FIVE_BITS.level(r) << 11 | FIXED_SIX_BITS.level(g) << 5 | FIXED_FIVE_BITS.level(b)) as u16
+        (FIXED_FIVE_BITS.level(r) << 11 | FIXED_SIX_BITS.level(g) << 5 | FIXED_FIVE_BITS.level(b))
+            as u16
     }
 
     /// Rounds linear light to bytes without encoding it; see [`Rgb::<f32>::to_linear8`].

@@ -317,7 +317,12 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn attenuated(color: Rgb<Self>, [a, b, c]: [Self; 3], q: Self, limit: Self) -> (Rgb<Self>, Self) {
+    fn attenuated(
+        color: Rgb<Self>,
+        [a, b, c]: [Self; 3],
+        q: Self,
+        limit: Self,
+    ) -> (Rgb<Self>, Self) {
         // a sum of more than 31 bits tells so in the second number
         let plus_product = |a: Self, b: u32, q: Self| {
             let sum = if HALVES {
@@ -356,10 +361,18 @@ impl Real for Fixed {
         }
         let zeros = range.0.leading_zeros();
         let share = upper_unsigned((q.0 << zeros) as u32, reciprocal((range.0 as u32) << zeros)); // 28 bits
-        let share = if share >> 28 == 0 { share << 3 } else { u32::MAX >> 1 };
+        let share = if share >> 28 == 0 {
+            share << 3
+        } else {
+            u32::MAX >> 1
+        };
         let square = upper_unsigned(share, share) << 1; // 31 bits
         let root = (1 << 31) - 1 - (upper_unsigned(square, square) << 1);
-        let window = if squared.0 > 0 { upper_unsigned(root, root) << 1 } else { root };
+        let window = if squared.0 > 0 {
+            upper_unsigned(root, root) << 1
+        } else {
+            root
+        };
         let color = color.map(|x| Self(upper_rounded(x.0.max(0) as u32, window << 1) as i32));
         (color, factor)
     }
@@ -367,7 +380,11 @@ impl Real for Fixed {
     #[inline]
     fn dimmed(factor: Self, share: Self) -> Self {
         // the factor is 1, or 0 where there is no direction
-        if factor.0 == ONE { share } else { factor * share }
+        if factor.0 == ONE {
+            share
+        } else {
+            factor * share
+        }
     }
 
     #[inline]
@@ -418,14 +435,22 @@ impl LightSum<Fixed> for Exact {
         } else {
             light as u64 * factor as u64
         };
-        let low = if HALVES { (light & 0xFFFF).wrapping_mul(factor) as u64 } else { 0 };
+        let low = if HALVES {
+            (light & 0xFFFF).wrapping_mul(factor) as u64
+        } else {
+            0
+        };
         Self(self.0.wrapping_add(product).wrapping_add(low))
     }
 
     #[inline]
     fn total(self) -> Fixed {
         let steps = (self.0 + (1 << 15)) >> 16;
-        Fixed(if steps >> 31 == 0 { steps as i32 } else { i32::MAX })
+        Fixed(if steps >> 31 == 0 {
+            steps as i32
+        } else {
+            i32::MAX
+        })
     }
 }
 

@@ -232,8 +232,8 @@ macro_rules! for_each_function {
 /// Each row as a function.
 pub mod row {
     use shading::{
-        Attenuation, Cone, Dual, Elementary, Exponent, LightSum as _, Mask as _, Select as _, Real, Rgb, UnitVec3, Vec3,
-        normal, shade, term,
+        Attenuation, Cone, Dual, Elementary, Exponent, LightSum as _, Mask as _, Real, Rgb,
+        Select as _, UnitVec3, Vec3, normal, shade, term,
     };
 
     use crate::digest::{Each, Value};

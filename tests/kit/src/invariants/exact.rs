@@ -4,8 +4,8 @@ use std::format;
 use std::vec::Vec;
 
 use shading::{
-    Attenuation, Cone, Dual, Exponent, IncidentLight, Light, Mask, Select, Material, Real, Rgb, Shaded,
-    UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
+    Attenuation, Cone, Dual, Exponent, IncidentLight, Light, Mask, Material, Real, Rgb, Select,
+    Shaded, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 
 use super::{Case, Law, Parts, Tried, Verdict, n};

@@ -237,5 +237,4 @@ impl<T: Tried> Real for Tracked<T> {
             is_sure: difference.has_sign(),
         }
     }
-
 }
