@@ -11,9 +11,9 @@ use std::f64::consts::{FRAC_1_PI, PI};
 use kit::{Float, direction, rgb, vector};
 use row::{row, units, units_of_1, value};
 use shading::{
-    Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, IncidentLight, Light,
-    Material, PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector,
-    normal, reflection, shade, term,
+    Attenuation, Cone, DirectionalLight, Dual, Elementary, IncidentLight, Light, Lobe, Material,
+    PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal,
+    reflection, shade, term,
 };
 
 /// L = (3, 0, 4)/5, at 36.87° from Z: the length is exact, and each quotient is off by 1u.
@@ -483,33 +483,35 @@ mod falloffs {
         falloff(1.0, 0.0, 0.25).within(T::of(4.0)).expect("a range")
     }
 
+    fn of_gltf<T: Float>() -> Attenuation<T> {
+        falloff(1.0, 0.0, 0.25)
+            .within_gltf(T::of(4.0))
+            .expect("a range")
+    }
+
     // 1/(1 + 4/4) (1 − (2/4)⁴)² = ½ (15/16)²; as glTF has it, ½ 15/16
     value!(range_halfway, ranged::<T>().at(T::of(2.0)), 225.0 / 512.0);
     value!(
         range_of_gltf_halfway,
-        ranged::<T>().unsquared().at(T::of(2.0)),
+        of_gltf::<T>().at(T::of(2.0)),
         15.0 / 32.0
     );
     value!(range_at_its_end, ranged::<T>().at(T::of(4.0)), 0.0);
 
     value!(
-        falloff_is_clamped,
-        falloff::<T>(1.0, 0.0, 0.0).clamped().is_clamped(),
-        true
+        limit_of_a_clamped_falloff,
+        falloff::<T>(1.0, 0.0, 0.0).clamped().limit(),
+        1.0
     );
     value!(
-        falloff_is_not_clamped,
-        falloff::<T>(1.0, 0.0, 0.0).is_clamped(),
-        false
+        limit_of_a_falloff_without,
+        falloff::<T>(1.0, 0.0, 0.0).limit(),
+        T::MAX
     );
-    value!(
-        falloff_is_that_of_gltf,
-        ranged::<T>().unsquared().is_unsquared(),
-        true
-    );
+    value!(falloff_is_that_of_gltf, of_gltf::<T>().is_gltf(), true);
     value!(
         falloff_is_not_that_of_gltf,
-        ranged::<T>().clamped().is_unsquared(),
+        ranged::<T>().clamped().is_gltf(),
         false
     );
     value!(
@@ -526,7 +528,10 @@ mod falloffs {
     // one range after another replaces it, and the order of the steps does not matter
     value!(
         order_of_steps_does_not_matter,
-        ranged::<T>().clamped().unsquared() == ranged().unsquared().clamped(),
+        falloff::<T>(1.0, 0.0, 0.25)
+            .clamped()
+            .within_gltf(T::of(4.0))
+            == Some(of_gltf().clamped()),
         true
     );
     value!(

@@ -17,7 +17,7 @@ use kit::{Float, direction, rgb, vector};
 use row::{each_gives, gives, row, units, value};
 use shading::term::{blinn, blinn_normalization, phong, phong_normalization};
 use shading::{
-    Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, IncidentLight, Light, Mask,
+    Attenuation, Cone, DirectionalLight, Dual, Elementary, IncidentLight, Light, Lobe, Mask,
     Material, PointLight, Real, Rgb, Select, Shaded, SpotLight, UnitVec3, Vec3, attenuation,
     half_vector, normal, reflection, shade, term,
 };
@@ -883,7 +883,7 @@ mod terms {
     }
 
     /// Both highlights of this cosine.
-    fn highlights<T: Float, M: Exponent<T> + Copy>(cosine: T, m: M) -> [T; 2] {
+    fn highlights<T: Float, M: Lobe<T> + Copy>(cosine: T, m: M) -> [T; 2] {
         let v = trusted(x(cosine));
         [phong(v, UnitVec3::X, m), blinn(v, UnitVec3::X, m)]
     }
@@ -1133,12 +1133,7 @@ mod falloffs {
     each_gives!(
         range_without_an_end_far_out,
         [T::ZERO, tiniest(), T::of(2.0), T::MAX, T::INFINITY],
-        |q: T| fading()
-            .within(T::INFINITY)
-            .expect("none")
-            .unsquared()
-            .at(q)
-            == fading().at(q),
+        |q: T| fading().within_gltf(T::INFINITY).expect("none").at(q) == fading().at(q),
         true
     );
     // also where the attenuation has no denominator, at the smallest range, and for NaN
@@ -1148,7 +1143,8 @@ mod falloffs {
         |r: T| {
             let ranged = inverse_square().within(r).expect("above 0");
             let beyond = [r, r + r, T::INFINITY, T::NAN];
-            [ranged, ranged.unsquared()].map(|falloff| beyond.map(|q| falloff.at(q)))
+            [ranged, inverse_square().within_gltf(r).expect("above 0")]
+                .map(|falloff| beyond.map(|q| falloff.at(q)))
         },
         [[T::ZERO; 4]; 2]
     );

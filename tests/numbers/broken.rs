@@ -128,7 +128,7 @@ impl<const FAULT: u8> Neg for Broken<FAULT> {
 
 impl<const FAULT: u8> Real for Broken<FAULT> {
     type Mask = bool;
-    type Sum = Self;
+    type Sum = Rgb<Self>;
     const ZERO: Self = Self(0.0);
     const ONE: Self = Self(1.0);
     const NEG_ONE: Self = Self(-1.0);

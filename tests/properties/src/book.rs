@@ -84,14 +84,10 @@ pub fn highlight(cosine: f64, m: u32) -> f64 {
 pub fn falloff(attenuation: Attenuation<f64>, q: f64) -> f64 {
     let [a, b, c] = attenuation.coefficients();
     let free = 1.0 / (a + b * q + c * q * q);
-    let free = if attenuation.is_clamped() {
-        free.min(1.0)
-    } else {
-        free
-    };
+    let free = free.min(attenuation.limit());
     let root = (1.0 - (q / attenuation.range()).powi(4)).max(0.0);
     let is_ranged = attenuation.range() < f64::MAX;
-    match (is_ranged, attenuation.is_unsquared()) {
+    match (is_ranged, attenuation.is_gltf()) {
         (false, _) => free,
         (true, false) => free * root * root,
         (true, true) => free * root,

@@ -11,7 +11,8 @@ use crate::{Number, Outcome, quarter_turn};
 /// The falloff within its range, by both windows, and limited to 1.
 fn ranged<T: Real + PartialOrd>(f: &Falloff<T>) -> [Attenuation<T>; 3] {
     let ranged = f.falloff.within(f.r).expect("above 0");
-    [ranged, ranged.unsquared(), ranged.clamped()]
+    let gltf = f.falloff.within_gltf(f.r).expect("above 0");
+    [ranged, gltf, ranged.clamped()]
 }
 
 /// The next number above, or a larger one.
@@ -71,11 +72,18 @@ pub fn a_falloff_is_at_most_1_over_a<T: Number>(f: &Falloff<T>) -> Outcome {
     Ok(())
 }
 
-/// min(1, 1/(a + bq + cq²)), to the bit.
-pub fn a_clamped_falloff_is_at_most_1<T: Number>(f: &Falloff<T>) -> Outcome {
+/// min(1, 1/(a + bq + cq²)), to the bit, and the same with another limit; never more than a limit.
+pub fn a_clamped_falloff_is_at_most_its_limit<T: Number>(f: &Falloff<T>) -> Outcome {
     let free = f.falloff.at(f.q);
-    let least = if free < T::ONE { free } else { T::ONE };
-    prop_assert_eq!(f.falloff.clamped().at(f.q), least);
+    for limit in [T::ONE, T::ONE + f.r, T::of(100.0)] {
+        let clamped = f.falloff.clamped_to(limit).expect("above 0");
+        let least = if free < limit { free } else { limit };
+        prop_assert_eq!(clamped.at(f.q), least);
+    }
+    prop_assert_eq!(f.falloff.clamped_to(T::ONE), Some(f.falloff.clamped()));
+    let quarter = T::of(0.25);
+    let dim = f.falloff.clamped_to(quarter).expect("above 0");
+    prop_assert!(dim.at(f.q) <= quarter, "{:?}", dim.at(f.q));
     Ok(())
 }
 
@@ -209,7 +217,10 @@ pub fn a_cast_proves_again<T: Number>(b: &Beam<T>) -> Outcome {
         let [x, y, z] = falloff.coefficients();
         prop_assert!(Attenuation::new(x, y, z).is_some(), "{falloff:?}");
         prop_assert_eq!(falloff.range(), T::MAX);
-        prop_assert!(!falloff.is_clamped() && falloff.clamped().is_clamped());
+        prop_assert_eq!(
+            [falloff.limit(), falloff.clamped().limit()],
+            [T::MAX, T::ONE]
+        );
     }
     for cosine in [1.0, 1.0 - 1e-9, -1.0, -1.0 + 1e-9] {
         let cone = Cone::from_cosine(cosine).expect("a cosine").cast(T::of);

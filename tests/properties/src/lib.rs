@@ -145,6 +145,7 @@ properties! { $
         a_light_at_the_point_adds_nothing
         a_sun_is_as_bright_everywhere
         a_shadow_ray_ends_at_the_lamp
+        arrival_is_l_intensity_and_distance
         a_lamp_fades_with_its_distance
         a_spot_is_a_lamp_within_its_cone
         a_filter_multiplies_what_arrives
@@ -200,7 +201,7 @@ properties! { $
         light_never_rises_with_distance
         light_never_rises_with_a_coefficient
         a_falloff_is_at_most_1_over_a
-        a_clamped_falloff_is_at_most_1
+        a_clamped_falloff_is_at_most_its_limit
         without_attenuation_everything_arrives
         nothing_arrives_from_the_range_on
         a_range_never_brightens
@@ -243,9 +244,9 @@ properties! { $
         [doubling] doubling_is_exact
         a_comparison_decides
         constants_are_themselves
-        the_power_of_a_cosine_is_its_formula
+        the_power_of_a_halfway_cosine_is_its_formula
         a_cast_to_f64_and_back_is_the_same
-        [ordering] a_dual_number_has_the_value_of_its_number
+        a_dual_number_has_the_value_of_its_number
         derivatives_follow_their_rules
         [doubling] a_slope_is_linear_in_the_tangent
         a_clamped_color_is_within_0_and_1;

@@ -362,6 +362,17 @@ pub fn a_shadow_ray_ends_at_the_lamp<T: Number>(scene: &Scene<T>) -> Outcome {
     Ok(())
 }
 
+/// L, I and q by one root are those that are asked for one by one, to the bit.
+pub fn arrival_is_l_intensity_and_distance<T: Number>(scene: &Scene<T>) -> Outcome {
+    for light in scene.arriving() {
+        let arrival = light.arrival();
+        prop_assert_eq!(arrival.l, light.l());
+        prop_assert_eq!(arrival.intensity, light.intensity());
+        prop_assert_eq!(arrival.distance, light.distance());
+    }
+    Ok(())
+}
+
 /// What arrives of a lamp is its intensity times the falloff at its distance.
 pub fn a_lamp_fades_with_its_distance<T: Number>(scene: &Scene<T>) -> Outcome {
     for lamp in scene.lamps() {

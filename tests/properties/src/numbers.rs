@@ -1,7 +1,7 @@
 //! What the formulas expect of a number, and what dual numbers make of it.
 
 use proptest::prelude::*;
-use shading::{Dual, Mask, Rgb, Select, Vec3};
+use shading::{Dual, Mask, Rgb, Select, UnitVec3, Vec3};
 
 use crate::book;
 use crate::given::{Directions, Numbers, Scene, Triangle};
@@ -76,19 +76,21 @@ pub fn constants_are_themselves<T: Number>(n: &Numbers<T>) -> Outcome {
     Ok(())
 }
 
-/// max(0, n·v/|v|)ᵐ, written out, for v of any size; 0 where v has no direction.
-pub fn the_power_of_a_cosine_is_its_formula<T: Number>(d: &Directions<T>) -> Outcome {
-    for size in [0.25, 1.0, 3.0] {
-        let v = *d.l * T::of(size);
-        let is = T::cosine_power(*d.n, v, d.m).exact();
-        let [n, v] = [*d.n, v].map(|v| book::xyz(v.map(T::exact)));
-        let should = book::highlight(book::dot(n, v) / book::length(v), d.m);
-        let tolerance = (f64::from(d.m) + 1.0) * 16.0 * (T::U + T::STEP / size);
-        if d.m > 0 || book::dot(n, v).abs() > 8.0 * (T::U + T::STEP) {
-            prop_assert_near!(is, should, tolerance);
-        }
+/// max(0, N·H)ᵐ of a vector to a light of any length, written out; 0 where there is no vector halfway.
+pub fn the_power_of_a_halfway_cosine_is_its_formula<T: Number>(d: &Directions<T>) -> Outcome {
+    let [n, l, v] = [d.n, d.l, d.v].map(|u| book::xyz(*u.cast(T::exact)));
+    let size = book::length(book::plus(l, v));
+    let cosine = book::halfway(l, v).map_or(0.0, |h| book::dot(n, h));
+    prop_assume!(size > 0.1 && (cosine == 0.0 || cosine.abs() > 64.0 * (T::U + T::STEP)));
+    for scale in [0.25, 1.0, 3.0] {
+        let to_light = T::measured(*d.l * T::of(scale));
+        let is = T::halfway_power(*d.n, to_light, *d.v, d.m).exact();
+        let roundings = (f64::from(d.m) + 1.0) * 16.0 / size;
+        let should = book::highlight(cosine, d.m);
+        prop_assert_near!(is, should, roundings * (T::U + T::STEP / scale));
     }
-    prop_assert_eq!(T::cosine_power(*d.n, Vec3::ZERO, d.m), T::ZERO);
+    let opposite = T::measured(*UnitVec3::NEG_X);
+    prop_assert_eq!(T::halfway_power(*d.n, opposite, *UnitVec3::X, d.m), T::ZERO);
     Ok(())
 }
 

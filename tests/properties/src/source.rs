@@ -148,7 +148,7 @@ pub fn wrapped(statement: &str) -> String {
     let mut lines = vec![String::new()];
     for piece in pieces {
         let line = lines.last_mut().expect("a line");
-        if line.len() + piece.trim_end().len() <= 100 {
+        if line.is_empty() || line.len() + piece.trim_end().len() <= 100 {
             line.push_str(&piece);
         } else {
             lines.push(format!("    {piece}"));

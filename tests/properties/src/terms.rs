@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use proptest::prelude::*;
-use shading::{Exponent, UnitVec3, Vec3, half_vector, reflection, term};
+use shading::{Lobe, UnitVec3, Vec3, half_vector, reflection, term};
 
 use crate::book;
 use crate::given::{Directions, Numbers};
@@ -216,9 +216,7 @@ fn over_the_hemisphere(f: impl Fn(f64) -> f64) -> f64 {
 
 /// Light that meets a white surface head-on returns whole from Blinn's normalized lobe: H is at half the angle of V, so
 /// N·H = √((1 + N·V)/2).
-pub fn a_normalized_blinn_lobe_returns_everything<T: Number + Exponent<T>>(
-    n: &Numbers<T>,
-) -> Outcome {
+pub fn a_normalized_blinn_lobe_returns_everything<T: Number + Lobe<T>>(n: &Numbers<T>) -> Outcome {
     let m = f64::from(n.m) + n.x.exact();
     let k = term::blinn_normalization(T::of(m)).exact();
     let all = k * over_the_hemisphere(|c| (0.5 + 0.5 * c).powf(m / 2.0) * c);
@@ -227,7 +225,7 @@ pub fn a_normalized_blinn_lobe_returns_everything<T: Number + Exponent<T>>(
 }
 
 /// A whole m and the same real m give the same power, but for the roundings of both.
-pub fn whole_and_real_exponents_agree<T: Number + Exponent<T>>(n: &Numbers<T>) -> Outcome {
+pub fn whole_and_real_exponents_agree<T: Number + Lobe<T>>(n: &Numbers<T>) -> Outcome {
     let [whole, real] = [n.m.raise(n.x), T::of(f64::from(n.m)).raise(n.x)].map(T::exact);
     if n.x > T::ZERO {
         prop_assert_near!(real, whole, (f64::from(n.m) + 8.0) * T::U);
@@ -236,7 +234,7 @@ pub fn whole_and_real_exponents_agree<T: Number + Exponent<T>>(n: &Numbers<T>) -
 }
 
 /// A real power is c^m, written out; it does not fall as the cosine rises, but for its rounding.
-pub fn a_real_power_is_its_formula<T: Number + Exponent<T>>(n: &Numbers<T>) -> Outcome {
+pub fn a_real_power_is_its_formula<T: Number + Lobe<T>>(n: &Numbers<T>) -> Outcome {
     let m = f64::from(n.m) + n.y.exact();
     let power = |x: T| T::of(m).raise(x).exact();
     let (is, exact) = (power(n.x), n.x.exact().powf(T::of(m).exact()));

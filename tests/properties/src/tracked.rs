@@ -202,7 +202,7 @@ impl Mask for Above {
 
 impl<T: Number> Real for Tracked<T> {
     type Mask = Above;
-    type Sum = Self;
+    type Sum = Rgb<Self>;
 
     const ZERO: Self = Self::given(0.0, 0.0);
     const ONE: Self = Self::given(1.0, 0.0);
