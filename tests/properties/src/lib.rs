@@ -22,7 +22,7 @@
 //! |---|---|
 //! | `doubling` | a product with a power of two is exact, as in a binary float |
 //! | `mirroring` | −x is rounded as x is |
-//! | `ordering` | a sum over lights rounds after each light, so `Real::Sum` is the number itself |
+//! | `plain_hooks` | the hooks of `Real` are the default ones, so every operation of a formula rounds |
 //!
 //! A number that is also a real shininess gets the properties of its powers: `properties::all!(f32, with powers)`.
 #![allow(clippy::missing_errors_doc, clippy::missing_panics_doc)] // a property fails
@@ -103,7 +103,7 @@ macro_rules! properties {
 pub mod without {
     pub const doubling: () = ();
     pub const mirroring: () = ();
-    pub const ordering: () = ();
+    pub const plain_hooks: () = ();
 }
 
 /// A test, unless the number does without its group.
@@ -115,7 +115,7 @@ macro_rules! property {
     ((powers) (powers $($rest:ident)*) $test:item) => {};
     ((doubling) (doubling $($rest:ident)*) $test:item) => {};
     ((mirroring) (mirroring $($rest:ident)*) $test:item) => {};
-    ((ordering) (ordering $($rest:ident)*) $test:item) => {};
+    ((plain_hooks) (plain_hooks $($rest:ident)*) $test:item) => {};
     (($group:ident) ($other:ident $($rest:ident)*) $test:item) => {
         $crate::property! { ($group) ($($rest)*) $test }
     };
@@ -125,7 +125,7 @@ properties! { $
     light:
         no_light_is_negative
         lights_add_up
-        [ordering] lights_add_up_in_their_order
+        [plain_hooks] lights_add_up_in_their_order
         the_order_of_lights_does_not_matter
         a_black_light_changes_nothing
         [doubling] half_the_light_is_half_as_bright
@@ -246,7 +246,7 @@ properties! { $
         constants_are_themselves
         the_power_of_a_halfway_cosine_is_its_formula
         a_cast_to_f64_and_back_is_the_same
-        a_dual_number_has_the_value_of_its_number
+        [plain_hooks] a_dual_number_has_the_value_of_its_number
         derivatives_follow_their_rules
         [doubling] a_slope_is_linear_in_the_tangent
         a_clamped_color_is_within_0_and_1;
