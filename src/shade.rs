@@ -318,9 +318,10 @@ fn sum<T: Real, M>(
                 color,
                 factor,
             } = light.arriving(n);
-            let factor = in_front.select(factor, T::ZERO);
+            // In lanes, what is behind is left out here, and not by a factor of 0: ∞ · 0 is NaN.
+            let color = Rgb::select(in_front, color, Rgb::BLACK);
             let add = |sum: Rgb<T::Sum>, share: T| {
-                let factor = T::dimmed(factor, share);
+                let factor = in_front.select(T::dimmed(factor, share), T::ZERO);
                 Rgb {
                     r: sum.r.add(color.r, factor),
                     g: sum.g.add(color.g, factor),
