@@ -142,5 +142,5 @@ fn examples_in_the_table_of_the_page_are_read() {
             }
         }
     }
-    assert_eq!(count, 12);
+    assert_eq!(count, 13);
 }
