@@ -163,14 +163,18 @@ fn edges_agree<L: Simd>() {
     assert_same(&[power.first()], &[L::Lane::ONE], "signaling");
 }
 
-/// Mostly ordinary numbers; some whose squares underflow or overflow in `f32`, zeros, the ends, and
-/// what is not finite.
+/// Mostly ordinary numbers; some whose squares underflow or overflow, zeros, the lengths from which
+/// vectors are scaled, the ends, and what is not finite.
 fn number() -> BoxedStrategy<f64> {
     const ENDS: &[f64] = &[
         0.0,
         -0.0,
         f32::MAX as f64,
         -1e-45,
+        1_125_899_906_842_624.0, // 2⁵⁰
+        1.0 / 1_125_899_906_842_624.0,
+        2.348_542_582_773_833_2e108, // 2³⁶⁰
+        1.0 / 2.348_542_582_773_833_2e108,
         f64::MAX,
         f64::INFINITY,
         f64::NEG_INFINITY,
@@ -180,6 +184,7 @@ fn number() -> BoxedStrategy<f64> {
         16 => -4.0..4.0,
         1 => prop::sample::select(ENDS),
         1 => (-1.0..1.0, -140..127).prop_map(|(x, power)| x * 2.0_f64.powi(power)),
+        1 => (-1.0..1.0, -1000..1000).prop_map(|(x, power)| x * 2.0_f64.powi(power)),
     ]
     .boxed()
 }

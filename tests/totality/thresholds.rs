@@ -2,7 +2,7 @@
 //! scaled, at the least numbers, and at the largest. Each test climbs, or goes from number to number.
 
 use kit::Float;
-use shading::{Attenuation, PointLight, Rgb, UnitVec3, Vec3, normal};
+use shading::{Attenuation, Exponent, PointLight, Rgb, UnitVec3, Vec3, normal};
 
 kit::for_f32_and_f64!(
     a_constant_direction_has_the_bits_of_the_vectors_at_the_threshold,
@@ -10,6 +10,7 @@ kit::for_f32_and_f64!(
     tangents_have_a_normal_unless_they_are_parallel,
     columns_of_any_size_give_the_normal,
     a_map_of_any_size_gives_the_tangent,
+    a_whole_power_has_its_digits_down_to_the_least_normal_number,
 );
 
 /// The exponent of the least size for which everything holds.
@@ -238,6 +239,34 @@ fn a_map_of_any_size_gives_the_tangent<T: Float>() {
         })
     });
     assert!(worst <= 7.0, "{worst} at {place:?}");
+}
+
+/// The relative error of cᵐ is at most mu, and that of the expected power in double precision 2⁻⁵². A
+/// power that would be subnormal is subnormal or 0, or the least normal number.
+fn a_whole_power_has_its_digits_down_to_the_least_normal_number<T: Float>() {
+    let mut random = Random(5);
+    for _ in 0..20_000 {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let m = random.within(0.0, 20.0).exp2() as u32;
+        // a power from 2¹⁰ times the least normal number to 2⁻³⁰ times
+        let exponent = T::MIN_POSITIVE.log2() + random.within(-30.0, 10.0);
+        let cosine = T::of((exponent / f64::from(m)).exp2());
+        let power: f64 = m.raise(cosine).into();
+        let expected = cosine.into().powf(m.into());
+        if expected < T::MIN_POSITIVE {
+            assert!(
+                (0.0..=T::MIN_POSITIVE).contains(&power),
+                "{cosine:?}^{m}: {power:e}"
+            );
+        } else {
+            let error = (power / expected - 1.0).abs();
+            let tolerance = f64::from(m) * T::U + f64::EPSILON;
+            assert!(
+                error <= tolerance,
+                "{cosine:?}^{m}: {power:e} for {expected:e}"
+            );
+        }
+    }
 }
 
 /// The highest place found, and its height: random places, and steps from the best of them that change
