@@ -2,7 +2,7 @@
 //! scaled, at the least numbers, and at the largest. Each test climbs, or goes from number to number.
 
 use kit::Float;
-use shading::{Attenuation, Exponent, PointLight, Rgb, UnitVec3, Vec3, normal};
+use shading::{Attenuation, Lobe, PointLight, Rgb, UnitVec3, Vec3, normal};
 
 kit::for_f32_and_f64!(
     a_constant_direction_has_the_bits_of_the_vectors_at_the_threshold,

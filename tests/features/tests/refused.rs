@@ -29,7 +29,7 @@ const CONE: &str = r#"{"half_angles": {"inner": 0.25, "outer": 0.5, "smoothstep"
 
 /// What stands in the file once, what replaces it, and the error.
 #[rustfmt::skip]
-const IN_JSON: [(&str, &str, &str); 24] = [
+const IN_JSON: [(&str, &str, &str); 28] = [
     ("[2, 0, 2]", "[2, NaN, 2]", "expected value"),
     ("[2, 0, 2]", "[2, 0]", "invalid length 2, expected an array of length 3"),
     ("[4, 4, 4]", "[4, 4, -1]", COLOR),
@@ -41,9 +41,13 @@ const IN_JSON: [(&str, &str, &str); 24] = [
     ("[1, 0, 0.25]", "[-0.0, 0, 0]", COEFFICIENTS),
     ("[1, 0, 0.25]", "[1, 0]", "invalid length 2, expected an attenuation with a, b and c"),
     ("\"c\": 1", "\"c\": 0", COEFFICIENTS),
-    ("\"range\": 8", "\"range\": 0", RANGE),
-    ("\"range\": 8", "\"range\": -2", RANGE),
-    ("\"clamped\"", "\"radius\"", "unknown field `radius`"),
+    ("\"range_gltf\": 8", "\"range\": 0", RANGE),
+    ("\"range_gltf\": 8", "\"range\": -2", RANGE),
+    ("\"range_gltf\": 8", "\"range_gltf\": 0", "range_gltf: it must be above 0"),
+    ("\"range_gltf\": 8", "\"range_gltf\": 8, \"range\": 9", "range: write it or range_gltf, not both"),
+    ("\"limit\": 1", "\"limit\": 0", "limit: it must be above 0"),
+    ("\"limit\": 1", "\"limit\": -1", "limit: it must be above 0"),
+    ("\"limit\"", "\"radius\"", "unknown field `radius`"),
     ("\"inner\": 0.25", "\"inner\": 0.51", HALF_ANGLES),
     ("\"outer\": 0.5", "\"outer\": 3.1416", HALF_ANGLES),
     (CONE, r#"{"half_angle": 30}"#, HALF_ANGLE),
@@ -64,7 +68,7 @@ const IN_RON: [(&str, &str, &str); 9] = [
     ("(0.0, 0.6, 0.8)", "(0, 0, 0)", ZERO),
     ("(0, -1, 0)", "(0, NaN, 0)", DIRECTION),
     ("c: 0.25", "c: NaN", COEFFICIENTS),
-    ("Some(8)", "Some(NaN)", RANGE),
+    ("Some(8)", "Some(NaN)", "range_gltf: it must be above 0"),
     ("inner: 0.25", "inner: NaN", HALF_ANGLES),
     ("half_angles((inner: 0.25, outer: 0.5, smoothstep: true))", "half_angle(30)", HALF_ANGLE),
 ];
@@ -133,9 +137,9 @@ fn spoilers(pointer: &str, value: &Value) -> Vec<Value> {
         .iter()
         .any(|name| pointer.contains(name));
     let is_right = |new: &Value| match new {
-        Value::Null => is("/range"),
+        Value::Null => is("/range_gltf") || is("/limit"),
         Value::Bool(_) => value.is_boolean(),
-        Value::Number(x) if x.is_f64() => is("/m") || is("/range"),
+        Value::Number(x) if x.is_f64() => is("/m") || is("/range_gltf") || is("/limit"),
         Value::Number(_) => is("/m") || value.is_number() && is_of_a_vector,
         _ => (is("/lights") || is("/materials")) && *new == json!([]),
     };
@@ -146,7 +150,7 @@ fn spoilers(pointer: &str, value: &Value) -> Vec<Value> {
         let mut more = fields.clone();
         more.insert("colour".into(), json!(1));
         bad.push(more.into());
-        let optional = ["clamped", "range", "unsquared", "smoothstep"];
+        let optional = ["limit", "range", "range_gltf", "smoothstep"];
         for name in fields.keys().filter(|name| !optional.contains(&&***name)) {
             let mut fewer = fields.clone();
             fewer.remove(name);
