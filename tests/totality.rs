@@ -6,6 +6,8 @@
 
 #[path = "totality/any_bits.rs"]
 mod any_bits;
+#[path = "totality/casts.rs"]
+mod casts;
 #[path = "totality/duals.rs"]
 mod duals;
 #[path = "totality/invalid.rs"]
