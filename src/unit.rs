@@ -181,7 +181,7 @@ macro_rules! literals {
             pub const fn const_normalized(x: $float, y: $float, z: $float) -> Option<Self> {
                 const LARGE: $float = <$float as Real>::EXTREME;
                 let square = x * x + y * y + z * z;
-                let scale = if square > LARGE {
+                let scale = if square >= LARGE {
                     1.0 / LARGE
                 } else if square < 1.0 / LARGE {
                     LARGE

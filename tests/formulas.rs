@@ -1,5 +1,6 @@
-//! Every formula and every convention against a value derived by hand, for `f32` and `f64`: a test for each row. The
-//! derivation stands over the row, with how many roundings the value may be off by; without a number, it is exact.
+//! Every formula and every convention against a value derived by hand, for `f32` and `f64`: a test
+//! for each row. The derivation stands over the row, with how many roundings the value may be off
+//! by; without a number, it is exact.
 
 #![allow(clippy::float_cmp)] // results without rounding are compared exactly
 
@@ -221,8 +222,9 @@ mod directions {
         units(1.0)
     );
 
-    // N = (3, 0, 4)/5, L = Z: N·L = 4/5, R = 8/5 (3, 0, 4)/5 − (0, 0, 1) = (24, 0, 7)/25. 1.6 is off by 1u, its products
-    // with N by 3u: 2.9u of 0.96 and 3.9u of 1.28, and the difference rounds by ¼u
+    // N = (3, 0, 4)/5, L = Z: N·L = 4/5, R = 8/5 (3, 0, 4)/5 − (0, 0, 1) = (24, 0, 7)/25. 1.6 is
+    // off by 1u, its products with N by 3u: 2.9u of 0.96 and 3.9u of 1.28, and the difference
+    // rounds by ¼u
     value!(
         reflection_in_a_tilted_normal,
         reflection(slanted::<T>(), UnitVec3::Z),
@@ -252,8 +254,8 @@ mod directions {
         [0.0; 3]
     );
 
-    // (2, 1, 2)/3 + (1, 2, 2)/3 = (3, 3, 4)/3, of length √34/3. Each component is off by 2u, the length by as much and
-    // 2.5u, the quotient by 1u
+    // (2, 1, 2)/3 + (1, 2, 2)/3 = (3, 3, 4)/3, of length √34/3. Each component is off by 2u, the
+    // length by as much and 2.5u, the quotient by 1u
     value!(
         half_vector_of_two_directions,
         half_vector(direction::<T>([2.0, 1.0, 2.0]), direction([1.0, 2.0, 2.0])),
@@ -277,7 +279,8 @@ mod terms {
         direction([3.0_f64.sqrt(), 0.0, 1.0])
     }
 
-    // √3 is off by 1u, its square by 3u, the sum with 1 by 3.25u, the root by 2.6u, the quotient by 3.6u
+    // √3 is off by 1u, its square by 3u, the sum with 1 by 3.25u, the root by 2.6u, the quotient by
+    // 3.6u
     value!(
         lambert_at_60_degrees,
         term::lambert(UnitVec3::Z, at_60_degrees::<T>()),
@@ -345,8 +348,8 @@ mod terms {
         units_of_1(4.5)
     );
 
-    /// L·V = 4/5, |L + V|² = 2 + 8/5 = 18/5, N·H = (4/5 + 1)/√(18/5) = √(9/10). L + V is off by 1u, its square by 4u, the
-    /// root by 3u, the quotient by 5u.
+    /// L·V = 4/5, |L + V|² = 2 + 8/5 = 18/5, N·H = (4/5 + 1)/√(18/5) = √(9/10). L + V is off by 1u,
+    /// its square by 4u, the root by 3u, the quotient by 5u.
     fn h<T: Float>() -> UnitVec3<T> {
         half_vector(slanted(), UnitVec3::Z).expect("halfway")
     }
@@ -395,7 +398,8 @@ mod terms {
         }
     });
 
-    // (2 + 2)/(2π) = 2/π, (6 + 2)/(2π) = 4/π and 3.5/(2π): the constant and the product are off by 1u each, here and there
+    // (2 + 2)/(2π) = 2/π, (6 + 2)/(2π) = 4/π and 3.5/(2π): the constant and the product are off by
+    // 1u each, here and there
     value!(
         normalization_of_phong_2,
         term::phong_normalization(T::of(2.0)),
@@ -414,8 +418,9 @@ mod terms {
         1.75 * FRAC_1_PI,
         units(4.0)
     );
-    // 4·6/(8π(½ + 2)) = 1.2/π, 8·10/(8π(⅛ + 6)) = 80/(49π) and 3.5·5.5/(8π(2^(−¾) + 1.5)). The constant, three products
-    // or quotients and a sum are off by 1u each, the power by 4u of 1, which is 2u of the sum; the value by 3u
+    // 4·6/(8π(½ + 2)) = 1.2/π, 8·10/(8π(⅛ + 6)) = 80/(49π) and 3.5·5.5/(8π(2^(−¾) + 1.5)). The
+    // constant, three products or quotients and a sum are off by 1u each, the power by 4u of 1,
+    // which is 2u of the sum; the value by 3u
     value!(
         normalization_of_blinn_2,
         term::blinn_normalization(T::of(2.0)),
@@ -614,6 +619,12 @@ mod cones {
         true
     );
     value!(cone_is_not_a_smoothstep, soft::<T>().is_smoothstep(), false);
+    // there is no edge to be smooth
+    value!(
+        hard_cone_is_its_smoothstep,
+        hard::<T>().smoothstep() == hard(),
+        true
+    );
 
     value!(cosine_of_a_hard_cone, hard::<T>().cosines(), [0.5, 0.5]);
     value!(cosines_of_a_soft_cone, soft::<T>().cosines(), [0.75, 0.25]);
@@ -697,8 +708,8 @@ mod lights {
     value!(intensity_of_a_sun, sun::<T>().intensity(), [2.0, 1.0, 0.5]);
     value!(distance_of_a_sun, sun::<T>().distance(), T::MAX);
 
-    // (1, 0, 0) is 2 below the lamp: arctan ½ = 26.6°, 1/(4 + 1) = 0.2. The root is off by 1u, its square by 3u, the
-    // reciprocal by 4u
+    // (1, 0, 0) is 2 below the lamp: arctan ½ = 26.6°, 1/(4 + 1) = 0.2. The root is off by 1u, its
+    // square by 3u, the reciprocal by 4u
     value!(
         spot_within_its_cone,
         spot::<T>().at(p(1.0)).intensity(),
@@ -794,7 +805,8 @@ mod lights {
 mod sums {
     use super::*;
 
-    /// A lamp two units above the origin, where ¼ of (1, ½, 0) arrives, and the slanted sun with intensity ½.
+    /// A lamp two units above the origin, where ¼ of (1, ½, 0) arrives, and the slanted sun with
+    /// intensity ½.
     fn two_lights<T: Float>() -> [IncidentLight<T>; 2] {
         let sun = DirectionalLight {
             l: slanted(),
@@ -819,7 +831,8 @@ mod sums {
     value!(ambient_of_lambert, clay::<T>()[0].ambient, [0.03125; 3]);
     value!(ambient_of_phong, clay::<T>()[1].ambient, [0.03125; 3]);
     value!(ambient_of_blinn, clay::<T>()[2].ambient, [0.03125; 3]);
-    // N·L = 1 and 4/5: ½ (¼ + ½ · ⅘) = 0.325, ½ (⅛ + ⅖) = 0.2625, ½ · ⅖ = 0.2. ⅖ is off by 0.4u of 1, the sum by 0.9u
+    // N·L = 1 and 4/5: ½ (¼ + ½ · ⅘) = 0.325, ½ (⅛ + ⅖) = 0.2625, ½ · ⅖ = 0.2. ⅖ is off by 0.4u of
+    // 1, the sum by 0.9u
     value!(
         diffuse_of_lambert,
         clay::<T>()[0].diffuse,
@@ -839,8 +852,8 @@ mod sums {
         units(1.5)
     );
     value!(specular_of_lambert, clay::<T>()[0].specular, [0.0; 3]);
-    // (R·V)² = 1 and 16/25: ¼ (¼ + ½ · 0.64) = 0.1425, ¼ (⅛ + 0.32) = 0.11125, ¼ · 0.32. 0.64 is off by 3u of itself, its
-    // half by 0.96u of 1, the sum by 1.5u
+    // (R·V)² = 1 and 16/25: ¼ (¼ + ½ · 0.64) = 0.1425, ¼ (⅛ + 0.32) = 0.11125, ¼ · 0.32. 0.64 is
+    // off by 3u of itself, its half by 0.96u of 1, the sum by 1.5u
     value!(
         specular_of_phong,
         clay::<T>()[1].specular,
@@ -854,7 +867,8 @@ mod sums {
         [0.498_75, 0.405, 0.311_25],
         units(3.0)
     );
-    // (N·H)² = 1 and 9/10, off by 11u: ¼ (¼ + ½ · 0.9) = 0.175, ¼ (⅛ + 0.45) = 0.14375, ¼ · 0.45. The sum is off by 5.5u
+    // (N·H)² = 1 and 9/10, off by 11u: ¼ (¼ + ½ · 0.9) = 0.175, ¼ (⅛ + 0.45) = 0.14375, ¼ · 0.45.
+    // The sum is off by 5.5u
     value!(
         specular_of_blinn,
         clay::<T>()[2].specular,
@@ -1005,7 +1019,8 @@ mod sums {
 mod normals {
     use super::*;
 
-    /// Of a box with edges of 6, 3 and 2: 6² + 3² + 2² = 7². The length is exact, and each quotient off by 1u.
+    /// Of a box with edges of 6, 3 and 2: 6² + 3² + 2² = 7². The length is exact, and each quotient
+    /// off by 1u.
     const DIAGONAL: [f64; 3] = [6.0 / 7.0, 3.0 / 7.0, 2.0 / 7.0];
 
     /// (−1, 2, 0) × (−1, 0, 3) = (6, 3, 2)
@@ -1056,7 +1071,8 @@ mod normals {
         DIAGONAL,
         units(1.0)
     );
-    // s = (u, v, uv): S_u × S_v = (1, 0, v) × (0, 1, u) = (−v, −u, 1), at (2, 2); the length 3 is exact
+    // s = (u, v, uv): S_u × S_v = (1, 0, v) × (0, 1, u) = (−v, −u, 1), at (2, 2); the length 3 is
+    // exact
     value!(
         normal_of_a_saddle,
         normal::parametric(|u, v| Vec3::new(u, v, u * v), T::of(2.0), T::of(2.0)),
@@ -1122,8 +1138,9 @@ mod normals {
         true
     );
 
-    // the cofactors of diag(½, 1, 1) are diag(1, ½, ½), which turn (3, 0, 4)/5 into (3, 0, 2)/√13. The components are off
-    // by 1u, their squares by 3u, the sum by 4u, the root by 3u, the quotient by 5u
+    // the cofactors of diag(½, 1, 1) are diag(1, ½, ½), which turn (3, 0, 4)/5 into (3, 0, 2)/√13.
+    // The components are off by 1u, their squares by 3u, the sum by 4u, the root by 3u, the
+    // quotient by 5u
     value!(
         transformed_roof_half_as_wide,
         normal::transformed(
@@ -1150,7 +1167,8 @@ mod normals {
             [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(vector),
         )
     }
-    // a triangle in that plane stays, where the inverse transpose reverses its normal; a roof slopes the other way
+    // a triangle in that plane stays, where the inverse transpose reverses its normal; a roof
+    // slopes the other way
     value!(
         transformed_by_a_mirror,
         mirror::<T>(UnitVec3::X),
@@ -1196,7 +1214,8 @@ mod normals {
         units(8.0)
     );
 
-    /// A triangle with the edges (2, 0, 0) and (0, 4, 3), and a map with the differences (1, 1) and (−1, 1).
+    /// A triangle with the edges (2, 0, 0) and (0, 4, 3), and a map with the differences (1, 1) and
+    /// (−1, 1).
     fn mapped<T: Real>() -> ([Vec3<T>; 3], [[T; 2]; 3]) {
         let vertices = [[1.0, 0.0, 0.0], [3.0, 0.0, 0.0], [1.0, 4.0, 3.0]].map(vector);
         (vertices, [[2.0, 3.0], [3.0, 4.0], [1.0, 4.0]].map(of))
@@ -1205,8 +1224,8 @@ mod normals {
         let (vertices, map) = mapped();
         normal::tangent(vertices, order.map(|i| map[i])).map(|(t, h)| [t.x, t.y, t.z, h])
     }
-    // d = 2, T = (e₁ − e₂)/2 = (2, −4, −3)/2, of length √29/2; with the last two exchanged, d = −2. Each edge over the
-    // longest is off by 1u, the length by 3.5u, the quotient by 5.5u
+    // d = 2, T = (e₁ − e₂)/2 = (2, −4, −3)/2, of length √29/2; with the last two exchanged, d = −2.
+    // Each edge over the longest is off by 1u, the length by 3.5u, the quotient by 5.5u
     value!(
         tangent_of_a_slanted_map,
         t_and_h::<T>([0, 1, 2]),
@@ -1228,8 +1247,9 @@ mod normals {
             vector([1.0, 2.0, 2.0]),
         )
     }
-    // T = (2, 0, 1), whose component along N is 2N: t = (4, 0, −3)/5, N × t = (0, 1, 0); (t ± 2(0, 1, 0) + 2N)/3. Each
-    // product is off by 6u, a sum by 7u, the length by as much and 2.5u, the quotient by 1u
+    // T = (2, 0, 1), whose component along N is 2N: t = (4, 0, −3)/5, N × t = (0, 1, 0); (t ± 2(0,
+    // 1, 0) + 2N)/3. Each product is off by 6u, a sum by 7u, the length by as much and 2.5u, the
+    // quotient by 1u
     value!(
         mapped_sample,
         sample::<T>(T::ONE),
@@ -1303,14 +1323,16 @@ mod duals {
         x * x * y / (x + y)
     }
     value!(dual_quotient, quotient::<T>().value, 2.4, units(1.0));
-    // ∂/∂x = (2xy(x + y) − x²y)/(x + y)² = 48/25: 12 − 2.4 is off by 2.4u of 1 and by a rounding of 9.6, the quotient by 1u
+    // ∂/∂x = (2xy(x + y) − x²y)/(x + y)² = 48/25: 12 − 2.4 is off by 2.4u of 1 and by a rounding of
+    // 9.6, the quotient by 1u
     value!(
         dual_quotient_along_x,
         quotient::<T>().gradient.x,
         1.92,
         units(3.0)
     );
-    // ∂/∂y = x³/(x + y)² = 8/25: 4 − 2.4 is off by 2.4u of 1 and by a rounding of 1.6, the quotient by 1u
+    // ∂/∂y = x³/(x + y)² = 8/25: 4 − 2.4 is off by 2.4u of 1 and by a rounding of 1.6, the quotient
+    // by 1u
     value!(
         dual_quotient_along_y,
         quotient::<T>().gradient.y,
@@ -1510,8 +1532,8 @@ mod duals {
     );
 }
 
-/// The cosine of L is c = ½ + kε, exactly, and both differences in t = (c − ½)/(inner − ½) are exact. The
-/// quotient is off by 1u of itself, its square by 3u.
+/// The cosine of L is c = ½ + kε, exactly, and both differences in t = (c − ½)/(inner − ½) are
+/// exact. The quotient is off by 1u of itself, its square by 3u.
 #[test]
 fn a_faint_edge_keeps_its_digits() {
     for inner in [0.7_f32, 0.8, 0.9, 0.95] {

@@ -130,7 +130,8 @@ fn duals_of_duals_differentiate_twice() {
     }
 }
 
-/// What does not vary adds nothing to the gradient, even where a factor is infinite; plain numbers need no type.
+/// What does not vary adds nothing to the gradient, even where a factor is infinite; plain numbers
+/// need no type.
 #[test]
 fn powers_at_zero_and_of_plain_exponents() {
     let x = Dual::point(Vec3::new(0.0_f32, 1.0, 2.0)).x;

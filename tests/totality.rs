@@ -1,15 +1,24 @@
-//! What every function gives where its formula has no answer, and at the ends of the number types, for `f32` and `f64`: a
-//! test for each row of `docs/totality.md`, which names them. Beside the rows stand the sweeps that no row holds, and the
-//! promise of every function whatever the bits of its arguments.
+//! What every function gives where its formula has no answer, and at the ends of the number types,
+//! for `f32` and `f64`: a test for each row of `docs/totality.md`, which names them. Beside the
+//! rows stand the sweeps that no row holds, and the promise of every function whatever the bits of
+//! its arguments.
 
 #![allow(clippy::float_cmp)] // results are compared exactly
 
 #[path = "totality/any_bits.rs"]
 mod any_bits;
+#[path = "totality/casts.rs"]
+mod casts;
+#[path = "totality/duals.rs"]
+mod duals;
+#[path = "totality/invalid.rs"]
+mod invalid;
 #[path = "support/row.rs"]
 mod row;
 #[path = "totality/sweeps.rs"]
 mod sweeps;
+#[path = "totality/thresholds.rs"]
+mod thresholds;
 
 use std::f64::consts::{FRAC_1_PI, PI};
 
@@ -758,7 +767,8 @@ mod tangents {
         },
         [None; 2]
     );
-    // half of the smallest number is 0; with the second and third coordinates exchanged, x and y are
+    // half of the smallest number is 0; with the second and third coordinates exchanged, x and y
+    // are
     row!(maps_of_any_size, {
         let sizes = || [T::of(2.0 * T::TINIEST), T::ONE, T::MAX];
         for (size, map) in sizes()
@@ -1345,7 +1355,8 @@ mod lights {
         },
         (UnitVec3::X, true, Rgb::WHITE)
     );
-    // the square, root, reciprocal and product are off by 2.5u; the reciprocal of the distance adds 1u
+    // the square, root, reciprocal and product are off by 2.5u; the reciprocal of the distance adds
+    // 1u
     row!(attenuation_at_any_distance, {
         for q in of::<T, 7>([
             T::TINIEST,
@@ -1698,7 +1709,7 @@ mod colors {
 }
 
 // the value is that of the plain number
-mod duals {
+mod dual_numbers {
     use super::*;
 
     gives!(

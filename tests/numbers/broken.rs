@@ -1,4 +1,5 @@
-//! The properties find a number that computes wrongly, and print the simplest input as Rust that can be pasted.
+//! The properties find a number that computes wrongly, and print the simplest input as Rust that
+//! can be pasted.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

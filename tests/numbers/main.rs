@@ -29,8 +29,8 @@ mod q16 {
     properties::all!(crate::naive::Q16, without doubling);
 }
 
-/// The crate's own fixed point: ties go up, and its hooks hold more digits than a number.
+/// The crate's own fixed point: ties go up, and a sum of light holds more digits than a color.
 #[cfg(feature = "fixed")]
 mod fixed {
-    properties::all!(shading::fixed::Fixed, without doubling, mirroring, plain_hooks);
+    properties::all!(shading::fixed::Fixed, without doubling, mirroring, ordering);
 }

@@ -1,5 +1,5 @@
-//! Numbers that a user might write, from the page of [`Real`] alone: the items without a default, and
-//! nothing else.
+//! Numbers that a user might write, from the page of [`Real`] alone: the items without a default,
+//! and nothing else.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -8,7 +8,7 @@ use shading::{Real, Rgb};
 
 /// A float by way of `f64`, which has enough digits that rounding twice rounds once.
 macro_rules! float {
-    ($name:ident, $text:literal, bits: $bits:literal, least: $least:literal, max: $max:expr, extreme: $extreme:literal) => {
+    ($name:ident, bits: $bits:literal, least: $least:literal, max: $max:expr, extreme: $extreme:expr) => {
         #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
         pub struct $name(f64);
 
@@ -89,10 +89,10 @@ macro_rules! operators {
     };
 }
 
-// (2 − 2⁻¹⁰) 2¹⁵ and (2 − 2⁻⁷) 2¹²⁷. A half's EXTREME: 3·65504²/p² < p for p > 2345, and the smallest
-// number is 2⁻²⁴
-float!(Half, "half", bits: 11, least: 24, max: 65_504.0, extreme: 4096.0);
-float!(Bf16, "bf16", bits: 8, least: 133, max: 3.389_531_389_251_535_5e38, extreme: 1_267_650_600_228_229_401_496_703_205_376.0);
+// (2 − 2⁻¹⁰) 2¹⁵. Its EXTREME: 3·65504²/p² < p for p > 2345, and the smallest number is 2⁻²⁴
+float!(Half, bits: 11, least: 24, max: 65_504.0, extreme: 4096.0);
+// (2 − 2⁻⁷) 2¹²⁷, the upper half of an f32, whose EXTREME is 2¹⁰⁰
+float!(Bf16, bits: 8, least: 133, max: 3.389_531_389_251_535_5e38, extreme: f32::EXTREME as f64);
 
 /// Fixed point with 16 bits behind the point, which saturates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

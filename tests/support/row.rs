@@ -1,4 +1,5 @@
-//! A row is a call and what it gives, and becomes a test for each float: `terms::lambert_at_60_degrees::f32`.
+//! A row is a call and what it gives, and becomes a test for each float:
+//! `terms::lambert_at_60_degrees::f32`.
 
 #![allow(dead_code, unused_macros, unused_imports)] // each file of rows uses some
 
@@ -6,7 +7,8 @@ use std::fmt::Debug;
 
 use kit::{Number, Sink, Value};
 
-/// A row of formulas: a call, its value, and how far the call may be off; without that, it is the value to the bit.
+/// A row of formulas: a call, its value, and how far the call may be off; without that, it is the
+/// value to the bit.
 macro_rules! value {
     ($name:ident, $call:expr, $value:expr) => {
         value!($name, $call, $value, crate::row::units(0.0));
@@ -69,7 +71,8 @@ pub enum Off {
     OfOne(f64),
 }
 
-/// In units of roundoff, u, of the value, or of its longest component. A correctly rounded operation is off by 1 at most.
+/// In units of roundoff, u, of the value, or of its longest component. A correctly rounded
+/// operation is off by 1 at most.
 pub fn units(count: f64) -> Off {
     Off::OfTheValue(count)
 }

@@ -1,5 +1,5 @@
-//! The formulas as the books print them, in `f64`: what the crate computes is compared with these. Nothing here calls a
-//! formula of the crate.
+//! The formulas as the books print them, in `f64`: what the crate computes is compared with these.
+//! Nothing here calls a formula of the crate.
 
 use shading::{Attenuation, Cone, Light, PointLight, Rgb, UnitVec3, Vec3};
 
@@ -7,7 +7,8 @@ use crate::given::Scene;
 
 pub type Triple = [f64; 3];
 
-pub fn xyz(v: Vec3<f64>) -> Triple {
+pub fn xyz(v: impl Into<Vec3<f64>>) -> Triple {
+    let v = v.into();
     [v.x, v.y, v.z]
 }
 
@@ -56,7 +57,7 @@ pub fn direction(v: Triple) -> Option<Triple> {
 
 /// max(0, N·L).
 pub fn lambert(n: UnitVec3<f64>, l: UnitVec3<f64>) -> f64 {
-    dot(xyz(*n), xyz(*l)).max(0.0)
+    dot(xyz(n), xyz(l)).max(0.0)
 }
 
 /// 2(N·L)N − L, for a direction of any length.
@@ -123,11 +124,11 @@ pub fn arriving(light: &Light<f64>, p: Triple) -> Option<(Triple, Triple)> {
         ))
     };
     match light {
-        Light::Directional(sun) => Some((xyz(*sun.l), color(sun.intensity))),
+        Light::Directional(sun) => Some((xyz(sun.l), color(sun.intensity))),
         Light::Point(point) => lamp(point),
         Light::Spot(spot) => {
             let (l, i) = lamp(&spot.point)?;
-            let cosine = -dot(xyz(*spot.axis), l);
+            let cosine = -dot(xyz(spot.axis), l);
             Some((l, times(cone(spot.cone, cosine), i)))
         }
     }
@@ -143,7 +144,7 @@ pub enum Model {
 
 /// k_a I_a, Σ k_d I max(0, N·L) and Σ k_s I highlight, over the lights with N·L > 0.
 pub fn shaded(scene: &Scene<f64>, model: Model) -> [Triple; 3] {
-    let (n, v) = (xyz(*scene.n), xyz(*scene.v));
+    let (n, v) = (xyz(scene.n), xyz(scene.v));
     let material = scene.material;
     let through = |k: Rgb<f64>, i: Triple| [k.r * i[0], k.g * i[1], k.b * i[2]];
     let (mut diffuse, mut specular) = ([0.0; 3], [0.0; 3]);

@@ -63,7 +63,8 @@ pub fn half_vector_is_symmetric<T: Number>(d: &Directions<T>) -> Outcome {
     Ok(())
 }
 
-/// H makes the same angle with L and with V, and it has length 1: the shorter L + V is, the fewer digits it has.
+/// H makes the same angle with L and with V, and it has length 1: the shorter L + V is, the fewer
+/// digits it has.
 pub fn half_vector_is_halfway<T: Number>(d: &Directions<T>) -> Outcome {
     let Some(h) = half_vector(d.l, d.v) else {
         return Ok(());
@@ -85,7 +86,11 @@ pub fn half_vector_is_halfway<T: Number>(d: &Directions<T>) -> Outcome {
 
 /// H = (L + V)/|L + V|, written out.
 pub fn half_vector_is_its_formula<T: Number>(d: &Directions<T>) -> Outcome {
-    prop_assert_book!(d => half_vector(d.l, d.v), book::halfway(book::xyz(*d.l), book::xyz(*d.v)));
+    prop_assert_book!(
+        d,
+        half_vector(d.l, d.v),
+        book::halfway(book::xyz(d.l), book::xyz(d.v))
+    );
     Ok(())
 }
 
@@ -95,7 +100,8 @@ pub fn opposites_have_no_half_vector<T: Number>(d: &Directions<T>) -> Outcome {
     Ok(())
 }
 
-/// An eye that R points to sees H at N: N·H = 1, and the highlight is not above 1 even where N·H rounds up.
+/// An eye that R points to sees H at N: N·H = 1, and the highlight is not above 1 even where N·H
+/// rounds up.
 pub fn the_eye_in_the_reflection_sees_h_at_n<T: Number>(d: &Directions<T>) -> Outcome {
     prop_assume!(d.n.dot(d.l).exact() > 0.25);
     let h = half_vector(d.l, reflection(d.n, d.l)).expect("in front");
@@ -106,9 +112,13 @@ pub fn the_eye_in_the_reflection_sees_h_at_n<T: Number>(d: &Directions<T>) -> Ou
 
 /// |v| = √(x² + y² + z²) and v/|v|, written out, for vectors of any size.
 pub fn a_length_is_the_root_of_the_squares<T: Number>(t: &Triangle<T>) -> Outcome {
-    prop_assert_book!(t => vec![t.a.length()], book::length(book::xyz(t.a)));
-    prop_assert_book!(t => t.a.unit(), book::direction(book::xyz(t.a)));
-    prop_assert_book!(t => vec![t.a.distance(t.b)], book::length(book::minus(book::xyz(t.a), book::xyz(t.b))));
+    prop_assert_book!(t, vec![t.a.length()], book::length(book::xyz(t.a)));
+    prop_assert_book!(t, t.a.unit(), book::direction(book::xyz(t.a)));
+    prop_assert_book!(
+        t,
+        vec![t.a.distance(t.b)],
+        book::length(book::minus(book::xyz(t.a), book::xyz(t.b)))
+    );
     Ok(())
 }
 

@@ -24,7 +24,7 @@ fn above<T: Number>(x: T) -> T {
 pub fn attenuation_is_its_formula<T: Number>(f: &Falloff<T>) -> Outcome {
     let is_here = f.q == T::ZERO;
     prop_assume!(!is_here || f.falloff.coefficients()[0] > T::ZERO);
-    prop_assert_book!(f => vec![f.falloff.at(f.q)], book::falloff(f.falloff, f.q));
+    prop_assert_book!(f, vec![f.falloff.at(f.q)], book::falloff(f.falloff, f.q));
     let [a, b, c] = f.falloff.coefficients();
     prop_assert_eq!(attenuation(a, b, c, f.q), f.falloff.at(f.q));
     Ok(())
@@ -33,11 +33,16 @@ pub fn attenuation_is_its_formula<T: Number>(f: &Falloff<T>) -> Outcome {
 /// The window of a range is (1 − (q/r)⁴)², or not squared as glTF has it, written out.
 pub fn a_range_is_its_formula<T: Number>(f: &Falloff<T>) -> Outcome {
     prop_assume!(f.falloff.coefficients()[0] > T::ZERO || f.q > T::ZERO);
-    prop_assert_book!(f => ranged(f).map(|f_r| f_r.at(f.q)).to_vec(), ranged(f).map(|f_r| book::falloff(f_r, f.q)));
+    prop_assert_book!(
+        f,
+        ranged(f).map(|f_r| f_r.at(f.q)).to_vec(),
+        ranged(f).map(|f_r| book::falloff(f_r, f.q))
+    );
     Ok(())
 }
 
-/// The further a light is, the less of it arrives, or as much: also at the next distance that the number has.
+/// The further a light is, the less of it arrives, or as much: also at the next distance that the
+/// number has.
 pub fn light_never_rises_with_distance<T: Number>(f: &Falloff<T>) -> Outcome {
     let far = [f.q, above(f.q), above(f.q) + f.further];
     for falloff in [f.falloff].into_iter().chain(ranged(f)) {
@@ -118,9 +123,14 @@ pub fn a_range_never_brightens<T: Number>(f: &Falloff<T>) -> Outcome {
     Ok(())
 }
 
-/// The factor of a cone is 1 within the inner edge, 0 beyond the outer one, and t² or t²(3 − 2t) between them.
+/// The factor of a cone is 1 within the inner edge, 0 beyond the outer one, and t² or t²(3 − 2t)
+/// between them.
 pub fn a_cone_is_its_formula<T: Number>(b: &Beam<T>) -> Outcome {
-    prop_assert_book!(b => vec![b.cone.factor(b.axis, b.l)], book::cone(b.cone, -book::dot(book::xyz(*b.axis), book::xyz(*b.l))));
+    prop_assert_book!(
+        b,
+        vec![b.cone.factor(b.axis, b.l)],
+        book::cone(b.cone, -book::dot(book::xyz(b.axis), book::xyz(b.l)))
+    );
     Ok(())
 }
 
@@ -164,7 +174,8 @@ pub fn a_wider_cone_never_darkens<T: Number>(b: &Beam<T>) -> Outcome {
     Ok(())
 }
 
-/// Nearer to the axis, a cone is as bright or brighter, as far as the cosines tell; a smoothstep but for its rounding.
+/// Nearer to the axis, a cone is as bright or brighter, as far as the cosines tell; a smoothstep
+/// but for its rounding.
 pub fn a_cone_never_darkens_toward_its_axis<T: Number>(b: &Beam<T>) -> Outcome {
     let cosine = |l: UnitVec3<T>| (-b.axis).dot(l);
     let is_nearer = cosine(b.other) > cosine(b.l);
@@ -204,8 +215,8 @@ pub fn a_cone_is_round<T: Number>(b: &Beam<T>) -> Outcome {
     Ok(())
 }
 
-/// What a constructor refuses, a cast does not make: coefficients that all round to 0 would light everything, a cone
-/// keeps its axis, and no range stays none.
+/// What a constructor refuses, a cast does not make: coefficients that all round to 0 would light
+/// everything, a cone keeps its axis, and no range stays none.
 pub fn a_cast_proves_again<T: Number>(b: &Beam<T>) -> Outcome {
     for [x, y, z] in [
         [0.0, 0.0, 1e-60],

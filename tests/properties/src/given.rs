@@ -1,5 +1,5 @@
-//! What the properties are tried with. Each input is made in `f64`, shrinks to its default, prints itself as Rust, and is
-//! cast to the number that is tried.
+//! What the properties are tried with. Each input is made in `f64`, shrinks to its default, prints
+//! itself as Rust, and is cast to the number that is tried.
 
 use core::fmt::Debug;
 
@@ -123,7 +123,8 @@ impl<T: Real + PartialOrd> Scene<T> {
         ]
     }
 
-    /// The same lights on a white surface without ambient light, so that the sums are of the lights alone.
+    /// The same lights on a white surface without ambient light, so that the sums are of the lights
+    /// alone.
     #[must_use]
     pub fn white(&self) -> Self {
         Self {

@@ -1,7 +1,8 @@
 //! What holds of local illumination, whatever the number type.
 //!
-//! A property is a function with its sentence over it. It takes a [`Scene`], some [`Directions`], a [`Triangle`], or what
-//! else it is about, and fails as proptest's properties do. [`all!`] makes a test of each, for a number:
+//! A property is a function with its sentence over it. It takes a [`Scene`], some [`Directions`], a
+//! [`Triangle`], or what else it is about, and fails as proptest's properties do. [`all!`] makes a
+//! test of each, for a number:
 //!
 //! ```ignore
 //! mod my_number {
@@ -15,16 +16,18 @@
 //!
 //! A test that fails prints the simplest input that proptest finds, as a call to paste into a test.
 //!
-//! Three groups of properties hold of most numbers, but not of all. A number that does not promise one says so, and those
-//! properties are not listed for it: `properties::all!(super::MyNumber, without doubling)`.
+//! Three groups of properties hold of most numbers, but not of all. A number that does not promise
+//! one says so, and those properties are not listed for it: `properties::all!(super::MyNumber,
+//! without doubling)`.
 //!
 //! | group | promises |
 //! |---|---|
 //! | `doubling` | a product with a power of two is exact, as in a binary float |
 //! | `mirroring` | −x is rounded as x is |
-//! | `plain_hooks` | the hooks of `Real` are the default ones, so every operation of a formula rounds |
+//! | `ordering` | a sum over lights rounds after each light: `Real::Sum` is a color of the number |
 //!
-//! A number that is also a real shininess gets the properties of its powers: `properties::all!(f32, with powers)`.
+//! A number that is also a real shininess gets the properties of its powers: `properties::all!(f32,
+//! with powers)`.
 #![allow(clippy::missing_errors_doc, clippy::missing_panics_doc)] // a property fails
 #![allow(clippy::must_use_candidate)] // short names for what is printed
 #![allow(clippy::float_cmp)] // what holds to the bit is compared so
@@ -61,7 +64,8 @@ use shading::Vec3;
 /// Every property, by topic; a group in brackets is one that a number may not promise.
 macro_rules! properties {
     ($d:tt $($topic:ident: $($([$group:ident])? $name:ident)*;)*) => {
-        /// Makes a test of each property, for a number: `mod half { properties::all!(super::Half); }`.
+        /// Makes a test of each property, for a number: `mod half { properties::all!(super::Half);
+        /// }`.
         #[macro_export]
         macro_rules! all {
             ($d number:ty) => {
@@ -83,7 +87,8 @@ macro_rules! properties {
                         fn $name() {
                             let name = concat!(stringify!($topic), "::", stringify!($name));
                             let number = stringify!($d number);
-                            $d crate::run::<super::Number, _>(name, number, $d crate::$topic::$name);
+                            let property = $d crate::$topic::$name::<super::Number>;
+                            $d crate::run(name, number, property);
                         }
                     })*
                 })*
@@ -103,7 +108,7 @@ macro_rules! properties {
 pub mod without {
     pub const doubling: () = ();
     pub const mirroring: () = ();
-    pub const plain_hooks: () = ();
+    pub const ordering: () = ();
 }
 
 /// A test, unless the number does without its group.
@@ -115,7 +120,7 @@ macro_rules! property {
     ((powers) (powers $($rest:ident)*) $test:item) => {};
     ((doubling) (doubling $($rest:ident)*) $test:item) => {};
     ((mirroring) (mirroring $($rest:ident)*) $test:item) => {};
-    ((plain_hooks) (plain_hooks $($rest:ident)*) $test:item) => {};
+    ((ordering) (ordering $($rest:ident)*) $test:item) => {};
     (($group:ident) ($other:ident $($rest:ident)*) $test:item) => {
         $crate::property! { ($group) ($($rest)*) $test }
     };
@@ -125,7 +130,7 @@ properties! { $
     light:
         no_light_is_negative
         lights_add_up
-        [plain_hooks] lights_add_up_in_their_order
+        [ordering] lights_add_up_in_their_order
         the_order_of_lights_does_not_matter
         a_black_light_changes_nothing
         [doubling] half_the_light_is_half_as_bright
@@ -246,7 +251,7 @@ properties! { $
         constants_are_themselves
         the_power_of_a_halfway_cosine_is_its_formula
         a_cast_to_f64_and_back_is_the_same
-        [plain_hooks] a_dual_number_has_the_value_of_its_number
+        a_dual_number_has_the_value_of_its_number
         derivatives_follow_their_rules
         [doubling] a_slope_is_linear_in_the_tangent
         a_clamped_color_is_within_0_and_1;
@@ -267,7 +272,8 @@ fn least_normal<T: Number>() -> f64 {
     if T::U > 0.0 { T::SMALLEST / T::U } else { 0.0 }
 }
 
-/// Whether the square of a length has the digits of an ordinary number. In fixed point, one beyond `EXTREME` has few.
+/// Whether the square of a length has the digits of an ordinary number. In fixed point, one beyond
+/// `EXTREME` has few.
 fn has_digits<T: Number>(square: f64) -> bool {
     let is_tame = square > 1.0 / T::LARGE && square < T::LARGE;
     square > 0.0 && (is_tame || T::U > 0.0)

@@ -49,7 +49,8 @@ pub fn no_light_is_negative<T: Number>(scene: &Scene<T>) -> Outcome {
     Ok(())
 }
 
-/// Lights add up: the light of several is the sum of what each gives alone, but for the rounding of each addition.
+/// Lights add up: the light of several is the sum of what each gives alone, but for the rounding of
+/// each addition.
 pub fn lights_add_up<T: Number>(scene: &Scene<T>) -> Outcome {
     let scene = scene.white();
     prop_assume!(scene.is_in_range());
@@ -138,7 +139,8 @@ pub fn any_fraction_of_the_light_is_that_fraction_as_bright<T: Number>(
     Ok(())
 }
 
-/// k_a scales the ambient term, k_d the diffuse one and k_s the specular one, and none scales another.
+/// k_a scales the ambient term, k_d the diffuse one and k_s the specular one, and none scales
+/// another.
 pub fn each_reflectance_scales_its_term<T: Number>(scene: &Scene<T>) -> Outcome {
     prop_assume!(scene.is_in_range());
     let lights = scene.arriving();
@@ -246,7 +248,7 @@ pub fn nothing_comes_from_behind<T: Number>(scene: &Scene<T>) -> Outcome {
 
 /// A light is in front where N·L > 0, as far as rounding tells.
 pub fn a_light_is_in_front_where_n_dot_l_is_above_0<T: Number>(scene: &Scene<T>) -> Outcome {
-    let n = book::xyz(*scene.n.cast(T::exact));
+    let n = book::xyz(scene.n.cast(T::exact));
     for (light, of) in scene.arriving().into_iter().zip(&scene.lights) {
         let way = book::arriving(&of.cast(T::exact), book::xyz(scene.p.map(T::exact)));
         let cosine = way.map_or(0.0, |(l, _)| book::dot(n, l));
@@ -286,19 +288,31 @@ pub fn a_light_on_the_horizon_adds_nothing<T: Number>(d: &Directions<T>) -> Outc
 
 /// The light of a diffuse surface is k_a I_a + Σ k_d I max(0, N·L), written out.
 pub fn the_sum_of_lambert_is_its_formula<T: Number>(scene: &Scene<T>) -> Outcome {
-    prop_assert_book!(scene => scene.shaded(&scene.arriving())[0], book::shaded(scene, Model::Lambert));
+    prop_assert_book!(
+        scene,
+        scene.shaded(&scene.arriving())[0],
+        book::shaded(scene, Model::Lambert)
+    );
     Ok(())
 }
 
 /// Phong's light is k_a I_a + Σ I (k_d max(0, N·L) + k_s max(0, R·V)ᵐ), written out.
 pub fn the_sum_of_phong_is_its_formula<T: Number>(scene: &Scene<T>) -> Outcome {
-    prop_assert_book!(scene => scene.shaded(&scene.arriving())[1], book::shaded(scene, Model::Phong));
+    prop_assert_book!(
+        scene,
+        scene.shaded(&scene.arriving())[1],
+        book::shaded(scene, Model::Phong)
+    );
     Ok(())
 }
 
 /// Blinn's light is k_a I_a + Σ I (k_d max(0, N·L) + k_s max(0, N·H)ᵐ), written out.
 pub fn the_sum_of_blinn_is_its_formula<T: Number>(scene: &Scene<T>) -> Outcome {
-    prop_assert_book!(scene => scene.shaded(&scene.arriving())[2], book::shaded(scene, Model::Blinn));
+    prop_assert_book!(
+        scene,
+        scene.shaded(&scene.arriving())[2],
+        book::shaded(scene, Model::Blinn)
+    );
     Ok(())
 }
 
@@ -316,7 +330,8 @@ pub fn a_light_at_the_point_adds_nothing<T: Number>(scene: &Scene<T>) -> Outcome
     Ok(())
 }
 
-/// What arrives of a sun is its color, everywhere; what arrives of a light of any kind is that light.
+/// What arrives of a sun is its color, everywhere; what arrives of a light of any kind is that
+/// light.
 pub fn a_sun_is_as_bright_everywhere<T: Number>(scene: &Scene<T>) -> Outcome {
     for light in &scene.lights {
         let arriving = light.at(scene.p);
@@ -333,13 +348,14 @@ pub fn a_sun_is_as_bright_everywhere<T: Number>(scene: &Scene<T>) -> Outcome {
     Ok(())
 }
 
-/// A shadow ray from p along L ends at the lamp, after the distance q: p + qL is the lamp's position.
+/// A shadow ray from p along L ends at the lamp, after the distance q: p + qL is the lamp's
+/// position.
 pub fn a_shadow_ray_ends_at_the_lamp<T: Number>(scene: &Scene<T>) -> Outcome {
     let p = book::xyz(scene.p.map(T::exact));
     for lamp in scene.lamps() {
         let light = lamp.at(scene.p);
         let (l, q) = (
-            book::xyz(*light.l().cast(T::exact)),
+            book::xyz(light.l().cast(T::exact)),
             light.distance().exact(),
         );
         let position = book::xyz(lamp.position.map(T::exact));
@@ -394,15 +410,16 @@ pub fn a_lamp_fades_with_its_distance<T: Number>(scene: &Scene<T>) -> Outcome {
     Ok(())
 }
 
-/// A spot is a lamp within its cone: the same direction and distance, and the light times the factor of the cone.
+/// A spot is a lamp within its cone: the same direction and distance, and the light times the
+/// factor of the cone.
 pub fn a_spot_is_a_lamp_within_its_cone<T: Number>(scene: &Scene<T>) -> Outcome {
     for light in &scene.lights {
         let Light::Spot(spot) = light else { continue };
         let (is, lamp) = (spot.at(scene.p), spot.point.at(scene.p));
         prop_assert_eq!((is.l(), is.distance()), (lamp.l(), lamp.distance()));
         let cosine = -book::dot(
-            book::xyz(*spot.axis.cast(T::exact)),
-            book::xyz(*lamp.l().cast(T::exact)),
+            book::xyz(spot.axis.cast(T::exact)),
+            book::xyz(lamp.l().cast(T::exact)),
         );
         let [inner, outer] = spot.cone.cosines().map(T::exact);
         // the factor is as steep as the edge is narrow
@@ -496,7 +513,8 @@ pub fn half_a_turn_of_the_scene_changes_nothing<T: Number>(scene: &Scene<T>) -> 
     Ok(())
 }
 
-/// A quarter of a turn about z changes light by roundings only: x and y are added in the other order.
+/// A quarter of a turn about z changes light by roundings only: x and y are added in the other
+/// order.
 pub fn a_quarter_turn_of_the_scene_changes_little<T: Number>(scene: &Scene<T>) -> Outcome {
     let scene = scene.white();
     let turned = scene.moved(quarter_turn, Vec3::ZERO);
@@ -521,7 +539,8 @@ pub fn a_quarter_turn_of_the_scene_changes_little<T: Number>(scene: &Scene<T>) -
     Ok(())
 }
 
-/// A lamp and a point that move together see each other as before, to the bit where their differences are exact.
+/// A lamp and a point that move together see each other as before, to the bit where their
+/// differences are exact.
 pub fn a_lamp_moves_with_its_point<T: Number>(t: &Triangle<T>) -> Outcome {
     let ([position, p, _], offset) = (t.corners, t.offset);
     let lamp = |position| PointLight {
@@ -546,7 +565,7 @@ pub fn a_far_lamp_is_a_sun<T: Number>(d: &Directions<T>) -> Outcome {
     };
     let p = Vec3::new(T::of(0.5), T::of(-0.5), T::of(0.25)); // |p| = ¾
     let light = lamp.at(p);
-    let [is, l] = [light.l(), d.l].map(|v| book::xyz(*v.cast(T::exact)));
+    let [is, l] = [light.l(), d.l].map(|v| book::xyz(v.cast(T::exact)));
     let angle = book::length(book::minus(is, l));
     prop_assert!(angle <= 0.75 / far + 8.0 * (T::U + T::STEP), "{is:?}");
     prop_assert_eq!(light.intensity(), Rgb::WHITE);

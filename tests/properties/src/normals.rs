@@ -27,7 +27,8 @@ fn apart<T: Number>(a: Option<UnitVec3<T>>, b: Option<UnitVec3<T>>) -> f64 {
     }
 }
 
-/// The edges of a triangle that is not a sliver, and how many roundings of its corners a normal may be off by.
+/// The edges of a triangle that is not a sliver, and how many roundings of its corners a normal may
+/// be off by.
 fn edges<T: Number>(t: &Triangle<T>) -> Option<([Triple; 3], f64)> {
     let [a, b, c] = [t.a, t.b, t.c].map(xyz);
     let edges = [book::minus(b, a), book::minus(c, b), book::minus(a, c)];
@@ -58,7 +59,8 @@ pub fn a_normal_has_length_1<T: Number>(t: &Triangle<T>) -> Outcome {
     Ok(())
 }
 
-/// A normal is perpendicular to all edges, and looks to the side from which they run counter-clockwise.
+/// A normal is perpendicular to all edges, and looks to the side from which they run
+/// counter-clockwise.
 pub fn a_normal_is_perpendicular_to_its_edges<T: Number>(t: &Triangle<T>) -> Outcome {
     let Some((edges, roundings)) = edges(t) else {
         return Ok(());
@@ -198,10 +200,19 @@ pub fn a_normal_survives_a_point_reflection<T: Number>(t: &Triangle<T>) -> Outco
     Ok(())
 }
 
-/// The normal of the plane ax + by + cz = d is (a, b, c), and that of a sphere points from its center.
+/// The normal of the plane ax + by + cz = d is (a, b, c), and that of a sphere points from its
+/// center.
 pub fn planes_and_spheres_have_their_direction<T: Number>(t: &Triangle<T>) -> Outcome {
-    prop_assert_book!(t => normal::plane(t.a.x, t.a.y, t.a.z), book::direction(book::xyz(t.a)));
-    prop_assert_book!(t => normal::sphere(t.a, t.b), book::direction(book::minus(book::xyz(t.b), book::xyz(t.a))));
+    prop_assert_book!(
+        t,
+        normal::plane(t.a.x, t.a.y, t.a.z),
+        book::direction(book::xyz(t.a))
+    );
+    prop_assert_book!(
+        t,
+        normal::sphere(t.a, t.b),
+        book::direction(book::minus(book::xyz(t.b), book::xyz(t.a)))
+    );
     prop_assert_eq!(
         normal::from_gradient(t.a),
         normal::plane(t.a.x, t.a.y, t.a.z)
@@ -210,7 +221,8 @@ pub fn planes_and_spheres_have_their_direction<T: Number>(t: &Triangle<T>) -> Ou
     Ok(())
 }
 
-/// The saddle z = xy has the same normal by its equation, by its parameters and by hand: (−y, −x, 1)/√(x² + y² + 1).
+/// The saddle z = xy has the same normal by its equation, by its parameters and by hand: (−y, −x,
+/// 1)/√(x² + y² + 1).
 pub fn equation_and_parameters_agree<T: Number>(t: &Triangle<T>) -> Outcome {
     let [p, _, _] = t.corners;
     let point = Vec3::new(p.x, p.y, p.x * p.y);
@@ -243,7 +255,8 @@ pub fn a_negative_equation_turns_the_normal_over<T: Number>(t: &Triangle<T>) -> 
     Ok(())
 }
 
-/// An equation times a power of two, or parameters that run half as fast, keep the normal, to the bit.
+/// An equation times a power of two, or parameters that run half as fast, keep the normal, to the
+/// bit.
 pub fn a_multiple_of_an_equation_has_its_normal<T: Number>(t: &Triangle<T>) -> Outcome {
     let [p, q, _] = t.corners;
     let f = |p: Vec3<Dual<T>>| p.x * p.y + p.z * p.z;
@@ -272,7 +285,8 @@ pub fn a_normal_can_face_the_eye<T: Number>(f: &Frame<T>) -> Outcome {
     Ok(())
 }
 
-/// A matrix turns the normal of a triangle into that of the triangle it makes, a mirror and its size included.
+/// A matrix turns the normal of a triangle into that of the triangle it makes, a mirror and its
+/// size included.
 pub fn a_normal_is_transformed_with_its_surface<T: Number>(f: &Frame<T>) -> Outcome {
     let [x, y, z] = f.columns.map(xyz);
     let det = book::dot(x, book::cross(y, z));
@@ -359,7 +373,8 @@ pub fn a_corner_can_be_split<T: Number>(t: &Triangle<T>) -> Outcome {
     Ok(())
 }
 
-/// Along the tangent of a texture map, u rises and v stays: T = αe₂ + βe₃ with αv₂ + βv₃ = 0 and αu₂ + βu₃ > 0.
+/// Along the tangent of a texture map, u rises and v stays: T = αe₂ + βe₃ with αv₂ + βv₃ = 0 and
+/// αu₂ + βu₃ > 0.
 pub fn a_tangent_follows_the_texture<T: Number>(t: &Triangle<T>) -> Outcome {
     let [a, b, c] = t.corners.map(xyz);
     let (e2, e3) = (book::minus(b, a), book::minus(c, a));
@@ -390,8 +405,8 @@ pub fn a_tangent_follows_the_texture<T: Number>(t: &Triangle<T>) -> Outcome {
     Ok(())
 }
 
-/// A sample of a normal map keeps its share along N, gets the handedness's side across, and turns T with it: the rest of
-/// the sample lies along the part of T that is perpendicular to N.
+/// A sample of a normal map keeps its share along N, gets the handedness's side across, and turns T
+/// with it: the rest of the sample lies along the part of T that is perpendicular to N.
 pub fn a_normal_map_is_relative_to_its_frame<T: Number>(f: &Frame<T>) -> Outcome {
     let (n, tangent) = (xyz(f.n), xyz(f.tangent));
     let across = book::minus(tangent, book::times(book::dot(n, tangent), n));

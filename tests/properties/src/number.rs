@@ -6,8 +6,8 @@ use shading::{Dual, Real};
 
 /// A number to try: how far apart its values are, and how far they go.
 pub trait Number: Real + PartialOrd + Debug + 'static {
-    /// The largest error of a rounding, relative to the result: half the distance from 1 to the next number, or 0 in
-    /// fixed point.
+    /// The largest error of a rounding, relative to the result: half the distance from 1 to the
+    /// next number, or 0 in fixed point.
     const U: f64;
     /// The smallest number above 0.
     const SMALLEST: f64;
@@ -15,7 +15,8 @@ pub trait Number: Real + PartialOrd + Debug + 'static {
     const LARGEST: f64;
     /// `EXTREME`, for constants.
     const LARGE: f64;
-    /// The largest error of a rounding near 0: half the distance from 0 to the next number, or half a step.
+    /// The largest error of a rounding near 0: half the distance from 0 to the next number, or half
+    /// a step.
     const STEP: f64 = Self::SMALLEST / 2.0;
     /// Whether a product with a power of two is exact, as in a binary float.
     const DOUBLES_EXACTLY: bool = true;

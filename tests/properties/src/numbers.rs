@@ -19,8 +19,16 @@ pub fn zero_and_one_are_neutral<T: Number>(n: &Numbers<T>) -> Outcome {
 
 /// + − × ÷ √ are off by one rounding.
 pub fn each_operation_rounds_once<T: Number>(n: &Numbers<T>) -> Outcome {
-    prop_assert_book!(n => vec![n.x + n.y, n.x - n.y, n.x * n.y], [n.x + n.y, n.x - n.y, n.x * n.y]);
-    prop_assert_book!(n => vec![n.z + n.x, n.z - n.y, n.z * n.y], [n.z + n.x, n.z - n.y, n.z * n.y]);
+    prop_assert_book!(
+        n,
+        vec![n.x + n.y, n.x - n.y, n.x * n.y],
+        [n.x + n.y, n.x - n.y, n.x * n.y]
+    );
+    prop_assert_book!(
+        n,
+        vec![n.z + n.x, n.z - n.y, n.z * n.y],
+        [n.z + n.x, n.z - n.y, n.z * n.y]
+    );
     let divisor = n.y + T::of(0.25);
     let quotient = (n.x / divisor).exact();
     let should = n.x.exact() / divisor.exact();
@@ -76,9 +84,10 @@ pub fn constants_are_themselves<T: Number>(n: &Numbers<T>) -> Outcome {
     Ok(())
 }
 
-/// max(0, N·H)ᵐ of a vector to a light of any length, written out; 0 where there is no vector halfway.
+/// max(0, N·H)ᵐ of a vector to a light of any length, written out; 0 where there is no vector
+/// halfway.
 pub fn the_power_of_a_halfway_cosine_is_its_formula<T: Number>(d: &Directions<T>) -> Outcome {
-    let [n, l, v] = [d.n, d.l, d.v].map(|u| book::xyz(*u.cast(T::exact)));
+    let [n, l, v] = [d.n, d.l, d.v].map(|u| book::xyz(u.cast(T::exact)));
     let size = book::length(book::plus(l, v));
     let cosine = book::halfway(l, v).map_or(0.0, |h| book::dot(n, h));
     prop_assume!(size > 0.1 && (cosine == 0.0 || cosine.abs() > 64.0 * (T::U + T::STEP)));

@@ -13,19 +13,22 @@ pub fn run<T: Number, I: Of<T>>(name: &str, number: &str, property: fn(&I) -> Ou
     }
 }
 
-/// Tries a property of a number. The error is a message for a reader, with the call that reproduces it.
+/// Tries a property of a number. The error is a message for a reader, with the call that reproduces
+/// it.
 pub fn try_property<T: Number, I: Of<T>>(
     name: &str,
     number: &str,
     property: fn(&I) -> Outcome,
 ) -> Result<(), String> {
-    // boxed by the type of the input, so that proptest is compiled once for each and not for each property
+    // boxed by the type of the input, so that proptest is compiled once for each and not for each
+    // property
     search::<I::Plain>(name, number, Sizes::of::<T>(), &|plain| {
         property(&I::of(plain))
     })
 }
 
-/// The same cases at each run, unless `PROPTEST_RNG_SEED` says otherwise; as many as `PROPTEST_CASES` says.
+/// The same cases at each run, unless `PROPTEST_RNG_SEED` says otherwise; as many as
+/// `PROPTEST_CASES` says.
 fn config() -> Config {
     let mut config = Config {
         failure_persistence: None, // what failed is pasted into a test

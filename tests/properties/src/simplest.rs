@@ -1,6 +1,7 @@
 //! A strategy that shrinks to one of some simple values, whatever it began with.
 //!
-//! proptest's own unions take one step back and stop if that passes; so a direction by two angles would stay one.
+//! proptest's own unions take one step back and stop if that passes; so a direction by two angles
+//! would stay one.
 
 use core::fmt::Debug;
 

@@ -129,7 +129,8 @@ fn list(values: &[impl Source]) -> String {
     values.join(", ")
 }
 
-/// A statement on lines of at most 100 columns, broken between the fields of a struct and the elements of a list.
+/// A statement on lines of at most 100 columns, broken between the fields of a struct and the
+/// elements of a list.
 pub fn wrapped(statement: &str) -> String {
     let (mut pieces, mut open) = (vec![String::new()], Vec::new());
     for part in statement.split_inclusive([' ', '(', ')', '[', ']', '{', '}']) {

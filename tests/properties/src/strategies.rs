@@ -1,5 +1,5 @@
-//! Cases with the edges in them: axes, opposites, the horizon, a light at the point, m = 0, subnormal and huge sizes.
-//! What stands first in each is the simplest, to which proptest shrinks.
+//! Cases with the edges in them: axes, opposites, the horizon, a light at the point, m = 0,
+//! subnormal and huge sizes. What stands first in each is the simplest, to which proptest shrinks.
 
 use std::f64::consts::{PI, TAU};
 
@@ -39,8 +39,8 @@ fn direction() -> impl Strategy<Value = UnitVec3<f64>> + Clone {
     simplest(simple, by_angles)
 }
 
-/// Three directions. The second may lie on the horizon of the first; the third may be the second, its opposite, or
-/// where it is reflected to.
+/// Three directions. The second may lie on the horizon of the first; the third may be the second,
+/// its opposite, or where it is reflected to.
 fn three_directions() -> impl Strategy<Value = [UnitVec3<f64>; 3]> {
     let on_the_horizon = select(&[false, false, false, false, false, false, true][..]);
     let relation = select(&[0, 0, 0, 0, 0, 1, 2, 3][..]);
@@ -128,7 +128,8 @@ fn light() -> impl Strategy<Value = Light<f64>> {
     ]
 }
 
-/// At most four lights. Of twenty lamps, one is at the point. The eye may be where a sun is, opposite, or reflected.
+/// At most four lights. Of twenty lamps, one is at the point. The eye may be where a sun is,
+/// opposite, or reflected.
 pub fn scenes(sizes: Sizes) -> BoxedStrategy<Scene> {
     let is_here = prop_oneof![19 => Just(false), 1 => Just(true)];
     let lights = vec((light(), is_here), 0..=4);

@@ -17,7 +17,7 @@ fn u<T: Number>() -> f64 {
 
 /// max(0, N·L), written out.
 pub fn lambert_is_the_cosine<T: Number>(d: &Directions<T>) -> Outcome {
-    prop_assert_book!(d => vec![term::lambert(d.n, d.l)], book::lambert(d.n, d.l));
+    prop_assert_book!(d, vec![term::lambert(d.n, d.l)], book::lambert(d.n, d.l));
     Ok(())
 }
 
@@ -50,18 +50,27 @@ pub fn tilting_l_toward_n_never_darkens<T: Number>(d: &Directions<T>) -> Outcome
 
 /// max(0, R·V)ᵐ, written out.
 pub fn phong_is_a_power_of_the_cosine<T: Number>(d: &Directions<T>) -> Outcome {
-    prop_assert_book!(d =>
+    prop_assert_book!(
+        d,
         vec![term::phong(reflection(d.n, d.l), d.v, d.m)],
-        book::highlight(book::dot(book::reflected(book::xyz(*d.n), book::xyz(*d.l)), book::xyz(*d.v)), d.m)
+        book::highlight(
+            book::dot(
+                book::reflected(book::xyz(d.n), book::xyz(d.l)),
+                book::xyz(d.v)
+            ),
+            d.m
+        )
     );
     Ok(())
 }
 
 /// max(0, N·H)ᵐ, written out.
 pub fn blinn_is_a_power_of_the_cosine<T: Number>(d: &Directions<T>) -> Outcome {
-    prop_assert_book!(d =>
+    prop_assert_book!(
+        d,
         half_vector(d.l, d.v).map(|h| vec![term::blinn(d.n, h, d.m)]),
-        book::halfway(book::xyz(*d.l), book::xyz(*d.v)).map(|h| book::highlight(book::dot(book::xyz(*d.n), h), d.m))
+        book::halfway(book::xyz(d.l), book::xyz(d.v))
+            .map(|h| book::highlight(book::dot(book::xyz(d.n), h), d.m))
     );
     Ok(())
 }
@@ -77,7 +86,8 @@ pub fn a_highlight_is_at_most_1<T: Number>(d: &Directions<T>) -> Outcome {
     Ok(())
 }
 
-/// A cosine of 0 or below gives no highlight, whatever m is, even m = 0; one above 0 gives 1 for m = 0.
+/// A cosine of 0 or below gives no highlight, whatever m is, even m = 0; one above 0 gives 1 for m
+/// = 0.
 pub fn no_highlight_without_a_cosine<T: Number>(d: &Directions<T>) -> Outcome {
     for m in [0, 1, d.m] {
         prop_assert_eq!(term::phong(d.n, -d.n, m), T::ZERO);
@@ -98,9 +108,10 @@ pub fn light_and_eye_can_be_exchanged<T: Number>(d: &Directions<T>) -> Outcome {
     Ok(())
 }
 
-/// R·V = 2(N·H)² − 1 + det[N, L, V]²/(1 + L·V): in the plane of L and V, the angle of R to V is twice that of N to H.
+/// R·V = 2(N·H)² − 1 + det[N, L, V]²/(1 + L·V): in the plane of L and V, the angle of R to V is
+/// twice that of N to H.
 pub fn phong_and_blinn_are_related<T: Number>(d: &Directions<T>) -> Outcome {
-    let [n, l, v] = [d.n, d.l, d.v].map(|u| book::xyz(*u.cast(T::exact)));
+    let [n, l, v] = [d.n, d.l, d.v].map(|u| book::xyz(u.cast(T::exact)));
     let c = 1.0 + book::dot(l, v);
     prop_assume!(c > 0.1);
     let h = half_vector(d.l, d.v).expect("not opposite");
@@ -114,7 +125,8 @@ pub fn phong_and_blinn_are_related<T: Number>(d: &Directions<T>) -> Outcome {
     Ok(())
 }
 
-/// In the plane of x and z, Blinn's highlight of 4m is at least Phong's of m, as cos⁴ of half an angle exceeds its cos.
+/// In the plane of x and z, Blinn's highlight of 4m is at least Phong's of m, as cos⁴ of half an
+/// angle exceeds its cos.
 pub fn blinn_of_4m_is_at_least_phong_of_m<T: Number>(d: &Directions<T>) -> Outcome {
     let flat = |u: UnitVec3<T>| Vec3::new(u.x, T::ZERO, u.z).unit();
     let is_short = |u: UnitVec3<T>| u.x.exact().hypot(u.z.exact()) < 0.25;
@@ -196,7 +208,8 @@ pub fn a_power_of_a_root_is_half_the_power<T: Number>(n: &Numbers<T>) -> Outcome
     Ok(())
 }
 
-/// Over the hemisphere, ∫ (m + 2)/(2π) cosᵐ⁺¹ = 1: a white surface that the light meets head-on returns all of it.
+/// Over the hemisphere, ∫ (m + 2)/(2π) cosᵐ⁺¹ = 1: a white surface that the light meets head-on
+/// returns all of it.
 pub fn a_normalized_phong_lobe_returns_everything<T: Number>(n: &Numbers<T>) -> Outcome {
     let k = term::phong_normalization(T::of(f64::from(n.m))).exact();
     let exponent = i32::try_from(n.m).expect("small") + 1;
@@ -206,16 +219,16 @@ pub fn a_normalized_phong_lobe_returns_everything<T: Number>(n: &Numbers<T>) -> 
     Ok(())
 }
 
-/// The integral of a function of the cosine over the hemisphere, 2π ∫ f(c) dc, by the midpoint rule: for cᵐ with m of at
-/// most 101, it is off by less than 10⁻⁴ of itself.
+/// The integral of a function of the cosine over the hemisphere, 2π ∫ f(c) dc, by the midpoint
+/// rule: for cᵐ with m of at most 101, it is off by less than 10⁻⁴ of itself.
 fn over_the_hemisphere(f: impl Fn(f64) -> f64) -> f64 {
     let steps = 4096;
     let midpoints = (0..steps).map(|i| (f64::from(i) + 0.5) / f64::from(steps));
     TAU * midpoints.map(f).sum::<f64>() / f64::from(steps)
 }
 
-/// Light that meets a white surface head-on returns whole from Blinn's normalized lobe: H is at half the angle of V, so
-/// N·H = √((1 + N·V)/2).
+/// Light that meets a white surface head-on returns whole from Blinn's normalized lobe: H is at
+/// half the angle of V, so N·H = √((1 + N·V)/2).
 pub fn a_normalized_blinn_lobe_returns_everything<T: Number + Lobe<T>>(n: &Numbers<T>) -> Outcome {
     let m = f64::from(n.m) + n.x.exact();
     let k = term::blinn_normalization(T::of(m)).exact();

@@ -1,5 +1,6 @@
-//! A number that carries a bound of its error. The crate's own functions, run with it, say how far a result may be from
-//! the formula in the book: a tolerance follows from the operations, and not from a guess.
+//! A number that carries a bound of its error. The crate's own functions, run with it, say how far
+//! a result may be from the formula in the book: a tolerance follows from the operations, and not
+//! from a guess.
 
 use core::cell::Cell;
 use core::cmp::Ordering;
@@ -56,8 +57,8 @@ impl<T: Number> Tracked<T> {
         Self::given(x.exact(), 0.0)
     }
 
-    /// After one rounding, which does nothing to a number that T has; an `f64` does not show whether T has it if T is as
-    /// precise. Nothing is known of a number out of range.
+    /// After one rounding, which does nothing to a number that T has; an `f64` does not show
+    /// whether T has it if T is as precise. Nothing is known of a number out of range.
     fn rounded(exact: f64, error: f64) -> Self {
         if error == 0.0 && Self::IS_COARSER && T::of(exact).exact() == exact {
             return Self::given(exact, 0.0);
@@ -303,8 +304,8 @@ impl<P: Printed, const N: usize> Printed for [P; N] {
     }
 }
 
-/// Fails unless each computed number is as near to the book's as the tracked errors allow. A case that rounding decides
-/// is drawn again.
+/// Fails unless each computed number is as near to the book's as the tracked errors allow. A case
+/// that rounding decides is drawn again.
 pub fn is_near<T: Number>(
     computed: &[T],
     (tracked, is_decided): (Vec<Tracked<T>>, bool),
@@ -333,10 +334,11 @@ pub fn is_near<T: Number>(
     Ok(())
 }
 
-/// `prop_assert_book!(scene => call, formula)` computes the call with the input in T, and the formula with the input in
-/// `f64`. The tolerance is the error of the call in the number that tracks the errors of T.
+/// `prop_assert_book!(scene, call, formula)` computes the call with the input in T, and the
+/// formula with the input in `f64`. The tolerance is the error of the call in the number that
+/// tracks the errors of T.
 macro_rules! prop_assert_book {
-    ($given:ident => $call:expr, $formula:expr) => {{
+    ($given:ident, $call:expr, $formula:expr) => {{
         use $crate::tracked::{Parts, Printed, Tracked, decided, is_near};
         let computed: Vec<_> = Parts::<T>::parts($call);
         let tracked = {
