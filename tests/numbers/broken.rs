@@ -85,6 +85,7 @@ fn every_property_is_listed() {
         ("falloff", include_str!("../properties/src/falloff.rs")),
         ("normals", include_str!("../properties/src/normals.rs")),
         ("numbers", include_str!("../properties/src/numbers.rs")),
+        ("colors", include_str!("../properties/src/colors.rs")),
     ];
     let mut functions = Vec::new();
     for (topic, source) in topics {

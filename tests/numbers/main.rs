@@ -4,11 +4,11 @@ mod broken;
 mod naive;
 
 mod f32 {
-    properties::all!(f32, with powers);
+    properties::all!(f32, with functions);
 }
 
 mod f64 {
-    properties::all!(f64, with powers);
+    properties::all!(f64, with functions);
 }
 
 mod dual {

@@ -1,7 +1,7 @@
 //! Light that fades with distance, and at the edge of a cone.
 
 use proptest::prelude::*;
-use shading::{Attenuation, Cone, Real, UnitVec3, attenuation};
+use shading::{Attenuation, Cone, Elementary, Real, UnitVec3, attenuation};
 
 use crate::book;
 use crate::given::{Beam, Falloff};
@@ -212,6 +212,28 @@ pub fn a_cone_is_round<T: Number>(b: &Beam<T>) -> Outcome {
         b.cone.factor(UnitVec3::NEG_Z, turned),
         b.cone.factor(UnitVec3::NEG_Z, b.l)
     );
+    Ok(())
+}
+
+/// A half-angle is measured from the axis: what is nearer is lit, and what is further off is dark.
+pub fn a_half_angle_is_measured_from_the_axis<T: Number + Elementary>(b: &Beam<T>) -> Outcome {
+    let [axis, l] = [b.axis, b.l].map(|u| book::xyz(u.cast(T::exact)));
+    let off_axis = book::length(book::cross(axis, l)).atan2(-book::dot(axis, l));
+    let [inner, outer] = b.cone.cosines().map(|cosine| cosine.exact().acos());
+    let near_the_axis = (32.0 * T::U).sqrt();
+    let soft = Cone::from_half_angles(T::of(inner), T::of(outer)).expect("in order");
+    let hard = Cone::from_half_angle(T::of(outer)).expect("within π");
+    for (cone, lit_to) in [(soft, inner), (hard, outer)] {
+        let factor = cone.factor(b.axis, b.l);
+        prop_assert!(
+            off_axis > lit_to - near_the_axis || factor == T::ONE,
+            "{factor:?}"
+        );
+        prop_assert!(
+            off_axis < outer + near_the_axis || factor == T::ZERO,
+            "{factor:?}"
+        );
+    }
     Ok(())
 }
 

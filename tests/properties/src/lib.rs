@@ -26,8 +26,8 @@
 //! | `mirroring` | −x is rounded as x is |
 //! | `ordering` | a sum over lights rounds after each light: `Real::Sum` is a color of the number |
 //!
-//! A number that is also a real shininess gets the properties of its powers: `properties::all!(f32,
-//! with powers)`.
+//! A number with elementary functions, which is a real shininess, too, has more:
+//! `properties::all!(f32, with functions)`.
 #![allow(clippy::missing_errors_doc, clippy::missing_panics_doc)] // a property fails
 #![allow(clippy::must_use_candidate)] // short names for what is printed
 #![allow(clippy::float_cmp)] // what holds to the bit is compared so
@@ -41,6 +41,7 @@ mod source;
 mod strategies;
 mod tracked;
 
+pub mod colors;
 pub mod directions;
 pub mod falloff;
 pub mod light;
@@ -69,14 +70,14 @@ macro_rules! properties {
         #[macro_export]
         macro_rules! all {
             ($d number:ty) => {
-                $d crate::all! { @ $d number, powers }
+                $d crate::all! { @ $d number, functions }
             };
-            ($d number:ty, with powers) => {
+            ($d number:ty, with functions) => {
                 $d crate::all! { @ $d number, }
             };
             ($d number:ty, without $d($d without:ident),+) => {
                 $d(const _: () = $d crate::without::$d without;)+
-                $d crate::all! { @ $d number, powers $d($d without)+ }
+                $d crate::all! { @ $d number, functions $d($d without)+ }
             };
             (@ $d number:ty, $d($d without:ident)*) => {
                 type Number = $d number;
@@ -117,7 +118,7 @@ pub mod without {
 macro_rules! property {
     (() ($($without:ident)*) $test:item) => { $test };
     (($group:ident) () $test:item) => { $test };
-    ((powers) (powers $($rest:ident)*) $test:item) => {};
+    ((functions) (functions $($rest:ident)*) $test:item) => {};
     ((doubling) (doubling $($rest:ident)*) $test:item) => {};
     ((mirroring) (mirroring $($rest:ident)*) $test:item) => {};
     ((ordering) (ordering $($rest:ident)*) $test:item) => {};
@@ -197,9 +198,9 @@ properties! { $
         powers_multiply
         a_power_of_a_root_is_half_the_power
         a_normalized_phong_lobe_returns_everything
-        [powers] a_normalized_blinn_lobe_returns_everything
-        [powers] whole_and_real_exponents_agree
-        [powers] a_real_power_is_its_formula;
+        [functions] a_normalized_blinn_lobe_returns_everything
+        [functions] whole_and_real_exponents_agree
+        [functions] a_real_power_is_its_formula;
     falloff:
         attenuation_is_its_formula
         a_range_is_its_formula
@@ -218,6 +219,7 @@ properties! { $
         a_cone_never_darkens_toward_its_axis
         a_cone_without_an_edge_is_hard
         a_cone_is_round
+        [functions] a_half_angle_is_measured_from_the_axis
         a_cast_proves_again;
     normals:
         a_normal_has_length_1
@@ -254,7 +256,13 @@ properties! { $
         a_dual_number_has_the_value_of_its_number
         derivatives_follow_their_rules
         [doubling] a_slope_is_linear_in_the_tangent
-        a_clamped_color_is_within_0_and_1;
+        [functions] elementary_functions_have_their_slopes;
+    colors:
+        a_clamped_color_is_within_0_and_1
+        [functions] srgb_is_its_formula
+        [functions] srgb_survives_the_round_trip
+        [functions] rgb565_is_its_formula
+        [functions] linear_bytes_are_proportional;
 }
 
 /// Half a turn about z.

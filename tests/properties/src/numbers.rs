@@ -1,10 +1,10 @@
 //! What the formulas expect of a number, and what dual numbers make of it.
 
 use proptest::prelude::*;
-use shading::{Dual, Mask, Rgb, Select, UnitVec3, Vec3};
+use shading::{Dual, Elementary, Mask, Rgb, Select, UnitVec3, Vec3};
 
 use crate::book;
-use crate::given::{Directions, Numbers, Scene, Triangle};
+use crate::given::{Directions, Numbers, Scene};
 use crate::tracked::{prop_assert_book, prop_assert_near};
 use crate::{Number, Outcome};
 
@@ -178,10 +178,36 @@ pub fn a_slope_is_linear_in_the_tangent<T: Number>(n: &Numbers<T>) -> Outcome {
     Ok(())
 }
 
-/// Colors are clamped to [0, 1] channel by channel, and those within it stay.
-pub fn a_clamped_color_is_within_0_and_1<T: Number>(t: &Triangle<T>) -> Outcome {
-    let color = Rgb::from(<[T; 3]>::from(t.a));
-    let [is, was] = [color.clamped(), color].map(|c| [c.r, c.g, c.b].map(T::exact));
-    prop_assert_eq!(is, was.map(|x| x.clamp(0.0, 1.0)));
+/// (sin x)′ = cos x and the like: each elementary function has its value and its slope.
+pub fn elementary_functions_have_their_slopes<T: Number + Elementary>(n: &Numbers<T>) -> Outcome {
+    let [x, y] = variables(n);
+    let [a, b] = [x, y].map(|x| x.value.exact());
+    let square = a * a + b * b;
+    let functions = [
+        (x.sin(), a.sin(), [a.cos(), 0.0]),
+        (x.cos(), a.cos(), [-a.sin(), 0.0]),
+        (y.tan(), b.tan(), [0.0, 1.0 / b.cos().powi(2)]),
+        (y.atan2(x), b.atan2(a), [-b / square, a / square]),
+        (x.exp(), a.exp(), [a.exp(), 0.0]),
+        (x.ln(), a.ln(), [1.0 / a, 0.0]),
+        (
+            x.powf(y),
+            a.powf(b),
+            [b * a.powf(b - 1.0), a.powf(b) * a.ln()],
+        ),
+        (x.powi(-3), a.powi(-3), [-3.0 * a.powi(-4), 0.0]),
+        ((y - x).abs(), (b - a).abs(), [1.0, -1.0]),
+    ];
+    for (i, (is, value, slope)) in functions.into_iter().enumerate() {
+        prop_assume!(i != 8 || a > b);
+        let numbers = [is.value, is.gradient.x, is.gradient.y].map(T::exact);
+        for (is, should) in numbers.into_iter().zip([value, slope[0], slope[1]]) {
+            // of numbers within [−e², e²], after few roundings
+            prop_assert!(
+                (is - should).abs() <= 64.0 * T::U * (1.0 + should.abs()),
+                "function {i}: {is} is not {should}"
+            );
+        }
+    }
     Ok(())
 }
