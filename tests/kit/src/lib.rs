@@ -19,6 +19,7 @@ pub mod digest;
 pub mod given;
 pub mod number;
 pub mod places;
+pub mod random;
 
 #[cfg(feature = "std")]
 pub mod everything;
