@@ -182,21 +182,18 @@ impl<T: Real> Cone<T> {
             .then(|| Self::with_slack(inner + T::ZERO, outer + T::ZERO, T::ZERO))
     }
 
-    /// The cone of cosines within [−1, 1], or of another cone's: it contains its axis, and a cone of
-    /// half-angle π every direction, even if both directions are as long as they may be. The slack of
-    /// another number type stays where it is larger, because directions bring the roundoff of that
-    /// type along.
+    /// The cone of cosines within [−1, 1], or of another cone's: it contains its axis, even if both
+    /// directions are as long as they may be. The slack of another number type stays where it is
+    /// larger, because directions bring the roundoff of that type along.
+    ///
+    /// A cone of every direction has the cosine −2 in every number type, which no two directions reach.
     #[inline]
     fn with_slack(inner: T, outer: T, smooth: T) -> Self {
         let two = T::ONE + T::ONE;
         let slack = two * two * epsilon();
-        let everywhere = slack - T::ONE;
-        let widened = |cosine: T| {
-            let cosine = cosine.at_most(T::ONE - slack);
-            let wider = cosine.at_most(T::NEG_ONE - two * slack);
-            everywhere.above(cosine).select(wider, cosine)
-        };
-        let (inner, outer) = (widened(inner), widened(outer));
+        let is_everywhere = (slack - T::ONE).above(inner);
+        let stored = |cosine: T| is_everywhere.select(-two, cosine.at_most(T::ONE - slack));
+        let (inner, outer) = (stored(inner), stored(outer));
         Self {
             inner,
             outer,
@@ -241,10 +238,10 @@ macro_rules! constants {
             #[must_use]
             pub const fn const_from_cosines(inner: $float, outer: $float) -> Option<Self> {
                 if 1.0 >= inner && inner >= outer && outer >= -1.0 {
-                    let (inner, outer) = (Self::widened(inner), Self::widened(outer));
+                    let is_everywhere = inner < Self::SLACK - 1.0;
                     Some(Self {
-                        inner,
-                        outer,
+                        inner: Self::stored(inner, is_everywhere),
+                        outer: Self::stored(outer, is_everywhere),
                         smooth: 0.0,
                     })
                 } else {
@@ -259,12 +256,13 @@ macro_rules! constants {
                 Self { smooth, ..self }
             }
 
-            const fn widened(cosine: $float) -> $float {
-                const SLACK: $float = 4.0 * $float::EPSILON;
-                if cosine > 1.0 - SLACK {
-                    1.0 - SLACK
-                } else if cosine < SLACK - 1.0 {
-                    -1.0 - 2.0 * SLACK // two directions may both be too long
+            const SLACK: $float = 4.0 * $float::EPSILON;
+
+            const fn stored(cosine: $float, is_everywhere: bool) -> $float {
+                if is_everywhere {
+                    -2.0
+                } else if cosine > 1.0 - Self::SLACK {
+                    1.0 - Self::SLACK
                 } else {
                     cosine + 0.0 // −0 would turn the sign of the width of an edge
                 }

@@ -77,7 +77,7 @@
 //! - `defmt` implements `Format` for the types of a scene, so that a microcontroller can log them.
 //! - `fixed` adds a signed 16.16 fixed-point number, and the types of a scene in it.
 //! - `mint` converts [`Vec3`] from and to `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to `Vector3`.
-//! - `serde` reads and writes lights and materials; invalid input is an error that names the field and the reason.
+//! - `serde` reads and writes lights and materials; invalid input is an error that says what is wrong.
 //! - `wide` implements [`Real`] and [`Lobe`] for the SIMD types of the crate `wide`.
 //!
 //! # Guide

@@ -321,12 +321,14 @@ fn sum<T: Real, M>(
         if in_front.any() {
             let (toward, light) = light.toward(n);
             let n_dot_l = T::cosine(*n, &toward);
+            // In lanes, a light behind is left out here, and not by a product with 0: ∞ · 0 is NaN.
             let light = Dimmed {
-                factor: in_front.select(light.factor, T::ZERO),
+                color: Rgb::select(in_front, light.color, Rgb::BLACK),
                 ..light
             };
             diffuse = diffuse.add(light, n_dot_l);
-            specular = specular.add(light, highlight(toward.measured));
+            let highlight = in_front.select(highlight(toward.measured), T::ZERO);
+            specular = specular.add(light, highlight);
         }
     }
     Shaded {

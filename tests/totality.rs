@@ -6,8 +6,16 @@
 
 #[path = "totality/any_bits.rs"]
 mod any_bits;
+#[path = "totality/casts.rs"]
+mod casts;
+#[path = "totality/duals.rs"]
+mod duals;
+#[path = "totality/invalid.rs"]
+mod invalid;
 #[path = "totality/sweeps.rs"]
 mod sweeps;
+#[path = "totality/thresholds.rs"]
+mod thresholds;
 
 use std::f64::consts::{FRAC_1_PI, PI};
 use std::fmt::Debug;

@@ -213,8 +213,10 @@ impl<T: Real> IncidentLight<T> {
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> IncidentLight<U> {
         let (to_light, intensity) = (self.to_light.map(&mut f), self.intensity.map(&mut f));
         let mut light = IncidentLight::new(to_light, intensity, self.attenuation.cast(&mut f));
-        (light.axis, light.cone) = (self.axis.cast(&mut f), self.cone.cast(f));
         light.kind = self.kind;
+        if self.kind == Kind::Spot {
+            (light.axis, light.cone) = (self.axis.cast(&mut f), self.cone.cast(f));
+        }
         light
     }
 }

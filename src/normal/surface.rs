@@ -209,8 +209,9 @@ pub fn parametric<T: Real + Scalar>(
 /// N = s_u × s_v / |s_u × s_v|
 /// ```
 ///
-/// The tangents may have any length; nothing overflows or vanishes. Their order decides to which side
-/// N points. The result is `None` if they are parallel, 0 or not finite.
+/// The tangents may have any length. Their order decides to which side N points. The result is `None`
+/// if they are parallel, 0 or not finite. They may count as parallel if the sine of the angle between
+/// them is below u², where u is the unit roundoff.
 ///
 /// Source: Foley, van Dam et al. 1990, §11.3.4.
 ///

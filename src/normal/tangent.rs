@@ -25,9 +25,10 @@ use crate::vector::Vec3;
 /// perpendicular to N. This is how MikkTSpace weighs, except that it projects each t onto the plane
 /// of N first.
 ///
-/// The error is a few units of roundoff times the conditioning |p₂ − p₁||y₃ − y₁| + |p₃ − p₁||y₂ − y₁|
-/// over |d T|. As in [`triangle`](crate::normal::triangle), the size of the triangle does not matter,
-/// nor that of the map.
+/// The error is at most 7u times the conditioning |p₂ − p₁||y₃ − y₁| + |p₃ − p₁||y₂ − y₁| over |d T|,
+/// where u is the unit roundoff. The size of the triangle does not matter from 2⁻¹²⁰ (`f32`) or 2⁻¹⁰⁰⁰
+/// (`f64`) on, nor that of the map, as long as neither edge is more than 2¹⁰⁰ (2⁹⁰⁰) times as long as the
+/// other, and the same holds for the differences of the texture coordinates.
 ///
 /// Source: Eric Lengyel, *Computing Tangent Space Basis Vectors for an Arbitrary Mesh*, 2001;
 /// Mikkelsen 2008.

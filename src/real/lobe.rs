@@ -51,7 +51,7 @@ pub trait Lobe<T: Real>: Copy {
     ///
     /// With an integer m the relative error is at most m·u, the conditioning of the power itself,
     /// where u is the unit roundoff (2⁻²⁴ for `f32`). With a real m the absolute error is at most
-    /// 2⁻²² in `f32` and 2⁻⁵¹ in `f64`. A power that would be subnormal may be 0.
+    /// 2⁻²² in `f32` and 2⁻⁵¹ in `f64`. A power that would be subnormal has fewer digits, or is 0.
     ///
     /// ```
     /// use shading::Lobe;
