@@ -158,41 +158,61 @@ pub fn paths<R>(format: Format, formula: impl Fn(Given) -> R, mut each: impl FnM
     });
 }
 
-/// Tries to prove a claim, then to refute it with `runs` inputs, which also must show that it says something.
-pub fn judge(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Verdict {
-    let formula = || claim(Given(format));
-    let (mut open, mut empty, mut cases, mut without_goal) = (None, None, Vec::new(), Vec::new());
-    run::explore(format, &formula, |run, goals| {
+/// What the rules say of a claim: the first goal that is open, why the claim is empty, and the cases that have goals.
+#[derive(Default)]
+struct Derived {
+    open: Option<String>,
+    empty: Option<String>,
+    cases: Vec<Vec<(Test, bool)>>,
+}
+
+fn derive(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Derived {
+    let (mut derived, mut without_goal) = (Derived::default(), Vec::new());
+    run::explore(format, &|| claim(Given(format)), |run, goals| {
         let Run { graph, known, .. } = run;
         let is_empty = |(_, range): &&(String, Range)| range.is_empty();
         if let Some((name, _)) = graph.names.iter().find(is_empty) {
-            empty = Some(format!("no number lies in the range of {name}"));
+            derived.empty = Some(format!("no number lies in the range of {name}"));
         }
         let goals = goals.unwrap_or_default();
         if goals.is_empty() {
             without_goal.push(run.cases());
             return;
         }
-        if open.is_some() {
+        if derived.open.is_some() {
             return;
         }
-        if !cases.contains(&run.cases()) {
-            cases.push(run.cases());
+        if !derived.cases.contains(&run.cases()) {
+            derived.cases.push(run.cases());
         }
         if let Some(goal) = goals.iter().find(|goal| !goal.is_proved(graph, known)) {
             let mut known = known.clone();
             let nodes = goal.nodes().into_iter();
             let ranges: Vec<_> = nodes.map(|id| known.range(graph, id)).collect();
-            open = Some(format!("{goal:?} has {ranges:?}"));
+            derived.open = Some(format!("{goal:?} has {ranges:?}"));
         }
     });
-    if cases.is_empty() && empty.is_none() {
-        empty = Some("it has no goal on any path".into());
+    let has_goal = |case: &Vec<_>| derived.cases.iter().any(|other| other.starts_with(case));
+    if derived.cases.is_empty() {
+        let nowhere = "it has no goal on any path".into();
+        derived.empty = derived.empty.or(Some(nowhere));
+    } else if derived.open.is_none() && !without_goal.iter().all(has_goal) {
+        let without = "one of its cases has no goal".into();
+        derived.empty = derived.empty.or(Some(without));
     }
-    let has_goal = |case: &Vec<_>| cases.iter().any(|other: &Vec<_>| other.starts_with(case));
-    if open.is_none() && !without_goal.iter().all(has_goal) {
-        empty = empty.or(Some("one of its cases has no goal".into()));
-    }
+    derived
+}
+
+/// Whether the rules prove a claim, which may say nothing.
+#[doc(hidden)]
+pub fn is_derived(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> bool {
+    let Derived { open, empty, .. } = derive(format, claim);
+    open.is_none() && empty.is_none()
+}
+
+/// Tries to prove a claim, then to refute it with `runs` inputs, which also must show that it says something.
+pub fn judge(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Verdict {
+    let Derived { open, empty, cases } = derive(format, &claim);
     if let Some(why) = empty {
         return Verdict::Empty(why);
     }
