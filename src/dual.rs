@@ -4,7 +4,8 @@ use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::elementary::Elementary;
-use crate::real::{Mask, Real, Select, size};
+use crate::real::{Mask, Real, Select, magnitude};
+use crate::rgb::Rgb;
 use crate::vector::Vec3;
 
 /// A dual number: a value and its gradient, ∇ = (∂/∂x, ∂/∂y, ∂/∂z).
@@ -257,7 +258,7 @@ number_first!(f64: Add add, Sub sub, Mul mul, Div div);
 #[diagnostic::do_not_recommend] // the trait's own message names the types
 impl<T: Real> Real for Dual<T> {
     type Mask = Where<T::Mask>;
-    type Sum = Self;
+    type Sum = Rgb<Self>;
 
     const ZERO: Self = Self::constant(T::ZERO);
     const ONE: Self = Self::constant(T::ONE);
@@ -355,7 +356,7 @@ impl<T: Elementary> Elementary for Dual<T> {
     fn powf(self, exponent: Self) -> Self {
         let power = self.value.powf(exponent.value);
         // what does not vary adds nothing, even where the other factor is infinite or NaN
-        let times = |x: T, slope: T| size(x).above(T::ZERO).select(x * slope, x);
+        let times = |x: T, slope: T| magnitude(x).above(T::ZERO).select(x * slope, x);
         let slope = times(exponent.value, self.value.powf(exponent.value - T::ONE));
         let growth = power * self.value.ln();
         let gradient = self.gradient * slope + exponent.gradient.map(|x| times(x, growth));

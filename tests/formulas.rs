@@ -8,9 +8,9 @@ use std::f64::consts::{FRAC_1_PI, PI};
 
 use kit::{Float, Number, Sink, Value, direction, rgb, vector};
 use shading::{
-    Attenuation, Cone, DirectionalLight, Dual, Exponent, IncidentLight, Light, Material,
-    PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal,
-    reflection, shade, term,
+    Attenuation, Cone, DirectionalLight, Dual, IncidentLight, Light, Lobe, Material, PointLight,
+    Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection,
+    shade, term,
 };
 
 /// Runs each row for `f32` and `f64`, and names those that fail.
@@ -258,16 +258,16 @@ table! {
     "clamped": [0.25, 2.0].map(|q| falloff::<T>(0.0, 0.0, 1.0).clamped().at(T::of(q))) => [1.0, 0.25], 0.0;
     "coefficients": falloff::<T>(0.25, 0.0, 3.0).clamped().coefficients() => [0.25, 0.0, 3.0], 0.0;
     "kinds of falloff": { let free = falloff::<T>(1.0, 0.0, 0.0); let ranged = free.within(T::of(4.0)).expect("a range");
-        [free.is_clamped(), free.clamped().is_clamped(), ranged.clamped().is_unsquared(), ranged.unsquared().is_unsquared(),
+        [free.limit() == T::MAX, free.clamped().limit() == T::ONE, ranged.clamped().is_gltf(), free.within_gltf(T::of(4.0)).expect("a range").is_gltf(),
         Attenuation::<T>::default() == free, ranged.range() == T::of(4.0), free.range() == T::MAX] }
-        => [0.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0], 0.0;
+        => [1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0], 0.0;
     // 1/(1 + 4/4) (1 − (2/4)⁴)² = ½ (15/16)²; as glTF has it, ½ 15/16
-    "halfway to the range": { let ranged = falloff::<T>(1.0, 0.0, 0.25).within(T::of(4.0)).expect("a range"); [ranged.at(T::of(2.0)),
-        ranged.unsquared().at(T::of(2.0)), ranged.at(T::of(4.0))] }
+    "halfway to the range": { let free = falloff::<T>(1.0, 0.0, 0.25); let ranged = free.within(T::of(4.0)).expect("a range"); [ranged.at(T::of(2.0)),
+        free.within_gltf(T::of(4.0)).expect("a range").at(T::of(2.0)), ranged.at(T::of(4.0))] }
         => [225.0 / 512.0, 15.0 / 32.0, 0.0], 0.0;
     // one range after another replaces it; the order of the steps does not matter
     "steps of a falloff": { let free = falloff::<T>(0.0, 0.0, 1.0); let r = T::of(4.0);
-        [free.within(r).expect("a range").clamped().unsquared() == free.unsquared().clamped().within(r).expect("a range"),
+        [free.within_gltf(r).expect("a range").clamped() == free.clamped().within_gltf(r).expect("a range"),
         free.within(T::ONE).expect("a range").within(r) == free.within(r)] }
         => [1.0, 1.0], 0.0;
 

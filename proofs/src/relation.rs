@@ -104,10 +104,8 @@ impl Known {
         if let Node::Select(Test::Above(edge, x), below, other) = g.nodes[a as usize]
             && let Node::Select(Test::Above(same, y), less, more) = g.nodes[b as usize]
             && edge == same
-            && !self.range(g, x).nan
-            && is(self, x, y)
             && is(self, below, less)
-            && is(self, below, more)
+            && (x == y || !self.range(g, x).nan && is(self, x, y) && is(self, below, more))
             && is(self, other, more)
         {
             return true;

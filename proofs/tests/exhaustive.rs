@@ -355,9 +355,10 @@ fn order_of_results() {
             let floors = [back[0].at_least(x), back[1].at_least(y)];
             let edges = [(x, 0), (y, 1)].map(|(z, i)| k.above(z).select(limited[i], Term::ONE));
             let chosen = [(x, 0), (y, 1)].map(|(z, i)| k.above(z).select(straight[i], back[i]));
+            let masked = [0, 1].map(|i| k.above(Term::ONE).select(straight[i], back[i]));
             let added = [straight[0], straight[0] + back[0]];
             let pairs = [
-                straight, back, nested, limited, limits, floors, edges, chosen, added,
+                straight, back, nested, limited, limits, floors, edges, chosen, masked, added,
             ];
             pairs
                 .into_iter()
@@ -377,7 +378,7 @@ fn order_of_results() {
 /// What is assumed of the functions of `libm` and of powers, as far as a small format has it.
 #[test]
 fn functions_with_a_contract() {
-    use shading::Exponent;
+    use shading::Lobe;
     check(
         SMALL,
         pairs(&ranges(), &ranges()),

@@ -20,8 +20,12 @@ pub fn attenuation_of_invalid(given: Given) -> Vec<Goal> {
     match given.one_of(5) {
         3 => abc = ["x", "y", "z"].map(|name| given.number(name, nothing())),
         4 => {
-            let r = given.number("r", Range::within(-INF, 0.0).or_nan());
-            return none(unlimited(given).within(r));
+            let free = unlimited(given);
+            let x = given.number("x", Range::within(-INF, 0.0).or_nan());
+            return none(match given.one_of(3) {
+                0 => free.clamped_to(x),
+                window => WINDOWS[window as usize].1(free, x),
+            });
         }
         i => abc[i as usize] = invalid(given, "invalid"),
     }
@@ -34,8 +38,8 @@ pub fn attenuation_in_its_limits(given: Given) -> Vec<Goal> {
         return vec![];
     };
     let (q, max) = (given.any("q"), not_negative(given));
-    let limit = if falloff.is_clamped() { share() } else { max };
-    let mut goals = within([falloff.at(q)], limit);
+    let mut goals = within([falloff.at(q)], max);
+    goals.push(Goal::AtMost(falloff.at(q), falloff.limit()));
     goals.extend(within(falloff.coefficients(), max));
     goals.extend(within([falloff.range()], max));
     goals
@@ -77,25 +81,23 @@ pub fn attenuation_never_rises(given: Given) -> Vec<Goal> {
 }
 
 pub fn range_ends(given: Given) -> Vec<Goal> {
-    let (q, free) = (given.number("q", light()), unlimited(given));
-    let below = Range::within(
-        given.format().tiny(),
-        given.format().next_down(given.format().max()),
-    );
-    let (ends, r) = match given.one_of(2) {
-        0 => (true, given.number("r", below)),
-        _ => (false, given.any("r")),
-    };
-    let free = LIMITS[given.one_of(2) as usize].1(free);
-    let window = WINDOWS[given.one_of(2) as usize].1;
-    let Some(ranged) = window(free, r) else {
+    let (q, free, format) = (given.number("q", light()), limited(given), given.format());
+    let window = WINDOWS[1 + given.one_of(2) as usize].1;
+    let below = Range::within(format.tiny(), format.next_down(format.max()));
+    let Some(ranged) = free.and_then(|free| window(free, given.number("r", below))) else {
         return vec![];
     };
-    if !ends {
-        return vec![Goal::AtMost(ranged.at(q), free.at(q))];
-    }
     given.assume_at_most(ranged.range(), q);
     within([ranged.at(q)], nothing())
+}
+
+pub fn range_never_adds(given: Given) -> Vec<Goal> {
+    let (q, free) = (given.number("q", light()), limited(given));
+    let window = WINDOWS[1 + given.one_of(2) as usize].1;
+    let pair = free.and_then(|free| Some((free, window(free, given.any("r"))?)));
+    pair.map_or(vec![], |(free, ranged)| {
+        vec![Goal::AtMost(ranged.at(q), free.at(q))]
+    })
 }
 
 pub fn cone_of_any(given: Given) -> Vec<Goal> {

@@ -129,28 +129,30 @@ pub fn unlimited(given: Given) -> Attenuation<Term> {
 }
 
 /// What limits an attenuation, and what ends it at a range, by the names of the methods.
-type Limit = (&'static str, fn(Attenuation<Term>) -> Attenuation<Term>);
-pub const LIMITS: [Limit; 2] = [("NONE", |free| free), ("clamped", Attenuation::clamped)];
-type Window = (
-    &'static str,
-    fn(Attenuation<Term>, Term) -> Option<Attenuation<Term>>,
-);
-pub const WINDOWS: [Window; 2] = [
+type Limit = fn(Attenuation<Term>, Term) -> Option<Attenuation<Term>>;
+pub const LIMITS: [(&str, Limit); 3] = [
+    ("new", |free, _| Some(free)),
+    ("clamped", |free, _| Some(free.clamped())),
+    ("clamped_to", Attenuation::clamped_to),
+];
+pub const WINDOWS: [(&str, Limit); 3] = [
+    ("new", |free, _| Some(free)),
     ("within", Attenuation::within),
-    ("unsquared", |free, r| Some(free.within(r)?.unsquared())),
+    ("within_gltf", Attenuation::within_gltf),
 ];
 
+/// Any attenuation with any of the limits.
+pub fn limited(given: Given) -> Option<Attenuation<Term>> {
+    LIMITS[given.one_of(3) as usize].1(unlimited(given), given.any("limit"))
+}
+
 pub fn any_attenuation(given: Given) -> Option<Attenuation<Term>> {
-    let free = LIMITS[given.one_of(2) as usize].1(unlimited(given));
-    match given.one_of(3) as usize {
-        2 => Some(free),
-        window => WINDOWS[window].1(free, given.any("r")),
-    }
+    WINDOWS[given.one_of(3) as usize].1(limited(given)?, given.any("r"))
 }
 
 /// What makes the edge of a cone, by the name of the method.
-type Edge = (&'static str, fn(Cone<Term>) -> Cone<Term>);
-pub const EDGES: [Edge; 2] = [
+type Edge = fn(Cone<Term>) -> Cone<Term>;
+pub const EDGES: [(&str, Edge); 2] = [
     ("from_cosines", |cone| cone),
     ("smoothstep", Cone::smoothstep),
 ];

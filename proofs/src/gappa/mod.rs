@@ -8,7 +8,7 @@ mod script;
 use std::fs;
 use std::path::Path;
 
-use shading::{Attenuation, Exponent, IncidentLight, PointLight, Rgb, UnitVec3, Vec3};
+use shading::{Attenuation, IncidentLight, Lobe, PointLight, Rgb, UnitVec3, Vec3};
 use shading::{attenuation, half_vector, normal, term};
 use shading_proofs::{Format, Given, Goal, Graph, Node, Range, Term, Test, paths};
 
