@@ -19,7 +19,7 @@
 //! | sphere | (p − center)/\|p − center\| | [`normal::sphere`] |
 //! | implicit surface | ∇f/\|∇f\| | [`normal::implicit`], [`normal::from_gradient`] |
 //! | parametric surface | ∂s/∂u × ∂s/∂v, length 1 | [`normal::parametric`], [`normal::from_tangents`] |
-//! | two-sided surface | N if N·V ≥ 0, else −N | [`normal::facing`] |
+//! | two-sided surface | N if F·V ≥ 0, else −N | [`normal::facing`] |
 //! | transformed normal | cof(M) N, length 1 | [`normal::transformed`] |
 //! | smooth mesh | a triangle's normal times its angle at a vertex, to be summed | [`normal::corner`] |
 //! | tangents | t and h of a triangle with texture coordinates | [`normal::tangent`] |

@@ -313,7 +313,7 @@ fn everything<T: Real, M: Exponent<T>>(c: &Place<T>, m: M) -> Vec<T> {
     let vectors = [
         vec![
             Vec3::from(reflection(n, v)),
-            normal::facing(n, v).into(),
+            normal::facing(n, v, n).into(),
             normal::corner(p, *n, *v),
         ],
         vec![

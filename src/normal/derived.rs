@@ -8,14 +8,19 @@ use crate::vector::Vec3;
 /// The normal on the viewer's side, for surfaces that are seen from both sides.
 ///
 /// ```text
-/// N where N·V ≥ 0, else −N
+/// N where F·V ≥ 0, else −N
 /// ```
 ///
-/// N is the normal and V the direction to the eye, away from the surface. If the surface is seen
-/// edge-on (N·V = 0), or if a number is NaN, the result is N.
+/// N is the normal to shade with, V the direction to the eye, away from the surface, and `face`, F,
+/// the normal of the surface itself: that of the triangle which the ray has hit. F decides which side
+/// the eye sees. If the surface is seen edge-on (F·V = 0), or if F or V is NaN, the result is N.
 ///
-/// GLSL's `faceforward(N, I, N)` takes the incident direction, which is −V. `faceforward(N, -V, N)`
-/// is this function, except that it gives −N for N·V = 0.
+/// For an exact surface, such as a sphere, F is N. Where N is interpolated over a mesh or comes from a
+/// normal map, N·V may be negative although the eye sees the front: such an N must not be turned.
+/// Turn it **last**: interpolate first, then apply the [normal map](mapped), then call this function.
+///
+/// GLSL's `faceforward(N, I, F)` takes the incident direction, which is −V. `faceforward(N, -V, F)`
+/// is this function, except that it gives −N for F·V = 0.
 ///
 /// Source: *The OpenGL Shading Language*, version 4.60, 2017, §8.5.
 ///
@@ -23,14 +28,19 @@ use crate::vector::Vec3;
 /// use shading::{UnitVec3, normal};
 ///
 /// let v = UnitVec3::<f32>::new(0.0, 0.6, 0.8).unwrap();
-/// assert_eq!(normal::facing(UnitVec3::Z, v), UnitVec3::Z);
-/// assert_eq!(normal::facing(-UnitVec3::Z, v), UnitVec3::Z);
-/// assert_eq!(normal::facing(-UnitVec3::X, v), -UnitVec3::X); // edge-on
+/// let (front, back) = (UnitVec3::Z, -UnitVec3::Z);
+/// assert_eq!(normal::facing(front, v, front), UnitVec3::Z);
+/// assert_eq!(normal::facing(back, v, back), UnitVec3::Z);
+///
+/// // a smooth normal near the outline, which leans away from the eye on a face seen from the front
+/// let smooth = UnitVec3::new(0.0, -0.96, 0.28).unwrap();
+/// assert!(smooth.dot(v) < 0.0);
+/// assert_eq!(normal::facing(smooth, v, front), smooth);
 /// ```
 #[doc(alias("faceforward", "two-sided"))]
 #[inline]
-pub fn facing<T: Real>(n: UnitVec3<T>, v: UnitVec3<T>) -> UnitVec3<T> {
-    let away = (-n).dot(v).above(T::ZERO);
+pub fn facing<T: Real>(n: UnitVec3<T>, v: UnitVec3<T>, face: UnitVec3<T>) -> UnitVec3<T> {
+    let away = (-face).dot(v).above(T::ZERO);
     UnitVec3::assume_unit(Vec3::select(away, -*n, *n))
 }
 

@@ -116,7 +116,7 @@ impl Surface for Mesh {
         let (p, n) = (self.normal)(meeting.triangle, meeting.weights);
         (
             p.unwrap_or(ray.at(meeting.t)),
-            n.map(|n| normal::facing(n, -ray.along)),
+            n.map(|n| normal::facing(n, -ray.along, n)),
         )
     }
 }
