@@ -45,7 +45,7 @@
 //! | half vector | H = (L + V)/\|L + V\| | [`half_vector`] |
 //! | normalization | (m + 2)/(2π), (m + 2)(m + 4)/(8π(2^(−m/2) + m)) | [`term::phong_normalization`], [`term::blinn_normalization`] |
 //! | attenuation | 1/(a + bq + cq²) | [`attenuation`](attenuation()), [`Attenuation`] |
-//! | range | max(0, 1 − (q/r)⁴)²/(a + bq + cq²), or without the square | [`Attenuation::within`], [`Attenuation::unsquared`] |
+//! | range | max(0, 1 − (q/r)⁴)²/(a + bq + cq²), or without the square | [`Attenuation::within`], [`Attenuation::within_gltf`] |
 //! | spot | t² or t²(3 − 2t), t from 0 at the outer edge to 1 at the inner | [`Cone`] |
 //! | what arrives at p | L, I and q | [`DirectionalLight`], [`PointLight`], [`SpotLight`], [`Light`] |
 //! | plane | (a, b, c)/\|(a, b, c)\| | [`normal::plane`] |
@@ -85,7 +85,7 @@
 //! - `mint` converts [`Vec3`] from and to `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to `Vector3`.
 //! - `serde` reads and writes lights and materials; invalid input is an error that says what is wrong and, in a
 //!   text format, where.
-//! - `wide` implements [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`.
+//! - `wide` implements [`Real`] and [`Lobe`] for the SIMD types of the crate `wide`.
 //!
 //! # Guide
 //!
@@ -160,8 +160,8 @@ pub use elementary::Elementary;
 pub use features::Lanes;
 #[cfg(feature = "fixed")]
 pub use features::fixed;
-pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
-pub use real::{Exponent, LightSum, Mask, Measured, Real, Scalar, Select, Toward};
+pub use light::{Arrival, DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
+pub use real::{Dimmed, LightSum, Lobe, Mask, Measured, Real, Scalar, Select, Toward};
 #[doc(inline)]
 pub use shade::{Material, Shaded};
 pub use triple::{Rgb, Vec3};

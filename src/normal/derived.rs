@@ -1,7 +1,7 @@
 //! Normals made from normals: turned to the eye, transformed, or perturbed by a normal map.
 
 use super::surface::from_tangents;
-use crate::real::{Real, Scalar, Select, is_extreme, size};
+use crate::real::{Real, Scalar, Select, is_extreme, magnitude};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -62,8 +62,8 @@ pub fn facing<T: Real>(n: UnitVec3<T>, v: UnitVec3<T>, face: UnitVec3<T>) -> Uni
 /// The result is `None` if M flattens the surface to a line or a point, up to rounding, or if a
 /// number is not finite. A singular M still gives a normal to every other surface, because M is not
 /// inverted. The error is a few u times the conditioning
-/// (|n_x||b||c| + |n_y||c||a| + |n_z||a||b|)/|cof(M) N|, whatever the length of each column, where
-/// u is the unit roundoff. It is an error of a vector of length 1: a component that M makes much
+/// (|n_x||b||c| + |n_y||c||a| + |n_z||a||b|)/|cof(M) N|, whatever the length of each column from 2⁻¹²⁰
+/// (`f32`) or 2⁻¹⁰⁰⁰ (`f64`) on, where u is the unit roundoff. It is an error of a vector of length 1: a component that M makes much
 /// smaller than the others has fewer correct digits, and below 2⁻⁷⁵ (`f32`) or 2⁻⁶⁶⁰ (`f64`) it may
 /// be 0.
 ///
@@ -97,13 +97,13 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
         // the least length that counts keeps the quotients within range
         let none = UnitVec3::assume_unit(Vec3::ZERO);
         let (x, y, z) = (a.length(), b.length(), c.length()); // shaders have no `map` of an array
-        let counts = |n: T, length| size(n).above(T::ZERO).select(length, T::MAX);
+        let counts = |n: T, length| magnitude(n).above(T::ZERO).select(length, T::MAX);
         let least = counts(n.x, x)
             .at_most(counts(n.y, y))
             .at_most(counts(n.z, z));
         let share = |n: T, length: T| {
             let share = length.above(least).select(n * (least / length), n);
-            size(n).above(T::ZERO).select(share, T::ZERO)
+            magnitude(n).above(T::ZERO).select(share, T::ZERO)
         };
         let n = Vec3::new(share(n.x, x), share(n.y, y), share(n.z, z));
         // the product with 0 keeps what is not finite

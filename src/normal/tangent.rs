@@ -1,6 +1,6 @@
 //! The tangent that a normal map needs.
 
-use crate::real::{Real, Scalar, Select, size};
+use crate::real::{Real, Scalar, Select, magnitude};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -29,9 +29,10 @@ use crate::vector::Vec3;
 /// perpendicular to N. MikkTSpace weighs by an angle too, but first projects each t and both edges
 /// onto the plane of N.
 ///
-/// The error is a few units of roundoff times the conditioning |p₂ − p₁||y₃ − y₁| + |p₃ − p₁||y₂ − y₁|
-/// over |d T|. As in [`triangle`](crate::normal::triangle), the size of the triangle does not matter,
-/// nor that of the map.
+/// The error is at most 7u times the conditioning |p₂ − p₁||y₃ − y₁| + |p₃ − p₁||y₂ − y₁| over |d T|,
+/// where u is the unit roundoff. The size of the triangle does not matter from 2⁻¹²⁰ (`f32`) or 2⁻¹⁰⁰⁰
+/// (`f64`) on, nor that of the map, as long as neither edge is more than 2¹⁰⁰ (2⁹⁰⁰) times as long as the
+/// other, and the same holds for the differences of the texture coordinates.
 ///
 /// Source: Eric Lengyel, *Computing Tangent Space Basis Vectors for an Arbitrary Mesh*, 2001;
 /// Mikkelsen 2008.
@@ -64,12 +65,12 @@ pub fn tangent<T: Real + Scalar>(
     let d = x2 * y3 - x3 * y2;
     let h = d.above(T::ZERO).select(T::ONE, T::NEG_ONE);
     let t = (e2 / edge * y3 - e3 / edge * y2) * h;
-    t.unit().filter(|_| size(d) > T::ZERO).map(|t| (t, h))
+    t.unit().filter(|_| magnitude(d) > T::ZERO).map(|t| (t, h))
 }
 
 /// Two numbers in shares of the larger one. If both are 0, they are NaN.
 #[inline]
 fn shares<T: Real>(a: T, b: T) -> (T, T) {
-    let larger = size(a).at_least(size(b));
+    let larger = magnitude(a).at_least(magnitude(b));
     (a / larger, b / larger)
 }

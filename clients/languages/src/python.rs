@@ -23,7 +23,7 @@ fn light<T: Number>(numbers: &Numbers) -> Option<shading::Light<T>> {
         range: T::of(numbers[13]),
         inner: T::of(numbers[14]),
         outer: T::of(numbers[15]),
-        unsquared: whole(16),
+        gltf: whole(16),
     }
     .checked()
 }

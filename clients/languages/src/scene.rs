@@ -1,7 +1,7 @@
 //! The structures of `shading.h`, and the types of the crate that they become. C uses them with `f32`, Python also with `f64`.
 
 use shading::{
-    Attenuation, Cone, DirectionalLight, Elementary, Exponent, IncidentLight, PointLight, Rgb,
+    Attenuation, Cone, DirectionalLight, Elementary, IncidentLight, Lobe, PointLight, Rgb,
     Scalar, Shaded, SpotLight, UnitVec3, Vec3, shade,
 };
 
@@ -26,7 +26,7 @@ impl Model {
 }
 
 /// `f32` or `f64`.
-pub trait Number: Elementary + Scalar + Exponent<Self> + Send + Sync {
+pub trait Number: Elementary + Scalar + Lobe<Self> + Send + Sync {
     /// A whole shininess as an integer, which is faster.
     fn whole(self) -> Option<u32>;
 }
@@ -63,7 +63,7 @@ pub struct Light<T = f32> {
     pub range: T,
     pub inner: T,
     pub outer: T,
-    pub unsquared: u32,
+    pub gltf: u32,
 }
 
 // as in the callers
@@ -97,13 +97,13 @@ impl<T: Number> Light<T> {
 
     fn point(&self) -> Option<PointLight<T>> {
         let [a, b, c] = self.attenuation;
-        let squared = Attenuation::new(a, b, c)?.within(self.range)?;
+        let attenuation = Attenuation::new(a, b, c)?;
         Some(PointLight {
             position: self.position.into(),
             intensity: color(self.intensity)?,
-            attenuation: match self.unsquared {
-                0 => squared,
-                1 => squared.unsquared(),
+            attenuation: match self.gltf {
+                0 => attenuation.within(self.range)?,
+                1 => attenuation.within_gltf(self.range)?,
                 _ => return None,
             },
         })

@@ -3,7 +3,7 @@
 
 use super::{Fixed, ONE, rounded};
 use crate::elementary::Elementary;
-use crate::real::{Exponent, LightSum, Measured, Real, Toward};
+use crate::real::{Dimmed, LightSum, Lobe, Measured, Real, Toward, falloff};
 use crate::rgb::Rgb;
 use crate::vector::Vec3;
 
@@ -254,19 +254,19 @@ impl Real for Fixed {
     #[inline(always)]
     fn toward(n: Vec3<Self>, v: Vec3<Self>) -> Toward<Self> {
         let scaled = scaled(v.map(|x| x.0).into());
-        let n_dot_v = Self((scaled.cosine(n) + (1 << 8)) >> 9);
+        let n_dot_w = Self((scaled.cosine(n) + (1 << 8)) >> 9);
         let (unit, length) = scaled.unit_and_length();
-        let way = Measured {
+        let measured = Measured {
             w: unit.into(),
             w_length: Self(ONE),
             length,
         };
-        Toward { way, n_dot_v }
+        Toward { measured, n_dot_w }
     }
 
     #[inline]
     fn cosine(_: Vec3<Self>, toward: &Toward<Self>) -> Self {
-        Self(toward.n_dot_v.0.clamp(0, ONE))
+        Self(toward.n_dot_w.0.clamp(0, ONE))
     }
 
     #[inline]
@@ -297,17 +297,12 @@ impl Real for Fixed {
         n: Vec3<Self>,
         Measured { w, .. }: Measured<Self>,
         v: Vec3<Self>,
-        m: impl Exponent<Self>,
+        m: impl Lobe<Self>,
     ) -> Self {
         // both are directions
         let sum = |w: Self, v: Self| Self(w.0.wrapping_add(v.0));
         let h = Vec3::new(sum(w.x, v.x), sum(w.y, v.y), sum(w.z, v.z));
-        Self::cosine_power(n, h, m)
-    }
-
-    #[inline]
-    fn cosine_power(n: Vec3<Self>, v: Vec3<Self>, m: impl Exponent<Self>) -> Self {
-        let cosine = scaled(v.map(|x| x.0).into()).cosine(n);
+        let cosine = scaled(h.map(|x| x.0).into()).cosine(n);
         let cosine = Self((cosine + (1 << 8)) >> 9);
         if cosine.0 > 0 {
             m.raise(cosine.at_most(Self(ONE)))
@@ -317,7 +312,11 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn attenuated(color: Rgb<Self>, [a, b, c]: [Self; 3], q: Self, limit: Self) -> (Rgb<Self>, Self) {
+    fn attenuated(color: Rgb<Self>, [a, b, c]: [Self; 3], q: Self, limit: Self) -> Dimmed<Self> {
+        let light = |color| Dimmed {
+            color,
+            factor: Self(ONE),
+        };
         // a sum of more than 31 bits tells so in the second number
         let plus_product = |a: Self, b: u32, q: Self| {
             let sum = if HALVES {
@@ -332,47 +331,57 @@ impl Real for Fixed {
         let (d, d_above) = plus_product(a, slope, q);
         let is_negative = (a.0 | b.0 | c.0 | q.0) < 0;
         if is_negative || slope_above | d_above != 0 || d < ONE as u32 || limit.0 < ONE {
-            return (attenuated_beyond(color, [a, b, c], q, limit), Self(ONE));
+            return light(attenuated_beyond(color, [a, b, c], q, limit));
         }
         if d == ONE as u32 {
-            return (color, Self(ONE));
+            return light(color);
         }
         let zeros = d.leading_zeros();
         // 32 bits after the point
         let share = reciprocal(d << zeros) << 3 >> (15 - zeros);
-        let color = color.map(|x| Self(upper_rounded(x.0.max(0) as u32, share) as i32));
-        (color, Self(ONE))
+        light(color.map(|x| Self(upper_rounded(x.0.max(0) as u32, share) as i32)))
     }
 
     #[inline]
     fn windowed(
-        (color, factor): (Rgb<Self>, Self),
+        Dimmed { color, factor }: Dimmed<Self>,
         q: Self,
         range: Self,
-        squared: Self,
-    ) -> (Rgb<Self>, Self) {
+        is_squared: bool,
+    ) -> Dimmed<Self> {
         if q >= range {
-            return (color.map(|_| Self(0)), factor);
+            return Dimmed {
+                color: Rgb::BLACK,
+                factor,
+            };
         }
         let zeros = range.0.leading_zeros();
         let share = upper_unsigned((q.0 << zeros) as u32, reciprocal((range.0 as u32) << zeros)); // 28 bits
-        let share = if share >> 28 == 0 { share << 3 } else { u32::MAX >> 1 };
+        let share = if share >> 28 == 0 {
+            share << 3
+        } else {
+            u32::MAX >> 1
+        };
         let square = upper_unsigned(share, share) << 1; // 31 bits
         let root = (1 << 31) - 1 - (upper_unsigned(square, square) << 1);
-        let window = if squared.0 > 0 { upper_unsigned(root, root) << 1 } else { root };
+        let window = if is_squared {
+            upper_unsigned(root, root) << 1
+        } else {
+            root
+        };
         let color = color.map(|x| Self(upper_rounded(x.0.max(0) as u32, window << 1) as i32));
-        (color, factor)
+        Dimmed { color, factor }
     }
 
     #[inline]
-    fn dimmed(factor: Self, share: Self) -> Self {
-        // the factor is 1, or 0 where there is no direction
-        if factor.0 == ONE { share } else { factor * share }
-    }
-
-    #[inline]
-    fn within((color, factor): (Rgb<Self>, Self), share: Self) -> (Rgb<Self>, Self) {
-        (color * share, factor)
+    fn beamed(
+        Dimmed { color, factor }: Dimmed<Self>,
+        cosine: Self,
+        inner_and_outer: [Self; 2],
+        is_smooth: bool,
+    ) -> Dimmed<Self> {
+        let color = color * falloff::beam(cosine, inner_and_outer, is_smooth);
+        Dimmed { color, factor }
     }
 }
 
@@ -402,31 +411,58 @@ fn attenuated_beyond(
     }
 }
 
-/// A sum with 32 bits after the point, of products that are not rounded.
+/// A sum with 32 bits after the point in each channel, of products that are not rounded.
 #[derive(Clone, Copy)]
-pub struct Exact(u64);
+pub struct Exact(Rgb<u64>);
 
 impl LightSum<Fixed> for Exact {
-    const DARK: Self = Self(0);
+    const DARK: Self = Self(Rgb::new(0, 0, 0));
 
     #[inline(always)]
-    fn add(self, light: Fixed, factor: Fixed) -> Self {
-        let (light, factor) = (light.0.max(0) as u32, factor.0.clamp(0, ONE) as u32);
-        let product = if HALVES {
-            // a factor has 17 bits
-            (((light >> 16) * factor) as u64) << 16
+    fn add(self, light: Dimmed<Fixed>, cosine: Fixed) -> Self {
+        // the factor is 1, or 0 where there is no direction
+        let factor = if light.factor.0 == ONE {
+            cosine
         } else {
-            light as u64 * factor as u64
+            light.factor * cosine
         };
-        let low = if HALVES { (light & 0xFFFF).wrapping_mul(factor) as u64 } else { 0 };
-        Self(self.0.wrapping_add(product).wrapping_add(low))
+        let Self(Rgb { r, g, b }) = self;
+        let color = light.color;
+        Self(Rgb::new(
+            plus_product(r, color.r, factor),
+            plus_product(g, color.g, factor),
+            plus_product(b, color.b, factor),
+        ))
     }
 
     #[inline]
-    fn total(self) -> Fixed {
-        let steps = (self.0 + (1 << 15)) >> 16;
-        Fixed(if steps >> 31 == 0 { steps as i32 } else { i32::MAX })
+    fn total(self) -> Rgb<Fixed> {
+        self.0.map(|sum| {
+            let steps = (sum + (1 << 15)) >> 16;
+            Fixed(if steps >> 31 == 0 {
+                steps as i32
+            } else {
+                i32::MAX
+            })
+        })
     }
+}
+
+#[inline(always)]
+fn plus_product(sum: u64, light: Fixed, factor: Fixed) -> u64 {
+    let (light, factor) = (light.0.max(0) as u32, factor.0.clamp(0, ONE) as u32);
+    let product = if HALVES {
+        // a factor has 17 bits
+        (((light >> 16) * factor) as u64) << 16
+    } else {
+        light as u64 * factor as u64
+    };
+    let low = if HALVES {
+        (light & 0xFFFF).wrapping_mul(factor) as u64
+    } else {
+        0
+    };
+    sum.wrapping_add(product).wrapping_add(low)
 }
 
 macro_rules! by_way_of_f32 {

@@ -39,10 +39,36 @@ impl Attenuation<Fixed> {
     /// [`within`](Attenuation#method.within) for constants.
     #[inline]
     #[must_use]
-    pub const fn const_within(mut self, r: Fixed) -> Option<Self> {
+    pub const fn const_within(self, r: Fixed) -> Option<Self> {
+        let (range, squared) = (r, Fixed(ONE));
         if r.0 > 0 {
-            self.range = r;
-            Some(self)
+            Some(Self {
+                range,
+                squared,
+                ..self
+            })
+        } else {
+            None
+        }
+    }
+
+    /// [`within_gltf`](Attenuation#method.within_gltf) for constants.
+    #[inline]
+    #[must_use]
+    pub const fn const_within_gltf(self, r: Fixed) -> Option<Self> {
+        let squared = Fixed(if r.0 < i32::MAX { 0 } else { ONE });
+        match self.const_within(r) {
+            Some(ranged) => Some(Self { squared, ..ranged }),
+            None => None,
+        }
+    }
+
+    /// [`clamped_to`](Attenuation#method.clamped_to) for constants.
+    #[inline]
+    #[must_use]
+    pub const fn const_clamped_to(self, limit: Fixed) -> Option<Self> {
+        if limit.0 > 0 {
+            Some(Self { limit, ..self })
         } else {
             None
         }
@@ -61,7 +87,7 @@ impl Cone<Fixed> {
     pub const fn const_from_half_angles(inner: Fixed, outer: Fixed) -> Option<Self> {
         let (inner, outer) = (inner.0 as f64 / ONE as f64, outer.0 as f64 / ONE as f64);
         match Cone::<f64>::const_from_half_angles(inner, outer) {
-            Some(cone) => Self::const_from_cosines(Fixed::new(cone.inner), Fixed::new(cone.outer)),
+            Some(cone) => Some(Self::stored(Fixed::new(cone.inner), Fixed::new(cone.outer))),
             None => None,
         }
     }
@@ -70,36 +96,57 @@ impl Cone<Fixed> {
     #[must_use]
     pub const fn const_from_cosines(inner: Fixed, outer: Fixed) -> Option<Self> {
         if ONE >= inner.0 && inner.0 >= outer.0 && outer.0 >= -ONE {
-            let (inner, outer, smooth) = (wide(inner), wide(outer), Fixed(0));
-            Some(Self {
-                inner,
-                outer,
-                smooth,
-            })
+            Some(Self::stored(inner, outer))
         } else {
             None
         }
     }
-}
 
-/// The cosine of a cone that contains its axis, or everything, in spite of rounding.
-const fn wide(cosine: Fixed) -> Fixed {
-    /// How far rounding may take a cosine or the length of a direction from 1, in steps.
-    const SLACK: i32 = 4;
-    Fixed(if cosine.0 > ONE - SLACK {
-        ONE - SLACK
-    } else if cosine.0 < SLACK - ONE {
-        -ONE - 2 * SLACK
-    } else {
-        cosine.0
-    })
+    /// A cone that contains its axis, or everything, in spite of rounding, as for any number.
+    const fn stored(inner: Fixed, outer: Fixed) -> Self {
+        /// How far rounding may take a cosine or the length of a direction from 1, in steps.
+        const SLACK: i32 = 4;
+        const NARROWEST: i32 = ONE - SLACK;
+        let edges = if inner.0 < -NARROWEST {
+            [-2 * ONE; 2]
+        } else {
+            [
+                if inner.0 > NARROWEST {
+                    NARROWEST
+                } else {
+                    inner.0
+                },
+                if outer.0 > NARROWEST {
+                    NARROWEST
+                } else {
+                    outer.0
+                },
+            ]
+        };
+        Self {
+            inner: Fixed(edges[0]),
+            outer: Fixed(edges[1]),
+            smooth: Fixed(0),
+        }
+    }
+
+    /// [`smoothstep`](Cone#method.smoothstep) for constants.
+    #[inline]
+    pub const fn const_smoothstep(self) -> Self {
+        let smooth = Fixed(if self.inner.0 > self.outer.0 { ONE } else { 0 });
+        Self { smooth, ..self }
+    }
 }
 
 /// The channel within [0, 1), in steps. At the last one, every encoding has its highest level.
 #[inline]
 const fn within_16_bits(channel: Fixed) -> u16 {
     let steps = channel.0 & !(channel.0 >> 31);
-    if steps > u16::MAX as i32 { u16::MAX } else { steps as u16 }
+    if steps > u16::MAX as i32 {
+        u16::MAX
+    } else {
+        steps as u16
+    }
 }
 
 /// As for `f32`, with whole numbers alone: each `Fixed` from 0 to 1 is an `f32`.
@@ -121,7 +168,8 @@ impl Rgb<Fixed> {
     #[must_use]
     pub const fn to_rgb565(self) -> u16 {
         let [r, g, b] = self.levels();
-        (FIXED_FIVE_BITS.level(r) << 11 | FIXED_SIX_BITS.level(g) << 5 | FIXED_FIVE_BITS.level(b)) as u16
+        (FIXED_FIVE_BITS.level(r) << 11 | FIXED_SIX_BITS.level(g) << 5 | FIXED_FIVE_BITS.level(b))
+            as u16
     }
 
     /// Rounds linear light to bytes without encoding it; see [`Rgb::<f32>::to_linear8`].
