@@ -139,7 +139,8 @@ fn teapot(camera: &Camera) -> Vec<Point> {
         let patch: &Patch = &patches[patch];
         let p = (w > 0.0).then(|| patch.at(u, v))?;
         let to_eye = (EYE - p).unit()?;
-        let n = normal::facing(patch.normal(u, v)?, to_eye);
+        let face = patch.normal(u, v)?; // exact, so it is the face's normal, too
+        let n = normal::facing(face, to_eye, face);
         Some(Point {
             pixel,
             p,

@@ -194,7 +194,7 @@ macro_rules! for_each_function {
             normal_from_gradient "normal::from_gradient" |g| normal::from_gradient(g.a) => unit;
             normal_parametric "normal::parametric, of a saddle" |g| normal::parametric(saddle, g.x, g.y) => unit;
             normal_from_tangents "normal::from_tangents" |g| normal::from_tangents(g.a, g.b) => unit;
-            normal_facing "normal::facing" |g| normal::facing(g.n, g.v) => n_or_opposite;
+            normal_facing "normal::facing" |g| normal::facing(g.n, g.v, g.n) => n_or_opposite;
             normal_transformed "normal::transformed" |g| normal::transformed(g.n, [g.p, g.a, g.b]) => unit;
             normal_corner "normal::corner" |g| normal::corner(g.p, g.a, g.b) => at_most_pi_long;
             normal_tangent "normal::tangent" |g| normal::tangent([g.p, g.a, g.b], [[g.x, g.y], [g.cosine, g.x], [g.y, g.cosine]])
