@@ -1,6 +1,8 @@
 //! A falloff in another number type: between each two types it stays a falloff, keeps the order of falloffs, and
 //! gives the light of coefficients that are rounded once.
 
+#![allow(clippy::float_cmp, clippy::cast_possible_truncation)] // exact on purpose, and a cast rounds
+
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -134,6 +136,7 @@ impl Number for shading::fixed::Fixed {
 struct Random(u64);
 
 impl Random {
+    #[allow(clippy::cast_precision_loss)] // 53 bits fit
     fn next(&mut self) -> f64 {
         self.0 = self
             .0
