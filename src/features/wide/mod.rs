@@ -269,6 +269,9 @@ macro_rules! single {
     };
 }
 
+/// The doubles from here to twice it are the integers, in their low bits.
+const TWO_TO_52: f64 = 4_503_599_627_370_496.0;
+
 /// Lanes of `f64`. SSE2 cannot convert integers of 64 bits, so the exponent becomes a float as the low
 /// bits of one.
 macro_rules! double {
@@ -283,8 +286,8 @@ macro_rules! double {
                 let above = bits - $integers::splat(LEAST.1 as u64);
                 let z = bits - (above & $integers::splat(EXPONENT.1 as u64));
                 let e = (above + $integers::splat(1 << 63)) >> 52_u32; // e + 2048
-                let e: Self = cast(e | $integers::splat(4_503_599_627_370_496.0_f64.to_bits()));
-                (e - Self::splat(4_503_599_627_372_544.0), cast(z)) // 2⁵² + 2048
+                let e: Self = cast(e | $integers::splat(TWO_TO_52.to_bits()));
+                (e - Self::splat(TWO_TO_52 + 2048.0), cast(z))
             }
 
             #[inline]
