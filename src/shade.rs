@@ -65,7 +65,7 @@ use core::ops::{Add, AddAssign, Mul};
 
 use crate::direction::mirrored;
 use crate::light::IncidentLight;
-use crate::real::{Dimmed, LightSum, Lobe, Mask, Measured, Real, Select};
+use crate::real::{LightSum, Lobe, Mask, Measured, Real, Select};
 use crate::rgb::Rgb;
 use crate::term;
 use crate::unit::UnitVec3;
@@ -319,15 +319,15 @@ fn sum<T: Real, M>(
         // the sign of N·L decides before the root of |w|
         let in_front = light.in_front(n);
         if in_front.any() {
-            let (toward, light) = light.toward(n);
+            let (toward, mut light) = light.toward(n);
             let n_dot_l = T::cosine(*n, &toward);
-            // In lanes, a light behind is left out here, and not by a product with 0: ∞ · 0 is NaN.
-            let light = Dimmed {
-                color: Rgb::select(in_front, light.color, Rgb::BLACK),
-                ..light
-            };
+            let mut highlight = highlight(toward.measured);
+            // of lanes; a product with 0 would not do, because ∞ · 0 is NaN
+            if !in_front.all() {
+                light.color = Rgb::select(in_front, light.color, Rgb::BLACK);
+                highlight = in_front.select(highlight, T::ZERO);
+            }
             diffuse = diffuse.add(light, n_dot_l);
-            let highlight = in_front.select(highlight(toward.measured), T::ZERO);
             specular = specular.add(light, highlight);
         }
     }

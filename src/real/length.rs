@@ -55,7 +55,7 @@ pub(super) fn halfway_power<T: Real>(
 /// Marks a path as rare, so that the compiler does not compute it beside the other and choose.
 #[cold]
 #[inline]
-const fn cold() {}
+pub(crate) const fn cold() {}
 
 #[inline(always)]
 fn plain<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {

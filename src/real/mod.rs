@@ -12,7 +12,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::triple::{Rgb, Vec3};
 
-pub(crate) use length::{is_extreme, tamed};
+pub(crate) use length::{cold, is_extreme, tamed};
 pub use lobe::Lobe;
 pub(crate) use lobe::{by_squaring, shininess};
 pub(crate) use root::const_sqrt;
