@@ -66,7 +66,6 @@ impl Camera {
     }
 
     /// The point that appears at this place, at the depth of another point.
-    #[must_use]
     pub fn moved(&self, p: Vec3, [x, y]: [f32; 2]) -> Vec3 {
         let depth = (p - EYE).dot(self.forward);
         let right = (x - 0.5 * self.width as f32) / self.scale;

@@ -309,6 +309,7 @@ for (const colorScheme of ["light", "dark"]) {
     assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]), [], `${colorScheme} ${name}`);
     const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     assert.ok(overflow <= 0, `${colorScheme} ${name}: ${overflow} pixels too wide`);
+    await page.evaluate(() => scrollTo(0, 0));
     if (pictures) await page.screenshot({ path: join(pictures, `page_${name}_${colorScheme}.png`) });
     await page.close();
   }

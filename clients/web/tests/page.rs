@@ -296,10 +296,8 @@ fn a_dragged_lamp_is_under_the_pointer() {
             assert!((depth(&page) - before).abs() < 1e-5);
         }
     }
-    assert_eq!(
-        page(OPENING).moved(1, 400, 400, [1.0, 1.0]),
-        [0.0; 3],
-        "it is off"
-    );
-    assert_eq!(page(OPENING).lamp(1, 400, 400), [-1.0; 2]);
+    let off = page(OPENING);
+    let stays = Vec3::from(off.moved(1, 400, 400, [1.0, 1.0]));
+    assert_eq!(stays, Vec3::ZERO, "it is off");
+    assert!(off.lamp(1, 400, 400)[0] < 0.0, "and not in the picture");
 }
