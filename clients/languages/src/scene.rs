@@ -1,8 +1,8 @@
 //! The structures of `shading.h`, and the types of the crate that they become. C uses them with `f32`, Python also with `f64`.
 
 use shading::{
-    Attenuation, Cone, DirectionalLight, Elementary, IncidentLight, Lobe, PointLight, Rgb,
-    Scalar, Shaded, SpotLight, UnitVec3, Vec3, shade,
+    Attenuation, Cone, DirectionalLight, Elementary, IncidentLight, Lobe, PointLight, Rgb, Scalar,
+    Shaded, SpotLight, UnitVec3, Vec3, shade,
 };
 
 use crate::Status;

@@ -89,10 +89,7 @@ fn what_is_not_light_is_refused() {
         },
         Light { range: 0.0, ..LAMP },
         Light { inner: 1.0, ..LAMP },
-        Light {
-            gltf: 2,
-            ..LAMP
-        },
+        Light { gltf: 2, ..LAMP },
     ] {
         assert_eq!(shade(2, CLAY, light).0, 7);
     }

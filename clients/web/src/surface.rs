@@ -64,6 +64,14 @@ impl Camera {
             w: 1.0 / depth,
         })
     }
+
+    /// The point that appears at this place, at the depth of another point.
+    pub fn moved(&self, p: Vec3, [x, y]: [f32; 2]) -> Vec3 {
+        let depth = (p - EYE).dot(self.forward);
+        let right = (x - 0.5 * self.width as f32) / self.scale;
+        let up = (0.5 * self.height as f32 - y) / self.scale;
+        EYE + (*self.forward + *self.right * right + *self.up * up) * depth
+    }
 }
 
 /// A visible point.
