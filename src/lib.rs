@@ -118,6 +118,7 @@
 
 // one paragraph per layer of the table in CONTRIBUTING.md, the lowest first
 
+mod angle;
 mod elementary;
 mod real;
 mod triple;

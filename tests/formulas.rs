@@ -285,9 +285,9 @@ table! {
     "soft edge": { let cone = Cone::from_cosines(T::ONE, T::of(0.6)).expect("cosines"); [(cone, 0.8), (cone.smoothstep(), 0.8),
         (cone, 0.7), (cone.smoothstep(), 0.7)].map(|(cone, z)| cone.factor(UnitVec3::NEG_Z, with_cosine(z))) }
         => [0.25, 0.5, 0.0625, 5.0 / 32.0], 40.0;
-    "kinds of cones": { let cone = Cone::from_cosine(T::of(0.5)).expect("a cosine"); [cone.is_smoothstep(),
-        cone.smoothstep().is_smoothstep()] }
-        => [0.0, 1.0], 0.0;
+    "kinds of cones": { let hard = Cone::from_cosine(T::of(0.5)).expect("a cosine"); let soft = Cone::from_cosines(T::of(0.5),
+        T::ZERO).expect("cosines"); [soft.is_smoothstep(), soft.smoothstep().is_smoothstep(), hard.smoothstep() != hard] }
+        => [0.0, 1.0, 0.0], 0.0;
 
     // lights
     "a light gives the way to it": lamp::<T>([0.0, 0.0, 2.0], Attenuation::NONE).at(Vec3::ZERO) => [0.0, 0.0, 1.0, 1.0, 0.5, 0.0, 2.0], 0.0;

@@ -65,10 +65,17 @@ impl Known {
             (Node::Add(c, d), _) if !self.range(g, d).minus_zero && self.is_zero(g, c) => {
                 self.same(g, d, b)
             }
-            (Node::Mul(c, d), Node::Mul(e, f))
-            | (Node::Add(c, d), Node::Add(e, f))
-            | (Node::Div(c, d), Node::Div(e, f))
-            | (Node::Sub(c, d), Node::Sub(e, f)) => self.same(g, c, e) && self.same(g, d, f),
+            (Node::Mul(c, d), Node::Mul(e, f)) | (Node::Add(c, d), Node::Add(e, f)) => {
+                self.same(g, c, e) && self.same(g, d, f) || self.same(g, c, f) && self.same(g, d, e)
+            }
+            (Node::Div(c, d), Node::Div(e, f)) | (Node::Sub(c, d), Node::Sub(e, f)) => {
+                self.same(g, c, e) && self.same(g, d, f)
+            }
+            (Node::Select(Test::Above(x, y), c, d), Node::Select(Test::Above(z, w), e, f)) => {
+                [(x, z), (y, w), (c, e), (d, f)]
+                    .into_iter()
+                    .all(|(a, b)| self.same(g, a, b))
+            }
             _ => false,
         }
     }
@@ -163,7 +170,7 @@ impl Known {
             Test::Above(..) => (x.low > y.high, x.high <= y.low || self.is_at_most(g, a, b)),
             Test::AtMost(..) => (
                 x.high <= y.low || self.is_at_most(g, a, b),
-                x.low > y.high || self.facts.contains(&(Test::Above(a, b), true)),
+                x.low > y.high || self.is_told_above(a, b),
             ),
             _ => (false, false),
         };
@@ -181,6 +188,11 @@ impl Known {
             (Test::AtMost(x, y), false) | (Test::Above(x, y), true) => (x, y) == (b, a),
             _ => false,
         })
+    }
+
+    /// Whether the path has found that a > b.
+    pub(super) fn is_told_above(&self, a: u32, b: u32) -> bool {
+        self.facts.contains(&(Test::Above(a, b), true))
     }
 
     /// Learns the answer to a test.
@@ -325,14 +337,12 @@ fn called(function: Function, of: Range) -> Range {
     }
 }
 
-/// What is known of a power.
+/// What is known of a power. The contract speaks of cosines within [0, 1] alone, and of 0 it says only that.
 fn raised(cosine: Range, m: Range) -> Range {
-    let is_lit = cosine.low > 0.0 && !cosine.nan;
-    let is_dark = cosine.high <= 0.0 || !cosine.has_numbers();
-    if is_dark {
-        constant(0.0)
-    } else if is_lit && m.high <= 1.0 {
-        Range::unsigned(cosine.low.min(1.0) - 2.0_f64.powi(-20), 1.0)
+    if !Range::within(0.0, 1.0).covers(cosine) {
+        Range::ANY
+    } else if cosine.low > 0.0 && m.high <= 1.0 {
+        Range::unsigned(cosine.low - 2.0_f64.powi(-20), 1.0)
     } else {
         Range::unsigned(0.0, 1.0)
     }

@@ -4,7 +4,7 @@ use core::ops::Mul;
 
 use crate::attenuation::Attenuation;
 use crate::cone::Cone;
-use crate::real::{Dimmed, Mask, Measured, Real, Select, Toward};
+use crate::real::{Dimmed, Mask, Measured, Real, Select, Toward, cold};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
@@ -128,13 +128,16 @@ impl<T: Real> IncidentLight<T> {
             w_length,
             length,
         } = measured;
+        let (mut l, mut light) = (w / w_length, self.dimmed(&measured));
         let is_somewhere = w_length.above(T::ZERO);
-        let light = self.dimmed(&measured);
-        let factor = is_somewhere.select(light.factor, T::ZERO);
-        let intensity = Dimmed { factor, ..light }.multiplied().finite();
+        if !is_somewhere.all() {
+            cold();
+            l = Vec3::select(is_somewhere, l, *UnitVec3::Z);
+            light.factor = is_somewhere.select(light.factor, T::ZERO);
+        }
         Arrival {
-            l: UnitVec3::assume_unit(Vec3::select(is_somewhere, w / w_length, *UnitVec3::Z)),
-            intensity,
+            l: UnitVec3::assume_unit(l),
+            intensity: light.multiplied().finite(),
             distance: length.at_most(T::MAX),
         }
     }

@@ -1,6 +1,6 @@
 //! The normals of a mesh's vertices.
 
-use crate::elementary::angle;
+use crate::angle::angle;
 use crate::real::{Real, tamed};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;

@@ -2,7 +2,7 @@
 
 pub(crate) mod falloff;
 mod float;
-mod length;
+pub(crate) mod length;
 mod lobe;
 pub(crate) mod power;
 mod root;
@@ -12,7 +12,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::triple::{Rgb, Vec3};
 
-pub(crate) use length::{is_extreme, tamed};
+pub(crate) use length::{cold, is_extreme, tamed};
 pub use lobe::Lobe;
 pub(crate) use lobe::{by_squaring, shininess};
 pub(crate) use root::const_sqrt;
@@ -407,6 +407,18 @@ pub(crate) fn least<T: Real>() -> T {
             return least;
         }
         least = next;
+    }
+}
+
+/// A whole number. A literal in double precision would link its routines on a chip.
+#[inline]
+#[allow(clippy::cast_precision_loss)] // sixteen bits fit
+pub(crate) fn whole<T: Real>(n: u32) -> T {
+    let low = T::of_f32((n & 0xFFFF) as f32);
+    if n >> 16 == 0 {
+        low
+    } else {
+        T::of_f32((n >> 16) as f32) * T::of_f32(65_536.0) + low
     }
 }
 

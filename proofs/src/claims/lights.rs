@@ -1,62 +1,61 @@
 //! The light that arrives at a point.
 
-use shading::{PointLight, Rgb};
+use shading::Rgb;
 use shading_proofs::{Given, Goal, Term};
 
 use super::given::*;
 
-pub fn lamp_of_any(given: Given) -> Vec<Goal> {
-    let lamp = lamp(given, any_vector(given, "position"));
-    arrives(given, lamp.at(any_vector(given, "p")))
+/// What arrives through any filter, or none.
+pub fn light_that_arrives(given: Given) -> Vec<Goal> {
+    let Some(light) = any_arrival(given) else {
+        return vec![];
+    };
+    let light = match given.one_of(2) {
+        0 => light,
+        _ => light * given.rgb("filter"),
+    };
+    components(light.intensity(), not_negative(given))
+}
+
+pub fn direction_that_arrives(given: Given) -> Vec<Goal> {
+    let (position, p) = (any_vector(given, "position"), any_vector(given, "p"));
+    let lamp = any_lamp(given, position);
+    lamp.map_or(vec![], |lamp| components(lamp.at(p).l(), component()))
 }
 
 pub fn distance_of_finite(given: Given) -> Vec<Goal> {
-    let lamp = lamp(given, finite_vector(given, "position"));
-    let distance = lamp.at(finite_vector(given, "p")).distance();
-    within([distance], not_negative(given))
-}
-
-pub fn lamp_with_a_range(given: Given) -> Vec<Goal> {
-    let lamp = PointLight {
-        position: any_vector(given, "position"),
-        intensity: given.rgb("I"),
-        attenuation: ranged(given),
+    let (position, p) = (finite_vector(given, "position"), finite_vector(given, "p"));
+    let light = match given.one_of(2) {
+        0 => Some(sun(given, "l").into()),
+        _ => any_lamp(given, position),
     };
-    arrives(given, lamp.at(any_vector(given, "p")))
-}
-
-pub fn spot_of_any(given: Given) -> Vec<Goal> {
-    let spot = spot(given, any_vector(given, "position"));
-    spot.map_or(vec![], |spot| {
-        arrives(given, spot.at(any_vector(given, "p")))
+    light.map_or(vec![], |light| {
+        within([light.at(p).distance()], not_negative(given))
     })
 }
 
-pub fn light_at_the_point(given: Given) -> Vec<Goal> {
-    let position = any_vector(given, "position");
-    let Some(spot) = spot(given, position) else {
-        return vec![];
+/// At its own position, or with a coordinate of either that is infinite or NaN.
+pub fn light_of_nowhere(given: Given) -> Vec<Goal> {
+    let (any, broken) = (any_vector(given, "any"), broken(given, "broken"));
+    let (position, p) = match given.one_of(3) {
+        0 => (any, any),
+        1 => (any, broken),
+        _ => (broken, any),
     };
-    [
-        black(spot.point.at(position).intensity()),
-        black(spot.at(position).intensity()),
-    ]
-    .concat()
+    let lamp = any_lamp(given, position);
+    lamp.map_or(vec![], |lamp| black(lamp.at(p).intensity()))
 }
 
-pub fn light_at_infinity(given: Given) -> Vec<Goal> {
-    let (finite, broken) = (finite_vector(given, "finite"), broken(given, "broken"));
-    let (position, p) = match given.one_of(2) {
-        0 => (finite, broken),
-        _ => (broken, finite),
-    };
-    black(lamp(given, position).at(p).intensity())
+pub fn black_light(given: Given) -> Vec<Goal> {
+    let light = any_arrival(given);
+    light.map_or(vec![], |light| {
+        black((light * Rgb::<Term>::BLACK).intensity())
+    })
 }
 
-pub fn black_lamp(given: Given) -> Vec<Goal> {
-    let lamp = PointLight {
-        intensity: Rgb::<Term>::BLACK,
-        ..lamp(given, any_vector(given, "position"))
-    };
-    black(lamp.at(any_vector(given, "p")).intensity())
+pub fn spot_at_most_its_lamp(given: Given) -> Vec<Goal> {
+    let (position, p) = (any_vector(given, "position"), any_vector(given, "p"));
+    any_spot(given, position).map_or(vec![], |spot| {
+        at_most(spot.at(p).intensity(), spot.point.at(p).intensity())
+    })
 }

@@ -6,6 +6,7 @@
 
 mod pack;
 mod sum;
+mod transposed;
 
 use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8, i32x4, i32x8, i32x16, u64x2, u64x4, u64x8};
@@ -50,6 +51,11 @@ const HAS_ROOT: bool = cfg!(any(
 /// [`Elementary`](crate::Elementary) functions and the encodings of an [`Rgb`](crate::Rgb) are for scalars too: take
 /// the lanes apart by `to_array`.
 ///
+/// # Points in lanes
+///
+/// `from_lanes` of [`Vec3`](crate::Vec3::from_lanes), [`UnitVec3`](crate::UnitVec3::from_lanes) and
+/// [`Rgb`](crate::Rgb::from_lanes) puts an array of them into lanes, and `to_lanes` takes them out.
+///
 /// # Lights in lanes
 ///
 /// [`PointLight::packed`](crate::PointLight::packed) puts lights into lanes, and
@@ -70,12 +76,23 @@ pub trait Lanes: Real {
     /// The number in one lane.
     type Lane: Real;
 
+    /// A value for each lane: the array `[V; COUNT]`.
+    type Array<V>: AsRef<[V]> + IntoIterator<Item = V>;
+
     /// How many lanes there are: a power of two, at most 16.
     const COUNT: usize;
 
     /// The number of each lane, by its index.
     #[must_use]
     fn from_fn(lane: impl FnMut(usize) -> Self::Lane) -> Self;
+
+    /// A value for each lane, by its index: [`core::array::from_fn`].
+    #[must_use]
+    fn array<V>(value: impl FnMut(usize) -> V) -> Self::Array<V>;
+
+    /// The numbers of all lanes.
+    #[must_use]
+    fn to_lanes(self) -> Self::Array<Self::Lane>;
 
     /// The number in the first lane.
     #[must_use]
@@ -108,11 +125,22 @@ macro_rules! real {
 
         impl Lanes for $lanes {
             type Lane = $float;
+            type Array<V> = [V; $count];
             const COUNT: usize = $count;
 
             #[inline]
             fn from_fn(lane: impl FnMut(usize) -> $float) -> Self {
                 Self::new(core::array::from_fn(lane))
+            }
+
+            #[inline]
+            fn array<V>(value: impl FnMut(usize) -> V) -> [V; $count] {
+                core::array::from_fn(value)
+            }
+
+            #[inline]
+            fn to_lanes(self) -> [$float; $count] {
+                self.to_array()
             }
 
             #[inline]

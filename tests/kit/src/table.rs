@@ -75,7 +75,7 @@ macro_rules! for_each_function {
             wild_tangents "normal::parametric, of any value" |g| normal::parametric(|u, v| Vec3::new(u * v, u.exp() / v, (u - v).abs()),
                 g.x, g.y)
                 => unit;
-            encoded "Rgb, encoded and decoded" |g| { let rgb = g.rgb.map(T::single); [Rgb::from_srgb8(rgb.to_srgb8()),
+            encoded "Rgb, encoded and decoded" |g| { let rgb = g.rgb.map(T::single); [Rgb::<f32>::from_srgb8(rgb.to_srgb8()),
                 Rgb::gray(rgb.to_rgb565().into())] }
                 => not_negative;
             cast "PointLight::cast" |g| g.lamps[0].cast(Dual::constant).at(Dual::point(g.p)) => nothing;
@@ -143,10 +143,10 @@ macro_rules! for_each_function {
         }
         BYTES: Number {
             to_srgb8 "Rgb::to_srgb8" |g| g.rgb.map(T::single).to_srgb8() => nothing;
-            from_srgb8 "Rgb::from_srgb8" |g| { let [r, g, b, _] = g.bits.to_le_bytes(); Rgb::from_srgb8([r, g, b]) } => share;
+            from_srgb8 "Rgb::from_srgb8" |g| { let [r, g, b, _] = g.bits.to_le_bytes(); Rgb::<T>::from_srgb8([r, g, b]) } => share;
             to_rgb565 "Rgb::to_rgb565" |g| g.rgb.map(T::single).to_rgb565() => nothing;
             from_rgb565 "Rgb::from_rgb565" |g| { let [low, high, ..] = g.bits.to_le_bytes();
-                Rgb::from_rgb565(u16::from_le_bytes([low, high])) }
+                Rgb::<T>::from_rgb565(u16::from_le_bytes([low, high])) }
                 => share;
             to_linear8 "Rgb::to_linear8" |g| g.rgb.map(T::single).to_linear8() => nothing;
         }
