@@ -366,9 +366,13 @@ table! {
         u| Vec3::new(u, v, u * v), two, two)] }
         => [-2.0 / 3.0, -2.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0, -1.0 / 3.0], 3.5;
     // GLSL: faceforward(N, I, N_ref) = N where N_ref·I < 0, else −N; edge-on, the two differ
-    "facing": [slanted::<T>(), -slanted(), UnitVec3::X].map(|n| { let (v, f) = (UnitVec3::Z, normal::facing(n, UnitVec3::Z));
+    "facing": [slanted::<T>(), -slanted(), UnitVec3::X].map(|n| { let (v, f) = (UnitVec3::Z, normal::facing(n, UnitVec3::Z, n));
         let glsl = if n.dot(-v) < T::ZERO { n } else { -n }; [f == slanted(), f == n, f == glsl] })
         => [1.0, 1.0, 1.0, 1.0, 0.0, 1.0, 0.0, 1.0, 0.0], 0.0;
+    // with the face apart, as in faceforward(N, −V, F): N·V = −0.8, yet the eye sees the front, so N stays; from behind, −N
+    "facing with a face": [UnitVec3::<T>::Z, -UnitVec3::Z].map(|face| normal::facing(-slanted::<T>(), UnitVec3::Z, face))
+        .map(|f| [f == -slanted(), f == slanted()])
+        => [1.0, 0.0, 0.0, 1.0], 0.0;
     // the cofactors of diag(½, 1, 1) are diag(1, ½, ½), which turn (3, 0, 4)/5 into (3, 0, 2)/√13
     "roof half as wide": normal::transformed(slanted::<T>(), [[0.5, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(vector))
         => [3.0 / 13.0_f64.sqrt(), 0.0, 2.0 / 13.0_f64.sqrt()], 12.0;

@@ -295,9 +295,9 @@ table! {
     "tangents above noise": [1e-30, 1.0, 1e30].map(|size| [32.0 * T::U * (1.0 + 2.0 * T::U), 64.0 * T::U, 0.5, 1.0]
         .map(|k| thin::<T>(k, size)))
         => [[[Some(UnitVec3::<T>::Z), Some(-UnitVec3::Z)]; 4]; 3];
-    "facing edge-on, NaN": [UnitVec3::<T>::X, -UnitVec3::X].map(|n| [normal::facing(n, UnitVec3::Z),
-        normal::facing(n, trusted(x(T::NAN)))])
-        => [[UnitVec3::<T>::X; 2], [-UnitVec3::X; 2]];
+    "facing edge-on, NaN": [UnitVec3::<T>::X, -UnitVec3::X].map(|n| [normal::facing(n, UnitVec3::Z, n),
+        normal::facing(n, UnitVec3::Z, -n), normal::facing(n, trusted(x(T::NAN)), n), normal::facing(n, -n, trusted(x(T::NAN)))])
+        => [[UnitVec3::<T>::X; 4], [-UnitVec3::X; 4]];
     // projected onto the plane z = 0, that plane keeps its normal, and a wall becomes a line; then onto a line, a point
     "flattened": { let [i, j, k] = [*UnitVec3::<T>::X, *UnitVec3::Y, *UnitVec3::Z]; let two = T::of(2.0); [[i, j, Vec3::ZERO],
         [i, i * two, -i], [Vec3::ZERO; 3]].map(|columns| [i, j, k].map(|n| normal::transformed(trusted(n), columns))) }

@@ -102,7 +102,10 @@ macro_rules! for_each_function {
             hook_direction "Real::measured" |g| { let m = T::measured(g.a); [m.w, Vec3::new(m.w_length, m.length, T::ZERO)] }
                 => nothing;
             hook_faces "Real::faces" |g| T::faces(*g.n, g.a).any() => nothing;
-            hook_toward "Real::toward" |g| { let t = T::toward(*g.n, g.a); [t.n_dot_w, T::cosine(*g.n, &t)] } => nothing;
+            hook_toward "Real::toward" |g| T::faces(*g.n, g.a).any().then(|| {
+                let t = T::toward(*g.n, g.a);
+                [t.n_dot_w, T::cosine(*g.n, &t)]
+            }) => nothing;
             hook_cosine "Real::cosine" |g| T::cosine(*g.n, &T::toward(*g.n, *g.l)) => share;
             hook_whole_power "Real::whole_power" |g| INTEGER.map(|m| g.cosine.whole_power(m)) => nothing;
             hook_halfway_power "Real::halfway_power" |g| T::halfway_power(*g.n, T::measured(g.a), *g.v, g.integer.m) => share;
@@ -194,7 +197,7 @@ macro_rules! for_each_function {
             normal_from_gradient "normal::from_gradient" |g| normal::from_gradient(g.a) => unit;
             normal_parametric "normal::parametric, of a saddle" |g| normal::parametric(saddle, g.x, g.y) => unit;
             normal_from_tangents "normal::from_tangents" |g| normal::from_tangents(g.a, g.b) => unit;
-            normal_facing "normal::facing" |g| normal::facing(g.n, g.v) => n_or_opposite;
+            normal_facing "normal::facing" |g| normal::facing(g.n, g.v, g.n) => n_or_opposite;
             normal_transformed "normal::transformed" |g| normal::transformed(g.n, [g.p, g.a, g.b]) => unit;
             normal_corner "normal::corner" |g| normal::corner(g.p, g.a, g.b) => at_most_pi_long;
             normal_tangent "normal::tangent" |g| normal::tangent([g.p, g.a, g.b], [[g.x, g.y], [g.cosine, g.x], [g.y, g.cosine]])

@@ -88,7 +88,7 @@ impl Climb {
     }
 }
 
-/// SplitMix64 (Steele, Lea, and Flood 2014): the same numbers in each run, on every machine.
+/// SplitMix64 (Vigna, *splitmix64.c*, 2015, after Steele, Lea and Flood 2014): the same numbers in each run, on every machine.
 struct Random(u64);
 
 impl Random {

@@ -86,7 +86,7 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
         row("`blinn_normalization`", "of the result", 11.75, &normalization(term::blinn_normalization::<T>, blinn_normalization)),
         row("`attenuation`", "of the result", 5.0, &attenuated::<T>),
         row("`Attenuation::at`, with a range", "of the attenuation without a range", 8.5, &ranged::<T>(true)),
-        row("`Attenuation::at`, with a range, glTF's", "of the attenuation without a range", 7.0, &ranged::<T>(false)),
+        row("`Attenuation::at`, with a range, as in glTF", "of the attenuation without a range", 7.0, &ranged::<T>(false)),
         row("`Cone::factor`, soft", "of 1, over the width of the edge", 5.95, &soft_cone::<T>(false)),
         row("`Cone::factor`, soft, a smoothstep", "of 1, over the width of the edge", 4.3, &soft_cone::<T>(true)),
         row("`PointLight::at`, direction", "of the result", 6.5, &lamp_direction::<T>),
