@@ -245,8 +245,8 @@ impl<T: Real> Attenuation<T> {
     /// it never exceeds that without a range, to the bit. If the [`attenuation`] is infinite, the
     /// result is the largest finite number. At an infinite distance, the result is 0.
     ///
-    /// Source: Brian Karis, *Real Shading in Unreal Engine 4*, SIGGRAPH course, 2013, for w;
-    /// Babylon.js, Bevy, Filament and three.js use the same formula.
+    /// Source: Brian Karis, *Real Shading in Unreal Engine 4*, SIGGRAPH course, 2013, for w; Bevy,
+    /// Filament, three.js and Babylon.js (with `FALLOFF_GLTF`) use the same formula.
     ///
     /// ```
     /// let lamp = shading::f32::Attenuation::NONE.within(2.0).unwrap();

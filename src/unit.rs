@@ -162,7 +162,7 @@ impl<T: Real> UnitVec3<T> {
     pub const NEG_Z: Self = Self(Vec3::new(T::ZERO, T::ZERO, T::NEG_ONE));
 }
 
-macro_rules! literals {
+macro_rules! constants {
     ($float:ident) => {
         impl UnitVec3<$float> {
             /// [`Vec3::unit`] for constants: the direction of the vector (x, y, z), of any length.
@@ -201,8 +201,8 @@ macro_rules! literals {
     };
 }
 
-literals!(f32);
-literals!(f64);
+constants!(f32);
+constants!(f64);
 
 impl<T> Deref for UnitVec3<T> {
     type Target = Vec3<T>;

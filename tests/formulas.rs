@@ -1110,17 +1110,28 @@ mod normals {
 
     value!(
         facing_stays,
-        normal::facing(slanted::<T>(), UnitVec3::Z) == slanted(),
+        normal::facing(slanted::<T>(), UnitVec3::Z, slanted()) == slanted(),
         true
     );
     value!(
         facing_turns_over,
-        normal::facing(-slanted::<T>(), UnitVec3::Z) == slanted(),
+        normal::facing(-slanted::<T>(), UnitVec3::Z, -slanted()) == slanted(),
         true
     );
     value!(
         facing_edge_on_stays,
-        normal::facing(UnitVec3::<T>::X, UnitVec3::Z) == UnitVec3::X,
+        normal::facing(UnitVec3::<T>::X, UnitVec3::Z, UnitVec3::X) == UnitVec3::X,
+        true
+    );
+    // N·V = −0.8, yet the eye sees the front of the face, so N stays
+    value!(
+        facing_follows_the_face_from_the_front,
+        normal::facing(-slanted::<T>(), UnitVec3::Z, UnitVec3::Z) == -slanted(),
+        true
+    );
+    value!(
+        facing_follows_the_face_from_behind,
+        normal::facing(-slanted::<T>(), UnitVec3::Z, UnitVec3::NEG_Z) == slanted(),
         true
     );
     /// GLSL: faceforward(N, I, N_ref) = N where N_ref·I < 0, else −N.

@@ -329,7 +329,7 @@ fn everything<T: Real, M: Lobe<T>>(c: &Place<T>, m: M) -> Vec<T> {
     let vectors = [
         vec![
             Vec3::from(reflection(n, v)),
-            normal::facing(n, v).into(),
+            normal::facing(n, v, n).into(),
             normal::corner(p, *n, *v),
         ],
         vec![

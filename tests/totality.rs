@@ -624,13 +624,14 @@ mod normals {
     each_gives!(
         facing_edge_on,
         x_y_z::<T>().map(|n| n.cross(UnitVec3::Z)),
-        |n: Vec3<T>| *normal::facing(trusted(n), UnitVec3::Z) == n,
+        |n: Vec3<T>| *normal::facing(trusted(n), UnitVec3::Z, trusted(n)) == n,
         true
     );
     each_gives!(
         facing_nan,
         [UnitVec3::<T>::X, UnitVec3::NEG_X],
-        |n: UnitVec3<T>| normal::facing(n, trusted(x(T::NAN))) == n,
+        |n: UnitVec3<T>| normal::facing(n, trusted(x(T::NAN)), n) == n
+            && normal::facing(n, -n, trusted(x(T::NAN))) == n,
         true
     );
 

@@ -1,6 +1,7 @@
 //! Pseudorandom numbers, the same on every machine.
 //!
-//! Source: Steele, Lea and Flood 2014, *Fast Splittable Pseudorandom Number Generators* (SplitMix64).
+//! Source: Sebastiano Vigna, *splitmix64.c*, 2015, after Steele, Lea and Flood, *Fast Splittable Pseudorandom Number
+//! Generators*, 2014.
 
 /// A stream of numbers.
 pub struct Random(u64);

@@ -7,7 +7,7 @@ const LOOKS: u32 = 100;
 const STEPS: u32 = 2000;
 
 /// The largest number of numbers that an input is made from.
-const MOST: usize = 32;
+const MOST: usize = 64;
 
 /// The numbers that an input is made from, one after the other.
 pub struct Numbers<'a> {
