@@ -50,9 +50,11 @@ impl<T: Real> Cone<T> {
     ///
     /// `axis` is the direction in which the spot shines, away from the light, and L the direction
     /// from the surface to the light. inner and outer are the half-angles, and equal for a hard edge.
-    /// [`smoothstep`](Cone::smoothstep) replaces t² with t²(3 − 2t). On the axis, the factor is 1 for
-    /// every cone; if a direction is NaN, too. It never falls, to the bit, as the computed −L·axis rises,
-    /// which rounding may lower by a unit or two as L turns toward the axis.
+    /// [`smoothstep`](Cone::smoothstep) replaces t² with t²(3 − 2t). On the axis, and if a direction is
+    /// NaN, the factor is 1 for every cone.
+    ///
+    /// As the computed −L·axis increases, the factor never decreases, not by a single bit. That product
+    /// itself may decrease by a unit in the last place or two while L turns toward the axis.
     ///
     /// Source: OpenGL 2.1, §2.14.1, with a spot exponent of 0; KHR_lights_punctual (glTF 2.0),
     /// “Inner and Outer Cone Angles”, whose sample code and Filament keep a hard edge slightly
@@ -177,7 +179,7 @@ impl<T: Real> Cone<T> {
     where
         T: Scalar,
     {
-        // −0 would turn the sign of the width of an edge
+        // −0 would flip the sign of the edge's width
         (T::ONE >= inner && inner >= outer && outer >= T::NEG_ONE)
             .then(|| Self::with_slack(inner + T::ZERO, outer + T::ZERO, T::ZERO))
     }
@@ -264,7 +266,7 @@ macro_rules! constants {
                 } else if cosine > 1.0 - Self::SLACK {
                     1.0 - Self::SLACK
                 } else {
-                    cosine + 0.0 // −0 would turn the sign of the width of an edge
+                    cosine + 0.0 // −0 would flip the sign of the edge's width
                 }
             }
 

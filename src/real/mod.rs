@@ -42,7 +42,7 @@ pub(crate) use root::const_sqrt;
 /// - No operation may panic. A division by zero may give any number.
 /// - If the operations round correctly, results have the same bits on every machine, and the error
 ///   bounds of [`guide::precision`](mod@crate::guide::precision) hold in units of the type's
-///   roundoff. If they do not, nothing else is lost.
+///   roundoff. Otherwise, everything but these two guarantees still holds.
 ///
 /// [`guide::numbers`](mod@crate::guide::numbers) has a complete one, and says how to test it.
 #[diagnostic::on_unimplemented(
@@ -79,7 +79,7 @@ pub trait Real:
     /// `f32` p is 2¹⁰⁰ and for `f64` 2⁷²⁰.
     const EXTREME: Self;
 
-    /// The number nearest to a literal, an `f64`, so that users of `f64` lose nothing.
+    /// Converts an `f64` literal to the nearest number.
     #[must_use]
     fn of(literal: f64) -> Self;
 

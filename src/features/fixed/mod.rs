@@ -110,7 +110,7 @@ impl Fixed {
     #[inline]
     #[must_use]
     pub const fn to_f32(self) -> f32 {
-        // 16 less in the exponent: a product would be a call on a chip without an FPU
+        // subtracts 16 from the exponent, because a multiplication would be a library call without an FPU
         let exponent = if self.0 == 0 { 0 } else { 16 << 23 };
         f32::from_bits((self.0 as f32).to_bits() - exponent)
     }
