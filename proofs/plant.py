@@ -76,7 +76,7 @@ def becomes(node, new):
         return text(node.children[1]) if node.type == "unary_expression" else text(node.child_by_field_name("function").child_by_field_name("value"))
     if new in ("then", "otherwise"):
         return text(node.child_by_field_name("arguments").named_children[new == "otherwise"])
-    return f"{field('left')} {new} {field('right')}" if not new[0].isalpha() else new
+    return f"{field('left')} {new} {field('right')}" if new in BINARY else new
 
 
 def render(node, faults):

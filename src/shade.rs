@@ -314,25 +314,39 @@ fn sum<T: Real, M>(
     highlight: impl Fn(Measured<T>) -> T,
 ) -> Shaded<T> {
     let [mut diffuse, mut specular] = [T::Sum::DARK; 2];
+    let mut is_lit = false;
     // not `for_each`, whose closure keeps the sums in memory
     for light in lights {
         // the sign of N·L decides before the root of |w|
         let in_front = light.in_front(n);
         if in_front.any() {
+            is_lit = true;
             let (toward, mut light) = light.toward(n);
-            let n_dot_l = T::cosine(*n, &toward);
-            let mut highlight = highlight(toward.measured);
             // of lanes; a product with 0 would not do, because ∞ · 0 is NaN
-            if !in_front.all() {
+            let is_partly = !in_front.all();
+            if is_partly {
                 light.color = Rgb::select(in_front, light.color, Rgb::BLACK);
+            }
+            // first, and the highlight after it: in the other order a sum takes 6 % longer on x86-64
+            diffuse = diffuse.add(light, T::cosine(*n, &toward));
+            let mut highlight = highlight(toward.measured);
+            if is_partly {
                 highlight = in_front.select(highlight, T::ZERO);
             }
-            diffuse = diffuse.add(light, n_dot_l);
             specular = specular.add(light, highlight);
         }
     }
+    let ambient = term::ambient(material.k_a, i_a);
+    if !is_lit {
+        let [diffuse, specular] = [Rgb::BLACK; 2];
+        return Shaded {
+            ambient,
+            diffuse,
+            specular,
+        };
+    }
     Shaded {
-        ambient: term::ambient(material.k_a, i_a),
+        ambient,
         diffuse: diffuse.total() * material.k_d,
         specular: specular.total() * material.k_s,
     }

@@ -1,6 +1,8 @@
 //! The hooks of [`Real`] through the numbers that wrap others: a dual number has the value of its
 //! number's own hook, to the bit, and the gradient of the formula beside it.
 
+#![allow(clippy::float_cmp)] // exact on purpose
+
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -233,6 +235,7 @@ impl Real for Odd {
 struct Random(u64);
 
 impl Random {
+    #[allow(clippy::cast_precision_loss)] // 53 bits fit
     fn next(&mut self) -> f64 {
         self.0 = self
             .0
@@ -243,6 +246,7 @@ impl Random {
 
     fn number<T: Real>(&mut self) -> T {
         let sign = if self.next() < 0.5 { -1.0 } else { 1.0 };
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // below 16
         match (self.next() * 16.0) as u32 {
             0 => T::ZERO,
             1 => T::ONE,
@@ -257,8 +261,8 @@ impl Random {
         let mut input: Input<T> = core::array::from_fn(|_| self.number());
         // what the hooks take within [0, 1], or from 0 on
         input[14] = T::of(self.next());
-        for at in 9..COUNT {
-            input[at] = input[at].at_least(-input[at]);
+        for x in &mut input[9..] {
+            *x = x.at_least(-*x);
         }
         input
     }

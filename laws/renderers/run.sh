@@ -3,7 +3,7 @@
 # that of expected.txt. The reports are in target/reports. Installs what is missing.
 set -euo pipefail
 cd "$(dirname "$0")"
-. ../../tests/firmware/toolchain.sh
+. ../../.ci/toolchain
 mkdir -p target/reports
 cargo fmt --all --check
 

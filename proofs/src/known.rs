@@ -50,31 +50,43 @@ impl Known {
         }
     }
 
+    /// The node of which this one has the bits, because it adds 0 to it, multiplies it by 1 or selects it.
+    fn reduced(&mut self, g: &Graph, id: u32) -> u32 {
+        let id = self.resolved(g, id);
+        let (x, y) = match g.nodes[id as usize] {
+            Node::Add(x, y) | Node::Mul(x, y) => (x, y),
+            _ => return id,
+        };
+        for (x, y) in [(x, y), (y, x)] {
+            let has_its_bits = match g.nodes[id as usize] {
+                // x + 0 = x, whatever the sign of that zero, unless x is −0
+                Node::Add(..) => self.is_zero(g, y) && !self.range(g, x).minus_zero,
+                _ => self.range(g, y).only() == Some(1.0),
+            };
+            if has_its_bits {
+                return self.reduced(g, x);
+            }
+        }
+        id
+    }
+
     /// Whether two nodes have the same bits on this path; any NaN is as good as another.
     pub(super) fn same(&mut self, g: &Graph, a: u32, b: u32) -> bool {
-        let (a, b) = (self.resolved(g, a), self.resolved(g, b));
+        let (a, b) = (self.reduced(g, a), self.reduced(g, b));
         let (x, y) = (self.range(g, a), self.range(g, b));
         if a == b || x == y && (x.only().is_some() || x == Range::NAN) {
             return true;
         }
+        let mut are = |c, d, e, f| self.same(g, c, e) && self.same(g, d, f);
         match (g.nodes[a as usize], g.nodes[b as usize]) {
-            // x + 0 = x, whatever the sign of that zero, unless x is −0
-            (Node::Add(c, d), _) if !self.range(g, c).minus_zero && self.is_zero(g, d) => {
-                self.same(g, c, b)
-            }
-            (Node::Add(c, d), _) if !self.range(g, d).minus_zero && self.is_zero(g, c) => {
-                self.same(g, d, b)
-            }
             (Node::Mul(c, d), Node::Mul(e, f)) | (Node::Add(c, d), Node::Add(e, f)) => {
-                self.same(g, c, e) && self.same(g, d, f) || self.same(g, c, f) && self.same(g, d, e)
+                are(c, d, e, f) || are(c, d, f, e)
             }
             (Node::Div(c, d), Node::Div(e, f)) | (Node::Sub(c, d), Node::Sub(e, f)) => {
-                self.same(g, c, e) && self.same(g, d, f)
+                are(c, d, e, f)
             }
             (Node::Select(Test::Above(x, y), c, d), Node::Select(Test::Above(z, w), e, f)) => {
-                [(x, z), (y, w), (c, e), (d, f)]
-                    .into_iter()
-                    .all(|(a, b)| self.same(g, a, b))
+                are(x, y, z, w) && are(c, d, e, f)
             }
             _ => false,
         }

@@ -232,6 +232,14 @@ impl<T: Real> Mul<T> for IncidentLight<T> {
 
 /// What arrives through a colored filter. A channel that overflows is the largest finite number, and a
 /// black one stays black.
+///
+/// ```
+/// use shading::f32::{DirectionalLight, Rgb, UnitVec3, Vec3};
+///
+/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::new(0.0, 1.0, 2.0) };
+/// let filtered = sun.at(Vec3::ZERO) * Rgb::new(f32::INFINITY, f32::INFINITY, 0.5);
+/// assert_eq!(filtered.intensity(), Rgb::new(0.0, f32::MAX, 1.0));
+/// ```
 impl<T: Real> Mul<Rgb<T>> for IncidentLight<T> {
     type Output = Self;
     #[inline]

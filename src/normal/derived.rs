@@ -101,11 +101,11 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
         let least = counts(n.x, x)
             .at_most(counts(n.y, y))
             .at_most(counts(n.z, z));
-        let share = |n: T, length: T| {
-            let share = length.above(least).select(n * (least / length), n);
-            magnitude(n).above(T::ZERO).select(share, T::ZERO)
+        let scaled = |n: T, length: T| {
+            let scaled = length.above(least).select(n * (least / length), n);
+            magnitude(n).above(T::ZERO).select(scaled, T::ZERO)
         };
-        let n = Vec3::new(share(n.x, x), share(n.y, y), share(n.z, z));
+        let n = Vec3::new(scaled(n.x, x), scaled(n.y, y), scaled(n.z, z));
         // the product with 0 keeps what is not finite
         let along = |v: Vec3<T>| *v.unit_or(none) + v * T::ZERO;
         cofactors([along(a), along(b), along(c)], n)

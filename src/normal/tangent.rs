@@ -56,21 +56,21 @@ pub fn tangent<T: Real + Scalar>(
     [a, b, c]: [Vec3<T>; 3],
     [[x1, y1], [x2, y2], [x3, y3]]: [[T; 2]; 3],
 ) -> Option<(UnitVec3<T>, T)> {
-    // halves, because a difference may overflow; shares of the largest, because a product may
+    // halves, because a difference may overflow; fractions of the largest, because a product may
     let half = T::of_f32(0.5);
     let (e2, e3) = (b * half - a * half, c * half - a * half);
     let edge = e2.length().at_least(e3.length());
-    let (x2, x3) = shares(x2 * half - x1 * half, x3 * half - x1 * half);
-    let (y2, y3) = shares(y2 * half - y1 * half, y3 * half - y1 * half);
+    let (x2, x3) = fractions(x2 * half - x1 * half, x3 * half - x1 * half);
+    let (y2, y3) = fractions(y2 * half - y1 * half, y3 * half - y1 * half);
     let d = x2 * y3 - x3 * y2;
     let h = d.above(T::ZERO).select(T::ONE, T::NEG_ONE);
     let t = (e2 / edge * y3 - e3 / edge * y2) * h;
     t.unit().filter(|_| magnitude(d) > T::ZERO).map(|t| (t, h))
 }
 
-/// Two numbers in shares of the larger one. If both are 0, they are NaN.
+/// Two numbers as fractions of the larger one. If both are 0, they are NaN.
 #[inline]
-fn shares<T: Real>(a: T, b: T) -> (T, T) {
+fn fractions<T: Real>(a: T, b: T) -> (T, T) {
     let larger = magnitude(a).at_least(magnitude(b));
     (a / larger, b / larger)
 }

@@ -1,7 +1,7 @@
 //! The light that arrives at a point.
 
-use shading::Rgb;
-use shading_proofs::{Given, Goal, Term};
+use shading::{Light, Real, Rgb, SpotLight, Vec3};
+use shading_proofs::{Given, Goal, Range, Term};
 
 use super::given::*;
 
@@ -19,19 +19,26 @@ pub fn light_that_arrives(given: Given) -> Vec<Goal> {
 
 pub fn direction_that_arrives(given: Given) -> Vec<Goal> {
     let (position, p) = (any_vector(given, "position"), any_vector(given, "p"));
-    let lamp = any_lamp(given, position);
-    lamp.map_or(vec![], |lamp| components(lamp.at(p).l(), component()))
+    any_lamp(given, position).map_or(vec![], |lamp| {
+        let lamp = lamp.at(p);
+        [lamp.l(), lamp.arrival().l]
+            .map(|l| components(l, component()))
+            .concat()
+    })
 }
 
 pub fn distance_of_finite(given: Given) -> Vec<Goal> {
     let (position, p) = (finite_vector(given, "position"), finite_vector(given, "p"));
-    let light = match given.one_of(2) {
-        0 => Some(sun(given, "l").into()),
-        _ => any_lamp(given, position),
+    let max = given.format().max();
+    let Some(light) = light_at(given, position) else {
+        return vec![];
     };
-    light.map_or(vec![], |light| {
-        within([light.at(p).distance()], not_negative(given))
-    })
+    let range = match light {
+        Light::Directional(_) => Range::within(max, max),
+        _ => not_negative(given),
+    };
+    let light = light.at(p);
+    within([light.distance(), light.arrival().distance], range)
 }
 
 /// At its own position, or with a coordinate of either that is infinite or NaN.
@@ -58,4 +65,21 @@ pub fn spot_at_most_its_lamp(given: Given) -> Vec<Goal> {
     any_spot(given, position).map_or(vec![], |spot| {
         at_most(spot.at(p).intensity(), spot.point.at(p).intensity())
     })
+}
+
+/// Straight ahead of a spot, and straight behind one of less than a hemisphere.
+pub fn spot_ahead_and_behind(given: Given) -> Vec<Goal> {
+    let ((axis, q), is_ahead) = (straight(given), given.one_of(2) == 0);
+    let Some(spot) = any_spot(given, Vec3::ZERO) else {
+        return vec![];
+    };
+    let spot = SpotLight { axis, ..spot };
+    let p = axis * q;
+    if is_ahead {
+        return same(spot.at(p).intensity(), spot.point.at(p).intensity());
+    }
+    for cosine in spot.cone.cosines() {
+        given.assume_at_most(Term::ZERO, cosine);
+    }
+    black(spot.at(-p).intensity())
 }

@@ -51,7 +51,8 @@ fn degenerate(given: Given) -> [Vec3<Term>; 3] {
 
 pub fn normals_of_any(given: Given) -> Vec<Goal> {
     let [a, b, c] = vertices(given);
-    none_or_unit(match given.one_of(5) {
+    none_or_unit(match given.one_of(6) {
+        5 => normal::plane(a.x, a.y, a.z),
         0 => normal::triangle(a, b, c),
         1 => normal::sphere(a, b),
         2 => implicit(given, a),

@@ -31,7 +31,7 @@ pub fn lambert_of_units(given: Given) -> Vec<Goal> {
 }
 
 /// Small ones, odd and even, and the largest: what a power by squaring does with bits.
-const SHININESS: [u32; 9] = [0, 1, 2, 3, 5, 32, 127, 1000, u32::MAX];
+pub const SHININESS: [u32; 9] = [0, 1, 2, 3, 5, 32, 127, 1000, u32::MAX];
 
 /// The factors of both highlights, for a cosine of a range.
 fn highlights(given: Given, cosine: Range, ms: &[u32], range: Range) -> Vec<Goal> {

@@ -48,6 +48,7 @@ transposed!(Rgb { r, g, b });
 impl<L: Lanes> UnitVec3<L> {
     /// One direction for each lane; see [`Vec3::from_lanes`].
     #[inline]
+    #[allow(clippy::needless_pass_by_value)] // as the others
     pub fn from_lanes(directions: L::Array<UnitVec3<L::Lane>>) -> Self {
         let directions = directions.as_ref();
         Self::assume_unit(Vec3::from_lanes(L::array(|i| *directions[i])))

@@ -102,7 +102,10 @@ macro_rules! for_each_function {
             hook_direction "Real::measured" |g| { let m = T::measured(g.a); [m.w, Vec3::new(m.w_length, m.length, T::ZERO)] }
                 => nothing;
             hook_faces "Real::faces" |g| T::faces(*g.n, g.a).any() => nothing;
-            hook_toward "Real::toward" |g| { let t = T::toward(*g.n, g.a); [t.n_dot_w, T::cosine(*g.n, &t)] } => nothing;
+            hook_toward "Real::toward" |g| T::faces(*g.n, g.a).any().then(|| {
+                let t = T::toward(*g.n, g.a);
+                [t.n_dot_w, T::cosine(*g.n, &t)]
+            }) => nothing;
             hook_cosine "Real::cosine" |g| T::cosine(*g.n, &T::toward(*g.n, *g.l)) => share;
             hook_whole_power "Real::whole_power" |g| INTEGER.map(|m| g.cosine.whole_power(m)) => nothing;
             hook_halfway_power "Real::halfway_power" |g| T::halfway_power(*g.n, T::measured(g.a), *g.v, g.integer.m) => share;
