@@ -1,8 +1,5 @@
 //! The edges that are known: fixed scenes, which each law tries before any random one.
 
-use std::array::from_fn;
-
-use crate::generator::Case;
 use crate::profile::Profile;
 use crate::scene::{Kind, Light, Model, Scene, Triple, add, scale};
 
@@ -10,10 +7,10 @@ const BLACK: Triple = [0.0; 3];
 const UP: Triple = [0.0, 0.0, 1.0];
 
 /// The edges that a renderer has.
-pub fn edges(profile: &Profile) -> Vec<Case> {
+pub fn edges(profile: &Profile) -> Vec<Scene> {
     let mut corpus = Corpus {
         profile,
-        cases: Vec::new(),
+        scenes: Vec::new(),
         turn: 0,
     };
     corpus.directions();
@@ -22,12 +19,12 @@ pub fn edges(profile: &Profile) -> Vec<Case> {
     corpus.shininess();
     corpus.colors();
     corpus.many_lights();
-    corpus.cases
+    corpus.scenes
 }
 
 struct Corpus<'a> {
     profile: &'a Profile,
-    cases: Vec<Case>,
+    scenes: Vec<Scene>,
     /// The kinds of light that were taken in turn.
     turn: usize,
 }
@@ -66,29 +63,13 @@ impl Corpus<'_> {
     }
 
     fn add_as(&mut self, model: Model, scene: &Scene) {
-        let k = self.cases.len();
-        let is_lost = |light| scene.has_lamp_at_the_point(light, self.profile.roundoff);
-        if scene.lights.len() > self.profile.most_lights || scene.lights.iter().any(is_lost) {
-            return;
+        let scene = Scene {
+            model,
+            ..scene.clone()
+        };
+        if self.profile.lacks(&scene).is_none() {
+            self.scenes.push(scene);
         }
-        let ways: [Triple; 6] = [
-            [1.0, 0.0, 1.0],
-            [0.0, 1.0, 1.5],
-            [1.0, 0.5, 0.25],
-            [0.0, 0.0, 1.0],
-            [-1.0, 0.75, 1.0],
-            [0.5, -1.0, 0.5],
-        ];
-        #[allow(clippy::cast_precision_loss)] // 1 to 8
-        let factor = |i: usize| ((k * 3 + i * 5) % 8 + 1) as f64;
-        self.cases.push(Case {
-            scene: Scene {
-                model,
-                ..scene.clone()
-            },
-            ways: from_fn(|i| ways[(k + 2 * i) % 6]),
-            factors: from_fn(factor),
-        });
     }
 
     /// A light from there, of the kind.
@@ -270,7 +251,7 @@ impl Corpus<'_> {
                     let light = self.light(Kind::Spot, UP, [1.0, 0.75, 0.5]);
                     let light = light.with_cone(axis, angle.min(std::f64::consts::FRAC_PI_2));
                     let scene = self.scene(UP, UP, vec![light]);
-                    self.add_as(self.model(self.cases.len()), &scene);
+                    self.add_as(self.model(self.scenes.len()), &scene);
                 }
             }
         }

@@ -198,6 +198,22 @@ impl Light {
         }
     }
 
+    /// The direction in which it is from a point, and the light that arrives there.
+    pub(crate) fn arriving(self, p: Triple) -> (Triple, Triple) {
+        let l = match self {
+            Self::Directional { l, .. } => l,
+            Self::Point { position, .. } | Self::Spot { position, .. } => unit(sub(position, p)),
+        };
+        let is_dark = match self {
+            Self::Spot {
+                axis, half_angle, ..
+            } => -dot(axis, l) < half_angle.cos(),
+            _ => false,
+        };
+        let left = if is_dark { 0.0 } else { self.falloff(p) };
+        (l, scale(self.intensity(), left))
+    }
+
     /// What the attenuation leaves of it at a point.
     pub(crate) fn falloff(self, p: Triple) -> f64 {
         self.lamp().map_or(1.0, |(position, [a, b, c])| {

@@ -88,10 +88,7 @@ fn colors_that_are_no_numbers_are_found_and_placed() {
         };
         let text = run(&only("finite"), color).to_string();
         assert!(text.contains(&format!("blue is {word}")), "{text}");
-        assert!(
-            text.contains("only with: several lights, lights."),
-            "{text}"
-        );
+        assert!(text.contains("only with: several lights"), "{text}");
     }
 }
 
@@ -154,6 +151,6 @@ fn a_slow_renderer_tries_every_law() {
         [0, 1, 2].map(|i| scene.k_a[i] * scene.i_a[i]) // no light but the ambient
     });
     let text = report.to_string();
-    assert!(!text.contains("NOT REACHED"), "{text}");
+    assert!(!text.contains("holds in 0 cases"), "{text}");
     assert!(text.contains("only with:"), "{text}");
 }
