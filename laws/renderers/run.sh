@@ -3,9 +3,19 @@
 # that of expected.txt. The reports are in target/reports. Installs what is missing.
 set -euo pipefail
 cd "$(dirname "$0")"
-. ../../tests/firmware/toolchain.sh
 mkdir -p target/reports
-cargo fmt --all --check
+cargo fmt --check -p chip -p shader
+
+# Installs the given Debian packages, if one is missing.
+install_packages() {
+    dpkg --status "$@" >/dev/null 2>&1 && return
+    local as_root=()
+    [ "$(id -u)" = 0 ] || as_root=(sudo)
+    echo "installing $*" >&2
+    "${as_root[@]}" apt-get -o DPkg::Lock::Timeout=600 update >/dev/null
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+        apt-get -o DPkg::Lock::Timeout=600 install --yes --no-install-recommends "$@" >/dev/null
+}
 
 # Each function builds a renderer and hands the command that starts it to `judge`.
 
@@ -58,7 +68,7 @@ povray() {
 # colors of scenes that are worked out by hand with those that the pages state.
 judge() {
     local report=target/reports/$renderer.json status=0
-    cargo run --quiet --release --manifest-path ../../Cargo.toml -p shading-laws -- --json "$@" >"$report" || status=$?
+    cargo run --quiet --release --manifest-path ../Cargo.toml -- --json "$@" >"$report" || status=$?
     [ "$status" -le 1 ] || exit "$status"
     python3 - "$renderer" "$report" <<'END' | diff --unified=0 --label expected --label found <(grep "^$renderer " expected.txt) - || failed=1
 import json, sys
@@ -67,7 +77,7 @@ for law in json.load(open(sys.argv[2]))["laws"]:
 END
     python3 -c 'import json, sys
 for finding in json.load(open(sys.argv[1]))["findings"]:
-    print(*[mistake["says"] for mistake in (finding["cause"] or {"mistakes": []})["mistakes"]], finding["places"], sep="; ")' "$report"
+    print((finding["cause"] or {}).get("says"), *[place["only_with"] for place in finding["places"]], sep="; ")' "$report"
     while [ "$1" != -- ]; do shift; done
     python3 claims.py "$renderer" "${@:2}" || failed=1
 }

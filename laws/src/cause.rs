@@ -17,6 +17,24 @@ const MOST: [usize; 2] = [600, 300];
 /// A share of the wrong colors that is nearly all.
 const NEARLY_ALL: f64 = 0.9;
 
+/// A scene, and the color that the renderer gave it.
+type Sample = (Scene, Triple);
+
+/// A form of colors in words, the member of the profile that declares it, if it is no departure, and what that changes.
+type Form = (&'static str, &'static str, fn(&mut Profile));
+
+/// The forms in which renderers give colors that are not linear light.
+const FORMS: &[Form] = &[
+    ("clamped to [0, 1]", "\"clamps\":[0,1]", |p| p.clamps = p.clamps.or(Some([0.0, 1.0]))),
+    ("encoded as sRGB", "\"srgb\":true", |p| p.srgb = true),
+    ("rounded to 8 bits", "\"bits\":8", |p| p.bits = Some(8)),
+    ("rounded to 16 bits", "\"bits\":16", |p| p.bits = Some(16)),
+    ("rounded to 5 bits", "\"bits\":5", |p| p.bits = Some(5)),
+    ("from 0 to 255, not to 1", "\"white\":255", |p| p.white = 255.0),
+    ("raised to the power of 1/2.2", "", |p| p.departs.push("Gamma=2.2".into())),
+    ("cut to levels, not rounded", "", |p| p.departs.push("LevelsTruncated".into())),
+];
+
 /// What may have caused the wrong colors of a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cause {
@@ -48,10 +66,8 @@ impl Cause {
                 Some(format!("\"roundoff\":{:e}", (-rough.value).exp2()))
             }
             faults => {
-                let names: Vec<String> = faults
-                    .iter()
-                    .map(|fault| format!("\"{}\"", fault.name()))
-                    .collect();
+                let names: Vec<String> =
+                    faults.iter().map(|fault| format!("\"{}\"", fault.name())).collect();
                 Some(format!("\"departs\":[{}]", names.join(",")))
             }
         };
@@ -69,10 +85,7 @@ impl Cause {
     /// That colors depend on what was asked before.
     pub(crate) fn state() -> Self {
         let named = |id| Fault::named(id).into_iter().collect();
-        Self {
-            alternatives: vec![named("NotRepeatable")],
-            ..Self::of(named("Leak"))
-        }
+        Self { alternatives: vec![named("NotRepeatable")], ..Self::of(named("Leak")) }
     }
 
     /// Whether it explains nearly all wrong colors.
@@ -83,11 +96,7 @@ impl Cause {
 
     /// What to compare causes by: the fewest errors, and then the simplest.
     fn rank(&self) -> (usize, usize, usize) {
-        let scoped = self
-            .mistakes
-            .iter()
-            .filter(|fault| fault.of.id != "All")
-            .count();
+        let scoped = self.mistakes.iter().filter(|fault| fault.of.id != "All").count();
         (self.errors, self.mistakes.len(), scoped)
     }
 }
@@ -95,18 +104,14 @@ impl Cause {
 /// What a renderer answered, and a sample of it, of a size that does not grow with the run.
 #[derive(Default)]
 pub struct Evidence {
-    wrong: Vec<(Scene, Triple)>,
-    right: Vec<(Scene, Triple)>,
+    wrong: Vec<Sample>,
+    right: Vec<Sample>,
 }
 
 impl Evidence {
     /// Notes a color.
     pub fn note(&mut self, is_right: bool, scene: &Scene, reply: Triple) {
-        let samples = if is_right {
-            &mut self.right
-        } else {
-            &mut self.wrong
-        };
+        let samples = if is_right { &mut self.right } else { &mut self.wrong };
         samples.push((scene.clone(), reply));
     }
 
@@ -142,16 +147,10 @@ impl Evidence {
             let left = |cause: &Cause| cause.of - cause.explained;
             let is_all = left(&cause) * 33 <= cause.of;
             let pair = (!is_all).then(|| self.pair(profile, &exact)).flatten();
-            return pair
-                .filter(|pair| left(pair) * 2 < left(&cause))
-                .or(Some(cause));
+            return pair.filter(|pair| left(pair) * 2 < left(&cause)).or(Some(cause));
         }
-        let rough = rough
-            .iter()
-            .find_map(|fault| self.roughness(profile, *fault));
-        rough
-            .or_else(|| self.pair(profile, &exact))
-            .or_else(|| alone(0.5))
+        let rough = rough.iter().find_map(|fault| self.roughness(profile, *fault));
+        rough.or_else(|| self.pair(profile, &exact)).or_else(|| alone(0.5))
     }
 
     /// The best of the candidates.
@@ -163,10 +162,7 @@ impl Evidence {
     ) -> Option<Cause> {
         let scored = candidates.filter_map(|faults| {
             let score = self.score(&formula(profile, &faults), least)?;
-            Some(Cause {
-                mistakes: faults,
-                ..score
-            })
+            Some(Cause { mistakes: faults, ..score })
         });
         let mut ranked: Vec<Cause> = scored.collect();
         ranked.sort_by_key(Cause::rank);
@@ -201,15 +197,9 @@ impl Evidence {
             }
         }
         let of = self.wrong.len() - unknown;
-        let is_contradicted =
-            |(scene, reply): &&(Scene, Triple)| formula.fits(scene, *reply) == Some(false);
+        let is_contradicted = |(scene, reply): &&Sample| formula.fits(scene, *reply) == Some(false);
         let most = part(self.right.len(), 0.02);
-        let contradicted = self
-            .right
-            .iter()
-            .filter(is_contradicted)
-            .take(most + 1)
-            .count();
+        let contradicted = self.right.iter().filter(is_contradicted).take(most + 1).count();
         let is_enough = unexplained <= part(of, 1.0 - least) && of * 4 >= self.wrong.len();
         (is_enough && contradicted <= most).then(|| Cause {
             mistakes: Vec::new(),
@@ -222,88 +212,41 @@ impl Evidence {
         })
     }
 
-    /// A form in which the renderer gives its colors, and which the profile does not say: clamped, encoded as sRGB, in
-    /// levels, or as integers.
+    /// The form in which the renderer gives its colors, if the profile does not say it.
     fn form(&self, profile: &Profile) -> Option<Cause> {
-        let mut forms: Vec<Profile> = Vec::new();
-        for (clamps, bits) in [
-            (None, None),
-            (Some([0.0, 1.0]), None),
-            (None, Some(8)),
-            (None, Some(16)),
-            (None, Some(5)),
-        ] {
-            for (white, srgb) in [(1.0, false), (1.0, true), (255.0, false), (255.0, true)] {
-                let mut form = profile.clone();
-                (form.clamps, form.bits) = (profile.clamps.or(clamps), profile.bits.or(bits));
-                (form.srgb, form.white) = (
-                    profile.srgb || srgb,
-                    if white > 1.0 { white } else { profile.white },
-                );
-                if form != *profile && !forms.contains(&form) {
-                    forms.push(form);
+        let causes = (1..1 << FORMS.len()).filter_map(|set: usize| {
+            let mut form = profile.clone();
+            let chosen = FORMS.iter().enumerate().filter(|(i, _)| set >> i & 1 == 1);
+            let chosen: Vec<&Form> = chosen.map(|(_, form)| form).collect();
+            for (.., declare) in &chosen {
+                let before = form.clone();
+                declare(&mut form);
+                if form == before || before.bits.is_some_and(|bits| form.bits != Some(bits)) {
+                    return None; // it is declared already, or another number of bits is
                 }
             }
-        }
-        let scored = forms.into_iter().filter_map(|form| {
             let ratio = profile.white / form.white;
-            let as_form =
-                |(scene, reply): &(Scene, Triple)| (scene.clone(), reply.map(|c| c * ratio));
-            let [wrong, right] =
-                [&self.wrong, &self.right].map(|samples| samples.iter().map(as_form).collect());
-            let evidence = Self { wrong, right };
-            let is_as_said = |(_, reply): &(Scene, Triple)| {
-                reply.iter().all(|c| form.is_not_as_said(*c).is_none())
+            let as_form = |samples: &[Sample]| -> Vec<Sample> {
+                let samples = samples.iter();
+                samples.map(|(scene, reply)| (scene.clone(), reply.map(|c| c * ratio))).collect()
             };
-            if !evidence.wrong.iter().chain(&evidence.right).all(is_as_said) {
+            let mut replies = self.wrong.iter().chain(&self.right).flat_map(|(_, reply)| reply);
+            if replies.any(|c| form.is_not_as_said(c * ratio).is_some()) {
                 return None;
             }
-            let (mut says, mut members) = (Vec::new(), Vec::new());
-            let mut is_new = |is: bool, word: String, member: String| {
-                if is {
-                    says.push(word);
-                    members.push(member);
-                }
-            };
-            let bits = form.bits.unwrap_or_default();
-            is_new(
-                form.clamps != profile.clamps,
-                "clamped to [0, 1]".into(),
-                "\"clamps\":[0,1]".into(),
-            );
-            is_new(
-                form.srgb != profile.srgb,
-                "encoded as sRGB".into(),
-                "\"srgb\":true".into(),
-            );
-            let levels = format!("rounded to {bits} bits");
-            is_new(
-                form.bits != profile.bits,
-                levels,
-                format!("\"bits\":{bits}"),
-            );
-            let integers = "from 0 to 255, not to 1".to_owned();
-            is_new(
-                form.white != profile.white,
-                integers,
-                format!("\"white\":{}", form.white),
-            );
-            let count = members.len();
-            Some((
-                count,
-                Cause {
-                    says: format!(
-                        "colors are {}, which the profile does not say",
-                        says.join(", ")
-                    ),
-                    declare: Some(members.join(",")),
-                    ..evidence.score(&formula(&form, &[]), 0.97)?
-                },
-            ))
+            let evidence = Self { wrong: as_form(&self.wrong), right: as_form(&self.right) };
+            let words: Vec<&str> = chosen.iter().map(|(words, ..)| *words).collect();
+            let mut members: Vec<String> =
+                chosen.iter().map(|(_, member, _)| (*member).into()).collect();
+            members.retain(|member| !member.is_empty());
+            if form.departs != profile.departs {
+                members.push(format!("\"departs\":{:?}", form.departs));
+            }
+            let says = format!("colors are {}, which the profile does not say", words.join(", "));
+            let score = evidence.score(&formula(&form, &[]), 0.97)?;
+            Some(Cause { says, declare: Some(members.join(",")), ..score })
         });
-        let best =
-            scored.min_by_key(|(count, cause)| (cause.errors, Reverse(cause.explained), *count));
-        best.map(|(_, cause)| cause)
+        causes.min_by_key(|cause| (cause.errors, Reverse(cause.explained)))
     }
 
     /// The cause if the colors are as if they were rounded so: nearly all of them, and, where not each of them shows it,
@@ -345,8 +288,7 @@ impl Evidence {
         let first = &self.wrong[..self.wrong.len().min(160)];
         let gives = |fault: &Fault| {
             let formula = formula(profile, std::slice::from_ref(fault));
-            let gives =
-                |(scene, reply): &&(Scene, Triple)| formula.fits(scene, *reply) == Some(true);
+            let gives = |(scene, reply): &&Sample| formula.fits(scene, *reply) == Some(true);
             let (few, others) = first.split_at(first.len() / 2);
             // what gives none of the first few hardly ever gives enough
             match few.iter().filter(gives).count() {

@@ -15,9 +15,7 @@ pub enum Part {
     N,
     /// What N is multiplied by: 1 or −1.
     Side,
-    Ks,
     M,
-    Ka,
     Ambient,
     /// The ambient term as it enters the sum.
     Once,
@@ -39,9 +37,6 @@ pub enum Part {
     Power,
     /// Whether there is a highlight: above 0.
     Gate,
-    /// k_s with what depends on the light.
-    Reflectance,
-    ShinyLight,
     ShinyFalloff,
     Diffuse,
     Specular,
@@ -71,7 +66,6 @@ pub struct At {
     pub v: Bounded3,
     pub raw_n: Bounded3,
     pub n: Bounded3,
-    pub k_a: Bounded3,
     pub k_d: Bounded3,
     pub k_s: Bounded3,
     pub m: f64,
@@ -145,9 +139,7 @@ impl At {
     /// The axis and the half-angle of a spot.
     pub fn spot(&self) -> (Bounded3, f64) {
         match self.light {
-            Some(Light::Spot {
-                axis, half_angle, ..
-            }) => (turned(axis, self.u), half_angle),
+            Some(Light::Spot { axis, half_angle, .. }) => (turned(axis, self.u), half_angle),
             _ => (BLACK, 0.0),
         }
     }
@@ -171,12 +163,7 @@ impl<'a> Formula<'a> {
     /// The formulas with these changes. A wrong one may divide by 0.
     pub fn new(profile: &'a Profile, changes: Vec<Applied>, is_wrong: bool) -> Self {
         let u = profile.roundoff;
-        Self {
-            profile,
-            changes,
-            u,
-            is_wrong,
-        }
+        Self { profile, changes, u, is_wrong }
     }
 
     /// The same in another precision.
@@ -185,12 +172,7 @@ impl<'a> Formula<'a> {
     }
 
     fn at(&self) -> At {
-        At {
-            u: self.u,
-            range: self.profile.range(),
-            level: self.profile.level(),
-            ..At::default()
-        }
+        At { u: self.u, range: self.profile.range(), level: self.profile.level(), ..At::default() }
     }
 
     fn hook(&self, part: Part, at: &mut At, right: Bounded3) -> Bounded3 {
@@ -231,11 +213,7 @@ impl<'a> Formula<'a> {
         at.model = scene.model;
         let model = Bounded::exact(f64::from(scene.model as u8));
         let model = self.number(Part::Model, at, model);
-        at.model = Model::ALL[if model.value < 2.0 {
-            usize::from(model.value > 0.0)
-        } else {
-            2
-        }];
+        at.model = Model::ALL[if model.value < 2.0 { usize::from(model.value > 0.0) } else { 2 }];
         at.p = given3(scene.p, u);
         // the renderer may know the position of the eye, and subtract p from it
         let of_eye = 2.0 * u * (size(scene.p) + size(scene.v));
@@ -246,10 +224,9 @@ impl<'a> Formula<'a> {
         let side = self.number(Part::Side, at, ONE);
         (at.n, at.raw_n) = (scale(at.n, side), scale(at.raw_n, side));
         at.k_d = given3(scene.k_d, u);
-        at.k_s = self.hook(Part::Ks, at, given3(scene.k_s, u));
+        at.k_s = given3(scene.k_s, u);
         at.m = self.number(Part::M, at, Bounded::exact(scene.m)).value;
-        at.k_a = self.hook(Part::Ka, at, given3(scene.k_a, u));
-        at.ambient = self.hook(Part::Ambient, at, mul(at.k_a, given3(scene.i_a, u)));
+        at.ambient = self.hook(Part::Ambient, at, mul(given3(scene.k_a, u), given3(scene.i_a, u)));
         at.ambients = self.hook(Part::Once, at, at.ambient);
     }
 
@@ -299,12 +276,11 @@ impl<'a> Formula<'a> {
         let mut specular = BLACK;
         if at.model != Model::Lambert {
             let left = self.number(Part::ShinyFalloff, at, at.falloff) * at.cone;
-            let light = self.hook(Part::ShinyLight, at, scale(at.intensity, left));
+            let light = scale(at.intensity, left);
             let power = self.power(at);
             let gate = self.number(Part::Gate, at, at.n_dot_l.if_positive(ONE, ZERO));
-            let k_s = self.hook(Part::Reflectance, at, at.k_s);
             let factor = (gate - Bounded::exact(0.5)).if_positive(power, ZERO);
-            specular = self.hook(Part::Specular, at, scale(mul(k_s, light), factor));
+            specular = self.hook(Part::Specular, at, scale(mul(at.k_s, light), factor));
         }
         let of_light = self.hook(Part::OfLight, at, add(diffuse, specular));
         let too = self.hook(Part::AmbientToo, at, BLACK);
@@ -322,14 +298,11 @@ impl<'a> Formula<'a> {
         } else {
             let h = self.hook(Part::Half, at, unit(at.sum));
             if h.iter().all(|c| c.value.is_nan()) {
-                // opposite directions have no half vector, and any power that a renderer takes is right; where nothing
-                // rounds, it is finite
+                // opposite directions have no half vector; where nothing rounds, any that a renderer takes has a power
+                // from 0 to 1
                 let is_exact = at.l.iter().all(|c| c.value.fract() == 0.0);
-                let power = if is_exact {
-                    ZERO.looser(1e9)
-                } else {
-                    Bounded::UNKNOWN
-                };
+                let power =
+                    if is_exact { Bounded::exact(0.5).looser(0.5) } else { Bounded::UNKNOWN };
                 return self.number(Part::Power, at, power);
             }
             // the renderer may take (N·L + N·V)/√(2 + 2 L·V), whose root cancels where L is nearly opposite to V
@@ -424,10 +397,6 @@ impl<'a> Formula<'a> {
         let right = if self.profile.srgb { to_srgb(x) } else { x };
         let y = of(Part::Encode, x, right);
         let y = clamped(&mut of, y);
-        if self.profile.bits.is_some() {
-            of(Part::Level, y, y)
-        } else {
-            y
-        }
+        if self.profile.bits.is_some() { of(Part::Level, y, y) } else { y }
     }
 }

@@ -8,42 +8,26 @@ use super::{Mistake, Scope};
 use crate::bounded::{Bounded, Bounded3};
 use crate::formula::Part::{
     self, Against, Ambient, AmbientToo, Angle, Clamp, Cone, Cosine, Denominator, Diffuse, Encode,
-    Falloff, Gate, Half, Intensity, Ka, Ks, L, Lambert, Level, M, N, OfLight, Once, Power, Q,
-    Reflectance, ShinyFalloff, ShinyLight, Side, Specular, Sum, ToLight, V, Within,
+    Falloff, Gate, Half, Intensity, L, Lambert, Level, M, N, OfLight, Once, Power, Q, ShinyFalloff,
+    Side, Specular, Sum, ToLight, V, Within,
 };
 use crate::formula::{At, BLACK, Change, ONE, ZERO};
 use crate::profile::to_srgb;
-use crate::scene::{Kind, Model, add, dot, mul, scale, sub, unit};
+use crate::scene::{Kind, Model, add, dot, mul, scale, sub};
 
 /// Which lights or models have a mistake, the whole first.
 pub static SCOPES: [Scope; 11] = [
     scope("All", "", |_| true),
-    scope("Suns", ", of directional lights only", |at| {
-        at.is_of(Kind::Directional)
-    }),
-    scope("Points", ", of point lights only", |at| {
-        at.is_of(Kind::Point)
-    }),
+    scope("Suns", ", of directional lights only", |at| at.is_of(Kind::Directional)),
+    scope("Points", ", of point lights only", |at| at.is_of(Kind::Point)),
     scope("Spots", ", of spots only", |at| at.is_of(Kind::Spot)),
     scope("Lamps", ", of point lights and spots only", is_lamp),
-    scope("Phong", ", in Phong's model only", |at| {
-        at.model == Model::Phong
-    }),
-    scope("Blinn", ", in Blinn's model only", |at| {
-        at.model == Model::BlinnPhong
-    }),
-    scope("First", ", of the first light only", |at| {
-        is_light(at) && at.i == 0.0
-    }),
-    scope("Later", ", of all lights but the first", |at| {
-        is_light(at) && at.i > 0.0
-    }),
-    scope("Last", ", of the last light only", |at| {
-        is_light(at) && at.i + 1.0 == at.count
-    }),
-    scope("Earlier", ", of all lights but the last", |at| {
-        is_light(at) && at.i + 1.0 < at.count
-    }),
+    scope("Phong", ", in Phong's model only", |at| at.model == Model::Phong),
+    scope("Blinn", ", in Blinn's model only", |at| at.model == Model::BlinnPhong),
+    scope("First", ", of the first light only", |at| is_light(at) && at.i == 0.0),
+    scope("Later", ", of all lights but the first", |at| is_light(at) && at.i > 0.0),
+    scope("Last", ", of the last light only", |at| is_light(at) && at.i + 1.0 == at.count),
+    scope("Earlier", ", of all lights but the last", |at| is_light(at) && at.i + 1.0 < at.count),
 ];
 
 const fn scope(id: &'static str, says: &'static str, has: fn(&At) -> bool) -> Scope {
@@ -60,12 +44,7 @@ fn is_lamp(at: &At) -> bool {
 
 fn row(id: &str, says: &str) -> Mistake {
     let (id, says) = (id.into(), says.into());
-    Mistake {
-        id,
-        says,
-        values: &[],
-        changes: Vec::new(),
-    }
+    Mistake { id, says, values: &[], changes: Vec::new() }
 }
 
 impl Mistake {
@@ -96,11 +75,7 @@ fn minus(x: Bounded3) -> Bounded3 {
 /// 1 where N is on the side of the eye, −1 where it is not; either where they are perpendicular.
 fn side_of_eye(at: &At) -> Bounded {
     let cosine = dot(at.v, at.n);
-    if cosine.value == 0.0 {
-        ONE.looser(2.0)
-    } else {
-        cosine.if_positive(ONE, -ONE)
-    }
+    if cosine.value == 0.0 { ONE.looser(2.0) } else { cosine.if_positive(ONE, -ONE) }
 }
 
 /// A factor of the highlight that follows from the shininess.
@@ -152,16 +127,8 @@ fn level(at: &At, f: impl Fn(f64, f64) -> f64) -> Bounded3 {
 
 /// Every known mistake.
 pub static MISTAKES: LazyLock<Vec<Mistake>> = LazyLock::new(|| {
-    let tables = [
-        directions(),
-        lamps(),
-        diffuse(),
-        highlight(),
-        ambient(),
-        sum(),
-        reply(),
-        terms(),
-    ];
+    let tables =
+        [directions(), lamps(), diffuse(), highlight(), ambient(), sum(), reply(), terms()];
     let mut all: Vec<Mistake> = tables.into_iter().flatten().collect();
     all.extend([
         // what is no change of one ingredient
@@ -189,15 +156,8 @@ fn directions() -> Vec<Mistake> {
         .at(Side, |x, at| one(x[0] * side_of_eye(at))),
         row("ViewNotNormalized", "V is not normalized").at(V, |_, at| at.raw_v),
         row("ViewReversed", "V points from the eye to the surface").at(V, |x, _| minus(x)),
-        row("EyeAtOrigin", "the eye is taken to be at the origin: V = -p").at(V, |_, at| unit(minus(at.p))),
-        row("ViewAlongZ", "V is always (0, 0, 1)").at(V, |_, _| [0.0, 0.0, 1.0].map(exact)),
         row("LightNotNormalized", "L is not normalized").at(L, |_, at| at.to_light),
         row("LightReversed", "L points from the light to the surface").at(L, |x, _| minus(x)),
-        row(
-            "SunTakenForPosition",
-            "the direction to a directional light is taken for a position, from which p is subtracted",
-        )
-        .at(L, |x, at| if is_lamp(at) { x } else { unit(sub(x, at.p)) }),
         row("PointForgotten", "L is the position of the lamp, from which p is not subtracted")
             .at(ToLight, |_, at| at.position),
         row(
@@ -218,97 +178,41 @@ fn directions() -> Vec<Mistake> {
 
 fn lamps() -> Vec<Mistake> {
     vec![
-        row("SquaredDistance", "the attenuation gets q² for q").at(Q, |x, _| mul(x, x)),
-        row("QuadraticByDistance", "the attenuation has cq for cq²").at(Denominator, |_, at| {
-            one(at.abc[0] + at.abc[1] * at.q + at.abc[2] * at.q)
-        }),
-        row(
-            "InverseSquareAlone",
-            "the attenuation is 1/q², whatever a, b and c",
-        )
-        .at(Denominator, |_, at| one(at.q * at.q)),
+        row("InverseSquareAlone", "the attenuation is 1/q², whatever a, b and c")
+            .at(Denominator, |_, at| one(at.q * at.q)),
         row("NotAttenuated", "the light is not attenuated").at(Falloff, |_, _| one(ONE)),
         row("HighlightNotAttenuated", "the highlight is not attenuated")
             .at(ShinyFalloff, |_, _| one(ONE)),
-        row(
-            "DegreesForRadians",
-            "the angle of the cone is taken for degrees",
-        )
-        .at(Angle, |x, at| one(at.given(x[0].value.to_radians()))),
-        row(
-            "HalfAngleHalved",
-            "the half-angle of the cone is taken for the whole one, and halved",
-        )
-        .at(Angle, |x, _| scale(x, exact(0.5))),
-        row(
-            "WholeAngleForHalf",
-            "the whole angle of the cone is used where the half belongs",
-        )
-        .at(Angle, |x, _| scale(x, exact(2.0))),
+        row("DegreesForRadians", "the angle of the cone is taken for degrees")
+            .at(Angle, |x, at| one(at.given(x[0].value.to_radians()))),
+        row("HalfAngleHalved", "the half-angle of the cone is taken for the whole one, and halved")
+            .at(Angle, |x, _| scale(x, exact(0.5))),
         row("ConeReversed", "the cone opens against its axis").at(Against, |x, _| minus(x)),
         row("ConeForgotten", "the cone of a spot is ignored").at(Cone, |_, at| one(at.within)),
-        row(
-            "RightAngleForgotten",
-            "the cone of a spot is ignored where its half-angle is 90°",
-        )
-        .at(Cone, |x, at| {
-            let is_right = at.spot().1.to_degrees() >= 89.99;
-            if is_right { one(at.within) } else { x }
-        }),
         row(
             "ConeExponent",
             "the light of a spot falls off within its cone, as the cosine to the power of {}",
         )
         .of(&[1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 3.0, 5.0, 10.0])
-        .at(Within, |_, at| {
-            one(at.against.at_least_zero().power(at.value))
-        }),
-        row(
-            "ConeFaded",
-            "the light of a spot fades from its axis to its edge",
-        )
-        .at(Within, |_, at| one(within(at))),
-        row(
-            "ConeSmooth",
-            "the light of a spot fades from its axis to its edge, by smoothstep",
-        )
-        .at(Within, |_, at| {
-            let t = within(at);
-            one(t * t * (exact(3.0) - t - t))
-        }),
+        .at(Within, |_, at| one(at.against.at_least_zero().power(at.value))),
+        row("ConeSmooth", "the light of a spot fades from its axis to its edge, by smoothstep").at(
+            Within,
+            |_, at| {
+                let t = within(at);
+                one(t * t * (exact(3.0) - t - t))
+            },
+        ),
     ]
 }
 
 fn diffuse() -> Vec<Mistake> {
     vec![
-        row(
-            "DiffuseNotClamped",
-            "N·L is not clamped to 0, so light from behind is subtracted",
-        )
-        .at(Lambert, |_, at| one(at.n_dot_l)),
-        row(
-            "DiffuseTwoSided",
-            "the diffuse term takes |N·L|, so light from behind is added",
-        )
-        .at(Lambert, |_, at| one(at.n_dot_l.abs())),
-        row(
-            "HalfLambert",
-            "the diffuse term takes half-Lambert, (N·L + 1)/2",
-        )
-        .at(Lambert, |_, at| one((at.n_dot_l + ONE) / exact(2.0))),
-        row(
-            "HalfLambertSquared",
-            "the diffuse term takes half-Lambert squared, ((N·L + 1)/2)²",
-        )
-        .at(Lambert, |_, at| {
-            let half = (at.n_dot_l + ONE) / exact(2.0);
-            one(half * half)
-        }),
-        row(
-            "CosineForgotten",
-            "the diffuse term is not multiplied by N·L",
-        )
-        .at(Lambert, |_, at| one(at.n_dot_l.if_positive(ONE, ZERO))),
+        row("DiffuseNotClamped", "N·L is not clamped to 0, so light from behind is subtracted")
+            .at(Lambert, |_, at| one(at.n_dot_l)),
+        row("DiffuseTwoSided", "the diffuse term takes |N·L|, so light from behind is added")
+            .at(Lambert, |_, at| one(at.n_dot_l.abs())),
+        row("HalfLambert", "the diffuse term takes half-Lambert, (N·L + 1)/2")
+            .at(Lambert, |_, at| one((at.n_dot_l + ONE) / exact(2.0))),
     ]
 }
 
@@ -319,25 +223,12 @@ fn highlight() -> Vec<Mistake> {
             "the highlight does not need N·L > 0, so faces turned away from a light have one",
         )
         .at(Gate, |_, _| one(ONE)),
-        row(
-            "ReflectionReversed",
-            "R is reversed: L - 2(N·L)N in place of 2(N·L)N - L",
-        )
-        .at(Cosine, |x, at| {
-            if at.model == Model::Phong {
-                minus(x)
-            } else {
-                x
-            }
-        }),
-        row("ReflectionWithoutTwo", "R lacks its 2: it is (N·L)N - L").at(Cosine, |x, at| {
-            let r = sub(scale(at.n, at.n_dot_l), at.l);
-            if at.model == Model::Phong {
-                one(dot(r, at.v))
-            } else {
-                x
-            }
-        }),
+        row("ReflectionReversed", "R is reversed: L - 2(N·L)N in place of 2(N·L)N - L").at(
+            Cosine,
+            |x, at| {
+                if at.model == Model::Phong { minus(x) } else { x }
+            },
+        ),
         row("HalfVectorNotNormalized", "H = L + V is not normalized").at(Half, |_, at| at.sum),
         row(
             "HalfVectorHalved",
@@ -351,40 +242,10 @@ fn highlight() -> Vec<Mistake> {
         .at(OfLight, |x, at| {
             let is_none = at.sum.iter().all(|c| c.value.abs() <= c.error);
             let nan = exact(f64::NAN).looser(f64::INFINITY);
-            if is_none && at.model == Model::BlinnPhong {
-                one(nan)
-            } else {
-                x
-            }
+            if is_none && at.model == Model::BlinnPhong { one(nan) } else { x }
         }),
-        row("EyeForHalf", "Blinn's highlight takes N·V for N·H").at(Half, |_, at| at.v),
-        row("LightForHalf", "the highlight takes N·L for its cosine")
-            .at(Cosine, |_, at| one(at.n_dot_l)),
-        row(
-            "OtherModel",
-            "Phong's highlight is used for Blinn's, or Blinn's for Phong's",
-        )
-        .at(Part::Model, |x, _| {
-            x.map(|m| if m.value > 0.0 { exact(3.0) - m } else { m })
-        }),
-        row("HighlightOnLambert", "Lambert's surfaces have a highlight").at(Part::Model, |x, _| {
-            x.map(|m| if m.value > 0.0 { m } else { exact(2.0) })
-        }),
-        row(
-            "CosineOfHighlightAbsolute",
-            "the highlight takes the absolute value of its cosine",
-        )
-        .at(Cosine, |x, _| x.map(Bounded::abs)),
-        row(
-            "CosineOfHighlightAtLeast",
-            "the cosine of the highlight is at least {}",
-        )
-        .of(&[0.00001, 0.0001, 0.001, 0.01, 0.000_001])
-        .at(Cosine, |x, at| {
-            x.map(|c| c.at_least_zero().at_least(at.value))
-        }),
-        row("ShininessTruncated", "the shininess is cut to an integer")
-            .at(M, |x, _| x.map(|m| exact(m.value.floor()))),
+        row("OtherModel", "Phong's highlight is used for Blinn's, or Blinn's for Phong's")
+            .at(Part::Model, |x, _| x.map(|m| if m.value > 0.0 { exact(3.0) - m } else { m })),
         row("ShininessTimes", "the shininess is multiplied by {}")
             .of(&[4.0, 2.0, 0.5, 0.25, 3.0, 128.0])
             .at(M, |x, at| x.map(|m| exact(m.value * at.value))),
@@ -393,50 +254,10 @@ fn highlight() -> Vec<Mistake> {
                 128.0, 127.0, 100.0, 64.0, 32.0, 200.0, 255.0, 256.0, 500.0, 512.0, 1000.0, 1024.0,
             ])
             .at(M, |x, at| x.map(|m| m.at_most(at.value))),
-        row(
-            "PowerOfSchlick",
-            "the power is Schlick's approximation, c/(m - mc + c)",
-        )
-        .at(Power, |_, at| {
-            let (c, m) = (at.cosine.at_least_zero(), at.given(at.m));
-            one(c / (m - m * c + c))
-        }),
-        row(
-            "NormalizedByEight",
-            "the highlight is normalized by (m + 8)/(8π)",
-        )
-        .at(Power, |x, at| normalized(x, at, |m| (m + 8.0) / (8.0 * PI))),
-        row(
-            "NormalizedByTwo",
-            "the highlight is normalized by (m + 2)/(2π)",
-        )
-        .at(Power, |x, at| normalized(x, at, |m| (m + 2.0) / (2.0 * PI))),
-        row(
-            "NormalizedByOne",
-            "the highlight is normalized by (m + 1)/(2π)",
-        )
-        .at(Power, |x, at| normalized(x, at, |m| (m + 1.0) / (2.0 * PI))),
-        row(
-            "Fresnel",
-            "k_s has a Fresnel term, k_s + (1 - k_s)(1 - V·H)⁵",
-        )
-        .at(Reflectance, |x, at| {
-            let cosine = dot(at.v, unit(at.sum)).at_most(1.0);
-            let grazing = (ONE - cosine).at_least_zero().power(5.0);
-            x.map(|c| c + (ONE - c) * grazing)
-        }),
-        row("HighlightByDiffuse", "the highlight takes k_d for k_s").at(Ks, |_, at| at.k_d),
-        row("HighlightTimesDiffuse", "k_s is multiplied by k_d").at(Ks, |x, at| mul(x, at.k_d)),
-        row(
-            "HighlightWithoutMaterial",
-            "the highlight is not multiplied by k_s",
-        )
-        .at(Ks, |_, _| one(ONE)),
-        row(
-            "HighlightWithoutLight",
-            "the highlight does not have the color of the light",
-        )
-        .at(ShinyLight, |_, _| one(ONE)),
+        row("NormalizedByEight", "the highlight is normalized by (m + 8)/(8π)")
+            .at(Power, |x, at| normalized(x, at, |m| (m + 8.0) / (8.0 * PI))),
+        row("NormalizedByTwo", "the highlight is normalized by (m + 2)/(2π)")
+            .at(Power, |x, at| normalized(x, at, |m| (m + 2.0) / (2.0 * PI))),
         row("HighlightTimesCosine", "the highlight is multiplied by N·L")
             .at(Specular, |x, at| scale(x, at.n_dot_l.at_least_zero())),
     ]
@@ -444,135 +265,52 @@ fn highlight() -> Vec<Mistake> {
 
 fn ambient() -> Vec<Mistake> {
     vec![
-        row(
-            "AmbientPerLight",
-            "the ambient term is added once for each light",
-        )
-        .at(Once, |_, _| BLACK)
-        .at(AmbientToo, |_, at| at.ambient),
-        row(
-            "AmbientPerLightInFront",
-            "the ambient term is added once for each light with N·L > 0",
-        )
-        .at(Once, |_, _| BLACK)
-        .at(AmbientToo, |_, at| if_positive(at.n_dot_l, at.ambient)),
-        row(
-            "AmbientAttenuated",
-            "the ambient term is added for each light, attenuated",
-        )
-        .at(Once, |_, _| BLACK)
-        .at(AmbientToo, |_, at| scale(at.ambient, at.falloff)),
-        row("AmbientByDiffuse", "the ambient term takes k_d for k_a").at(Ka, |_, at| at.k_d),
-        row(
-            "AmbientTimesDiffuse",
-            "the ambient term is multiplied by k_d",
-        )
-        .at(Ambient, |x, at| mul(x, at.k_d)),
-        row(
-            "AmbientWithoutMaterial",
-            "the ambient term is not multiplied by k_a",
-        )
-        .at(Ka, |_, _| one(ONE)),
-        row(
-            "BlackWithoutLights",
-            "without lights there is no ambient term",
-        )
-        .at(Once, |x, at| if at.count == 0.0 { BLACK } else { x }),
-        row(
-            "UnlitWithoutLights",
-            "without lights the surface is shown unlit: k_d is added",
-        )
-        .at(
-            Once,
-            |x, at| if at.count == 0.0 { add(x, at.k_d) } else { x },
-        ),
+        row("AmbientPerLight", "the ambient term is added once for each light")
+            .at(Once, |_, _| BLACK)
+            .at(AmbientToo, |_, at| at.ambient),
+        row("AmbientTimesDiffuse", "the ambient term is multiplied by k_d")
+            .at(Ambient, |x, at| mul(x, at.k_d)),
+        row("BlackWithoutLights", "without lights there is no ambient term")
+            .at(Once, |x, at| if at.count == 0.0 { BLACK } else { x }),
+        row("UnlitWithoutLights", "without lights the surface is shown unlit: k_d is added")
+            .at(Once, |x, at| if at.count == 0.0 { add(x, at.k_d) } else { x }),
     ]
 }
 
 fn sum() -> Vec<Mistake> {
     vec![
         row("LightsAtMost", "only the first {} lights count")
-            .of(&[
-                4.0, 1.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 32.0, 64.0,
-            ])
+            .of(&[4.0, 1.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 32.0, 64.0])
             .at(OfLight, |x, at| if at.i >= at.value { BLACK } else { x }),
-        row(
-            "LightsAssigned",
-            "each light replaces the color, in place of adding to it: = for +=",
-        )
-        .at(OfLight, |x, at| {
-            if_positive(at.n_dot_l, sub(x, add(at.lit, at.ambients)))
-        }),
-        row(
-            "EachLightClamped",
-            "each light is clamped before the sum, in place of the sum",
-        )
-        .at(OfLight, |x, at| at.clamped(x))
-        .at(Clamp, |_, at| of_linear(at, |x| x)),
-        row(
-            "TermsClamped",
-            "diffuse and specular light are clamped before the sum",
-        )
-        .at(Sum, |_, at| {
-            add(
-                at.ambients,
-                add(at.clamped(at.diffuse), at.clamped(at.specular)),
-            )
-        }),
+        row("LightsAssigned", "each light replaces the color, in place of adding to it: = for +=")
+            .at(OfLight, |x, at| if_positive(at.n_dot_l, sub(x, add(at.lit, at.ambients)))),
         row(
             "DiffuseClamped",
             "ambient and diffuse light are clamped before the highlight is added",
         )
-        .at(Sum, |_, at| {
-            add(at.clamped(add(at.ambients, at.diffuse)), at.specular)
-        }),
+        .at(Sum, |_, at| add(at.clamped(add(at.ambients, at.diffuse)), at.specular)),
         row("ChannelsSwapped", "red and blue are swapped").at(Sum, |[r, g, b], _| [b, g, r]),
         row("Scaled", "all colors are multiplied by {}")
             .of(&[0.5, 2.0, FRAC_1_PI, PI, 1.0 / 255.0, 255.0])
             .at(Sum, |x, at| scale(x, at.number())),
-        row("Black", "all colors are black").at(Sum, |_, _| BLACK),
-        row("Reinhard", "colors are mapped by c/(1 + c)").at(Sum, |x, _| x.map(|c| c / (ONE + c))),
     ]
 }
 
 fn reply() -> Vec<Mistake> {
     vec![
-        row(
-            "ClampForgotten",
-            "colors are not clamped to the range of the profile",
-        )
-        .at(Clamp, |_, at| of_linear(at, |x| x)),
-        row(
-            "SrgbForgotten",
-            "sRGB is not applied: the colors are linear",
-        )
-        .at(Encode, |_, at| of_linear(at, |x| x)),
-        row(
-            "SrgbOnceMore",
-            "sRGB is applied once more than the profile says",
-        )
-        .at(Encode, |x, _| x.map(|c| exact(to_srgb(c.value)))),
-        row(
-            "Gamma",
-            "a gamma of {} is applied, not what the profile says",
-        )
-        .of(&[2.2, 2.0, 1.8, 2.4])
-        .at(Encode, |_, at| {
-            of_linear(at, |x| x.max(0.0).powf(1.0 / at.value))
-        }),
+        row("ClampForgotten", "colors are not clamped to the range of the profile")
+            .at(Clamp, |_, at| of_linear(at, |x| x)),
+        row("SrgbForgotten", "sRGB is not applied: the colors are linear")
+            .at(Encode, |_, at| of_linear(at, |x| x)),
+        row("SrgbOnceMore", "sRGB is applied once more than the profile says")
+            .at(Encode, |x, _| x.map(|c| exact(to_srgb(c.value)))),
+        row("Gamma", "a gamma of {} is applied, not what the profile says")
+            .of(&[2.2, 2.0, 1.8, 2.4])
+            .at(Encode, |_, at| of_linear(at, |x| x.max(0.0).powf(1.0 / at.value))),
         row("LevelsTruncated", "levels are truncated, not rounded")
             .at(Level, |_, at| level(at, |x, most| (x * most).floor())),
-        row("LevelsOf256", "levels are taken by 256, not 255").at(Level, |_, at| {
-            level(at, |x, most| (x * (most + 1.0)).floor().min(most))
-        }),
-        row(
-            "LevelsOverflow",
-            "levels above the largest wrap around to 0",
-        )
-        .at(Clamp, |_, at| of_linear(at, |x| x))
-        .at(Level, |_, at| {
-            level(at, |x, most| (x * most).round().rem_euclid(most + 1.0))
-        }),
+        row("LevelsOf256", "levels are taken by 256, not 255")
+            .at(Level, |_, at| level(at, |x, most| (x * (most + 1.0)).floor().min(most))),
     ]
 }
 
@@ -586,12 +324,9 @@ fn terms() -> Vec<Mistake> {
     ];
     let of_part = |(id, name, part): (&str, &str, Part)| {
         [
-            row(
-                &format!("{id}Times"),
-                &format!("{name} is multiplied by {{}}"),
-            )
-            .of(&[0.5, 2.0, FRAC_1_PI, PI, 0.25, 4.0, 0.1, 10.0])
-            .at(part, |x, at| scale(x, at.number())),
+            row(&format!("{id}Times"), &format!("{name} is multiplied by {{}}"))
+                .of(&[0.5, 2.0, FRAC_1_PI, PI, 0.25, 4.0, 0.1, 10.0])
+                .at(part, |x, at| scale(x, at.number())),
             row(&format!("{id}Forgotten"), &format!("{name} is missing")).at(part, |_, _| BLACK),
         ]
     };

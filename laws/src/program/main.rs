@@ -19,11 +19,7 @@ use piped::Piped;
 ///
 /// The renderer reads scenes from its standard input and writes colors to its standard output.
 #[derive(Parser)]
-#[command(
-    version,
-    args_conflicts_with_subcommands = true,
-    disable_help_subcommand = true
-)]
+#[command(version, args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
 #[command(
     after_help = "The exit status is 0 if all laws hold, 1 if one is broken, 2 if nothing was found before the renderer \
     ended or answered with nonsense, and 3 if nothing was found before the time was up or Ctrl-C was pressed."
@@ -105,7 +101,7 @@ impl Filed {
 enum Other {
     /// Print a small renderer to copy from
     Example {
-        #[arg(value_parser = ["python", "c", "rust"])]
+        #[arg(value_parser = ["python", "javascript", "c", "rust"])]
         language: String,
     },
     /// Print the scenes, one a line, for a renderer that cannot be piped
@@ -155,6 +151,7 @@ fn run(arguments: &Arguments) -> Outcome {
         Some(Other::Example { language }) => {
             let text = match language.as_str() {
                 "python" => include_str!("../../examples/renderer.py"),
+                "javascript" => include_str!("../../examples/renderer.js"),
                 "c" => include_str!("../../examples/renderer.c"),
                 _ => include_str!("../../examples/renderer.rs"),
             };
@@ -215,15 +212,8 @@ fn told(report: &Report, options: &Options) -> Outcome {
     if let Some(why) = report.error.as_ref().filter(|_| !report.is_broken()) {
         return Err(why.clone());
     }
-    let text = if options.json {
-        report.to_json() + "\n"
-    } else {
-        report.to_string()
-    };
-    let is_found = report
-        .laws
-        .iter()
-        .any(|law| law.is_broken() && !law.is_known);
+    let text = if options.json { report.to_json() + "\n" } else { report.to_string() };
+    let is_found = report.laws.iter().any(|law| law.is_broken() && !law.is_known);
     let status = match () {
         () if report.passes() => 0,
         () if report.is_cut_short() && !is_found => CUT_SHORT,
