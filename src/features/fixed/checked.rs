@@ -1,6 +1,6 @@
 //! The constructors for constants, as `f32` has them, and the encodings.
 
-use super::real::unit_and_length;
+use super::root::unit_and_length;
 use super::{Fixed, ONE};
 use crate::attenuation::Attenuation;
 use crate::cone::Cone;
