@@ -9,7 +9,7 @@ use std::hint::black_box;
 use std::process::{Command, ExitCode};
 
 use kit::{Given, places::places, row};
-use shading::{Exponent, Lanes, Material, PointLight, Rgb, Shaded, shade};
+use shading::{Lanes, Lobe, Material, PointLight, Rgb, Shaded, shade};
 use wide::{f32x4, f32x8};
 
 type Place = Given<f32>;
@@ -56,7 +56,7 @@ const OTHERS: &[Function] = counted! {
 
 /// A sum in lanes, each of which has the same lamp.
 #[inline]
-fn sum<L: Lanes<Lane = f32>, M: Exponent<L>>(g: &Place, material: Material<f32, M>) -> Shaded<f32> {
+fn sum<L: Lanes<Lane = f32>, M: Lobe<L>>(g: &Place, material: Material<f32, M>) -> Shaded<f32> {
     let splat = |x| L::from_fn(|_| x);
     let [n, v] = [g.n, g.v].map(|direction| direction.cast(splat));
     let lamp = g.lamps[0].cast(splat).at(g.p.map(splat));

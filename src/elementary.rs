@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, SQRT_2};
 
-use crate::real::{Real, Select, by_squaring, constant, parts, size};
+use crate::real::{Real, Select, by_squaring, constant, magnitude, parts};
 
 /// The functions, beyond those of [`Real`], that surfaces are written with. sin, cos, exp and ln are
 /// required; the others are derived from them. [`Dual`](crate::Dual) has all of them without an import.
@@ -50,7 +50,7 @@ pub trait Elementary: Real {
     #[inline]
     #[must_use]
     fn atan2(self, x: Self) -> Self {
-        let angle = angle(size(self), x);
+        let angle = angle(magnitude(self), x);
         Self::ZERO.above(self).select(-angle, angle)
     }
 
@@ -115,10 +115,10 @@ pub(crate) fn angle<T: Real>(sine: T, cosine: T) -> T {
         constant(const { parts(SQRT_2 - 1.0) }),
         constant(const { parts(SQRT_2 + 1.0) }),
     ];
-    let size = size(cosine);
+    let toward_x = magnitude(cosine);
     let sign = cosine.above(T::ZERO).select(T::ONE, T::NEG_ONE);
-    let x = (size * tan_3_pi_8).above(sine).select(sign, T::ZERO);
-    let y = sine.above(size * tan_pi_8).select(T::ONE, T::ZERO);
+    let x = (toward_x * tan_3_pi_8).above(sine).select(sign, T::ZERO);
+    let y = sine.above(toward_x * tan_pi_8).select(T::ONE, T::ZERO);
 
     let [quarter, half] = [
         constant(const { parts(FRAC_PI_4) }),

@@ -78,7 +78,7 @@
 //! - `fixed` adds a signed 16.16 fixed-point number, and the types of a scene in it.
 //! - `mint` converts [`Vec3`] from and to `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to `Vector3`.
 //! - `serde` reads and writes lights and materials; invalid input is an error that names the field and the reason.
-//! - `wide` implements [`Real`] and [`Exponent`] for the SIMD types of the crate `wide`.
+//! - `wide` implements [`Real`] and [`Lobe`] for the SIMD types of the crate `wide`.
 //!
 //! # Guide
 //!
@@ -152,8 +152,8 @@ pub use elementary::Elementary;
 pub use features::Lanes;
 #[cfg(feature = "fixed")]
 pub use features::fixed;
-pub use light::{DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
-pub use real::{Exponent, LightSum, Mask, Measured, Real, Scalar, Select, Toward};
+pub use light::{Arrival, DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
+pub use real::{Dimmed, LightSum, Lobe, Mask, Measured, Real, Scalar, Select, Toward};
 #[doc(inline)]
 pub use shade::{Material, Shaded};
 pub use triple::{Rgb, Vec3};

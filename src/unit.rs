@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Deref, Mul, Neg, Sub};
 
-use crate::real::{Measured, Real, Scalar, const_sqrt, epsilon, size};
+use crate::real::{Measured, Real, Scalar, const_sqrt, epsilon, magnitude};
 use crate::vector::Vec3;
 
 impl<T: Real> Vec3<T> {
@@ -64,12 +64,12 @@ impl<T: Real> Vec3<T> {
     #[doc(alias = "normalize_or")]
     #[inline]
     pub fn unit_or(self, fallback: UnitVec3<T>) -> UnitVec3<T> {
-        self.unit_and_length(fallback).0
+        self.unit_or_with_length(fallback).0
     }
 
     /// [`unit_or`](Vec3::unit_or), and the length, by one root.
     #[inline]
-    pub(crate) fn unit_and_length(self, fallback: UnitVec3<T>) -> (UnitVec3<T>, T) {
+    pub(crate) fn unit_or_with_length(self, fallback: UnitVec3<T>) -> (UnitVec3<T>, T) {
         let Measured {
             w,
             w_length,
@@ -144,7 +144,7 @@ impl<T: Real> UnitVec3<T> {
     {
         let two = T::ONE + T::ONE;
         let v = Vec3::new(x, y, z);
-        let is_unit = size(v.dot(v) - T::ONE) <= two * two * epsilon();
+        let is_unit = magnitude(v.dot(v) - T::ONE) <= two * two * epsilon();
         is_unit.then_some(Self(v))
     }
 

@@ -23,7 +23,7 @@ impl<T: Real> Vec3<T> {
         (other - self).length()
     }
 
-    /// The point at the share t of the way to another, self + t (other − self).
+    /// The point at the fraction t of the way to another, self + t (other − self).
     #[doc(alias = "mix")]
     #[inline]
     pub fn lerp(self, other: Self, t: T) -> Self {

@@ -8,9 +8,9 @@ use std::f64::consts::{FRAC_1_PI, PI};
 
 use kit::{Float, Number, Sink, Value, direction, rgb, vector};
 use shading::{
-    Attenuation, Cone, DirectionalLight, Dual, Exponent, IncidentLight, Light, Material,
-    PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal,
-    reflection, shade, term,
+    Attenuation, Cone, DirectionalLight, Dual, IncidentLight, Light, Lobe, Material, PointLight,
+    Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection,
+    shade, term,
 };
 
 /// Runs each row for `f32` and `f64`, and names those that fail.
@@ -258,16 +258,16 @@ table! {
     "clamped": [0.25, 2.0].map(|q| falloff::<T>(0.0, 0.0, 1.0).clamped().at(T::of(q))) => [1.0, 0.25], 0.0;
     "coefficients": falloff::<T>(0.25, 0.0, 3.0).clamped().coefficients() => [0.25, 0.0, 3.0], 0.0;
     "kinds of falloff": { let free = falloff::<T>(1.0, 0.0, 0.0); let ranged = free.within(T::of(4.0)).expect("a range");
-        [free.is_clamped(), free.clamped().is_clamped(), ranged.clamped().is_unsquared(), ranged.unsquared().is_unsquared(),
+        [free.limit() == T::MAX, free.clamped().limit() == T::ONE, ranged.clamped().is_gltf(), free.within_gltf(T::of(4.0)).expect("a range").is_gltf(),
         Attenuation::<T>::default() == free, ranged.range() == T::of(4.0), free.range() == T::MAX] }
-        => [0.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0], 0.0;
+        => [1.0, 1.0, 0.0, 1.0, 1.0, 1.0, 1.0], 0.0;
     // 1/(1 + 4/4) (1 − (2/4)⁴)² = ½ (15/16)²; as glTF has it, ½ 15/16
-    "halfway to the range": { let ranged = falloff::<T>(1.0, 0.0, 0.25).within(T::of(4.0)).expect("a range"); [ranged.at(T::of(2.0)),
-        ranged.unsquared().at(T::of(2.0)), ranged.at(T::of(4.0))] }
+    "halfway to the range": { let free = falloff::<T>(1.0, 0.0, 0.25); let ranged = free.within(T::of(4.0)).expect("a range"); [ranged.at(T::of(2.0)),
+        free.within_gltf(T::of(4.0)).expect("a range").at(T::of(2.0)), ranged.at(T::of(4.0))] }
         => [225.0 / 512.0, 15.0 / 32.0, 0.0], 0.0;
     // one range after another replaces it; the order of the steps does not matter
     "steps of a falloff": { let free = falloff::<T>(0.0, 0.0, 1.0); let r = T::of(4.0);
-        [free.within(r).expect("a range").clamped().unsquared() == free.unsquared().clamped().within(r).expect("a range"),
+        [free.within_gltf(r).expect("a range").clamped() == free.clamped().within_gltf(r).expect("a range"),
         free.within(T::ONE).expect("a range").within(r) == free.within(r)] }
         => [1.0, 1.0], 0.0;
 
@@ -285,9 +285,9 @@ table! {
     "soft edge": { let cone = Cone::from_cosines(T::ONE, T::of(0.6)).expect("cosines"); [(cone, 0.8), (cone.smoothstep(), 0.8),
         (cone, 0.7), (cone.smoothstep(), 0.7)].map(|(cone, z)| cone.factor(UnitVec3::NEG_Z, with_cosine(z))) }
         => [0.25, 0.5, 0.0625, 5.0 / 32.0], 40.0;
-    "kinds of cones": { let cone = Cone::from_cosine(T::of(0.5)).expect("a cosine"); [cone.is_smoothstep(),
-        cone.smoothstep().is_smoothstep()] }
-        => [0.0, 1.0], 0.0;
+    "kinds of cones": { let hard = Cone::from_cosine(T::of(0.5)).expect("a cosine"); let soft = Cone::from_cosines(T::of(0.5),
+        T::ZERO).expect("cosines"); [soft.is_smoothstep(), soft.smoothstep().is_smoothstep(), hard.smoothstep() != hard] }
+        => [0.0, 1.0, 0.0], 0.0;
 
     // lights
     "a light gives the way to it": lamp::<T>([0.0, 0.0, 2.0], Attenuation::NONE).at(Vec3::ZERO) => [0.0, 0.0, 1.0, 1.0, 0.5, 0.0, 2.0], 0.0;

@@ -5,13 +5,13 @@ use std::fmt::Debug;
 
 use proptest::prelude::*;
 use shading::{
-    Attenuation, Cone, DirectionalLight, Exponent, IncidentLight, Lanes, Light, Mask, Select, Material,
-    PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, normal, reflection,
-    shade, term,
+    Attenuation, Cone, DirectionalLight, IncidentLight, Lanes, Light, Lobe, Mask, Material,
+    PointLight, Real, Rgb, Select, Shaded, SpotLight, UnitVec3, Vec3, attenuation, normal,
+    reflection, shade, term,
 };
 
 /// `f32` or `f64`, the type of one lane.
-trait Scalar: Real + Exponent<Self> + PartialOrd + Debug {
+trait Scalar: Real + Lobe<Self> + PartialOrd + Debug {
     /// Zeros of both signs, subnormal and ordinary numbers, the ends of the range, infinities and NaN.
     const EDGES: [Self; 18];
     const SIGNALING_NAN: Self;
@@ -19,7 +19,7 @@ trait Scalar: Real + Exponent<Self> + PartialOrd + Debug {
 }
 
 /// A SIMD type, and its lane with a number.
-trait Simd: Lanes<Lane: Scalar + Exponent<Self>> {
+trait Simd: Lanes<Lane: Scalar + Lobe<Self>> {
     fn lane(self, i: usize) -> Self::Lane;
 }
 
@@ -112,7 +112,7 @@ fn edges_agree<L: Simd>() {
             term::lambert(UnitVec3::Z, tilted(a)),
         ]
     }
-    fn powers<T: Real, M: Exponent<T>>(cosine: T, m: M) -> [T; 3] {
+    fn powers<T: Real, M: Lobe<T>>(cosine: T, m: M) -> [T; 3] {
         let share = cosine.at_least(T::ZERO).at_most(T::ONE);
         [
             term::phong(UnitVec3::Z, tilted(cosine), m),
@@ -196,18 +196,14 @@ impl<S: Scalar> Place<S> {
         let [a, b, c] = coefficients.into();
         let falloff = Attenuation::new(a, b, c).unwrap_or_default();
         // a lane may have a range, be clamped, or have glTF's window where another has none
-        let falloff = if kind.x > S::of(2.0) {
-            falloff.within(kind.x).unwrap_or(falloff)
-        } else {
-            falloff
+        let range = match (kind.x > S::of(2.0), kind.z > S::of(2.0)) {
+            (false, _) => None,
+            (true, false) => falloff.within(kind.x),
+            (true, true) => falloff.within_gltf(kind.x),
         };
+        let falloff = range.unwrap_or(falloff);
         let falloff = if kind.y > S::of(2.0) {
             falloff.clamped()
-        } else {
-            falloff
-        };
-        let falloff = if kind.z > S::of(2.0) {
-            falloff.unsquared()
         } else {
             falloff
         };
@@ -277,7 +273,7 @@ fn gathered<L: Simd>(places: &[Place<L::Lane>]) -> Place<L> {
 }
 
 /// Everything that can be computed of a number that is not compared.
-fn everything<T: Real, M: Exponent<T>>(c: &Place<T>, m: M) -> Vec<T> {
+fn everything<T: Real, M: Lobe<T>>(c: &Place<T>, m: M) -> Vec<T> {
     let &Place {
         p, n, v, q, rgb, ..
     } = c;
@@ -333,7 +329,7 @@ fn everything<T: Real, M: Exponent<T>>(c: &Place<T>, m: M) -> Vec<T> {
         term::lambert(n, v),
         term::phong(n, v, m),
         term::blinn(n, v, m),
-        T::cosine_power(*n, p, m),
+        T::halfway_power(*n, T::measured(p), *v, m),
         attenuation(rgb.r, rgb.g, rgb.b, q),
         c.lamp.attenuation.at(q),
         c.spot.cone.factor(n, v),
@@ -377,7 +373,7 @@ impl<S: Scalar> Debug for Place<S> {
 }
 
 fn everything_agrees<L: Simd>() {
-    fn agree<L: Simd, M: Exponent<L> + Exponent<L::Lane>>(places: &[Place<L::Lane>], m: M) {
+    fn agree<L: Simd, M: Lobe<L> + Lobe<L::Lane>>(places: &[Place<L::Lane>], m: M) {
         let lanes = everything(&gathered::<L>(places), m);
         for (i, place) in places.iter().enumerate() {
             let lane: Vec<_> = lanes.iter().map(|x| x.lane(i)).collect();

@@ -157,7 +157,9 @@ impl Evidence {
         let contradicted = self.right.iter().filter(is_contradicted).take(most + 1);
         let contradicted = contradicted.count();
         let of = self.wrong.len() - unknown;
-        (contradicted <= most).then(|| Cause {
+        #[allow(clippy::cast_precision_loss)]
+        let is_enough = (of - unexplained) as f64 >= least * of as f64;
+        (contradicted <= most && is_enough).then(|| Cause {
             explained: of - unexplained,
             of,
             alternatives: Vec::new(),

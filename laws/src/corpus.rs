@@ -14,6 +14,7 @@ pub fn edges(profile: &Profile) -> Vec<Case> {
     let mut corpus = Corpus {
         profile,
         cases: Vec::new(),
+        turn: 0,
     };
     corpus.directions();
     corpus.lamps();
@@ -27,6 +28,8 @@ pub fn edges(profile: &Profile) -> Vec<Case> {
 struct Corpus<'a> {
     profile: &'a Profile,
     cases: Vec<Case>,
+    /// The kinds of light that were taken in turn.
+    turn: usize,
 }
 
 impl Corpus<'_> {
@@ -127,7 +130,8 @@ impl Corpus<'_> {
     /// A scene with the kinds of light in turn.
     fn in_turn(&mut self, n: Triple, v: Triple, l: Triple, m: Option<f64>) {
         let kinds = self.kinds(l, [1.0, 0.75, 0.5]);
-        let mut scene = self.scene(n, v, vec![kinds[self.cases.len() % kinds.len()]]);
+        let mut scene = self.scene(n, v, vec![kinds[self.turn % kinds.len()]]);
+        self.turn += 1;
         scene.m = m.unwrap_or(scene.m);
         self.add(&scene);
     }
@@ -237,7 +241,7 @@ impl Corpus<'_> {
                     }
                     let position = self.long(add(p, scale([0.0, 0.6, 0.8], q)));
                     let mut light = Light::point(intensity, position, attenuation);
-                    if kinds[i % kinds.len()] == Kind::Spot {
+                    if kinds[(i + k) % kinds.len()] == Kind::Spot {
                         light = light.with_cone([0.0, 0.0, -1.0], self.profile.rounded(0.75));
                     }
                     let mut scene = self.scene(UP, [0.0, -0.5, 1.0], vec![light]);
@@ -245,7 +249,7 @@ impl Corpus<'_> {
                     if left < 0.1 {
                         scene.i_a = BLACK; // among light, little light is not seen
                     }
-                    self.add_as(self.model(i), &scene);
+                    self.add_as(self.model(i + k / 2), &scene);
                 }
             }
         }

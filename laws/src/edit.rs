@@ -31,8 +31,33 @@ fn is_in_front(light: &Light, scene: &Scene) -> bool {
     dot(way, scene.n) > 1e-3
 }
 
-fn without(scene: &mut Scene, kind: Kind) {
-    scene.lights.retain(|light| light.kind() != kind);
+/// Turns each light of some kinds into one of another kind that gives the same, so that their number stays.
+fn without(scene: &mut Scene, profile: &Profile, kinds: &[Kind]) {
+    let p = scene.p;
+    for light in scene
+        .lights
+        .iter_mut()
+        .filter(|light| kinds.contains(&light.kind()))
+    {
+        let intensity = light.intensity();
+        *light = match *light {
+            Light::Directional { l, .. } => Light::point(intensity, add(p, l), [1.0, 0.0, 0.0]),
+            other => {
+                let (position, _) = other.lamp().unwrap_or_default();
+                let l = profile.unit(sub(position, p));
+                let is_lit = match other {
+                    Light::Spot {
+                        axis, half_angle, ..
+                    } => -dot(axis, l) >= half_angle.cos(),
+                    _ => true,
+                };
+                let left = if is_lit { other.falloff(p) } else { 0.0 };
+                let intensity = scale(intensity, left).map(|c| profile.rounded(c));
+                Light::Directional { intensity, l }
+            }
+        };
+    }
+    scene.lights.retain(|light| profile.has(light.kind()));
 }
 
 /// What a color may follow, from the particular to the general.
@@ -85,12 +110,10 @@ pub const KNOBS: &[Knob] = &[
             s.model = Model::Phong;
         }
     }),
-    knob("lamps", |s, _| {
-        s.lights.retain(|light| light.lamp().is_none());
-    }),
-    knob("spot", |s, _| without(s, Kind::Spot)),
-    knob("point", |s, _| without(s, Kind::Point)),
-    knob("directional", |s, _| without(s, Kind::Directional)),
+    knob("lamps", |s, p| without(s, p, &[Kind::Point, Kind::Spot])),
+    knob("spot", |s, p| without(s, p, &[Kind::Spot])),
+    knob("point", |s, p| without(s, p, &[Kind::Point])),
+    knob("directional", |s, p| without(s, p, &[Kind::Directional])),
     knob("several lights", |s, _| s.lights.truncate(1)),
     knob("colors above 1", |s, _| {
         let all = s

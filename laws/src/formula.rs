@@ -109,6 +109,16 @@ pub struct At {
     pub linear: f64,
 }
 
+/// A direction, which the renderer may turn to another frame, such as that of the eye.
+fn turned(v: Triple, how: Arithmetic) -> Bounded3 {
+    let off = if how.rounds {
+        0.0
+    } else {
+        4.0 * how.u * length(v)
+    };
+    given3(v, how).map(|c| c.looser(off))
+}
+
 pub type Change = fn(Bounded3, &At) -> Bounded3;
 
 pub const ZERO: Bounded = Bounded::ZERO;
@@ -134,7 +144,7 @@ impl At {
         match self.light {
             Some(Light::Spot {
                 axis, half_angle, ..
-            }) => (given3(axis, self.how), half_angle),
+            }) => (turned(axis, self.how), half_angle),
             _ => (BLACK, 0.0),
         }
     }
@@ -245,7 +255,7 @@ impl<'a> Formula<'a> {
             _ => Model::BlinnPhong,
         };
         at.p = self.hook(Part::P, at, given3(scene.p, how));
-        (at.raw_v, at.raw_n) = (given3(scene.v, how), given3(scene.n, how));
+        (at.raw_v, at.raw_n) = (turned(scene.v, how), turned(scene.n, how));
         at.v = self.hook(Part::V, at, unit(at.raw_v));
         let n = self.hook(Part::N, at, unit(at.raw_n));
         at.n = n;
@@ -269,13 +279,13 @@ impl<'a> Formula<'a> {
         (at.falloff, at.cone) = (ONE, ONE);
         at.intensity = self.hook(Part::Intensity, at, given3(light.intensity(), how));
         if let Light::Directional { l, .. } = light {
-            at.way = given3(l, how);
+            at.way = turned(l, how);
             at.l = self.hook(Part::L, at, at.way);
         }
         if let Some((position, abc)) = light.lamp() {
             at.position = self.hook(Part::Position, at, given3(position, how));
             // the renderer may take both to another frame first, such as that of the eye, and round them there
-            let off = how.u * scene.extent(position);
+            let off = 4.0 * how.u * scene.extent(position);
             let way = sub(at.position, at.p).map(|c| c.looser(off));
             at.way = self.hook(Part::Way, at, way);
             at.q = self.number(Part::Q, at, length(at.way));

@@ -479,7 +479,12 @@ impl Run<'_> {
             if let Some(edits) = Edits::new(&left, profile, &mut ask) {
                 let second = edits.place(|_| true);
                 // ambient light and that of lights alike is everything
-                let is_told = second.only_with.iter().any(|knob| *knob != "lights");
+                let is_term = |place: &Place| {
+                    place.only_with.len() == 1
+                        && ["lights", "ambient"].contains(&place.only_with[0])
+                };
+                let is_told =
+                    !second.only_with.is_empty() && !(is_term(&first) && is_term(&second));
                 if is_told && !first.only_with.is_empty() {
                     return Some(vec![first, second]);
                 }

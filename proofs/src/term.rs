@@ -5,7 +5,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use shading::{Elementary, Exponent, Mask, Real, Select};
+use shading::{Elementary, Lobe, Mask, Real, Rgb, Select};
 
 use super::graph::{Function, Node, ONE, Test, ZERO};
 use super::range::Range;
@@ -98,7 +98,7 @@ impl PartialOrd for Term {
 
 impl Real for Term {
     type Mask = Above;
-    type Sum = Self;
+    type Sum = Rgb<Self>;
 
     const ZERO: Self = Self(ZERO);
     const ONE: Self = Self(ONE);
@@ -166,7 +166,7 @@ impl Elementary for Term {
     }
 }
 
-impl Exponent<Self> for Term {
+impl Lobe<Self> for Term {
     fn raise(self, cosine: Self) -> Self {
         Self(node(Node::Power(cosine.0, self.0)))
     }

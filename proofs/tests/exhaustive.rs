@@ -2,7 +2,7 @@
 //! in the range that was derived for it, each answer must be that of the numbers, and each goal that is proved must hold.
 //! The rules do not know in which format they are used.
 
-use shading::{Elementary, Real};
+use shading::{Elementary, Real, Select};
 use shading_proofs::tried::every;
 use shading_proofs::{Format, Given, Goal, Range, Term};
 
@@ -66,9 +66,9 @@ fn operation(op: usize, x: Term, y: Term) -> Term {
         7 => -x,
         8 => x.at_least(y),
         9 => x.at_most(y),
-        10 => x.if_above(y, x - y, y - x),
+        10 => x.above(y).select(x - y, y - x),
         11 => x - x,
-        _ => x.if_positive(y, -x),
+        _ => x.above(Term::ZERO).select(y, -x),
     }
 }
 const OPERATIONS: [usize; 13] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12];
@@ -202,8 +202,8 @@ fn operations_with_constants() {
             let (x, k) = (given.number("x", range), Term::of(constant));
             let results = [operation(op, x, k), operation(op, k, x)];
             // two selections that differ in what they compare
-            let chosen = [k, Term::ONE].map(|limit| x.if_above(limit, Term::ONE, Term::ZERO));
-            let turned = [k, Term::ONE].map(|y| y.if_above(x, Term::ONE, Term::ZERO));
+            let chosen = [k, Term::ONE].map(|limit| x.above(limit).select(Term::ONE, Term::ZERO));
+            let turned = [k, Term::ONE].map(|y| y.above(x).select(Term::ONE, Term::ZERO));
             let shifted = results.map(|result| operation(op, result, x));
             [
                 all_of(results[0], x),
@@ -253,9 +253,9 @@ fn decisions_about_decisions() {
         let shown = decide(first, x, y);
         let again = decide(second, y, x) == shown;
         let chosen = if again {
-            x.if_above(y, x, y)
+            x.above(y).select(x, y)
         } else {
-            y.if_above(x, x, y)
+            y.above(x).select(x, y)
         };
         [
             all_of(chosen, x),
@@ -360,7 +360,7 @@ fn order_of_results() {
 /// What is assumed of the functions of `libm` and of powers, as far as a small format has it.
 #[test]
 fn functions_with_a_contract() {
-    use shading::Exponent;
+    use shading::Lobe;
     check(
         SMALL,
         pairs(&ranges(), &ranges()),

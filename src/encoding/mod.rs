@@ -18,9 +18,9 @@ mod steps;
 
 use crate::rgb::Rgb;
 use edges::decoded;
-use steps::{clamped, eight_bits, five_bits, six_bits};
 #[cfg(feature = "fixed")]
 pub(crate) use steps::{FIXED_EIGHT_BITS, FIXED_FIVE_BITS, FIXED_SIX_BITS};
+use steps::{clamped, eight_bits, five_bits, six_bits};
 
 /// Colors on a display, whose light is encoded as sRGB, and linear colors for programs that
 /// encode elsewhere or not at all. Single precision is more than any display shows; convert with

@@ -61,12 +61,11 @@ impl<const N: usize> Climb<N> {
         Self { first, next_edges }
     }
 
-    /// The level of a number.
+    /// The level of a number, which is below the largest of 16 bits: the last edge ends the climb.
     #[inline]
     pub(crate) const fn level(&self, bits: u16) -> u32 {
         let mut level = self.first[bits as usize >> 10] as usize;
-        // above the highest level is no edge
-        while bits >= self.next_edges[level % N] && level < N - 1 {
+        while bits >= self.next_edges[level % N] {
             level += 1;
         }
         level as u32

@@ -6,7 +6,7 @@
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser};
 
-use crate::real::{epsilon, size};
+use crate::real::{epsilon, magnitude};
 use crate::{Attenuation, Cone, Elementary, Real, Rgb, Scalar, UnitVec3, Vec3};
 
 macro_rules! list {
@@ -36,7 +36,7 @@ list!(Rgb by Self::from, is_light or "color: a channel is negative or not finite
 list!(UnitVec3 by |v| Self::assume_unit(Vec3::from(v)), is_unit or "direction: its length is not 1");
 
 fn is_finite<T: Real + Scalar>(v: [T; 3]) -> bool {
-    v.iter().all(|x| size(*x) <= T::MAX)
+    v.iter().all(|x| magnitude(*x) <= T::MAX)
 }
 
 fn is_light<T: Real + Scalar>(color: [T; 3]) -> bool {
@@ -47,7 +47,7 @@ fn is_unit<T: Real + Scalar>(v: [T; 3]) -> bool {
     let v = Vec3::from(v);
     // Six decimals must suffice. They change each number by 10⁻⁶/2 and |v|² by √3 · 10⁻⁶ < 2⁻¹⁹.
     let roundoff = T::of_f32(4.0) * epsilon();
-    size(v.dot(v) - T::ONE) <= roundoff.at_least(T::of_f32(1.0 / 262_144.0))
+    magnitude(v.dot(v) - T::ONE) <= roundoff.at_least(T::of_f32(1.0 / 262_144.0))
 }
 
 fn checked<V, E: de::Error>(value: Option<V>, reason: &str) -> Result<V, E> {
@@ -65,24 +65,31 @@ struct RawAttenuation<T> {
     a: T,
     b: T,
     c: T,
-    #[serde(default)]
-    clamped: bool,
+    #[serde(default = "Option::default")]
+    limit: Option<T>,
     #[serde(default = "Option::default")]
     range: Option<T>,
-    #[serde(default)]
-    unsquared: bool,
+    #[serde(default = "Option::default")]
+    range_gltf: Option<T>,
 }
 
 impl<T: Real + Scalar + Serialize> Serialize for Attenuation<T> {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         let [a, b, c] = self.coefficients();
+        let some = |end: T| (end < T::MAX).then_some(end);
+        let range = some(self.range());
+        let [range, range_gltf] = if self.is_gltf() {
+            [None, range]
+        } else {
+            [range, None]
+        };
         RawAttenuation {
             a,
             b,
             c,
-            clamped: self.is_clamped(),
-            range: (self.range() < T::MAX).then_some(self.range()),
-            unsquared: self.is_unsquared(),
+            limit: some(self.limit()),
+            range,
+            range_gltf,
         }
         .serialize(to)
     }
@@ -93,16 +100,17 @@ impl<'de, T: Real + Scalar + Deserialize<'de>> Deserialize<'de> for Attenuation<
         const INVALID: &str = "attenuation: a, b and c must be finite, 0 or more, and not all 0";
         let raw = RawAttenuation::deserialize(from)?;
         let mut attenuation = checked(Self::new(raw.a, raw.b, raw.c), INVALID)?;
-        if let Some(r) = raw.range {
-            attenuation = checked(attenuation.within(r), "range: it must be above 0")?;
+        if let Some(limit) = raw.limit {
+            attenuation = checked(attenuation.clamped_to(limit), "limit: it must be above 0")?;
         }
-        if raw.clamped {
-            attenuation = attenuation.clamped();
+        match (raw.range, raw.range_gltf) {
+            (None, None) => Ok(attenuation),
+            (Some(r), None) => checked(attenuation.within(r), "range: it must be above 0"),
+            (None, Some(r)) => {
+                checked(attenuation.within_gltf(r), "range_gltf: it must be above 0")
+            }
+            (Some(_), Some(_)) => Err(de::Error::custom("range: write it or range_gltf, not both")),
         }
-        if raw.unsquared {
-            attenuation = attenuation.unsquared();
-        }
-        Ok(attenuation)
     }
 }
 
@@ -128,7 +136,7 @@ struct Edges<T> {
 impl<T: Real + Scalar + Serialize> Serialize for Cone<T> {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         let ([inner, outer], smoothstep) = (self.cosines(), self.is_smoothstep());
-        let raw = if inner == outer && !smoothstep {
+        let raw = if inner == outer {
             RawCone::Cosine(inner)
         } else {
             RawCone::Cosines(Edges {

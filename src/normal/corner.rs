@@ -61,7 +61,7 @@ use crate::vector::Vec3;
 pub fn corner<T: Real>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Vec3<T> {
     let none = UnitVec3::assume_unit(Vec3::ZERO);
     let (e1, e2) = (tamed(v2, v1), tamed(v3, v1));
-    let (n, length) = e1.cross(e2).unit_and_length(none);
+    let (n, length) = e1.cross(e2).unit_or_with_length(none);
     // without a normal, the angle may be NaN
     n * angle(length, e1.dot(e2)).at_least(T::ZERO)
 }

@@ -1,7 +1,7 @@
 //! Normals made from normals: turned to the eye, transformed, or perturbed by a normal map.
 
 use super::surface::from_tangents;
-use crate::real::{Real, Scalar, Select, is_extreme, size};
+use crate::real::{Real, Scalar, Select, is_extreme, magnitude};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -86,13 +86,13 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
         // the least length that counts keeps the quotients within range
         let none = UnitVec3::assume_unit(Vec3::ZERO);
         let (x, y, z) = (a.length(), b.length(), c.length()); // shaders have no `map` of an array
-        let counts = |n: T, length| size(n).above(T::ZERO).select(length, T::MAX);
+        let counts = |n: T, length| magnitude(n).above(T::ZERO).select(length, T::MAX);
         let least = counts(n.x, x)
             .at_most(counts(n.y, y))
             .at_most(counts(n.z, z));
         let share = |n: T, length: T| {
             let share = length.above(least).select(n * (least / length), n);
-            size(n).above(T::ZERO).select(share, T::ZERO)
+            magnitude(n).above(T::ZERO).select(share, T::ZERO)
         };
         let n = Vec3::new(share(n.x, x), share(n.y, y), share(n.z, z));
         // the product with 0 keeps what is not finite

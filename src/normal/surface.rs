@@ -1,7 +1,7 @@
 //! Normals of planes, triangles, spheres, implicit and parametric surfaces.
 
 use crate::dual::Dual;
-use crate::real::{Real, Scalar, epsilon, is_extreme, size, tamed};
+use crate::real::{Real, Scalar, epsilon, is_extreme, magnitude, tamed};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -190,7 +190,11 @@ pub fn parametric<T: Real + Scalar>(
     let parameters = Dual::point(Vec3::new(u, v, T::ZERO));
     let s = s(parameters.x, parameters.y);
     let (s_u, s_v) = (s.map(|s| s.gradient.x), s.map(|s| s.gradient.y));
-    let largest = |v: Vec3<T>| size(v.x).at_least(size(v.y)).at_least(size(v.z));
+    let largest = |v: Vec3<T>| {
+        magnitude(v.x)
+            .at_least(magnitude(v.y))
+            .at_least(magnitude(v.z))
+    };
     let (a, b) = (largest(s_u), largest(s_v));
     // two roundings for each of the 16 control points of a bicubic patch; on the teapot, the noise
     // reaches 14u

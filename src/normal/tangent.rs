@@ -1,6 +1,6 @@
 //! The tangent that a normal map needs.
 
-use crate::real::{Real, Scalar, Select, size};
+use crate::real::{Real, Scalar, Select, magnitude};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -59,12 +59,12 @@ pub fn tangent<T: Real + Scalar>(
     let d = x2 * y3 - x3 * y2;
     let h = d.above(T::ZERO).select(T::ONE, T::NEG_ONE);
     let t = (e2 / edge * y3 - e3 / edge * y2) * h;
-    t.unit().filter(|_| size(d) > T::ZERO).map(|t| (t, h))
+    t.unit().filter(|_| magnitude(d) > T::ZERO).map(|t| (t, h))
 }
 
 /// Two numbers in shares of the larger one. If both are 0, they are NaN.
 #[inline]
 fn shares<T: Real>(a: T, b: T) -> (T, T) {
-    let larger = size(a).at_least(size(b));
+    let larger = magnitude(a).at_least(magnitude(b));
     (a / larger, b / larger)
 }

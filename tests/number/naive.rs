@@ -4,7 +4,7 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use kit::invariants::Tried;
-use shading::Real;
+use shading::{Real, Rgb};
 
 /// A float by way of `f64`, which has enough digits that rounding twice rounds once.
 macro_rules! float {
@@ -33,7 +33,7 @@ macro_rules! float {
 
         impl Real for $name {
             type Mask = bool;
-            type Sum = Self;
+            type Sum = Rgb<Self>;
             const ZERO: Self = Self(0.0);
             const ONE: Self = Self(1.0);
             const NEG_ONE: Self = Self(-1.0);
@@ -114,7 +114,7 @@ operators!(Q16, |x, y, op| Self::round(op(x.exact(), y.exact())));
 
 impl Real for Q16 {
     type Mask = bool;
-    type Sum = Self;
+    type Sum = Rgb<Self>;
     const ZERO: Self = Self(0);
     const ONE: Self = Self(1 << 16);
     const NEG_ONE: Self = Self(-1 << 16);
@@ -175,7 +175,7 @@ impl<const FAULT: u8> Neg for Broken<FAULT> {
 
 impl<const FAULT: u8> Real for Broken<FAULT> {
     type Mask = bool;
-    type Sum = Self;
+    type Sum = Rgb<Self>;
     const ZERO: Self = Self(0.0);
     const ONE: Self = Self(1.0);
     const NEG_ONE: Self = Self(-1.0);

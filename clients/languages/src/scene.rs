@@ -3,7 +3,7 @@
 use shading::f32::{
     Attenuation, Cone, DirectionalLight, PointLight, Rgb, SpotLight, UnitVec3, Vec3,
 };
-use shading::{Exponent, shade};
+use shading::{Lobe, shade};
 
 use crate::Status;
 
@@ -76,13 +76,13 @@ impl Light {
 
     fn point(&self) -> Option<PointLight> {
         let [a, b, c] = self.attenuation;
-        let squared = Attenuation::new(a, b, c)?.within(self.range)?;
+        let attenuation = Attenuation::new(a, b, c)?;
         Some(PointLight {
             position: self.position.into(),
             intensity: color(self.intensity)?,
             attenuation: match self.unsquared {
-                0 => squared,
-                1 => squared.unsquared(),
+                0 => attenuation.within(self.range)?,
+                1 => attenuation.within_gltf(self.range)?,
                 _ => return None,
             },
         })
@@ -126,7 +126,7 @@ impl Scene<'_> {
         Ok(())
     }
 
-    fn shade_with<M: Exponent<f32>>(
+    fn shade_with<M: Lobe<f32>>(
         &self,
         material: &shading::f32::Material<M>,
         i_a: Rgb,

@@ -172,8 +172,8 @@ fn numbers(scene: &Scene, point: &Point) -> [f32; PROBE] {
     ]
     .as_flattened());
     if let Some(lamp) = scene.lamp {
-        let incident = lamp.at(p);
-        let (l, q) = (incident.l(), incident.distance());
+        let incident = lamp.at(p).arrival();
+        let (l, q) = (incident.l, incident.distance);
         let r = reflection(n, l);
         let h = half_vector(l, v).unwrap_or(UnitVec3::assume_unit(Vec3::ZERO));
         let (r_dot_v, n_dot_h) = (r.dot(v), n.dot(h));

@@ -197,9 +197,9 @@ pub const ROWS: &[Row] = &[
     // the reply
     ("ClampedUnasked", "colors are clamped to [0, 1], which the profile does not say", &[], &[(Clamp, |x, _| x.map(|c| exact(c.value.clamp(0.0, 1.0))))]),
     ("ClampForgotten", "colors are not clamped to the range of the profile", &[], &[(Clamp, |_, at| of_linear(at, |x| x))]),
+    ("SrgbUnasked", "sRGB is applied where linear light was promised", &[], &[(Encode, |_, at| of_linear(at, to_srgb))]),
     ("SrgbTwice", "sRGB is applied twice", &[], &[(Encode, |x, _| x.map(|c| exact(to_srgb(c.value))))]),
     ("SrgbForgotten", "sRGB is not applied: the colors are linear", &[], &[(Encode, |_, at| of_linear(at, |x| x))]),
-    ("SrgbUnasked", "sRGB is applied where linear light was promised", &[], &[(Encode, |_, at| of_linear(at, to_srgb))]),
     ("SrgbDecoded", "colors are decoded from sRGB where they should be encoded", &[], &[(Encode, |_, at| of_linear(at, from_srgb))]),
     ("SrgbWithoutToe", "sRGB is encoded without its linear part: max(0, 1.055 x^(1/2.4) - 0.055)", &[], &[(Encode, |_, at| of_linear(at, |x| (1.055 * x.max(0.0).powf(1.0 / 2.4) - 0.055).max(0.0)))]),
     ("Gamma", "a gamma of {} is applied, not what the profile says", &[2.2, 2.0, 1.8, 2.4], &[(Encode, |_, at| gamma(at, at.value))]),

@@ -29,11 +29,17 @@ pub fn attenuation_of_invalid(given: Given) -> Vec<Goal> {
 }
 
 pub fn attenuation_in_its_limit(given: Given) -> Vec<Goal> {
-    let (free, q) = (ranged(given), given.any("q"));
-    let mut goals = within([free.at(q), free.unsquared().at(q)], not_negative(given));
-    let clamped = free.clamped();
-    goals.extend(within([clamped.at(q), clamped.unsquared().at(q)], share()));
+    let ([squared, gltf], q) = (both_windows(ranged(given)), given.any("q"));
+    let mut goals = within([squared.at(q), gltf.at(q)], not_negative(given));
+    let clamped = [squared.clamped().at(q), gltf.clamped().at(q)];
+    goals.extend(within(clamped, share()));
     goals
+}
+
+/// The falloff with the window squared, and with glTF's.
+fn both_windows(ranged: Attenuation<Term>) -> [Attenuation<Term>; 2] {
+    let gltf = ranged.within_gltf(ranged.range()).unwrap_or(ranged);
+    [ranged, gltf]
 }
 
 pub fn attenuation_never_rises(given: Given) -> Vec<Goal> {
@@ -48,14 +54,10 @@ pub fn attenuation_never_rises(given: Given) -> Vec<Goal> {
     };
     let far = given.number("far", Range::within(format.tiny(), format.max()));
     given.assume_at_most(near, far);
-    [
-        free,
-        free.unsquared(),
-        free.clamped(),
-        free.clamped().unsquared(),
-    ]
-    .map(|falloff| Goal::AtMost(falloff.at(far), falloff.at(near)))
-    .into()
+    let [squared, gltf] = both_windows(free);
+    [squared, gltf, squared.clamped(), gltf.clamped()]
+        .map(|falloff| Goal::AtMost(falloff.at(far), falloff.at(near)))
+        .into()
 }
 
 pub fn range_of_invalid(given: Given) -> Vec<Goal> {
@@ -66,7 +68,10 @@ pub fn range_of_invalid(given: Given) -> Vec<Goal> {
 pub fn range_ends(given: Given) -> Vec<Goal> {
     let (falloff, q) = (ranged(given), given.number("q", light()));
     given.assume_at_most(falloff.range(), q);
-    within([falloff.at(q), falloff.unsquared().at(q)], nothing())
+    within(
+        both_windows(falloff).map(|falloff| falloff.at(q)),
+        nothing(),
+    )
 }
 
 pub fn range_never_adds(given: Given) -> Vec<Goal> {
@@ -77,7 +82,7 @@ pub fn range_never_adds(given: Given) -> Vec<Goal> {
     let free = falloff.at(q);
     vec![
         Goal::AtMost(ranged.at(q), free),
-        Goal::AtMost(ranged.unsquared().at(q), free),
+        Goal::AtMost(both_windows(ranged)[1].at(q), free),
     ]
 }
 

@@ -1,6 +1,6 @@
 //! The terms of the model, and numbers that differentiate.
 
-use shading::{Dual, Elementary, Exponent, Real, UnitVec3, Vec3, term};
+use shading::{Dual, Elementary, Lobe, Real, UnitVec3, Vec3, term};
 use shading_proofs::{Given, Goal, Range, Term};
 
 use super::given::*;

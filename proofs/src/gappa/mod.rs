@@ -7,7 +7,9 @@ mod script;
 use std::fs;
 use std::path::Path;
 
-use shading::{Attenuation, Cone, DirectionalLight, Exponent, IncidentLight, Material, PointLight};
+use shading::{
+    Attenuation, Cone, DirectionalLight, IncidentLight, Lobe, Material, Measured, PointLight,
+};
 use shading::{
     Real, Rgb, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
@@ -83,12 +85,12 @@ fn power(given: Given, m: u32, off: f64, low: f64) -> Formula {
 fn ranged(given: Given, is_squared: bool) -> Formula {
     let [q, r] = ["q", "r"].map(|name| number(given, name, (-30.0_f64).exp2(), 4.0));
     let free = attenuation_of(given);
-    let ranged = free.within(r).expect("a range");
     let ranged = if is_squared {
-        ranged
+        free.within(r)
     } else {
-        ranged.unsquared()
+        free.within_gltf(r)
     };
+    let ranged = ranged.expect("a range");
     let share = q / ranged.range();
     given.assume_at_most(share, Term::ONE);
     let fourth = (share * share) * (share * share);
@@ -215,7 +217,14 @@ fn shaded(given: Given, model: Model) -> Formula {
         let highlight = match model {
             Model::Lambert => continue,
             Model::Phong => term::phong(reflection(n, l), v, 32),
-            Model::BlinnPhong => Term::cosine_power(*n, *l + *v, 32),
+            Model::BlinnPhong => {
+                let w = Measured {
+                    w: *l,
+                    w_length: Term::ONE,
+                    length: Term::ONE,
+                };
+                Term::halfway_power(*n, w, *v, 32)
+            }
         };
         given.assume_above(highlight, Term::of(TINY));
         taken.push((highlight, model.highlight(), [0.0, 1.0]));

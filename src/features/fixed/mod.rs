@@ -34,7 +34,7 @@
     clippy::cast_sign_loss
 )]
 
-mod checked;
+mod constants;
 mod real;
 mod root;
 mod wide;

@@ -1,10 +1,12 @@
 //! [`Real`] and [`Elementary`].
 
-use super::root::{Scaled, reciprocal, root, unit_and_length};
-use super::wide::{product, product_by_share, product_unsigned, upper_rounded, upper_unsigned};
+use super::root::{Scaled, halfway_cosine, reciprocal, root, unit_and_length};
+use super::wide::{
+    HALVES, product, product_by_share, product_unsigned, upper_rounded, upper_unsigned,
+};
 use super::{Fixed, ONE, rounded};
 use crate::elementary::Elementary;
-use crate::real::{Exponent, LightSum, Measured, Real, Toward};
+use crate::real::{Dimmed, LightSum, Lobe, Measured, Real, Toward};
 use crate::rgb::Rgb;
 use crate::vector::Vec3;
 
@@ -57,8 +59,13 @@ impl Real for Fixed {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn faces(n: Vec3<Self>, v: Vec3<Self>) -> bool {
+        if HALVES {
+            // `toward` needs it, too, and whole products would be its double
+            let dot = Scaled::of(v.into()).dot(n);
+            return dot > 0 || dot > -3 && faces_nearly(n, v);
+        }
         // n has 17 bits, so the sum has 50
         let sum = product(n.x.0, v.x.0).wrapping_add(product(n.y.0, v.y.0));
         sum.wrapping_add(product(n.z.0, v.z.0)) > 0
@@ -68,19 +75,19 @@ impl Real for Fixed {
     #[inline(always)]
     fn toward(n: Vec3<Self>, v: Vec3<Self>) -> Toward<Self> {
         let scaled = Scaled::of(v.into());
-        let n_dot_v = Self((scaled.cosine(n) + (1 << 8)) >> 9);
+        let n_dot_w = Self((scaled.cosine(n) + (1 << 8)) >> 9);
         let (unit, length) = scaled.unit_and_length();
-        let way = Measured {
+        let measured = Measured {
             w: unit.into(),
             w_length: Self(ONE),
             length,
         };
-        Toward { way, n_dot_v }
+        Toward { measured, n_dot_w }
     }
 
     #[inline]
     fn cosine(_: Vec3<Self>, toward: &Toward<Self>) -> Self {
-        Self(toward.n_dot_v.0.clamp(0, ONE))
+        Self(toward.n_dot_w.0.clamp(0, ONE))
     }
 
     #[inline]
@@ -111,17 +118,9 @@ impl Real for Fixed {
         n: Vec3<Self>,
         Measured { w, .. }: Measured<Self>,
         v: Vec3<Self>,
-        m: impl Exponent<Self>,
+        m: impl Lobe<Self>,
     ) -> Self {
-        // both are directions
-        let sum = |w: Self, v: Self| Self(w.0.wrapping_add(v.0));
-        let h = Vec3::new(sum(w.x, v.x), sum(w.y, v.y), sum(w.z, v.z));
-        Self::cosine_power(n, h, m)
-    }
-
-    #[inline]
-    fn cosine_power(n: Vec3<Self>, v: Vec3<Self>, m: impl Exponent<Self>) -> Self {
-        let cosine = Scaled::of(v.into()).cosine(n);
+        let cosine = halfway_cosine(n, w, v);
         let cosine = Self((cosine + (1 << 8)) >> 9);
         if cosine.0 > 0 {
             m.raise(cosine.at_most(Self(ONE)))
@@ -131,61 +130,122 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn attenuated(color: Rgb<Self>, [a, b, c]: [Self; 3], q: Self, limit: Self) -> (Rgb<Self>, Self) {
-        // a sum of more than 31 bits tells so in the second number
-        let plus_product = |a: Self, b: u32, q: Self| {
-            let sum = product_unsigned(b, q.0 as u32);
-            let sum = sum.wrapping_add((a.0 as u32 as u64) << 16 | 1 << 15);
-            ((sum >> 16) as u32, (sum >> 47) as u32)
+    fn attenuated(color: Rgb<Self>, [a, b, c]: [Self; 3], q: Self, limit: Self) -> Dimmed<Self> {
+        let light = |color| Dimmed {
+            color,
+            factor: Self(ONE),
         };
-        let (slope, slope_above) = plus_product(b, c.0 as u32, q);
-        let (d, d_above) = plus_product(a, slope, q);
-        let is_negative = (a.0 | b.0 | c.0 | q.0) < 0;
-        if is_negative || slope_above | d_above != 0 || d < ONE as u32 || limit.0 < ONE {
+        // A number too large for 31 bits, as a negative one is, leaves bits above them.
+        let product = product_unsigned(c.0 as u32, q.0 as u32);
+        let product = product.wrapping_add((b.0 as u32 as u64) << 16 | 1 << 15);
+        let (slope, slope_above) = ((product >> 16) as u32, (product >> 47) as u32);
+        let product = product_unsigned(slope, q.0 as u32);
+        let d = ((product >> 16) as u32).wrapping_add(a.0 as u32);
+        let d_above = (product >> 47) as u32 | a.0 as u32 >> 31;
+        let is_negative_or_limited = (c.0 | limit.0.wrapping_sub(ONE)) < 0;
+        if is_negative_or_limited || slope_above | d_above != 0 || d < ONE as u32 {
             let factor = Factor::attenuating([a, b, c], q, limit);
             let Rgb { r, g, b } = color;
-            let color = Rgb::new(factor.times(r), factor.times(g), factor.times(b)); // as `map` would be a call
-            return (color, Self(ONE));
+            return light(Rgb::new(factor.times(r), factor.times(g), factor.times(b))); // `map` would be a call
         }
         if d == ONE as u32 {
-            return (color, Self(ONE));
+            return light(color);
         }
         let zeros = d.leading_zeros();
         // 32 bits after the point
-        let share = reciprocal(d << zeros) << 3 >> (15 - zeros);
-        let color = color.map(|x| Self(upper_rounded(x.0.max(0) as u32, share) as i32));
-        (color, Self(ONE))
+        let factor = reciprocal(d << zeros) << 3 >> (15 - zeros);
+        times(light(color), factor)
     }
 
+    /// From the squares of q and r, which are exact, so that a bright light has its digits where it ends.
     #[inline]
     fn windowed(
-        (color, factor): (Rgb<Self>, Self),
-        q: Self,
+        light: Dimmed<Self>,
+        v: Vec3<Self>,
+        _: Self,
         range: Self,
-        squared: Self,
-    ) -> (Rgb<Self>, Self) {
-        if q >= range {
-            return (color.map(|_| Self(0)), factor);
-        }
-        let zeros = range.0.leading_zeros();
-        let share = upper_unsigned((q.0 << zeros) as u32, reciprocal((range.0 as u32) << zeros)); // 28 bits
-        let share = if share >> 28 == 0 { share << 3 } else { u32::MAX >> 1 };
-        let square = upper_unsigned(share, share) << 1; // 31 bits
-        let root = (1 << 31) - 1 - (upper_unsigned(square, square) << 1);
-        let window = if squared.0 > 0 { upper_unsigned(root, root) << 1 } else { root };
-        let color = color.map(|x| Self(upper_rounded(x.0.max(0) as u32, window << 1) as i32));
-        (color, factor)
+        is_squared: bool,
+    ) -> Dimmed<Self> {
+        times(light, window(v, range, is_squared))
     }
 
+    /// With all digits of the cosine.
     #[inline]
-    fn dimmed(factor: Self, share: Self) -> Self {
-        // the factor is 1, or 0 where there is no direction
-        if factor.0 == ONE { share } else { factor * share }
+    fn beamed(
+        light: Dimmed<Self>,
+        axis: Vec3<Self>,
+        inner_and_outer: [Self; 2],
+        is_smooth: bool,
+        v: Vec3<Self>,
+        _: &Measured<Self>,
+    ) -> Dimmed<Self> {
+        times(light, beam(axis, inner_and_outer, is_smooth, v))
     }
+}
 
-    #[inline]
-    fn within((color, factor): (Rgb<Self>, Self), share: Self) -> (Rgb<Self>, Self) {
-        (color * share, factor)
+/// [`Real::faces`] where v is within three units of the edge.
+#[cold]
+#[inline(never)]
+fn faces_nearly(n: Vec3<Fixed>, v: Vec3<Fixed>) -> bool {
+    let sum = product(n.x.0, v.x.0).wrapping_add(product(n.y.0, v.y.0));
+    sum.wrapping_add(product(n.z.0, v.z.0)) > 0
+}
+
+/// A light times a factor with 32 bits after the point.
+#[inline]
+fn times(Dimmed { color, factor }: Dimmed<Fixed>, by: u32) -> Dimmed<Fixed> {
+    let color = color.map(|x| Fixed(upper_rounded(x.0.max(0) as u32, by) as i32));
+    Dimmed { color, factor }
+}
+
+/// The window of a range r as [`times`] takes it, for a light at the end of the vector v.
+///
+/// ```text
+/// 1 − (q/r)⁴ = rest (2 − rest),  rest = (r² − q²)/r²
+/// ```
+// a call, so that the sum over lights without a range has the registers to itself
+#[inline(never)]
+fn window(v: Vec3<Fixed>, range: Fixed, is_squared: bool) -> u32 {
+    let square = |x: Fixed| product_unsigned(x.0.unsigned_abs(), x.0.unsigned_abs());
+    let (q_squared, r_squared) = (square(v.x) + square(v.y) + square(v.z), square(range));
+    if q_squared >= r_squared {
+        return 0;
+    }
+    let zeros = r_squared.leading_zeros();
+    let upper = |x: u64| (x << zeros >> 32) as u32;
+    let rest = upper_unsigned(upper(r_squared - q_squared), reciprocal(upper(r_squared)));
+    let rest = (rest << 3).min(u32::MAX >> 1); // 31 bits after the point, where 2 is 2³²
+    let root = upper_unsigned(rest, rest.wrapping_neg()); // 30 bits
+    let window = if is_squared {
+        upper_unsigned(2 * root, 2 * root)
+    } else {
+        root
+    };
+    window.min(u32::MAX >> 2) << 2
+}
+
+/// The factor of a cone as [`times`] takes it, for a light at the end of the vector v.
+#[inline(never)]
+fn beam(axis: Vec3<Fixed>, [inner, outer]: [Fixed; 2], is_smooth: bool, v: Vec3<Fixed>) -> u32 {
+    let cosine = Scaled::of(v.into()).cosine(-axis); // 25 bits after the point
+    let [at_inner, at_outer] = [inner, outer].map(|edge| edge.0 << 9);
+    if cosine >= at_inner {
+        return u32::MAX; // which rounds to 1
+    }
+    if cosine <= at_outer {
+        return 0;
+    }
+    let width = (inner.0 - outer.0) as u32;
+    let zeros = width.leading_zeros();
+    let beyond = ((cosine - at_outer) as u32) << (zeros - 9);
+    let t = upper_unsigned(beyond, reciprocal(width << zeros));
+    let t = t.min(u32::MAX >> 4) << 4; // 32 bits after the point
+    let square = upper_unsigned(t, t);
+    if is_smooth {
+        let three_less_2_t = (3 << 30) - (t >> 1); // 30 bits
+        upper_unsigned(square, three_less_2_t).min(u32::MAX >> 2) << 2
+    } else {
+        square
     }
 }
 
@@ -202,7 +262,11 @@ impl Factor {
     fn times(self, x: Fixed) -> Fixed {
         let product = product_unsigned(x.0.max(0) as u32, self.significand);
         let steps = (product + (1 << self.shift >> 1)) >> self.shift;
-        Fixed(if steps >> 31 == 0 { steps as i32 } else { i32::MAX })
+        Fixed(if steps >> 31 == 0 {
+            steps as i32
+        } else {
+            i32::MAX
+        })
     }
 
     /// The factor of [`Real::attenuated`], whatever the denominator and the limit are.
@@ -229,32 +293,70 @@ impl Factor {
         );
         let is_above = ((significand as u64) << 16) >> shift >= limit.0 as u64;
         if a.0 < 0 {
-            Self { significand: 0, shift: 0 }
+            Self {
+                significand: 0,
+                shift: 0,
+            }
         } else if limit != Fixed::MAX && is_above {
-            Self { significand: steps(limit), shift: 16 }
+            Self {
+                significand: steps(limit),
+                shift: 16,
+            }
         } else {
             Self { significand, shift }
         }
     }
 }
 
-/// A sum with 32 bits after the point, of products that are not rounded.
+/// For a lobe that gives a number outside of [0, 1]. A branch that no other takes is shorter than two selections.
+#[cold]
+#[inline(never)]
+fn within_1(factor: Fixed) -> u32 {
+    factor.0.clamp(0, ONE) as u32
+}
+
+/// A sum with 32 bits after the point in each channel, of products that are not rounded.
 #[derive(Clone, Copy)]
-pub struct Exact(u64);
+pub struct Exact(Rgb<u64>);
 
 impl LightSum<Fixed> for Exact {
-    const DARK: Self = Self(0);
+    const DARK: Self = Self(Rgb::new(0, 0, 0));
 
     #[inline(always)]
-    fn add(self, light: Fixed, factor: Fixed) -> Self {
-        let (light, factor) = (light.0.max(0) as u32, factor.0.clamp(0, ONE) as u32);
-        Self(self.0.wrapping_add(product_by_share(light, factor)))
+    fn add(self, light: Dimmed<Fixed>, cosine: Fixed) -> Self {
+        // the factor is 1, or 0 where there is no direction
+        let factor = if light.factor.0 == ONE {
+            cosine
+        } else {
+            light.factor * cosine
+        };
+        let factor = if factor.0 as u32 <= ONE as u32 {
+            factor.0 as u32
+        } else {
+            within_1(factor).min(ONE as u32) // which the compiler knows then
+        };
+        let plus = |sum: u64, light: Fixed| {
+            sum.wrapping_add(product_by_share(light.0.max(0) as u32, factor))
+        };
+        let Self(Rgb { r, g, b }) = self;
+        let color = light.color;
+        Self(Rgb::new(
+            plus(r, color.r),
+            plus(g, color.g),
+            plus(b, color.b),
+        ))
     }
 
     #[inline]
-    fn total(self) -> Fixed {
-        let steps = (self.0 + (1 << 15)) >> 16;
-        Fixed(if steps >> 31 == 0 { steps as i32 } else { i32::MAX })
+    fn total(self) -> Rgb<Fixed> {
+        self.0.map(|sum| {
+            let steps = (sum + (1 << 15)) >> 16;
+            Fixed(if steps >> 31 == 0 {
+                steps as i32
+            } else {
+                i32::MAX
+            })
+        })
     }
 }
 

@@ -1,8 +1,8 @@
 //! The reciprocal and the reciprocal root on which directions, falloffs and highlights rest, by a table and Newton's
 //! method.
 
-use super::wide::{upper, upper_unsigned};
 use super::Fixed;
+use super::wide::{upper, upper_unsigned};
 use crate::triple::Vec3;
 
 /// 2⁸/√x for the middle x of each 128th, from ¼ to 1. The numbers are signed, so that the compiler does not know that the
@@ -69,6 +69,47 @@ pub(super) const fn root(x: Fixed) -> Fixed {
     })
 }
 
+/// |v|²/2³², less up to three roundings down.
+#[inline(always)]
+const fn square([x, y, z]: [i32; 3]) -> u32 {
+    upper(x, x) as u32 + upper(y, y) as u32 + upper(z, z) as u32
+}
+
+/// n·v/2²⁰, less up to three roundings down.
+#[inline(always)]
+pub(super) fn dot(n: Vec3<Fixed>, [x, y, z]: [i32; 3]) -> i32 {
+    let [a, b, c] = n.map(|x| x.0 << 12).into();
+    upper(a, x)
+        .wrapping_add(upper(b, y))
+        .wrapping_add(upper(c, z))
+}
+
+/// The cosine of the angle between n and the sum of two directions, with 25 bits after the point; 0 if there is no sum.
+#[inline]
+pub(super) fn halfway_cosine(n: Vec3<Fixed>, a: Vec3<Fixed>, b: Vec3<Fixed>) -> i32 {
+    // from −2³⁰ to 2³⁰, up to what rounding adds
+    let sum = |a: Fixed, b: Fixed| a.0.wrapping_add(b.0) << 12;
+    let mut h = [sum(a.x, b.x), sum(a.y, b.y), sum(a.z, b.z)];
+    // As a rule, the angle between the two is less than 120°, so that |h| is from 1 to 2.
+    let square = loop {
+        let square = square(h);
+        if square >> 24 != 0 {
+            break square;
+        }
+        let [x, y, z] = h;
+        if (x | y | z) == 0 {
+            return 0;
+        }
+        h = [2 * x, 2 * y, 2 * z];
+    };
+    let root = if square >> 26 == 0 {
+        reciprocal_root(square << 6) << 1
+    } else {
+        reciprocal_root(square << 4)
+    };
+    upper(dot(n, h) << 4, root)
+}
+
 /// A vector times a power of two, with a component from 2³⁰ to 2³¹ unless it is 0.
 pub(super) struct Scaled {
     v: [i32; 3],
@@ -86,7 +127,7 @@ impl Scaled {
         let shift = (bits | bits << 1 | 1).leading_zeros(); // 0 for −2³¹, too
         let [x, y, z] = [x.0 << shift, y.0 << shift, z.0 << shift];
         // from 2²⁸ on
-        let square = upper(x, x) as u32 + upper(y, y) as u32 + upper(z, z) as u32;
+        let square = square([x, y, z]);
         let pair = (square >> 30 == 0) as u32;
         Self {
             v: [x, y, z],
@@ -120,19 +161,23 @@ impl Scaled {
         (unit, Fixed(length as i32))
     }
 
+    /// n·v/2²⁰, less up to three roundings down, for the scaled v.
+    #[inline(always)]
+    pub(super) fn dot(&self, n: Vec3<Fixed>) -> i32 {
+        dot(n, self.v)
+    }
+
     /// The cosine of the angle to a direction, with 25 bits after the point.
     #[inline]
     pub(super) fn cosine(&self, n: Vec3<Fixed>) -> i32 {
-        let ([a, b, c], [x, y, z]) = (n.map(|x| x.0 << 12).into(), self.v);
-        let dot = upper(a, x)
-            .wrapping_add(upper(b, y))
-            .wrapping_add(upper(c, z));
-        upper(dot << 2, self.root)
+        upper(dot(n, self.v) << 2, self.root)
     }
 }
 
 /// The direction and the length of a vector; for the zero vector, 0.
-#[inline]
+// on a chip, one copy for all callers
+#[cfg_attr(any(target_arch = "arm", target_arch = "riscv32"), inline(never))]
+#[cfg_attr(not(any(target_arch = "arm", target_arch = "riscv32")), inline)]
 pub(super) const fn unit_and_length(v: [Fixed; 3]) -> ([Fixed; 3], Fixed) {
     let [x, y, z] = v;
     if (x.0 | y.0 | z.0) == 0 {

@@ -1,4 +1,4 @@
-//! SIMD lanes: [`Real`] and [`Exponent`] for the types of the crate `wide`. Each lane has the bits
+//! SIMD lanes: [`Real`] and [`Lobe`] for the types of the crate `wide`. Each lane has the bits
 //! of the scalar. [`Lanes`] adds what lights in lanes need.
 //!
 //! Maximum and minimum are comparisons. Those of `wide` choose between zeros, and between a number
@@ -11,7 +11,8 @@ use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8, i32x4, i32x8, i32x16, u64x2, u64x4, u64x8};
 
 use crate::real::power::{Bits, EXPONENT, LEAST, double, single};
-use crate::real::{Exponent, Mask, Real, Select, shininess};
+use crate::real::{Lobe, Mask, Real, Select, shininess};
+use crate::rgb::Rgb;
 
 // x87 rounds a number in a register differently from a number in memory
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
@@ -93,7 +94,7 @@ macro_rules! real {
     ($lanes:ident of $count:literal $float:ident, $power:ident) => {
         /// One m for all lanes.
         #[diagnostic::do_not_recommend] // the trait's own message names the types
-        impl Exponent<$lanes> for $float {
+        impl Lobe<$lanes> for $float {
             #[inline]
             fn raise(self, cosine: $lanes) -> $lanes {
                 $power(cosine, $lanes::splat(shininess(self)))
@@ -155,7 +156,7 @@ macro_rules! real {
         #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Real for $lanes {
             type Mask = In<Self>;
-            type Sum = Self;
+            type Sum = Rgb<Self>;
 
             const ZERO: Self = Self::splat($float::ZERO);
             const ONE: Self = Self::splat($float::ONE);

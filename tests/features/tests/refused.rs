@@ -45,7 +45,7 @@ const IN_JSON: [(&str, &str, &str); 27] = [
     ("\"c\": 1", "\"c\": 0", COEFFICIENTS),
     ("\"range\": 8", "\"range\": 0", RANGE),
     ("\"range\": 8", "\"range\": -2", RANGE),
-    ("\"clamped\"", "\"radius\"", "unknown field `radius`"),
+    ("\"limit\"", "\"radius\"", "unknown field `radius`"),
     ("\"inner\": 0.25", "\"inner\": 0.51", HALF_ANGLES),
     ("\"outer\": 0.5", "\"outer\": 3.1416", HALF_ANGLES),
     (CONE, r#"{"half_angle": 30}"#, HALF_ANGLE),
@@ -124,7 +124,7 @@ fn spoilers(pointer: &str, value: &Value) -> Vec<Value> {
         let mut more = fields.clone();
         more.insert("colour".into(), json!(1));
         bad.push(more.into());
-        let optional = ["clamped", "range", "unsquared", "smoothstep"];
+        let optional = ["limit", "range", "range_gltf", "smoothstep"];
         for name in fields.keys().filter(|name| !optional.contains(&&***name)) {
             let mut fewer = fields.clone();
             fewer.remove(name);

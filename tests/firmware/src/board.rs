@@ -90,7 +90,11 @@ impl Stopwatch {
         counter::start();
         let nothing = ticks(|| {});
         let thousand = ticks(thousand_instructions) - nothing;
-        Self { nothing, thousand, ticks: 0 }
+        Self {
+            nothing,
+            thousand,
+            ticks: 0,
+        }
     }
 
     /// Counts one piece of work, the call included. The timer of an Arm core wraps: QEMU's `-icount shift=10` lets it count

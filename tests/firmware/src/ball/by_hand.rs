@@ -62,7 +62,10 @@ fn single(
     root: impl Fn(f32) -> f32,
     unit: impl Fn([f32; 3]) -> ([f32; 3], f32),
 ) -> u16 {
-    let (x, y) = (f32::from(right) * (1.0 / 120.0), f32::from(up) * (1.0 / 120.0));
+    let (x, y) = (
+        f32::from(right) * (1.0 / 120.0),
+        f32::from(up) * (1.0 / 120.0),
+    );
     let z = root(1.0 - x * x - y * y);
     let (n, _) = unit([x, y, z]);
     let [lamp_x, lamp_y, lamp_z] = LAMP.map(|x| x as f32);
@@ -115,7 +118,11 @@ pub mod fixed {
         let coordinate = |pixels: i16| I16F16::from_bits((i32::from(pixels) * 69_905) >> 7);
         let (px, py) = (coordinate(right), coordinate(up));
         let z_squared = ONE - px * px - py * py;
-        let pz = if z_squared > 0 { z_squared.sqrt() } else { I16F16::ZERO };
+        let pz = if z_squared > 0 {
+            z_squared.sqrt()
+        } else {
+            I16F16::ZERO
+        };
         let (n, _) = unit([px, py, pz]);
         let (l, q) = unit([x(LAMP[0]) - px, x(LAMP[1]) - py, x(LAMP[2]) - pz]);
         let n_dot_l = dot(n, l);

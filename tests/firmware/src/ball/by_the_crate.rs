@@ -71,4 +71,11 @@ fn rounded(light: shading::Rgb<f64>) -> u16 {
 
 ball!(in_f32, f32, f32, single, single_coordinate, Rgb::to_rgb565);
 ball!(in_f64, f64, f64, double, double_coordinate, rounded);
-ball!(in_fixed, fixed, Fixed, Fixed::new, fixed_coordinate, Rgb::to_rgb565);
+ball!(
+    in_fixed,
+    fixed,
+    Fixed,
+    Fixed::new,
+    fixed_coordinate,
+    Rgb::to_rgb565
+);

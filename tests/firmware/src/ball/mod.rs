@@ -62,7 +62,9 @@ pub const PROGRAMS: [(&str, Pixel); 5] = [
 
 /// The program that the variable `BALL` names at build time.
 pub const fn chosen() -> Pixel {
-    let Some(name) = option_env!("BALL") else { return F64 };
+    let Some(name) = option_env!("BALL") else {
+        return F64;
+    };
     let (mut i, name) = (0, name.as_bytes());
     while i < PROGRAMS.len() {
         if is_same(PROGRAMS[i].0.as_bytes(), name) {

@@ -4,9 +4,7 @@ use core::fmt::Debug;
 use std::format;
 use std::vec::Vec;
 
-use shading::{
-    Dual, Exponent, Real, Vec3, attenuation, half_vector, normal, reflection, shade, term,
-};
+use shading::{Dual, Lobe, Real, Vec3, attenuation, half_vector, normal, reflection, shade, term};
 
 use super::tracked::decided;
 use super::{Case, Law, Parts, Tracked, Tried, Verdict, n};
@@ -53,7 +51,7 @@ agreements! {
     dot_cross: |c| [Vec3::splat(c.n.dot(c.v)), c.n.cross(c.l)];
     length: |c| n([c.a.length()]);
     direction: |c| c.a.unit();
-    cosine_power: |c| n([T::cosine_power(*c.n, c.a, c.m)]);
+    halfway_power: |c| n([T::halfway_power(*c.n, T::measured(c.a), *c.v, c.m)]);
     power_of_root: |c| n([c.m.raise_root(c.x)]);
     reflected: |c| reflection(c.n, c.l);
     halfway: |c| half_vector(c.l, c.v);
@@ -62,7 +60,7 @@ agreements! {
     phong: |c| n([term::phong(c.n, c.v, c.m)]);
     normalization: |c| n([term::phong_normalization(c.q)]);
     falloff: |c| n([c.falloff.at(c.q), c.falloff.clamped().at(c.q), attenuation(c.x + T::ONE, c.y, c.x, c.q)]);
-    ranged: |c| n([c.ranged.at(c.q), c.ranged.unsquared().at(c.q)]);
+    ranged: |c| n([c.ranged.at(c.q), c.gltf().at(c.q)]);
     hard_cone: |c| n([c.hard.factor(c.axis, c.l)]);
     soft_cone: |c| n([c.soft.factor(c.axis, c.l), c.soft.smoothstep().factor(c.axis, c.l)]);
     lamp_direction: |c| c.lamp.at(c.p).l();

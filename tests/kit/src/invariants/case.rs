@@ -252,6 +252,16 @@ impl<T: Real> Case<T> {
         }
     }
 
+    /// The falloff with a range, as in glTF.
+    pub fn gltf(&self) -> Attenuation<T>
+    where
+        T: PartialOrd,
+    {
+        self.falloff
+            .within_gltf(self.ranged.range())
+            .expect("above 0")
+    }
+
     /// A light of each kind.
     pub fn lights(&self) -> [Light<T>; 4] {
         [

@@ -4,8 +4,8 @@ use std::format;
 use std::vec::Vec;
 
 use shading::{
-    Attenuation, Cone, Dual, Exponent, IncidentLight, Light, Mask, Select, Material, Real, Rgb, Shaded,
-    UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
+    Attenuation, Cone, Dual, IncidentLight, Light, Lobe, Mask, Material, Measured, Real, Rgb,
+    Select, Shaded, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 
 use super::{Case, Law, Parts, Tried, Verdict, n};
@@ -215,7 +215,7 @@ laws! {
             Attenuation::NONE.within(T::MAX).expect("none").at(T::MAX)])
             => n([T::ONE; 3]);
         clamped_is_at_most_1: |c| n([c.falloff.clamped().at(c.q)]) => n([c.falloff.at(c.q).at_most(T::ONE)]);
-        nothing_from_the_range_on: |c| n([c.ranged.at(c.ranged.range()), c.ranged.unsquared().at(above(c.ranged.range())),
+        nothing_from_the_range_on: |c| n([c.ranged.at(c.ranged.range()), c.gltf().at(above(c.ranged.range())),
             c.ranged.at(T::MAX)])
             => n([T::ZERO; 3]);
         a_hard_cone_is_0_or_1: |c| n([c.hard.factor(c.axis, c.l)])
@@ -243,7 +243,7 @@ laws! {
                 a.specular + b.specular + d.specular + e.specular] }) };
         a_sum_is_of_its_terms: |c| white(c, &[c.sun.at(c.p)]).map(|s| [s.diffuse, s.specular])
             => { let lit = term::lambert(c.n, c.l); let shine = |x: T| c.sun.intensity * lit.above(T::ZERO).select(x, T::ZERO); let [phong,
-                blinn] = [term::phong(reflection(c.n, c.l), c.v, c.m), T::cosine_power(*c.n, *c.l + *c.v, c.m)];
+                blinn] = [term::phong(reflection(c.n, c.l), c.v, c.m), T::halfway_power(*c.n, Measured { w: *c.l, w_length: T::ONE, length: T::ONE }, *c.v, c.m)];
                 [[c.sun.intensity * lit, Rgb::BLACK], [c.sun.intensity * lit, shine(phong)], [c.sun.intensity * lit, shine(blinn)]] };
         lights_behind_are_left_out: |c| sums(c, &c.arriving().into_iter().filter(|light| light.is_in_front(c.n)).collect::<Vec<_>>())
             => sums(c, &c.arriving());
@@ -292,9 +292,9 @@ laws! {
             [[attenuation(a, b, k, q), attenuation(above(a), b, k, q), attenuation(above(a) + c.x, b, k, q)], [attenuation(a, b, k, q),
             attenuation(a, above(b), k, q), attenuation(a, above(b) + c.x, k, q)], [attenuation(a, b, k, q),
             attenuation(a, b, above(k), q), attenuation(a, b, above(k) + c.x, q)]].iter().all(|values| in_order(values)) };
-        falloff_never_rises_with_distance: |c| [c.falloff, c.ranged, c.ranged.unsquared(), c.ranged.clamped()].iter().all(|f|
+        falloff_never_rises_with_distance: |c| [c.falloff, c.ranged, c.gltf(), c.ranged.clamped()].iter().all(|f|
             in_order(&[c.q, above(c.q), above(c.q) + c.x].map(|q| f.at(q))));
-        a_range_never_brightens: |c| c.ranged.at(c.q) <= c.falloff.at(c.q) && c.ranged.unsquared().at(c.q) <= c.falloff.at(c.q);
+        a_range_never_brightens: |c| c.ranged.at(c.q) <= c.falloff.at(c.q) && c.gltf().at(c.q) <= c.falloff.at(c.q);
         distance_does_not_overflow: |c| [c.lamp.at(c.p), c.far.at(c.a), c.sun.at(c.b)].iter().all(|light| light.distance() >= T::ZERO
             && light.distance() <= T::MAX);
         a_power_rises_with_its_cosine: |c| [0, 1, 2, 3, 8, 33, 100].iter().all(|&m| {

@@ -7,7 +7,7 @@ use core::marker::PhantomData;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use std::thread_local;
 
-use shading::{Mask, Real, Select};
+use shading::{Mask, Real, Rgb, Select};
 
 use super::Tried;
 
@@ -203,7 +203,7 @@ impl Mask for Above {
 
 impl<T: Tried> Real for Tracked<T> {
     type Mask = Above;
-    type Sum = Self;
+    type Sum = Rgb<Self>;
 
     const ZERO: Self = Self::given(0.0, 0.0);
     const ONE: Self = Self::given(1.0, 0.0);
@@ -237,5 +237,4 @@ impl<T: Tried> Real for Tracked<T> {
             is_sure: difference.has_sign(),
         }
     }
-
 }

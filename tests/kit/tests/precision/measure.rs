@@ -1,7 +1,7 @@
 //! The error of each function for an input made from some numbers.
 
 use shading::{
-    Attenuation, Cone, DirectionalLight, Elementary, Exponent, IncidentLight, Material, PointLight,
+    Attenuation, Cone, DirectionalLight, Elementary, IncidentLight, Lobe, Material, PointLight,
     Real, Rgb, Shaded, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 
@@ -176,7 +176,7 @@ pub fn diffuse<T: Float>(numbers: &mut Numbers) -> f64 {
 }
 
 /// Phong's factor of R and V, or Blinn's of N and H, for two directions near each other.
-pub fn highlight<T: Float, M: Exponent<T>>(
+pub fn highlight<T: Float, M: Lobe<T>>(
     factor: fn(UnitVec3<T>, UnitVec3<T>, M) -> T,
     m: M,
     exact_m: f64,
@@ -272,13 +272,12 @@ pub fn ranged<T: Float>(is_squared: bool) -> impl Fn(&mut Numbers) -> f64 {
         let share = number(q.double()) / number(r.double());
         let window = exact::clamped(number(1.0) - share.powi(4.into()));
         let free_factor = exact::attenuation(&vector([a, b, c]), &number(q.double()));
-        let ranged = free.within(r).expect("a range");
         let (ranged, expected) = if is_squared {
-            (ranged, &free_factor * &window * &window)
+            (free.within(r), &free_factor * &window * &window)
         } else {
-            (ranged.unsquared(), &free_factor * &window)
+            (free.within_gltf(r), &free_factor * &window)
         };
-        error(ranged.at(q), &expected, &free_factor)
+        error(ranged.expect("a range").at(q), &expected, &free_factor)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The shininess m of a highlight.
 
-use super::{Real, Select};
 use super::power::{double, single};
+use super::{Real, Select};
 
 /// The shininess m of a highlight: an integer (`u32`) or a real number of the scene's type (`f32`,
 /// `f64`). The type of the argument decides; an integer is faster:
@@ -18,17 +18,17 @@ use super::power::{double, single};
 ///
 /// # A highlight of your own
 ///
-/// Implement [`raise`](Exponent::raise), and it shapes the highlight of every term and every sum.
+/// Implement [`raise`](Lobe::raise), and it shapes the highlight of every term and every sum.
 /// It need not be a power. Here the highlight is a disk with a sharp edge, as in a cartoon:
 ///
 /// ```
-/// use shading::{Exponent, UnitVec3, term::blinn};
+/// use shading::{Lobe, UnitVec3, term::blinn};
 ///
 /// /// The cosine at the edge of the disk.
 /// #[derive(Clone, Copy)]
 /// struct Disk(f32);
 ///
-/// impl Exponent<f32> for Disk {
+/// impl Lobe<f32> for Disk {
 ///     fn raise(self, cosine: f32) -> f32 {
 ///         if cosine > self.0 { 1.0 } else { 0.0 }
 ///     }
@@ -41,7 +41,7 @@ use super::power::{double, single};
     note = "an integer shininess is a `u32`, as in `m: 32`; a real one has the scene's number type, as in `m: 32.5`",
     note = "`term::phong` and `term::blinn` are factors; the functions that take a material are in `shade`"
 )]
-pub trait Exponent<T: Real>: Copy {
+pub trait Lobe<T: Real>: Copy {
     /// cosineᵐ, within [0, 1], for a cosine within [0, 1].
     ///
     /// The terms and the sums call it with no other cosine: a highlight of your own need not think of
@@ -54,7 +54,7 @@ pub trait Exponent<T: Real>: Copy {
     /// 2⁻²² in `f32` and 2⁻⁵¹ in `f64`. A power that would be subnormal may be 0.
     ///
     /// ```
-    /// use shading::Exponent;
+    /// use shading::Lobe;
     ///
     /// assert_eq!(3_u32.raise(0.5_f32), 0.125);
     /// assert!((3.0_f32.raise(0.5_f32) - 0.125).abs() < 1e-6);
@@ -78,10 +78,13 @@ pub trait Exponent<T: Real>: Copy {
 }
 
 #[diagnostic::do_not_recommend] // the trait's own message names the types
-impl<T: Real> Exponent<T> for u32 {
+impl<T: Real> Lobe<T> for u32 {
     #[inline]
     fn raise(self, cosine: T) -> T {
-        least::<T>(self).above(cosine).select(T::ZERO, cosine).whole_power(self)
+        least::<T>(self)
+            .above(cosine)
+            .select(T::ZERO, cosine)
+            .whole_power(self)
     }
 
     #[inline]
@@ -147,7 +150,7 @@ pub(crate) fn shininess<T: Real>(m: T) -> T {
 macro_rules! real {
     ($float:ident, $power:ident) => {
         #[diagnostic::do_not_recommend] // the trait's own message names the types
-        impl Exponent<$float> for $float {
+        impl Lobe<$float> for $float {
             #[inline]
             fn raise(self, cosine: $float) -> $float {
                 $power(cosine, shininess(self))

@@ -1,10 +1,13 @@
 //! Dual numbers, which carry their own derivatives.
 
+mod functions;
+mod real;
+
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::elementary::Elementary;
-use crate::real::{Mask, Real, Select, size};
+use crate::real::Real;
 use crate::vector::Vec3;
 
 /// A dual number: a value and its gradient, ∇ = (∂/∂x, ∂/∂y, ∂/∂z).
@@ -253,112 +256,3 @@ macro_rules! number_first {
 
 number_first!(f32: Add add, Sub sub, Mul mul, Div div);
 number_first!(f64: Add add, Sub sub, Mul mul, Div div);
-
-#[diagnostic::do_not_recommend] // the trait's own message names the types
-impl<T: Real> Real for Dual<T> {
-    type Mask = Where<T::Mask>;
-    type Sum = Self;
-
-    const ZERO: Self = Self::constant(T::ZERO);
-    const ONE: Self = Self::constant(T::ONE);
-    const NEG_ONE: Self = Self::constant(T::NEG_ONE);
-    const MAX: Self = Self::constant(T::MAX);
-    const EXTREME: Self = Self::constant(T::EXTREME);
-
-    #[inline]
-    fn of(literal: f64) -> Self {
-        Self::constant(T::of(literal))
-    }
-
-    #[inline]
-    fn of_f32(literal: f32) -> Self {
-        Self::constant(T::of_f32(literal))
-    }
-
-    #[inline]
-    fn sqrt(self) -> Self {
-        Dual::sqrt(self)
-    }
-
-    #[inline]
-    fn above(self, other: Self) -> Where<T::Mask> {
-        Where(self.value.above(other.value))
-    }
-}
-
-/// Where a comparison of values holds.
-#[derive(Clone, Copy)]
-pub struct Where<M>(M);
-
-impl<M: Mask> Mask for Where<M> {
-    #[inline]
-    fn any(self) -> bool {
-        self.0.any()
-    }
-
-    #[inline]
-    fn all(self) -> bool {
-        self.0.all()
-    }
-}
-
-impl<T: Real> Select<Dual<T>> for Where<T::Mask> {
-    #[inline]
-    fn select(self, then: Dual<T>, otherwise: Dual<T>) -> Dual<T> {
-        Dual::new(
-            self.0.select(then.value, otherwise.value),
-            Vec3::select(self.0, then.gradient, otherwise.gradient),
-        )
-    }
-}
-
-impl<T: Elementary> Elementary for Dual<T> {
-    #[inline]
-    fn sin(self) -> Self {
-        self.chain(self.value.sin(), self.value.cos())
-    }
-
-    #[inline]
-    fn cos(self) -> Self {
-        self.chain(self.value.cos(), -self.value.sin())
-    }
-
-    #[inline]
-    fn exp(self) -> Self {
-        let power = self.value.exp();
-        self.chain(power, power)
-    }
-
-    #[inline]
-    fn ln(self) -> Self {
-        let ln = self.value.ln();
-        // below 0, 1/x has a value, but the logarithm does not
-        let slope = T::ZERO.above(self.value).select(ln, T::ONE / self.value);
-        self.chain(ln, slope)
-    }
-
-    #[inline]
-    fn tan(self) -> Self {
-        let tan = self.value.tan();
-        self.chain(tan, T::ONE + tan * tan)
-    }
-
-    #[inline]
-    fn atan2(self, x: Self) -> Self {
-        let (sine, cosine) = (self.value, x.value);
-        let length = Vec3::new(cosine, sine, T::ZERO).length();
-        let slopes = self.gradient * (cosine / length) - x.gradient * (sine / length);
-        Self::new(sine.atan2(cosine), slopes / length)
-    }
-
-    #[inline]
-    fn powf(self, exponent: Self) -> Self {
-        let power = self.value.powf(exponent.value);
-        // what does not vary adds nothing, even where the other factor is infinite or NaN
-        let times = |x: T, slope: T| size(x).above(T::ZERO).select(x * slope, x);
-        let slope = times(exponent.value, self.value.powf(exponent.value - T::ONE));
-        let growth = power * self.value.ln();
-        let gradient = self.gradient * slope + exponent.gradient.map(|x| times(x, growth));
-        Self::new(power, gradient)
-    }
-}

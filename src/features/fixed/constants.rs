@@ -39,10 +39,36 @@ impl Attenuation<Fixed> {
     /// [`within`](Attenuation#method.within) for constants.
     #[inline]
     #[must_use]
-    pub const fn const_within(mut self, r: Fixed) -> Option<Self> {
+    pub const fn const_within(self, r: Fixed) -> Option<Self> {
+        let (range, squared) = (r, Fixed(ONE));
         if r.0 > 0 {
-            self.range = r;
-            Some(self)
+            Some(Self {
+                range,
+                squared,
+                ..self
+            })
+        } else {
+            None
+        }
+    }
+
+    /// [`within_gltf`](Attenuation#method.within_gltf) for constants.
+    #[inline]
+    #[must_use]
+    pub const fn const_within_gltf(self, r: Fixed) -> Option<Self> {
+        let squared = Fixed(if r.0 < i32::MAX { 0 } else { ONE });
+        match self.const_within(r) {
+            Some(ranged) => Some(Self { squared, ..ranged }),
+            None => None,
+        }
+    }
+
+    /// [`clamped_to`](Attenuation#method.clamped_to) for constants.
+    #[inline]
+    #[must_use]
+    pub const fn const_clamped_to(self, limit: Fixed) -> Option<Self> {
+        if limit.0 > 0 {
+            Some(Self { limit, ..self })
         } else {
             None
         }
@@ -70,7 +96,7 @@ impl Cone<Fixed> {
     #[must_use]
     pub const fn const_from_cosines(inner: Fixed, outer: Fixed) -> Option<Self> {
         if ONE >= inner.0 && inner.0 >= outer.0 && outer.0 >= -ONE {
-            let (inner, outer, smooth) = (wide(inner), wide(outer), Fixed(0));
+            let (inner, outer, smooth) = (widened(inner), widened(outer), Fixed(0));
             Some(Self {
                 inner,
                 outer,
@@ -80,10 +106,17 @@ impl Cone<Fixed> {
             None
         }
     }
+
+    /// [`smoothstep`](Cone#method.smoothstep) for constants.
+    #[inline]
+    pub const fn const_smoothstep(self) -> Self {
+        let smooth = Fixed(if self.inner.0 > self.outer.0 { ONE } else { 0 });
+        Self { smooth, ..self }
+    }
 }
 
 /// The cosine of a cone that contains its axis, or everything, in spite of rounding.
-const fn wide(cosine: Fixed) -> Fixed {
+const fn widened(cosine: Fixed) -> Fixed {
     /// How far rounding may take a cosine or the length of a direction from 1, in steps.
     const SLACK: i32 = 4;
     Fixed(if cosine.0 > ONE - SLACK {
@@ -95,11 +128,16 @@ const fn wide(cosine: Fixed) -> Fixed {
     })
 }
 
-/// The channel within [0, 1), in steps. At the last one, every encoding has its highest level.
+/// The channel within [0, 1), in steps. At the greatest that it returns, every encoding has its highest level.
 #[inline]
 const fn within_16_bits(channel: Fixed) -> u16 {
+    const HIGHEST: u16 = u16::MAX - 1;
     let steps = channel.0 & !(channel.0 >> 31);
-    if steps > u16::MAX as i32 { u16::MAX } else { steps as u16 }
+    if steps > HIGHEST as i32 {
+        HIGHEST
+    } else {
+        steps as u16
+    }
 }
 
 /// As for `f32`, with whole numbers alone: each `Fixed` from 0 to 1 is an `f32`.
@@ -121,7 +159,8 @@ impl Rgb<Fixed> {
     #[must_use]
     pub const fn to_rgb565(self) -> u16 {
         let [r, g, b] = self.levels();
-        (FIXED_FIVE_BITS.level(r) << 11 | FIXED_SIX_BITS.level(g) << 5 | FIXED_FIVE_BITS.level(b)) as u16
+        (FIXED_FIVE_BITS.level(r) << 11 | FIXED_SIX_BITS.level(g) << 5 | FIXED_FIVE_BITS.level(b))
+            as u16
     }
 
     /// Rounds linear light to bytes without encoding it; see [`Rgb::<f32>::to_linear8`].
