@@ -2,6 +2,7 @@
 
 use crate::real::{Dimmed, Mask, Real, Scalar, Select, least};
 use crate::rgb::Rgb;
+use crate::vector::Vec3;
 
 /// The factor by which distance attenuates a light.
 ///
@@ -257,18 +258,20 @@ impl<T: Real> Attenuation<T> {
     #[inline(always)]
     #[must_use]
     pub fn at(self, q: T) -> T {
-        self.dimmed(Rgb::WHITE, q).multiplied().r
+        self.dimmed(Rgb::WHITE, Vec3::new(q, T::ZERO, T::ZERO), q)
+            .multiplied()
+            .r
     }
 
     /// A color of light after the distance q.
     #[inline(always)]
-    pub(crate) fn dimmed(&self, color: Rgb<T>, q: T) -> Dimmed<T> {
+    pub(crate) fn dimmed(&self, color: Rgb<T>, v: Vec3<T>, q: T) -> Dimmed<T> {
         let light = T::attenuated(color, self.coefficients(), q, self.limit);
         let has_range = T::MAX.above(self.range);
         if !has_range.any() {
             return light;
         }
-        let windowed = T::windowed(light, q, self.range, self.squared.above(T::ZERO));
+        let windowed = T::windowed(light, v, q, self.range, self.squared.above(T::ZERO));
         // in lanes, some may have no range
         Dimmed {
             color: Rgb::select(has_range, windowed.color, light.color),

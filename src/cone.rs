@@ -3,9 +3,10 @@
 use core::f64::consts::PI;
 
 use crate::elementary::Elementary;
-use crate::real::{Dimmed, Real, Scalar, Select, constant, epsilon, parts};
+use crate::real::{Dimmed, Measured, Real, Scalar, Select, constant, epsilon, parts};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
+use crate::vector::Vec3;
 
 /// The cone of a spot light, given by its **half**-angle: the angle between the axis and the edge,
 /// as in OpenGL, glTF and three.js. Unity and Blender give twice that angle.
@@ -74,14 +75,26 @@ impl<T: Real> Cone<T> {
             color: Rgb::WHITE,
             factor: T::ONE,
         };
-        self.dimmed(light, (-axis).dot(l)).multiplied().r
+        let (w, one) = (*l, T::ONE);
+        let measured = Measured {
+            w,
+            w_length: one,
+            length: one,
+        };
+        self.dimmed(light, axis, w, &measured).multiplied().r
     }
 
-    /// A light at an angle to the axis of this cosine.
+    /// A light at the end of the vector v, whose direction is measured.
     #[inline(always)]
-    pub(crate) fn dimmed(&self, light: Dimmed<T>, cosine: T) -> Dimmed<T> {
-        let edges = [self.inner, self.outer];
-        T::beamed(light, cosine, edges, self.smooth.above(T::ZERO))
+    pub(crate) fn dimmed(
+        &self,
+        light: Dimmed<T>,
+        axis: UnitVec3<T>,
+        v: Vec3<T>,
+        measured: &Measured<T>,
+    ) -> Dimmed<T> {
+        let (edges, is_smooth) = ([self.inner, self.outer], self.smooth.above(T::ZERO));
+        T::beamed(light, *axis, edges, is_smooth, v, measured)
     }
 
     /// The same cone, with a soft edge that begins as smoothly as it ends: t²(3 − 2t) in place of t².

@@ -197,11 +197,11 @@ impl<T: Real> IncidentLight<T> {
 
     /// The light after the distance and the cone.
     #[inline(always)]
-    fn dimmed(&self, to_light: &Measured<T>) -> Dimmed<T> {
-        let light = self.attenuation.dimmed(self.intensity, to_light.length);
+    fn dimmed(&self, measured: &Measured<T>) -> Dimmed<T> {
+        let (v, q) = (self.to_light, measured.length);
+        let light = self.attenuation.dimmed(self.intensity, v, q);
         if self.kind == Kind::Spot {
-            let cosine = (-self.axis).dot(to_light.w) / to_light.w_length;
-            self.cone.dimmed(light, cosine)
+            self.cone.dimmed(light, self.axis, v, measured)
         } else {
             light
         }

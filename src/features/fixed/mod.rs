@@ -38,6 +38,8 @@
 
 mod constants;
 mod real;
+mod root;
+mod wide;
 
 #[allow(missing_docs)] // each is documented where it is defined
 mod types {
@@ -47,8 +49,8 @@ mod types {
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use real::product;
 pub use types::*;
+use wide::product;
 
 /// A fixed-point number: 32 bits, 16 of them after the binary point.
 ///
