@@ -11,7 +11,8 @@ use crate::rgb::Rgb;
 ///
 /// q ≥ 0 is the **distance**, not its square, in the unit of length of the scene. a, b, c ≥ 0 are
 /// the constant, linear and quadratic coefficients. The factor may exceed 1. It is evaluated as
-/// 1/(a + q(b + cq)), by [`Real::attenuated`], so it never rises, to the bit, as q, a, b or c rises.
+/// 1/(a + q(b + cq)), by [`Real::attenuated`], so it never rises, to the bit, as q, a, b or c rises. In
+/// fixed point, a factor above 1 may rise by a step, or by 2⁻²³ of itself, as b or c rises.
 ///
 /// If the denominator is 0, the factor is the largest finite number; if it is negative or NaN, 0.
 ///
