@@ -5,7 +5,7 @@
 # certificates of Gappa. The last lines say how long each part took. Installs what is missing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-. tests/firmware/toolchain.sh
+. .ci/toolchain
 all=$([[ "${1:-}" == --all ]] && echo yes || true)
 target=${CARGO_TARGET_DIR:-target}
 work=$target/proofs

@@ -14,7 +14,7 @@ use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use nalgebra::{Matrix4, Point3, Vector3};
 use serde::Deserialize;
 
-const PROFILE: &str = r#"{"name":"embedded-3dgfx","models":["lambert","blinn_phong"],"ambient":false,"lights":["directional"],"most_lights":1,"unit_vectors":true,"bits":6,"highlight_on_the_dark_side":true}"#;
+const PROFILE: &str = r#"{"name":"embedded-3dgfx","models":["lambert","blinn_phong"],"ambient":false,"lights":["directional"],"most_lights":1,"unit_vectors":true,"bits":6,"departs":["HighlightNotGated"]}"#;
 
 type Triple = [f32; 3];
 
