@@ -5,6 +5,7 @@ mod colors;
 mod constructors;
 mod falloff;
 mod numbers;
+mod products;
 mod vectors;
 
 use kit::random::Random;

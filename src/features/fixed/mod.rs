@@ -38,6 +38,8 @@
 
 mod constants;
 mod real;
+mod root;
+mod wide;
 
 #[allow(missing_docs)] // each is documented where it is defined
 mod types {
@@ -47,8 +49,8 @@ mod types {
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use real::product;
 pub use types::*;
+use wide::product;
 
 /// A fixed-point number: 32 bits, 16 of them after the binary point.
 ///
@@ -110,7 +112,7 @@ impl Fixed {
     #[inline]
     #[must_use]
     pub const fn to_f32(self) -> f32 {
-        // 16 less in the exponent: a product would be a call on a chip without an FPU
+        // subtracts 16 from the exponent, because a multiplication would be a library call without an FPU
         let exponent = if self.0 == 0 { 0 } else { 16 << 23 };
         f32::from_bits((self.0 as f32).to_bits() - exponent)
     }
