@@ -102,7 +102,7 @@ given!(Scene by strategies::scenes, |f|
     n = UnitVec3::Z => n.cast(f),
     v = UnitVec3::Z => v.cast(f),
     p = Vec3::ZERO => p.map(f),
-    material = material(Rgb::WHITE, Rgb::WHITE, Rgb::WHITE, 1) => material.cast(f),
+    material = shiny(1) => material.cast(f),
     ambient = Rgb::BLACK => ambient.map(f),
     lights = Vec::new() => lights.iter().map(|light| light.cast(f)).collect(),
 );
@@ -128,7 +128,7 @@ impl<T: Real + PartialOrd> Scene<T> {
     #[must_use]
     pub fn white(&self) -> Self {
         Self {
-            material: material(Rgb::WHITE, Rgb::WHITE, Rgb::WHITE, self.material.m),
+            material: shiny(self.material.m),
             ambient: Rgb::BLACK,
             ..self.clone()
         }
@@ -354,6 +354,11 @@ pub fn coefficients(a: f64, b: f64, c: f64) -> Attenuation<f64> {
 
 pub fn cone(inner: f64, outer: f64) -> Cone<f64> {
     Cone::from_cosines(inner, outer).expect("cosines")
+}
+
+/// A white material of this shininess.
+pub fn shiny<T: Real>(m: u32) -> Material<T> {
+    material(Rgb::WHITE, Rgb::WHITE, Rgb::WHITE, m)
 }
 
 pub fn material<T>(k_a: Rgb<T>, k_d: Rgb<T>, k_s: Rgb<T>, m: u32) -> Material<T> {

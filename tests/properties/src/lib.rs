@@ -57,7 +57,7 @@ pub use run::{run, try_property};
 pub use tracked::Tracked;
 
 // what the input of a failed test is written with
-pub use given::{coefficients, cone, down, lamp, material, rgb, spot, sun, unit, up, vec3};
+pub use given::{coefficients, cone, down, lamp, material, rgb, shiny, spot, sun, unit, up, vec3};
 pub use shading::{Attenuation, Real, Rgb, UnitVec3};
 
 use shading::Vec3;

@@ -153,7 +153,7 @@ pub fn each_reflectance_scales_its_term<T: Number>(scene: &Scene<T>) -> Outcome 
     prop_assume!(scene.is_in_range());
     let lights = scene.arriving();
     let white = Scene {
-        material: crate::material(Rgb::WHITE, Rgb::WHITE, Rgb::WHITE, scene.material.m),
+        material: crate::shiny(scene.material.m),
         ..scene.clone()
     };
     let Material { k_a, k_d, k_s, .. } = scene.material;
@@ -285,7 +285,7 @@ pub fn a_light_on_the_horizon_adds_nothing<T: Number>(d: &Directions<T>) -> Outc
         intensity: Rgb::WHITE,
         attenuation: Attenuation::NONE,
     };
-    let material = crate::material(Rgb::WHITE, Rgb::WHITE, Rgb::WHITE, d.m);
+    let material = crate::shiny(d.m);
     for light in [sun.at(Vec3::ZERO), lamp.at(Vec3::ZERO)] {
         prop_assert!(!light.is_in_front(d.n));
         let sum = shade::blinn_phong(d.n, d.n, &material, Rgb::BLACK, [light]);

@@ -1,6 +1,6 @@
 //! Inputs as Rust, for what a failed test prints.
 
-use crate::given::{down, up};
+use crate::given::{down, shiny, up};
 use shading::{Attenuation, Cone, Light, Material, PointLight, Rgb, UnitVec3, Vec3};
 
 pub trait Source {
@@ -61,6 +61,9 @@ impl Source for Rgb<f64> {
 
 impl Source for Material<f64> {
     fn source(&self) -> String {
+        if *self == shiny(self.m) {
+            return format!("shiny({})", self.m);
+        }
         let [a, d, s] = [self.k_a, self.k_d, self.k_s].map(|k| k.source());
         format!("material({a}, {d}, {s}, {})", self.m)
     }
