@@ -10,7 +10,7 @@ use shading::{
 };
 
 use crate::source::Source;
-use crate::{Number, strategies};
+use crate::{Number, has_digits, strategies};
 
 /// An input in `f64`.
 pub trait Given: Clone + Debug + 'static {
@@ -194,6 +194,18 @@ impl<T: Real + PartialOrd> Scene<T> {
             Light::Point(lamp) => Some(*lamp),
             Light::Spot(spot) => Some(spot.point),
         })
+    }
+}
+
+impl<T: Number> Scene<T> {
+    /// Whether each lamp is at the point, or so far that its distance has digits: in fixed point, the square of a
+    /// distance of a few steps is 0.
+    pub fn has_distances(&self) -> bool {
+        let is_measured = |lamp: PointLight<T>| {
+            let way = lamp.position.map(T::exact) - self.p.map(T::exact);
+            way == Vec3::ZERO || has_digits::<T>(way.dot(way))
+        };
+        T::U > 0.0 || self.lamps().all(is_measured)
     }
 }
 

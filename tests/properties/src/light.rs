@@ -209,6 +209,7 @@ pub fn the_ambient_term_counts_once<T: Number>(scene: &Scene<T>) -> Outcome {
 
 /// A surface gives back at most what arrives, in each of its two terms.
 pub fn a_surface_returns_at_most_what_arrives<T: Number>(scene: &Scene<T>) -> Outcome {
+    prop_assume!(scene.has_distances());
     let scene = scene.white();
     for light in scene.arriving() {
         let most = light.intensity();
@@ -359,6 +360,7 @@ pub fn a_sun_is_as_bright_everywhere<T: Number>(scene: &Scene<T>) -> Outcome {
 /// A shadow ray from p along L ends at the lamp, after the distance q: p + qL is the lamp's
 /// position.
 pub fn a_shadow_ray_ends_at_the_lamp<T: Number>(scene: &Scene<T>) -> Outcome {
+    prop_assume!(scene.has_distances());
     let p = book::xyz(scene.p.map(T::exact));
     for lamp in scene.lamps() {
         let light = lamp.at(scene.p);
@@ -568,7 +570,7 @@ pub fn a_lamp_moves_with_its_point<T: Number>(t: &Triangle<T>) -> Outcome {
 
 /// A lamp that is far along L lights as a sun from L: the directions differ by at most |p|/D.
 pub fn a_far_lamp_is_a_sun<T: Number>(d: &Directions<T>) -> Outcome {
-    let far = 256.0;
+    let far = f64::min(256.0, T::LARGEST / 4.0);
     let lamp = PointLight {
         position: *d.l * T::of(far),
         intensity: Rgb::WHITE,
@@ -588,7 +590,7 @@ pub fn a_far_lamp_is_a_sun<T: Number>(d: &Directions<T>) -> Outcome {
 
 /// The total is the sum of the three parts; passes are added and scaled part by part.
 pub fn results_add_up_part_by_part<T: Number>(scene: &Scene<T>) -> Outcome {
-    prop_assume!(scene.is_in_range());
+    prop_assume!(scene.is_in_range() && scene.has_distances());
     let [_, one, other] = scene.shaded(&scene.arriving());
     let half = T::of(0.5);
     let sum = one + other * half;
