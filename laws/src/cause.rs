@@ -12,7 +12,7 @@ use crate::random::Random;
 use crate::scene::{Scene, Triple};
 
 /// The most colors that are kept, wrong ones and right ones.
-const MOST: [usize; 2] = [600, 300];
+const MOST: [usize; 2] = [600, 600];
 
 /// A share of the wrong colors that is nearly all.
 const NEARLY_ALL: f64 = 0.9;
@@ -198,10 +198,10 @@ impl Evidence {
         }
         let of = self.wrong.len() - unknown;
         let is_contradicted = |(scene, reply): &&Sample| formula.fits(scene, *reply) == Some(false);
-        let most = part(self.right.len(), 0.02);
-        let contradicted = self.right.iter().filter(is_contradicted).take(most + 1).count();
+        // a right color that is wrong with the mistake shows that it is not made there; rounding may decide of few
+        let contradicted = self.right.iter().filter(is_contradicted).take(3).count();
         let is_enough = unexplained <= part(of, 1.0 - least) && of * 4 >= self.wrong.len();
-        (is_enough && contradicted <= most).then(|| Cause {
+        (is_enough && contradicted <= 2).then(|| Cause {
             mistakes: Vec::new(),
             says: String::new(),
             declare: None,

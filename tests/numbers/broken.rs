@@ -58,8 +58,8 @@ fn a_scene_is_printed_on_few_lines() {
         .split_once("\n\nTo reproduce it, with `use properties::*;`:\n\n")
         .expect("a call");
     let expected = "
-properties::light::is_dull(&Scene { v: unit(0.6, 0.0, 0.8),
-    lights: vec![sun(UnitVec3::Z, Rgb::WHITE)], ..Scene::default() }.cast(f32::of)).unwrap();
+properties::light::is_dull(&Scene { v: unit(0.6, 0.0, 0.8), lights: vec![sun(UnitVec3::Z, Rgb::WHITE)],
+    ..Scene::default() }.cast(f32::of)).unwrap();
 ";
     assert_eq!(call.trim(), expected.trim());
     // the same, pasted

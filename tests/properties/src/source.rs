@@ -129,7 +129,7 @@ fn list(values: &[impl Source]) -> String {
     values.join(", ")
 }
 
-/// A statement on lines of at most 100 columns, broken between the fields of a struct and the
+/// A statement on lines of at most 110 columns, broken between the fields of a struct and the
 /// elements of a list.
 pub fn wrapped(statement: &str) -> String {
     let (mut pieces, mut open) = (vec![String::new()], Vec::new());
@@ -149,7 +149,7 @@ pub fn wrapped(statement: &str) -> String {
     let mut lines = vec![String::new()];
     for piece in pieces {
         let line = lines.last_mut().expect("a line");
-        if line.is_empty() || line.len() + piece.trim_end().len() <= 100 {
+        if line.is_empty() || line.len() + piece.trim_end().len() <= 110 {
             line.push_str(&piece);
         } else {
             lines.push(format!("    {piece}"));

@@ -29,8 +29,15 @@ fn direction() -> impl Strategy<Value = UnitVec3<f64>> + Clone {
         UnitVec3::NEG_Y,
         unit(0.6, 0.0, 0.8),
         unit(0.6, 0.0, -0.8),
+        unit(0.8, 0.0, 0.6),
         unit(0.0, 0.6, 0.8),
+        unit(-0.6, 0.0, 0.8),
+        unit(0.0, -0.8, 0.6),
+        unit(0.6, 0.8, 0.0),
+        unit(0.28, 0.0, 0.96),
         unit(0.48, 0.6, 0.64),
+        unit(0.36, 0.48, 0.8),
+        unit(-0.48, 0.64, -0.6),
     ];
     let by_angles = (0.0..PI, 0.0..TAU).prop_map(|(polar, azimuth): (f64, f64)| {
         let ((s, c), (sine, cosine)) = (polar.sin_cos(), azimuth.sin_cos());
@@ -62,7 +69,7 @@ fn three_directions() -> impl Strategy<Value = [UnitVec3<f64>; 3]> {
 
 /// A number within [0, 1], often one that is simple.
 fn fraction() -> impl Strategy<Value = f64> + Clone {
-    simplest([0.0, 1.0, 0.5, 0.25], 0.0..1.0)
+    simplest([0.0, 1.0, 0.5, 0.25, 0.75, 0.1], 0.0..1.0)
 }
 
 fn color() -> impl Strategy<Value = Rgb<f64>> + Clone {
