@@ -235,9 +235,10 @@ fn beam(axis: Vec3<Fixed>, [inner, outer]: [Fixed; 2], is_smooth: bool, v: Vec3<
     if cosine <= at_outer {
         return 0;
     }
-    let width = (inner.0 - outer.0) as u32;
+    // they wrap only for edges that no cone has
+    let width = inner.0.wrapping_sub(outer.0) as u32;
     let zeros = width.leading_zeros();
-    let beyond = ((cosine - at_outer) as u32) << (zeros - 9);
+    let beyond = (cosine.wrapping_sub(at_outer) as u32).wrapping_shl(zeros.wrapping_sub(9));
     let t = upper_unsigned(beyond, reciprocal(width << zeros));
     let t = t.min(u32::MAX >> 4) << 4; // 32 bits after the point
     let square = upper_unsigned(t, t);
