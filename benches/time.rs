@@ -24,7 +24,7 @@ mod scene;
 
 use race::{Races, pass};
 use scene::{COUNTS, DATA, KINDS, LIGHTS, LOOPS, MODELS, WAYS};
-use shading::{self as subject, Exponent};
+use shading::{self as subject, Lobe};
 use std::hint::black_box;
 use std::process::{Command, ExitCode};
 

@@ -8,6 +8,7 @@ macro_rules! types {
         pub type Dual = crate::Dual<$number>;
         pub type Attenuation = crate::Attenuation<$number>;
         pub type Cone = crate::Cone<$number>;
+        pub type Arrival = crate::Arrival<$number>;
         pub type IncidentLight = crate::IncidentLight<$number>;
         pub type DirectionalLight = crate::DirectionalLight<$number>;
         pub type PointLight = crate::PointLight<$number>;

@@ -1,7 +1,8 @@
 //! Falloff of light with distance.
 
-use crate::real::{Mask, Real, Scalar, Select};
+use crate::real::{Dimmed, Mask, Real, Scalar, Select, least};
 use crate::rgb::Rgb;
+use crate::vector::Vec3;
 
 /// The factor by which distance attenuates a light.
 ///
@@ -11,7 +12,9 @@ use crate::rgb::Rgb;
 ///
 /// q ≥ 0 is the **distance**, not its square, in the unit of length of the scene. a, b, c ≥ 0 are
 /// the constant, linear and quadratic coefficients. The factor may exceed 1. It is evaluated as
-/// 1/(a + q(b + cq)), by [`Real::attenuated`], so it never rises, to the bit, as q, a, b or c rises.
+/// 1/(a + q(b + cq)) by [`Real::attenuated`], so it never increases as q, a, b or c increases, not even
+/// by rounding. In fixed point, a factor above 1 may increase by a step, or by 2⁻²³ of itself, as b or c
+/// increases.
 ///
 /// If the denominator is 0, the factor is the largest finite number; if it is negative or NaN, 0.
 ///
@@ -25,8 +28,9 @@ use crate::rgb::Rgb;
 #[inline]
 #[must_use]
 pub fn attenuation<T: Real>(a: T, b: T, c: T, q: T) -> T {
-    let (white, factor) = T::attenuated(Rgb::WHITE, [a, b, c], q, T::MAX);
-    white.r * factor
+    T::attenuated(Rgb::WHITE, [a, b, c], q, T::MAX)
+        .multiplied()
+        .r
 }
 
 /// Checked coefficients of the [`attenuation`], and a range at which the light may end. A light with
@@ -51,7 +55,8 @@ pub fn attenuation<T: Real>(a: T, b: T, c: T, q: T) -> T {
 ///
 /// For a falloff of your own, such as fog, multiply the
 /// [`intensity`](crate::IncidentLight::intensity) that arrives.
-// choices are numbers, as the rest: lanes may choose differently
+// Choices are numbers, as the rest: lanes may choose differently. Each falloff has one form, so that equal
+// ones are equal: without a range, `squared` is 1.
 #[doc(alias = "inverse square")]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
@@ -59,11 +64,11 @@ pub struct Attenuation<T = f32> {
     pub(crate) a: T,
     pub(crate) b: T,
     pub(crate) c: T,
-    /// The largest factor: 1 if it is clamped, else `MAX`.
+    /// The largest factor, or `MAX`.
     pub(crate) limit: T,
     /// The distance at which the light ends, or `MAX`.
     pub(crate) range: T,
-    /// 1 if the window is squared, 0 if it is glTF's.
+    /// 1 if the window of the range is squared, 0 if it is glTF's.
     pub(crate) squared: T,
 }
 
@@ -105,9 +110,19 @@ impl<T: Real> Attenuation<T> {
             .then(|| Self::unchecked(a + T::ZERO, b + T::ZERO, c + T::ZERO)) // the reciprocal of −0 would be −∞
     }
 
-    /// The same attenuation, ended by a range: the factor is 0 from the distance r on. Returns `None`
-    /// if r is 0, negative or NaN. The largest number and ∞ mean no range. In three.js, a `distance`
-    /// of 0 means no range.
+    /// The same attenuation, ended by a range: the factor is 0 from the distance r on, and the window
+    /// w(q) of [`at`](Attenuation::at) takes it there.
+    ///
+    /// ```text
+    /// w(q) = max(0, 1 − (q/r)⁴)²
+    /// ```
+    ///
+    /// Returns `None` if r is 0, negative or NaN. The largest number and ∞ mean no range. In three.js, a
+    /// `distance` of 0 means no range. In a constant, use
+    /// [`const_within`](Attenuation#method.const_within).
+    ///
+    /// Source: Brian Karis, *Real Shading in Unreal Engine 4*, SIGGRAPH course, 2013; Babylon.js, Bevy,
+    /// Filament and three.js use the same formula.
     #[doc(alias = "cutoff")]
     #[inline]
     #[must_use]
@@ -117,8 +132,35 @@ impl<T: Real> Attenuation<T> {
     {
         (r > T::ZERO).then(|| Self {
             range: r.at_most(T::MAX),
+            squared: T::ONE,
             ..self
         })
+    }
+
+    /// The same attenuation, ended by a range as the specification of glTF recommends: as
+    /// [`within`](Attenuation::within), with a window that is not squared. The light stays brighter
+    /// toward r and stops there abruptly.
+    ///
+    /// ```text
+    /// w(q) = max(0, 1 − (q/r)⁴)
+    /// ```
+    ///
+    /// Source: KHR_lights_punctual (glTF 2.0), “Range Property”, and its sample viewer. Of the
+    /// programs that read glTF, Babylon.js, Bevy, Filament and three.js square the window.
+    ///
+    /// ```
+    /// let lamp = shading::f32::Attenuation::NONE.within_gltf(2.0).unwrap();
+    /// assert_eq!(lamp.at(1.0), 0.9375); // 1 − (1/2)⁴
+    /// ```
+    #[doc(alias("gltf", "cutoff"))]
+    #[inline]
+    #[must_use]
+    pub fn within_gltf(self, r: T) -> Option<Self>
+    where
+        T: Scalar,
+    {
+        let squared = if r < T::MAX { T::ZERO } else { T::ONE };
+        self.within(r).map(|ranged| Self { squared, ..ranged })
     }
 
     /// The same attenuation, limited to 1 as in Foley, van Dam et al., §16.1.2. OpenGL does not
@@ -127,6 +169,7 @@ impl<T: Real> Attenuation<T> {
     /// ```text
     /// min(1, 1/(a + bq + cq²))
     /// ```
+    #[doc(alias("clamp", "limit"))]
     #[inline]
     pub const fn clamped(self) -> Self {
         Self {
@@ -135,24 +178,33 @@ impl<T: Real> Attenuation<T> {
         }
     }
 
-    /// The same attenuation, with the window that the specification of glTF recommends:
-    /// max(0, 1 − (q/r)⁴) in place of its square. The light is brighter toward r and ends there with
-    /// an edge.
+    /// The same attenuation, limited to another factor than 1. Returns `None` if the limit is 0,
+    /// negative or NaN. The largest number and ∞ mean no limit. In a constant, use
+    /// [`const_clamped_to`](Attenuation#method.const_clamped_to).
     ///
-    /// Source: KHR_lights_punctual (glTF 2.0), “Range Property”, and its sample viewer. Of the
-    /// programs that read glTF, Babylon.js, Bevy, Filament and three.js square the window.
+    /// ```text
+    /// min(limit, 1/(a + bq + cq²))
+    /// ```
+    ///
+    /// three.js limits its inverse square to 100, and Filament and Bevy to 10,000, which they write as
+    /// the least denominator, 0.01 and 0.0001:
     ///
     /// ```
-    /// let lamp = shading::f32::Attenuation::NONE.within(2.0).unwrap().unsquared();
-    /// assert_eq!(lamp.at(1.0), 0.9375); // 1 − (1/2)⁴
+    /// use shading::f32::Attenuation;
+    ///
+    /// let three_js = Attenuation::new(0.0, 0.0, 1.0).unwrap().clamped_to(100.0).unwrap();
+    /// assert_eq!((three_js.at(0.01), three_js.at(2.0)), (100.0, 0.25));
     /// ```
-    #[doc(alias = "gltf")]
     #[inline]
-    pub const fn unsquared(self) -> Self {
-        Self {
-            squared: T::ZERO,
+    #[must_use]
+    pub fn clamped_to(self, limit: T) -> Option<Self>
+    where
+        T: Scalar,
+    {
+        (limit > T::ZERO).then(|| Self {
+            limit: limit.at_most(T::MAX),
             ..self
-        }
+        })
     }
 
     /// The coefficients a, b and c.
@@ -162,6 +214,13 @@ impl<T: Real> Attenuation<T> {
         [self.a, self.b, self.c]
     }
 
+    /// The largest factor, or [`MAX`](Real::MAX) if it is not limited.
+    #[inline]
+    #[must_use]
+    pub const fn limit(self) -> T {
+        self.limit
+    }
+
     /// The range r, or [`MAX`](Real::MAX) if there is none.
     #[inline]
     #[must_use]
@@ -169,18 +228,14 @@ impl<T: Real> Attenuation<T> {
         self.range
     }
 
-    /// Whether the factor is limited to 1.
+    /// Whether the window of the range is glTF's.
     #[inline]
     #[must_use]
-    pub fn is_clamped(self) -> bool {
-        T::MAX.above(self.limit).any()
-    }
-
-    /// Whether the window is glTF's.
-    #[inline]
-    #[must_use]
-    pub fn is_unsquared(self) -> bool {
-        !self.squared.above(T::ZERO).any()
+    pub fn is_gltf(self) -> bool
+    where
+        T: Scalar,
+    {
+        self.squared <= T::ZERO
     }
 
     /// The factor at the distance q ≥ 0.
@@ -189,12 +244,12 @@ impl<T: Real> Attenuation<T> {
     /// w(q) / (a + bq + cq²),  w(q) = max(0, 1 − (q/r)⁴)²
     /// ```
     ///
-    /// Without a range r, w is 1; from r on, the factor is exactly 0. It never rises as q rises, and
-    /// it never exceeds that without a range, to the bit. If the [`attenuation`] is infinite, the
+    /// Without a range r, w is 1; from r on, the factor is exactly 0. It never increases as q increases,
+    /// and a range never makes it larger, not even by rounding. If the [`attenuation`] is infinite, the
     /// result is the largest finite number. At an infinite distance, the result is 0.
     ///
-    /// Source: Brian Karis, *Real Shading in Unreal Engine 4*, SIGGRAPH course, 2013, for w;
-    /// Babylon.js, Bevy, Filament and three.js use the same formula.
+    /// Source: Brian Karis, *Real Shading in Unreal Engine 4*, SIGGRAPH course, 2013, for w; Bevy,
+    /// Filament, three.js and Babylon.js (with `FALLOFF_GLTF`) use the same formula.
     ///
     /// ```
     /// let lamp = shading::f32::Attenuation::NONE.within(2.0).unwrap();
@@ -204,45 +259,85 @@ impl<T: Real> Attenuation<T> {
     #[inline(always)]
     #[must_use]
     pub fn at(self, q: T) -> T {
-        let (white, factor) = self.dimmed(Rgb::WHITE, q);
-        white.r * factor
+        self.dimmed(Rgb::WHITE, Vec3::new(q, T::ZERO, T::ZERO), q)
+            .multiplied()
+            .r
     }
 
-    /// A color and the factor at q.
+    /// A color of light after the distance q.
     #[inline(always)]
-    pub(crate) fn dimmed(&self, color: Rgb<T>, q: T) -> (Rgb<T>, T) {
+    pub(crate) fn dimmed(&self, color: Rgb<T>, v: Vec3<T>, q: T) -> Dimmed<T> {
         let light = T::attenuated(color, self.coefficients(), q, self.limit);
-        if T::MAX.above(self.range).any() {
-            T::windowed(light, q, self.range, self.squared)
-        } else {
-            light
+        let has_range = T::MAX.above(self.range);
+        if !has_range.any() {
+            return light;
+        }
+        let windowed = T::windowed(light, v, q, self.range, self.squared.above(T::ZERO));
+        // in lanes, some may have no range
+        Dimmed {
+            color: Rgb::select(has_range, windowed.color, light.color),
+            factor: has_range.select(windowed.factor, light.factor),
         }
     }
 
     /// The same attenuation in another number type. `f` converts each number and may only round it.
-    /// A light without a range has none in the new type. A number that the new type cannot hold is the
-    /// least or the largest that it can, so that a coefficient above 0 stays above 0.
+    ///
+    /// A light without a range or a limit has none in the new type. A number too large for the new type
+    /// becomes its largest. Coefficients may round to 0, unless all would: then those above 0 become the
+    /// least number of the new type, as do a range and a limit that would be 0.
     #[inline]
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> Attenuation<U> {
-        // what is above 0 or finite stays so, and MAX of one type is not MAX in another
-        let mut number = |x: T| {
-            let mut holds = |mask: T::Mask| f(mask.select(T::ONE, T::ZERO)).above(U::ZERO);
-            let (is_positive, is_below) = (holds(x.above(T::ZERO)), holds(T::MAX.above(x)));
-            let number = f(x);
-            let stays = number.above(U::ZERO);
-            let positive = stays.select(number.at_most(U::MAX), U::ONE / U::MAX);
-            let number = is_positive.select(positive, U::ZERO);
-            is_below.select(number, U::MAX)
-        };
+        let [mut a, mut b, mut c] = [
+            nearest(self.a, &mut f),
+            nearest(self.b, &mut f),
+            nearest(self.c, &mut f),
+        ];
+        let is_left = (a + b + c).above(U::ZERO);
+        if !is_left.all() {
+            a = is_left.select(a, positive(self.a, &mut f));
+            b = is_left.select(b, positive(self.b, &mut f));
+            c = is_left.select(c, positive(self.c, &mut f));
+        }
+        let range = end(self.range, &mut f);
         Attenuation {
-            a: number(self.a),
-            b: number(self.b),
-            c: number(self.c),
-            limit: number(self.limit),
-            range: number(self.range),
-            squared: number(self.squared),
+            a,
+            b,
+            c,
+            limit: end(self.limit, &mut f),
+            range,
+            squared: U::MAX.above(range).select(f(self.squared), U::ONE),
         }
     }
+}
+
+/// The nearest finite number of another type.
+#[inline]
+fn nearest<T: Real, U: Real>(x: T, f: &mut impl FnMut(T) -> U) -> U {
+    f(x).at_most(U::MAX)
+}
+
+/// Where a comparison of numbers holds, in another type.
+#[inline]
+fn holds<T: Real, U: Real>(mask: T::Mask, f: &mut impl FnMut(T) -> U) -> U::Mask {
+    f(mask.select(T::ONE, T::ZERO)).above(U::ZERO)
+}
+
+/// The nearest number above 0 of another type, and 0 for 0.
+#[inline]
+fn positive<T: Real, U: Real>(x: T, f: &mut impl FnMut(T) -> U) -> U {
+    let number = nearest(x, f);
+    let is_positive = number.above(U::ZERO);
+    if is_positive.all() {
+        return number;
+    }
+    let least = holds(x.above(T::ZERO), f).select(least(), U::ZERO);
+    is_positive.select(number, least)
+}
+
+/// A range or a limit in another type, where [`MAX`](Real::MAX) means that there is none.
+#[inline]
+fn end<T: Real, U: Real>(x: T, f: &mut impl FnMut(T) -> U) -> U {
+    holds(T::MAX.above(x), f).select(positive(x, f), U::MAX)
 }
 
 /// The default is [`Attenuation::NONE`].
@@ -253,7 +348,7 @@ impl<T: Real> Default for Attenuation<T> {
     }
 }
 
-macro_rules! checked {
+macro_rules! constants {
     ($float:ident) => {
         impl Attenuation<$float> {
             /// [`new`](Attenuation#method.new) for constants.
@@ -272,16 +367,47 @@ macro_rules! checked {
             #[inline]
             #[must_use]
             pub const fn const_within(self, r: $float) -> Option<Self> {
-                let range = if r > $float::MAX { $float::MAX } else { r };
+                let (range, squared) = (Self::at_most_max(r), 1.0);
                 if r > 0.0 {
-                    Some(Self { range, ..self })
+                    Some(Self {
+                        range,
+                        squared,
+                        ..self
+                    })
                 } else {
                     None
                 }
+            }
+
+            /// [`within_gltf`](Attenuation#method.within_gltf) for constants.
+            #[inline]
+            #[must_use]
+            pub const fn const_within_gltf(self, r: $float) -> Option<Self> {
+                let squared = if r < $float::MAX { 0.0 } else { 1.0 };
+                match self.const_within(r) {
+                    Some(ranged) => Some(Self { squared, ..ranged }),
+                    None => None,
+                }
+            }
+
+            /// [`clamped_to`](Attenuation#method.clamped_to) for constants.
+            #[inline]
+            #[must_use]
+            pub const fn const_clamped_to(self, limit: $float) -> Option<Self> {
+                if limit > 0.0 {
+                    let limit = Self::at_most_max(limit);
+                    Some(Self { limit, ..self })
+                } else {
+                    None
+                }
+            }
+
+            const fn at_most_max(x: $float) -> $float {
+                if x > $float::MAX { $float::MAX } else { x }
             }
         }
     };
 }
 
-checked!(f32);
-checked!(f64);
+constants!(f32);
+constants!(f64);

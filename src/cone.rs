@@ -3,8 +3,10 @@
 use core::f64::consts::PI;
 
 use crate::elementary::Elementary;
-use crate::real::{Mask, Real, Scalar, Select, constant, epsilon, parts};
+use crate::real::{Dimmed, Measured, Real, Scalar, Select, constant, epsilon, parts};
+use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
+use crate::vector::Vec3;
 
 /// The cone of a spot light, given by its **half**-angle: the angle between the axis and the edge,
 /// as in OpenGL, glTF and three.js. Unity and Blender give twice that angle.
@@ -29,7 +31,7 @@ use crate::unit::UnitVec3;
 pub struct Cone<T = f32> {
     pub(crate) inner: T,
     pub(crate) outer: T,
-    /// 1 if the edge is a smoothstep, 0 if it is a square.
+    /// 1 if the soft edge is a smoothstep, 0 if it is a square, or hard.
     pub(crate) smooth: T,
 }
 
@@ -40,7 +42,7 @@ impl<T: Real> Cone<T> {
         smooth: T::ZERO,
     };
 
-    /// The share of the light that arrives: 1 inside the inner cone and on its edge, 0 outside the
+    /// The fraction of the light that arrives: 1 inside the inner cone and on its edge, 0 outside the
     /// outer cone, and the square of t between the edges.
     ///
     /// ```text
@@ -49,9 +51,11 @@ impl<T: Real> Cone<T> {
     ///
     /// `axis` is the direction in which the spot shines, away from the light, and L the direction
     /// from the surface to the light. inner and outer are the half-angles, and equal for a hard edge.
-    /// [`smoothstep`](Cone::smoothstep) replaces t² with t²(3 − 2t). On the axis, the factor is 1 for
-    /// every cone; if a direction is NaN, too. It never falls, to the bit, as the computed −L·axis rises,
-    /// which rounding may lower by a unit or two as L turns toward the axis.
+    /// [`smoothstep`](Cone::smoothstep) replaces t² with t²(3 − 2t). On the axis, and if a direction is
+    /// NaN, the factor is 1 for every cone.
+    ///
+    /// As the computed −L·axis increases, the factor never decreases, not by a single bit. That product
+    /// itself may decrease by a unit in the last place or two while L turns toward the axis.
     ///
     /// Source: OpenGL 2.1, §2.14.1, with a spot exponent of 0; KHR_lights_punctual (glTF 2.0),
     /// “Inner and Outer Cone Angles”, whose sample code and Filament keep a hard edge slightly
@@ -67,35 +71,43 @@ impl<T: Real> Cone<T> {
     #[inline]
     #[must_use]
     pub fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
-        self.share((-axis).dot(l))
+        let light = Dimmed {
+            color: Rgb::WHITE,
+            factor: T::ONE,
+        };
+        let (w, one) = (*l, T::ONE);
+        let measured = Measured {
+            w,
+            w_length: one,
+            length: one,
+        };
+        self.dimmed(light, axis, w, &measured).multiplied().r
     }
 
-    /// The share of the light at an angle to the axis of this cosine.
-    #[inline]
-    pub(crate) fn share(self, cosine: T) -> T {
-        let within = |edge: T, share| edge.above(cosine).select(share, T::ONE);
-        let (width, is_soft) = (self.inner - self.outer, self.inner.above(self.outer));
-        if !is_soft.any() {
-            return within(self.inner, T::ZERO);
-        }
-        // counted from the outer edge, a faint light keeps its digits
-        let t = ((cosine - self.outer) / width)
-            .at_least(T::ZERO)
-            .at_most(T::ONE);
-        let smoothstep = (t * t * (T::ONE + T::ONE + T::ONE - (t + t))).at_most(T::ONE);
-        let share = self.smooth.above(T::ZERO).select(smoothstep, t * t);
-        within(self.inner, is_soft.select(share, T::ZERO))
+    /// A light at the end of the vector v, whose direction is measured.
+    #[inline(always)]
+    pub(crate) fn dimmed(
+        &self,
+        light: Dimmed<T>,
+        axis: UnitVec3<T>,
+        v: Vec3<T>,
+        measured: &Measured<T>,
+    ) -> Dimmed<T> {
+        let (edges, is_smooth) = ([self.inner, self.outer], self.smooth.above(T::ZERO));
+        T::beamed(light, *axis, edges, is_smooth, v, measured)
     }
 
     /// The same cone, with a soft edge that begins as smoothly as it ends: t²(3 − 2t) in place of t².
-    /// As the computed −L·axis rises, the factor never falls by more than a unit in the last place.
+    /// As the computed −L·axis rises, the factor never falls by more than a unit in the last place. A
+    /// hard edge stays as it is. In a constant, use
+    /// [`const_smoothstep`](Cone#method.const_smoothstep).
     ///
     /// Source: three.js, `getSpotAttenuation`; POV-Ray 3.7, `radius` and `falloff` with a
     /// `tightness` of 0.
     #[inline]
-    pub const fn smoothstep(self) -> Self {
+    pub fn smoothstep(self) -> Self {
         Self {
-            smooth: T::ONE,
+            smooth: self.inner.above(self.outer).select(T::ONE, T::ZERO),
             ..self
         }
     }
@@ -103,8 +115,11 @@ impl<T: Real> Cone<T> {
     /// Whether the soft edge is a smoothstep.
     #[inline]
     #[must_use]
-    pub fn is_smoothstep(self) -> bool {
-        self.smooth.above(T::ZERO).any()
+    pub fn is_smoothstep(self) -> bool
+    where
+        T: Scalar,
+    {
+        self.smooth > T::ZERO
     }
 
     /// The cosines of the inner and the outer half-angle, in this order, within [−1, 1].
@@ -177,30 +192,27 @@ impl<T: Real> Cone<T> {
     where
         T: Scalar,
     {
-        // −0 would turn the sign of the width of an edge
+        // −0 would flip the sign of the edge's width
         (T::ONE >= inner && inner >= outer && outer >= T::NEG_ONE)
             .then(|| Self::with_slack(inner + T::ZERO, outer + T::ZERO, T::ZERO))
     }
 
-    /// The cone of cosines within [−1, 1], or of another cone's: it contains its axis, and a cone of
-    /// half-angle π every direction, even if both directions are as long as they may be. The slack of
-    /// another number type stays where it is larger, because directions bring the roundoff of that
-    /// type along.
+    /// The cone of cosines within [−1, 1], or of another cone's: it contains its axis, even if both
+    /// directions are as long as they may be. The slack of another number type stays where it is
+    /// larger, because directions bring the roundoff of that type along.
+    ///
+    /// A cone of every direction has the cosine −2 in every number type, which no two directions reach.
     #[inline]
     fn with_slack(inner: T, outer: T, smooth: T) -> Self {
         let two = T::ONE + T::ONE;
         let slack = two * two * epsilon();
-        let everywhere = slack - T::ONE;
-        let wide = |cosine: T| {
-            let cosine = cosine.at_most(T::ONE - slack);
-            let wider = cosine.at_most(T::NEG_ONE - two * slack);
-            everywhere.above(cosine).select(wider, cosine)
-        };
-        let (inner, outer) = (wide(inner), wide(outer));
+        let is_everywhere = (slack - T::ONE).above(inner);
+        let stored = |cosine: T| is_everywhere.select(-two, cosine.at_most(T::ONE - slack));
+        let (inner, outer) = (stored(inner), stored(outer));
         Self {
             inner,
             outer,
-            smooth,
+            smooth: inner.above(outer).select(smooth, T::ZERO),
         }
     }
 
@@ -215,7 +227,7 @@ impl<T: Real> Cone<T> {
     }
 }
 
-macro_rules! checked {
+macro_rules! constants {
     ($float:ident, $half_pi_rounding:literal) => {
         impl Cone<$float> {
             /// [`from_half_angle`](Cone::from_half_angle) for constants.
@@ -241,10 +253,10 @@ macro_rules! checked {
             #[must_use]
             pub const fn const_from_cosines(inner: $float, outer: $float) -> Option<Self> {
                 if 1.0 >= inner && inner >= outer && outer >= -1.0 {
-                    let (inner, outer) = (Self::wide(inner), Self::wide(outer));
+                    let is_everywhere = inner < Self::SLACK - 1.0;
                     Some(Self {
-                        inner,
-                        outer,
+                        inner: Self::stored(inner, is_everywhere),
+                        outer: Self::stored(outer, is_everywhere),
                         smooth: 0.0,
                     })
                 } else {
@@ -252,14 +264,22 @@ macro_rules! checked {
                 }
             }
 
-            const fn wide(cosine: $float) -> $float {
-                const SLACK: $float = 4.0 * $float::EPSILON;
-                if cosine > 1.0 - SLACK {
-                    1.0 - SLACK
-                } else if cosine < SLACK - 1.0 {
-                    -1.0 - 2.0 * SLACK // two directions may both be too long
+            /// [`smoothstep`](Cone#method.smoothstep) for constants.
+            #[inline]
+            pub const fn const_smoothstep(self) -> Self {
+                let smooth = if self.inner > self.outer { 1.0 } else { 0.0 };
+                Self { smooth, ..self }
+            }
+
+            const SLACK: $float = 4.0 * $float::EPSILON;
+
+            const fn stored(cosine: $float, is_everywhere: bool) -> $float {
+                if is_everywhere {
+                    -2.0
+                } else if cosine > 1.0 - Self::SLACK {
+                    1.0 - Self::SLACK
                 } else {
-                    cosine + 0.0 // −0 would turn the sign of the width of an edge
+                    cosine + 0.0 // −0 would flip the sign of the edge's width
                 }
             }
 
@@ -296,5 +316,5 @@ macro_rules! checked {
 }
 
 // the amount by which π/2 exceeds the float nearest to it
-checked!(f32, -4.371_139e-8);
-checked!(f64, 6.123_233_995_736_766e-17);
+constants!(f32, -4.371_139e-8);
+constants!(f64, 6.123_233_995_736_766e-17);

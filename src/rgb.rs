@@ -32,7 +32,11 @@ impl<T: Real> Rgb<T> {
     #[inline]
     pub fn clamped(self) -> Self {
         // not `at_least`, which may let a signaling NaN through
-        self.map(|channel| channel.above(T::ZERO).select(channel.at_most(T::ONE), T::ZERO))
+        self.map(|channel| {
+            channel
+                .above(T::ZERO)
+                .select(channel.at_most(T::ONE), T::ZERO)
+        })
     }
 
     /// The color with the largest finite number for each channel that overflowed, or that is NaN, as

@@ -32,8 +32,9 @@
 //!
 //! /// Whether the ceiling z = 3 stands between p and the light.
 //! fn is_blocked(p: Vec3, light: &IncidentLight) -> bool {
-//!     let t = (3.0 - p.z) / light.l().z;
-//!     0.0 < t && t < light.distance()
+//!     let arrival = light.arrival();
+//!     let t = (3.0 - p.z) / arrival.l.z;
+//!     0.0 < t && t < arrival.distance
 //! }
 //!
 //! let lamp = |height| PointLight {
@@ -50,7 +51,7 @@
 //! assert_eq!(shaded.diffuse, Rgb::WHITE); // from the lower lamp alone
 //! ```
 //!
-//! **Area lights.** Use many point lights, each with a share of the light, as in
+//! **Area lights.** Use many point lights, each with a fraction of the light, as in
 //! [`guide::recipes`](mod@crate::guide::recipes).
 //!
 //! **Overflow.** If the sum over the lights overflows, it counts as the largest finite number. The
@@ -63,17 +64,17 @@ use core::iter::Sum;
 use core::ops::{Add, AddAssign, Mul};
 
 use crate::direction::mirrored;
-use crate::light::{Arriving, IncidentLight};
-use crate::real::{Exponent, LightSum, Mask, Measured, Real, Select};
+use crate::light::IncidentLight;
+use crate::real::{LightSum, Lobe, Mask, Measured, Real, Select};
 use crate::rgb::Rgb;
 use crate::term;
 use crate::unit::UnitVec3;
 
 /// The material of a surface: three reflectances, each with three channels, and the shininess.
 ///
-/// A reflectance is 0 or more; at 1, the surface reflects all the light. It is the share that the
-/// surface reflects, not a color of light: the light's color is in the light. `M` is the type of the
-/// shininess, an [`Exponent`]; a `u32` is faster than a float.
+/// A reflectance is 0 or more; at 1, the surface reflects all the light. It is the fraction that the
+/// surface reflects, not a color of light: the color of the light belongs to the light. `M` is the type of the
+/// shininess, an [`Lobe`]; a `u32` is faster than a float.
 ///
 /// ```
 /// use shading::f32::{Material, Rgb};
@@ -258,17 +259,23 @@ pub fn lambert<T: Real, M>(
 /// assert_eq!(shaded.total(), Rgb::gray(0.75));
 /// ```
 #[inline]
-pub fn phong<T: Real, M: Exponent<T>>(
+pub fn phong<T: Real, M: Lobe<T>>(
     n: UnitVec3<T>,
     v: UnitVec3<T>,
     material: &Material<T, M>,
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    // R is the direction of the mirrored way
-    sum(n, material, i_a, lights, |way| {
-        term::highlight(mirrored(n, way.w).dot(v) / way.w_length, material.m)
-    })
+    // R is the direction of w mirrored
+    sum(
+        n,
+        material,
+        i_a,
+        lights,
+        |Measured { w, w_length, .. }| {
+            term::highlight(mirrored(n, w).dot(v) / w_length, material.m)
+        },
+    )
 }
 
 /// Shades a shiny surface with Blinn's highlight: Phong's model with the half vector.
@@ -283,21 +290,21 @@ pub fn phong<T: Real, M: Exponent<T>>(
 ///
 /// Source: Blinn 1977.
 #[inline]
-pub fn blinn_phong<T: Real, M: Exponent<T>>(
+pub fn blinn_phong<T: Real, M: Lobe<T>>(
     n: UnitVec3<T>,
     v: UnitVec3<T>,
     material: &Material<T, M>,
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    // H is the direction of |way| (L + V)
-    sum(n, material, i_a, lights, |way| {
-        T::halfway_power(*n, way, *v, material.m)
+    // H is the direction of |w| (L + V)
+    sum(n, material, i_a, lights, |measured| {
+        T::halfway_power(*n, measured, *v, material.m)
     })
 }
 
-/// The sum over the lights. It computes with the way to the light instead of L, which takes one
-/// division in place of three: N·L = N·way/|way|.
+/// The sum over the lights. It computes with w, a vector to the light that is not divided by its
+/// length, which takes one division in place of three: N·L = N·w/|w|.
 #[inline]
 fn sum<T: Real, M>(
     n: UnitVec3<T>,
@@ -306,34 +313,41 @@ fn sum<T: Real, M>(
     lights: impl IntoIterator<Item = IncidentLight<T>>,
     highlight: impl Fn(Measured<T>) -> T,
 ) -> Shaded<T> {
-    let [mut diffuse, mut specular] = [Rgb::new(T::Sum::DARK, T::Sum::DARK, T::Sum::DARK); 2];
+    let [mut diffuse, mut specular] = [T::Sum::DARK; 2];
+    let mut is_lit = false;
     // not `for_each`, whose closure keeps the sums in memory
     for light in lights {
-        // the sign of N·L decides before the root of |way|
+        // the sign of N·L decides before the root of |w|
         let in_front = light.in_front(n);
         if in_front.any() {
-            let Arriving {
-                way,
-                n_dot_l,
-                color,
-                factor,
-            } = light.arriving(n);
-            let factor = in_front.select(factor, T::ZERO);
-            let add = |sum: Rgb<T::Sum>, share: T| {
-                let factor = T::dimmed(factor, share);
-                Rgb {
-                    r: sum.r.add(color.r, factor),
-                    g: sum.g.add(color.g, factor),
-                    b: sum.b.add(color.b, factor),
-                }
-            };
-            diffuse = add(diffuse, n_dot_l);
-            specular = add(specular, highlight(way));
+            is_lit = true;
+            let (toward, mut light) = light.toward(n);
+            // of lanes; a product with 0 would not do, because ∞ · 0 is NaN
+            let is_partly = !in_front.all();
+            if is_partly {
+                light.color = Rgb::select(in_front, light.color, Rgb::BLACK);
+            }
+            // first, and the highlight after it: in the other order a sum takes 6 % longer on x86-64
+            diffuse = diffuse.add(light, T::cosine(*n, &toward));
+            let mut highlight = highlight(toward.measured);
+            if is_partly {
+                highlight = in_front.select(highlight, T::ZERO);
+            }
+            specular = specular.add(light, highlight);
         }
     }
+    let ambient = term::ambient(material.k_a, i_a);
+    if !is_lit {
+        // as in a lane beside one that is lit: 0 · ∞ is NaN
+        return Shaded {
+            ambient,
+            diffuse: Rgb::<T>::BLACK * material.k_d,
+            specular: Rgb::<T>::BLACK * material.k_s,
+        };
+    }
     Shaded {
-        ambient: term::ambient(material.k_a, i_a),
-        diffuse: diffuse.map(LightSum::total) * material.k_d,
-        specular: specular.map(LightSum::total) * material.k_s,
+        ambient,
+        diffuse: diffuse.total() * material.k_d,
+        specular: specular.total() * material.k_s,
     }
 }

@@ -12,7 +12,7 @@
 
 use core::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
 
-use crate::real::{Exponent, Real, Select, constant, parts, shininess};
+use crate::real::{Lobe, Real, Select, constant, parts, shininess};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 
@@ -85,7 +85,7 @@ pub fn lambert<T: Real>(n: UnitVec3<T>, l: UnitVec3<T>) -> T {
 #[doc(alias("specular", "shininess"))]
 #[inline]
 #[must_use]
-pub fn phong<T: Real, M: Exponent<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T {
+pub fn phong<T: Real, M: Lobe<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T {
     highlight(r.dot(v), m)
 }
 
@@ -95,9 +95,10 @@ pub fn phong<T: Real, M: Exponent<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T
 /// max(0, N·H)ᵐ
 /// ```
 ///
-/// N is the normal, and H the [`half_vector`](crate::half_vector) of L and V. What [`phong`] says of
-/// m, of the range and of the degenerate cases holds for N·H, too. With about four times the m, the
-/// highlight looks like that of `phong`.
+/// N is the normal, and H the [`half_vector`](crate::half_vector) of L and V. What [`phong`] says about
+/// m, the range and the degenerate cases also holds for N·H. With about four times the m, the
+/// highlight is as large as that of `phong`, except at grazing angles, where it is narrower from side
+/// to side.
 ///
 /// Source: Blinn 1977.
 ///
@@ -111,13 +112,13 @@ pub fn phong<T: Real, M: Exponent<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T
 #[doc(alias("specular", "shininess"))]
 #[inline]
 #[must_use]
-pub fn blinn<T: Real, M: Exponent<T>>(n: UnitVec3<T>, h: UnitVec3<T>, m: M) -> T {
+pub fn blinn<T: Real, M: Lobe<T>>(n: UnitVec3<T>, h: UnitVec3<T>, m: M) -> T {
     highlight(n.dot(h), m)
 }
 
 /// The power of a cosine: 0 if it is not above 0, and 1 if rounding has put it above 1.
 #[inline]
-pub(crate) fn highlight<T: Real, M: Exponent<T>>(cosine: T, m: M) -> T {
+pub(crate) fn highlight<T: Real, M: Lobe<T>>(cosine: T, m: M) -> T {
     let power = m.raise(cosine.at_least(T::ZERO).at_most(T::ONE));
     cosine.above(T::ZERO).select(power, T::ZERO)
 }
@@ -149,7 +150,7 @@ pub(crate) fn highlight<T: Real, M: Exponent<T>>(cosine: T, m: M) -> T {
 ///
 /// ```
 /// use core::f32::consts::FRAC_1_PI;
-/// use shading::f32::{DirectionalLight, Rgb, UnitVec3, Vec3};
+/// use shading::f32::{Arrival, DirectionalLight, Rgb, UnitVec3, Vec3};
 /// use shading::{reflection, term};
 ///
 /// let (n, v) = (UnitVec3::Z, UnitVec3::Z);
@@ -157,10 +158,10 @@ pub(crate) fn highlight<T: Real, M: Exponent<T>>(cosine: T, m: M) -> T {
 /// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
 ///
 /// let normalization = term::phong_normalization(32.0); // once per material
-/// let light = sun.at(Vec3::ZERO);
-/// let highlight = normalization * term::phong(reflection(n, light.l()), v, 32);
+/// let Arrival { l, intensity, .. } = sun.at(Vec3::ZERO).arrival();
+/// let highlight = normalization * term::phong(reflection(n, l), v, 32);
 /// let brdf = k_d * FRAC_1_PI + k_s * highlight;
-/// let returned = light.intensity() * brdf * term::lambert(n, light.l());
+/// let returned = intensity * brdf * term::lambert(n, l);
 /// assert!((returned.r - (0.5 + 0.25 * 17.0) * FRAC_1_PI).abs() < 1e-6);
 /// ```
 #[doc(alias = "energy")]
@@ -192,7 +193,7 @@ pub fn phong_normalization<T: Real>(m: T) -> T {
 #[doc(alias = "energy")]
 #[inline]
 #[must_use]
-pub fn blinn_normalization<T: Real + Exponent<T>>(m: T) -> T {
+pub fn blinn_normalization<T: Real + Lobe<T>>(m: T) -> T {
     let m = shininess(m);
     let power = m.raise(constant(const { parts(FRAC_1_SQRT_2) }));
     // the division comes first, because the product of the two sums could overflow

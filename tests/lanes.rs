@@ -5,13 +5,13 @@ use std::fmt::Debug;
 
 use proptest::prelude::*;
 use shading::{
-    Attenuation, Cone, DirectionalLight, Exponent, IncidentLight, Lanes, Light, Mask, Select, Material,
-    PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, normal, reflection,
-    shade, term,
+    Attenuation, Cone, DirectionalLight, IncidentLight, Lanes, Light, Lobe, Mask, Material,
+    PointLight, Real, Rgb, Select, Shaded, SpotLight, UnitVec3, Vec3, attenuation, normal,
+    reflection, shade, term,
 };
 
 /// `f32` or `f64`, the type of one lane.
-trait Scalar: Real + Exponent<Self> + PartialOrd + Debug {
+trait Scalar: Real + Lobe<Self> + PartialOrd + Debug {
     /// Zeros of both signs, subnormal and ordinary numbers, the ends of the range, infinities and NaN.
     const EDGES: [Self; 18];
     const SIGNALING_NAN: Self;
@@ -19,7 +19,7 @@ trait Scalar: Real + Exponent<Self> + PartialOrd + Debug {
 }
 
 /// A SIMD type, and its lane with a number.
-trait Simd: Lanes<Lane: Scalar + Exponent<Self>> {
+trait Simd: Lanes<Lane: Scalar + Lobe<Self>> {
     fn lane(self, i: usize) -> Self::Lane;
 }
 
@@ -59,6 +59,11 @@ macro_rules! lanes {
             #[test]
             fn everything_agrees() {
                 super::everything_agrees::<wide::$lanes>();
+            }
+
+            #[test]
+            fn a_light_behind_adds_nothing_whatever_it_holds() {
+                super::behind::<wide::$lanes>();
             }
 
             #[test]
@@ -112,7 +117,7 @@ fn edges_agree<L: Simd>() {
             term::lambert(UnitVec3::Z, tilted(a)),
         ]
     }
-    fn powers<T: Real, M: Exponent<T>>(cosine: T, m: M) -> [T; 3] {
+    fn powers<T: Real, M: Lobe<T>>(cosine: T, m: M) -> [T; 3] {
         let share = cosine.at_least(T::ZERO).at_most(T::ONE);
         [
             term::phong(UnitVec3::Z, tilted(cosine), m),
@@ -158,13 +163,28 @@ fn edges_agree<L: Simd>() {
     assert_same(&[power.first()], &[L::Lane::ONE], "signaling");
 }
 
-/// Mostly ordinary numbers; some whose squares underflow or overflow in `f32`, zeros, and the ends.
+/// Mostly ordinary numbers; some whose squares underflow or overflow, zeros, the lengths from which
+/// vectors are scaled, the ends, and what is not finite.
 fn number() -> BoxedStrategy<f64> {
-    const ENDS: &[f64] = &[0.0, -0.0, f32::MAX as f64, -1e-45];
+    const ENDS: &[f64] = &[
+        0.0,
+        -0.0,
+        f32::MAX as f64,
+        -1e-45,
+        1_125_899_906_842_624.0, // 2⁵⁰
+        1.0 / 1_125_899_906_842_624.0,
+        2.348_542_582_773_833_2e108, // 2³⁶⁰
+        1.0 / 2.348_542_582_773_833_2e108,
+        f64::MAX,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::NAN,
+    ];
     prop_oneof![
         16 => -4.0..4.0,
         1 => prop::sample::select(ENDS),
         1 => (-1.0..1.0, -140..127).prop_map(|(x, power)| x * 2.0_f64.powi(power)),
+        1 => (-1.0..1.0, -1000..1000).prop_map(|(x, power)| x * 2.0_f64.powi(power)),
     ]
     .boxed()
 }
@@ -196,18 +216,14 @@ impl<S: Scalar> Place<S> {
         let [a, b, c] = coefficients.into();
         let falloff = Attenuation::new(a, b, c).unwrap_or_default();
         // a lane may have a range, be clamped, or have glTF's window where another has none
-        let falloff = if kind.x > S::of(2.0) {
-            falloff.within(kind.x).unwrap_or(falloff)
-        } else {
-            falloff
+        let range = match (kind.x > S::of(2.0), kind.z > S::of(2.0)) {
+            (false, _) => None,
+            (true, false) => falloff.within(kind.x),
+            (true, true) => falloff.within_gltf(kind.x),
         };
+        let falloff = range.unwrap_or(falloff);
         let falloff = if kind.y > S::of(2.0) {
             falloff.clamped()
-        } else {
-            falloff
-        };
-        let falloff = if kind.z > S::of(2.0) {
-            falloff.unsquared()
         } else {
             falloff
         };
@@ -215,7 +231,7 @@ impl<S: Scalar> Place<S> {
         let outer = if kind.z > S::ONE {
             inner
         } else {
-            S::NEG_ONE.at_least(inner - kind.y)
+            (inner - kind.y).at_least(S::NEG_ONE)
         };
         let cone = Cone::from_cosines(inner, outer).expect("in order");
         let cone = if kind.x > S::ONE {
@@ -277,7 +293,7 @@ fn gathered<L: Simd>(places: &[Place<L::Lane>]) -> Place<L> {
 }
 
 /// Everything that can be computed of a number that is not compared.
-fn everything<T: Real, M: Exponent<T>>(c: &Place<T>, m: M) -> Vec<T> {
+fn everything<T: Real, M: Lobe<T>>(c: &Place<T>, m: M) -> Vec<T> {
     let &Place {
         p, n, v, q, rgb, ..
     } = c;
@@ -313,7 +329,7 @@ fn everything<T: Real, M: Exponent<T>>(c: &Place<T>, m: M) -> Vec<T> {
     let vectors = [
         vec![
             Vec3::from(reflection(n, v)),
-            normal::facing(n, v).into(),
+            normal::facing(n, v, n).into(),
             normal::corner(p, *n, *v),
         ],
         vec![
@@ -333,7 +349,7 @@ fn everything<T: Real, M: Exponent<T>>(c: &Place<T>, m: M) -> Vec<T> {
         term::lambert(n, v),
         term::phong(n, v, m),
         term::blinn(n, v, m),
-        T::cosine_power(*n, p, m),
+        T::halfway_power(*n, T::measured(p), *v, m),
         attenuation(rgb.r, rgb.g, rgb.b, q),
         c.lamp.attenuation.at(q),
         c.spot.cone.factor(n, v),
@@ -377,7 +393,7 @@ impl<S: Scalar> Debug for Place<S> {
 }
 
 fn everything_agrees<L: Simd>() {
-    fn agree<L: Simd, M: Exponent<L> + Exponent<L::Lane>>(places: &[Place<L::Lane>], m: M) {
+    fn agree<L: Simd, M: Lobe<L> + Lobe<L::Lane>>(places: &[Place<L::Lane>], m: M) {
         let lanes = everything(&gathered::<L>(places), m);
         for (i, place) in places.iter().enumerate() {
             let lane: Vec<_> = lanes.iter().map(|x| x.lane(i)).collect();
@@ -388,6 +404,74 @@ fn everything_agrees<L: Simd>() {
         agree::<L, u32>(&places, m);
         agree::<L, L::Lane>(&places, L::Lane::of(real));
     });
+}
+
+/// A highlight that is infinite, and NaN at a cosine of 0.
+#[derive(Clone, Copy)]
+struct Infinite;
+
+impl<T: Real> Lobe<T> for Infinite {
+    fn raise(self, cosine: T) -> T {
+        cosine / T::ZERO
+    }
+}
+
+/// Lights of each kind that are behind the surface in one lane or in all but one, with each edge as
+/// their intensity, or with a highlight that is not finite.
+fn behind<L: Simd>() {
+    let edges = L::Lane::EDGES;
+    let (zero, one) = (L::Lane::ZERO, L::Lane::ONE);
+    let place = |intensity: L::Lane, is_behind: bool| {
+        let z = if is_behind { -one } else { one };
+        let l = UnitVec3::assume_unit(Vec3::new(zero, zero, z));
+        let intensity = Rgb::gray(intensity);
+        let attenuation = Attenuation::NONE;
+        let lamp = PointLight {
+            position: *l,
+            intensity,
+            attenuation,
+        };
+        Place {
+            p: Vec3::ZERO,
+            n: UnitVec3::Z,
+            v: UnitVec3::assume_unit(Vec3::new(L::Lane::of(0.6), zero, L::Lane::of(0.8))),
+            q: one,
+            sun: DirectionalLight { l, intensity },
+            lamp,
+            spot: SpotLight {
+                point: lamp,
+                axis: -l,
+                cone: Cone::from_cosine(zero).expect("a cosine"),
+            },
+            rgb: Rgb::WHITE,
+        }
+    };
+    let agree = |places: &[Place<L::Lane>]| {
+        let lanes = everything(&gathered::<L>(places), 3);
+        let infinite = everything(&gathered::<L>(places), Infinite);
+        for (i, place) in places.iter().enumerate() {
+            for (lanes, alone) in [
+                (&lanes, everything(place, 3)),
+                (&infinite, everything(place, Infinite)),
+            ] {
+                let lane: Vec<_> = lanes.iter().map(|x| x.lane(i)).collect();
+                assert_same(&lane, &alone, format!("lane {i}, {places:?}"));
+            }
+        }
+    };
+    for first in 0..edges.len() {
+        for (lane, is_behind) in (0..L::COUNT).flat_map(|lane| [(lane, true), (lane, false)]) {
+            let places: Vec<_> = (0..L::COUNT)
+                .map(|i| {
+                    place(
+                        edges[(first + 5 * i) % edges.len()],
+                        (i == lane) == is_behind,
+                    )
+                })
+                .collect();
+            agree(&places);
+        }
+    }
 }
 
 /// Lights keep their order, whatever they differ in; lanes without a light hold the first, black.

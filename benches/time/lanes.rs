@@ -3,7 +3,7 @@
 use crate::race::{Output, Pass, pass};
 use crate::scene::{ATTENUATION, K_A, K_D, K_S, List};
 use cpu_time::ThreadTime;
-use shading::{Exponent, Lanes, Material, PointLight, Rgb, UnitVec3, Vec3, shade};
+use shading::{Lanes, Lobe, Material, PointLight, Rgb, UnitVec3, Vec3, shade};
 use std::hint::black_box;
 use wide::f32x8;
 
@@ -25,7 +25,7 @@ fn splat<L: Lanes>(x: L::Lane) -> L {
 }
 
 /// Ours: points in lanes.
-pub fn ours<'a, M: Exponent<f32x8> + 'a>(
+pub fn ours<'a, M: Lobe<f32x8> + 'a>(
     points: &'a [[V; 3]],
     lamps: &'a [PointLight<f32>],
     material: Material<f32, M>,
@@ -120,7 +120,7 @@ pub fn in_c(points: &[List<List<f64>>], lamps: &[List<f64>], m: f32) -> Pass<'st
 }
 
 /// Ours: one point at a time, and its lights in lanes.
-pub fn packed<'a, L: Lanes + 'a, M: Exponent<L> + 'a>(
+pub fn packed<'a, L: Lanes + 'a, M: Lobe<L> + 'a>(
     points: &'a [[[L::Lane; 3]; 3]],
     lamps: &'a [PointLight<L::Lane>],
     material: Material<L::Lane, M>,

@@ -5,9 +5,9 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use shading::{Elementary, Exponent, Mask, Real, Select};
+use shading::{Elementary, Lobe, Mask, Real, Rgb, Select};
 
-use super::graph::{Function, Node, ONE, Test, ZERO};
+use super::graph::{Function, MINUS_ONE, Node, ONE, Test, ZERO};
 use super::range::Range;
 use super::run::{decide, node, told, with};
 
@@ -98,11 +98,11 @@ impl PartialOrd for Term {
 
 impl Real for Term {
     type Mask = Above;
-    type Sum = Self;
+    type Sum = Rgb<Self>;
 
     const ZERO: Self = Self(ZERO);
     const ONE: Self = Self(ONE);
-    const NEG_ONE: Self = Self(2);
+    const NEG_ONE: Self = Self(MINUS_ONE);
     const MAX: Self = Self(3);
     const EXTREME: Self = Self(4);
 
@@ -135,7 +135,7 @@ impl Select<Term> for Above {
         if then.0 == otherwise.0 {
             return then;
         }
-        match told(test) {
+        match with(|g| g.of_constants(test)).or_else(|| told(test)) {
             Some(answer) => [otherwise, then][usize::from(answer)],
             None => Term(node(Node::Select(test, then.0, otherwise.0))),
         }
@@ -166,7 +166,7 @@ impl Elementary for Term {
     }
 }
 
-impl Exponent<Self> for Term {
+impl Lobe<Self> for Term {
     fn raise(self, cosine: Self) -> Self {
         Self(node(Node::Power(cosine.0, self.0)))
     }

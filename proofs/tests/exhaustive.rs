@@ -2,7 +2,7 @@
 //! in the range that was derived for it, each answer must be that of the numbers, and each goal that is proved must hold.
 //! The rules do not know in which format they are used.
 
-use shading::{Elementary, Real};
+use shading::{Elementary, Real, Select};
 use shading_proofs::tried::every;
 use shading_proofs::{Format, Given, Goal, Range, Term};
 
@@ -66,9 +66,9 @@ fn operation(op: usize, x: Term, y: Term) -> Term {
         7 => -x,
         8 => x.at_least(y),
         9 => x.at_most(y),
-        10 => x.if_above(y, x - y, y - x),
+        10 => x.above(y).select(x - y, y - x),
         11 => x - x,
-        _ => x.if_positive(y, -x),
+        _ => x.above(Term::ZERO).select(y, -x),
     }
 }
 const OPERATIONS: [usize; 13] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12];
@@ -86,6 +86,10 @@ fn all_of(x: Term, y: Term) -> Vec<Goal> {
         Goal::Same(x + zero, x),
         Goal::Same(x.at_least(zero), x),
     ]
+}
+
+fn above_zero(x: Term) -> Goal {
+    Goal::Within(x, Range::within(SMALL.tiny(), INF))
 }
 
 /// A decision, from which the rules learn. Returns whether it holds.
@@ -202,8 +206,11 @@ fn operations_with_constants() {
             let (x, k) = (given.number("x", range), Term::of(constant));
             let results = [operation(op, x, k), operation(op, k, x)];
             // two selections that differ in what they compare
-            let chosen = [k, Term::ONE].map(|limit| x.if_above(limit, Term::ONE, Term::ZERO));
-            let turned = [k, Term::ONE].map(|y| y.if_above(x, Term::ONE, Term::ZERO));
+            let chosen = [k, Term::ONE].map(|limit| x.above(limit).select(Term::ONE, Term::ZERO));
+            let turned = [k, Term::ONE].map(|y| y.above(x).select(Term::ONE, Term::ZERO));
+            // what differs only in the order of operands, once a 0 is left out
+            let (sum, product) = ((x + Term::ZERO) + k, (x + Term::ZERO) * k);
+            let selected = |x: Term| k.above(x).select(x * k, x);
             let shifted = results.map(|result| operation(op, result, x));
             [
                 all_of(results[0], x),
@@ -211,6 +218,9 @@ fn operations_with_constants() {
                 all_of(shifted[0], x),
                 all_of(chosen[0], chosen[1]),
                 all_of(turned[0], turned[1]),
+                all_of(sum, k + x),
+                all_of(product, k * x),
+                all_of(selected(x + Term::ZERO), selected(x)),
                 all_of(x, shifted[1]),
             ]
             .concat()
@@ -253,15 +263,17 @@ fn decisions_about_decisions() {
         let shown = decide(first, x, y);
         let again = decide(second, y, x) == shown;
         let chosen = if again {
-            x.if_above(y, x, y)
+            x.above(y).select(x, y)
         } else {
-            y.if_above(x, x, y)
+            y.above(x).select(x, y)
         };
         [
             all_of(chosen, x),
             all_of(chosen, y),
             all_of(x * x, chosen),
             all_of(x / y, x),
+            all_of(x - y, y - x),
+            vec![above_zero(x - y), above_zero(y - x)],
         ]
         .concat()
     });
@@ -341,7 +353,13 @@ fn order_of_results() {
             let limited = [clamped(straight[0]), clamped(straight[1])];
             let limits = [straight[0].at_most(x), straight[1].at_most(y)];
             let floors = [back[0].at_least(x), back[1].at_least(y)];
-            let pairs = [straight, back, nested, limited, limits, floors];
+            let edges = [(x, 0), (y, 1)].map(|(z, i)| k.above(z).select(limited[i], Term::ONE));
+            let chosen = [(x, 0), (y, 1)].map(|(z, i)| k.above(z).select(straight[i], back[i]));
+            let masked = [0, 1].map(|i| k.above(Term::ONE).select(straight[i], back[i]));
+            let added = [straight[0], straight[0] + back[0]];
+            let pairs = [
+                straight, back, nested, limited, limits, floors, edges, chosen, masked, added,
+            ];
             pairs
                 .into_iter()
                 .flat_map(|[a, b]| {
@@ -360,7 +378,7 @@ fn order_of_results() {
 /// What is assumed of the functions of `libm` and of powers, as far as a small format has it.
 #[test]
 fn functions_with_a_contract() {
-    use shading::Exponent;
+    use shading::Lobe;
     check(
         SMALL,
         pairs(&ranges(), &ranges()),

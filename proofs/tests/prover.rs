@@ -1,6 +1,6 @@
 //! The prover proves what is true, refutes what is not, and leaves open what it cannot know.
 
-use shading::{Elementary, Real, Vec3};
+use shading::{Elementary, Real, Select, Vec3};
 use shading_proofs::{Format, Given, Goal, Range, Term, Verdict, judge, refute};
 
 const INF: f64 = f64::INFINITY;
@@ -262,8 +262,8 @@ fn formulas<T: Real + PartialOrd>(x: T, y: T) -> [T; 19] {
         x / y,
         x.sqrt(),
         -x,
-        x.if_above(y, x, y),
-        x.if_positive(y, x),
+        x.above(y).select(x, y),
+        x.above(T::ZERO).select(y, x),
         x.at_least(y),
         x.at_most(y),
         if x <= y { x } else { y },
@@ -276,9 +276,9 @@ fn formulas<T: Real + PartialOrd>(x: T, y: T) -> [T; 19] {
         -x - -y,
         // what the path has decided is not recorded as a choice
         if x > y {
-            x.if_above(y, x + y, y)
+            x.above(y).select(x + y, y)
         } else {
-            x.if_above(y, x, y - x)
+            x.above(y).select(x, y - x)
         },
     ]
 }

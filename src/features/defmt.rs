@@ -5,13 +5,13 @@ use defmt::{Format, Formatter, write};
 #[cfg(feature = "fixed")]
 use crate::fixed::Fixed;
 use crate::{
-    Attenuation, Cone, DirectionalLight, Dual, IncidentLight, Light, Material, PointLight, Real,
-    Rgb, Shaded, SpotLight, UnitVec3, Vec3,
+    Arrival, Attenuation, Cone, DirectionalLight, Dual, IncidentLight, Light, Material, PointLight,
+    Real, Rgb, Scalar, Shaded, SpotLight, UnitVec3, Vec3,
 };
 
 macro_rules! format {
     ($($type:ident$(<$($part:ident),+>)?, $self:ident: $text:literal, $($value:expr),+;)+) => {$(
-        impl<T: Real + Format $($(, $part: Format)+)?> Format for $type<T $($(, $part)+)?> {
+        impl<T: Real + Scalar + Format $($(, $part: Format)+)?> Format for $type<T $($(, $part)+)?> {
             fn format(&$self, f: Formatter) {
                 write!(f, $text, $($value),+);
             }
@@ -24,9 +24,11 @@ format! {
     UnitVec3, self: "UnitVec3({}, {}, {})", self.x, self.y, self.z;
     Rgb, self: "Rgb({}, {}, {})", self.r, self.g, self.b;
     Dual, self: "Dual({}, {})", self.value, self.gradient;
-    Attenuation, self: "Attenuation({}, clamped: {}, range: {}, unsquared: {})",
-        self.coefficients(), self.is_clamped(), self.range(), self.is_unsquared();
+    Attenuation, self: "Attenuation({}, limit: {}, range: {}, gltf: {})",
+        self.coefficients(), self.limit(), self.range(), self.is_gltf();
     Cone, self: "Cone(cosines: {}, smoothstep: {})", self.cosines(), self.is_smoothstep();
+    Arrival, self: "Arrival(l: {}, intensity: {}, distance: {})",
+        self.l, self.intensity, self.distance;
     IncidentLight, self: "IncidentLight(l: {}, intensity: {}, distance: {})",
         self.l(), self.intensity(), self.distance();
     DirectionalLight, self: "DirectionalLight(l: {}, intensity: {})", self.l, self.intensity;
@@ -39,7 +41,7 @@ format! {
         self.ambient, self.diffuse, self.specular;
 }
 
-impl<T: Real + Format> Format for Light<T> {
+impl<T: Real + Scalar + Format> Format for Light<T> {
     fn format(&self, f: Formatter) {
         match self {
             Self::Directional(light) => light.format(f),

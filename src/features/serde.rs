@@ -1,53 +1,58 @@
 //! Lights and materials in files. `docs/schema.md` describes the format.
 //!
 //! Types with public fields derive the traits where they are defined. The types here check what
-//! they read, and vectors and colors also what they write, so that every value that was written can
-//! be read again.
+//! they read, and vectors, colors and directions also what they write, so that every value that was
+//! written can be read again.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser};
 
-use crate::real::{epsilon, size};
+use crate::real::magnitude;
 use crate::{Attenuation, Cone, Elementary, Real, Rgb, Scalar, UnitVec3, Vec3};
 
 macro_rules! list {
-    ($type:ident by $new:expr, $is_valid:ident or $reason:literal) => {
+    ($type:ident by $read:ident) => {
         impl<T: Real + Scalar + Serialize> Serialize for $type<T> {
             fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
                 let list = <[T; 3]>::from(*self);
-                if $is_valid(list) {
-                    list.serialize(to)
-                } else {
-                    Err(ser::Error::custom($reason))
+                match $read(list) {
+                    Ok(_) => list.serialize(to),
+                    Err(reason) => Err(ser::Error::custom(reason)),
                 }
             }
         }
 
         impl<'de, T: Real + Scalar + Deserialize<'de>> Deserialize<'de> for $type<T> {
             fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-                let list = <[T; 3]>::deserialize(from)?;
-                checked($is_valid(list).then(|| $new(list)), $reason)
+                $read(<[T; 3]>::deserialize(from)?).map_err(de::Error::custom)
             }
         }
     };
 }
 
-list!(Vec3 by Self::from, is_finite or "vector: a coordinate is not finite");
-list!(Rgb by Self::from, is_light or "color: a channel is negative or not finite");
-list!(UnitVec3 by |v| Self::assume_unit(Vec3::from(v)), is_unit or "direction: its length is not 1");
+list!(Vec3 by vector);
+list!(Rgb by color);
+list!(UnitVec3 by direction);
 
-fn is_finite<T: Real + Scalar>(v: [T; 3]) -> bool {
-    v.iter().all(|x| size(*x) <= T::MAX)
+fn vector<T: Real + Scalar>(v: [T; 3]) -> Result<Vec3<T>, &'static str> {
+    let is_finite = v.iter().all(|x| magnitude(*x) <= T::MAX);
+    is_finite
+        .then(|| v.into())
+        .ok_or("vector: a coordinate is not finite")
 }
 
-fn is_light<T: Real + Scalar>(color: [T; 3]) -> bool {
-    color.iter().all(|x| T::ZERO <= *x && *x <= T::MAX)
+fn color<T: Real + Scalar>(color: [T; 3]) -> Result<Rgb<T>, &'static str> {
+    let is_light = color.iter().all(|x| T::ZERO <= *x && *x <= T::MAX);
+    is_light
+        .then(|| color.into())
+        .ok_or("color: a channel is negative or not finite")
 }
 
-fn is_unit<T: Real + Scalar>(v: [T; 3]) -> bool {
-    let v = Vec3::from(v);
-    // Six decimals must suffice. They change each number by 10⁻⁶/2 and |v|² by √3 · 10⁻⁶ < 2⁻¹⁹.
-    let roundoff = T::of_f32(4.0) * epsilon();
-    size(v.dot(v) - T::ONE) <= roundoff.at_least(T::of_f32(1.0 / 262_144.0))
+/// A vector of any length gives its direction. One of length 1 keeps its bits.
+fn direction<T: Real + Scalar>(v: [T; 3]) -> Result<UnitVec3<T>, &'static str> {
+    let [x, y, z] = v;
+    let v = vector(v).map_err(|_| "direction: a coordinate is not finite")?;
+    let unit = UnitVec3::new(x, y, z).or_else(|| v.unit());
+    unit.ok_or("direction: the zero vector has none; a vector of any other length will do")
 }
 
 fn checked<V, E: de::Error>(value: Option<V>, reason: &str) -> Result<V, E> {
@@ -65,24 +70,31 @@ struct RawAttenuation<T> {
     a: T,
     b: T,
     c: T,
-    #[serde(default)]
-    clamped: bool,
+    #[serde(default = "Option::default")]
+    limit: Option<T>,
     #[serde(default = "Option::default")]
     range: Option<T>,
-    #[serde(default)]
-    unsquared: bool,
+    #[serde(default = "Option::default")]
+    range_gltf: Option<T>,
 }
 
 impl<T: Real + Scalar + Serialize> Serialize for Attenuation<T> {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         let [a, b, c] = self.coefficients();
+        let some = |end: T| (end < T::MAX).then_some(end);
+        let range = some(self.range());
+        let [range, range_gltf] = if self.is_gltf() {
+            [None, range]
+        } else {
+            [range, None]
+        };
         RawAttenuation {
             a,
             b,
             c,
-            clamped: self.is_clamped(),
-            range: (self.range() < T::MAX).then_some(self.range()),
-            unsquared: self.is_unsquared(),
+            limit: some(self.limit()),
+            range,
+            range_gltf,
         }
         .serialize(to)
     }
@@ -93,16 +105,17 @@ impl<'de, T: Real + Scalar + Deserialize<'de>> Deserialize<'de> for Attenuation<
         const INVALID: &str = "attenuation: a, b and c must be finite, 0 or more, and not all 0";
         let raw = RawAttenuation::deserialize(from)?;
         let mut attenuation = checked(Self::new(raw.a, raw.b, raw.c), INVALID)?;
-        if let Some(r) = raw.range {
-            attenuation = checked(attenuation.within(r), "range: it must be above 0")?;
+        if let Some(limit) = raw.limit {
+            attenuation = checked(attenuation.clamped_to(limit), "limit: it must be above 0")?;
         }
-        if raw.clamped {
-            attenuation = attenuation.clamped();
+        match (raw.range, raw.range_gltf) {
+            (None, None) => Ok(attenuation),
+            (Some(r), None) => checked(attenuation.within(r), "range: it must be above 0"),
+            (None, Some(r)) => {
+                checked(attenuation.within_gltf(r), "range_gltf: it must be above 0")
+            }
+            (Some(_), Some(_)) => Err(de::Error::custom("range: write it or range_gltf, not both")),
         }
-        if raw.unsquared {
-            attenuation = attenuation.unsquared();
-        }
-        Ok(attenuation)
     }
 }
 
@@ -128,7 +141,7 @@ struct Edges<T> {
 impl<T: Real + Scalar + Serialize> Serialize for Cone<T> {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         let ([inner, outer], smoothstep) = (self.cosines(), self.is_smoothstep());
-        let raw = if inner == outer && !smoothstep {
+        let raw = if inner == outer {
             RawCone::Cosine(inner)
         } else {
             RawCone::Cosines(Edges {

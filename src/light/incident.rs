@@ -4,7 +4,7 @@ use core::ops::Mul;
 
 use crate::attenuation::Attenuation;
 use crate::cone::Cone;
-use crate::real::{Mask, Measured, Real, Toward, Select};
+use crate::real::{Dimmed, Mask, Measured, Real, Select, Toward, cold};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
@@ -18,11 +18,11 @@ pub(super) enum Kind {
     Spot,
 }
 
-/// The light that arrives at a point: a [`Light`](crate::Light), and the way to it.
+/// The light that arrives at a point: a [`Light`](crate::Light), and the vector to it.
 ///
-/// The method `at` of every light returns it for a point. The direction, the distance and the
+/// Each light's `at` returns one for a given point. The direction, the distance and the
 /// intensity are computed when you ask for them, so a light behind the surface costs a sum almost
-/// nothing.
+/// nothing. [`arrival`](IncidentLight::arrival) computes all three with a single root.
 ///
 /// Multiply it to change what arrives. A falloff, a beam or a filter of your own is a `map`:
 ///
@@ -39,7 +39,7 @@ pub(super) enum Kind {
 #[must_use]
 pub struct IncidentLight<T = f32> {
     /// From the point to the light, of any length.
-    way: Vec3<T>,
+    to_light: Vec3<T>,
     /// Before attenuation.
     intensity: Rgb<T>,
     attenuation: Attenuation<T>,
@@ -48,23 +48,39 @@ pub struct IncidentLight<T = f32> {
     pub(super) kind: Kind,
 }
 
-/// What the sums need to know of an [`IncidentLight`].
-pub(crate) struct Arriving<T> {
-    /// A vector in the direction of L.
-    pub(crate) way: Measured<T>,
-    pub(crate) n_dot_l: T,
-    /// Before attenuation.
-    pub(crate) color: Rgb<T>,
-    /// What attenuates it.
-    pub(crate) factor: T,
+/// What arrives at a point from one light: L, I and q, for a reflection of your own.
+///
+/// ```
+/// use shading::f32::{Attenuation, IncidentLight, PointLight, Rgb, UnitVec3, Vec3};
+///
+/// /// A surface that is lit from behind, too: half of I (1 + N·L).
+/// fn wrapped(n: UnitVec3, light: IncidentLight) -> Rgb {
+///     let arrival = light.arrival();
+///     arrival.intensity * (0.5 + 0.5 * n.dot(arrival.l))
+/// }
+///
+/// let position = Vec3::new(0.0, 0.0, 2.0);
+/// let lamp = PointLight { position, intensity: Rgb::WHITE, attenuation: Attenuation::NONE };
+/// assert_eq!(wrapped(UnitVec3::Z, lamp.at(Vec3::ZERO)), Rgb::WHITE);
+/// assert_eq!(lamp.at(Vec3::ZERO).arrival().distance, 2.0);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
+pub struct Arrival<T = f32> {
+    /// L, as [`IncidentLight::l`].
+    pub l: UnitVec3<T>,
+    /// I, as [`IncidentLight::intensity`].
+    pub intensity: Rgb<T>,
+    /// q, as [`IncidentLight::distance`].
+    pub distance: T,
 }
 
 impl<T: Real> IncidentLight<T> {
-    /// Of a lamp: it has a cone that nobody looks at.
+    /// For a point light. Its cone is never read.
     #[inline(always)]
-    pub(super) fn new(way: Vec3<T>, intensity: Rgb<T>, attenuation: Attenuation<T>) -> Self {
+    pub(super) fn new(to_light: Vec3<T>, intensity: Rgb<T>, attenuation: Attenuation<T>) -> Self {
         Self {
-            way,
+            to_light,
             intensity,
             attenuation,
             axis: UnitVec3::Z,
@@ -73,10 +89,10 @@ impl<T: Real> IncidentLight<T> {
         }
     }
 
-    /// Where N·L > 0. N·(the way to the light) has the sign of N·L and needs no root.
+    /// Where N·L > 0. N·(the vector to the light) has the sign of N·L and needs no root.
     #[inline]
     pub(crate) fn in_front(&self, n: UnitVec3<T>) -> T::Mask {
-        T::faces(*n, self.way)
+        T::faces(*n, self.to_light)
     }
 
     /// Whether the light comes from the front of a surface with the normal N. Otherwise it adds
@@ -93,12 +109,45 @@ impl<T: Real> IncidentLight<T> {
         self.in_front(n).any()
     }
 
+    /// L, I and q by one root. Each has the bits of [`l`](IncidentLight::l),
+    /// [`intensity`](IncidentLight::intensity) and [`distance`](IncidentLight::distance), which are
+    /// shorter to write where you need only one.
+    #[doc(alias("incoming", "irradiance"))]
+    #[inline]
+    pub fn arrival(&self) -> Arrival<T> {
+        if self.kind == Kind::Directional {
+            return Arrival {
+                l: UnitVec3::assume_unit(self.to_light),
+                intensity: self.intensity,
+                distance: T::MAX,
+            };
+        }
+        let measured = T::measured(self.to_light);
+        let Measured {
+            w,
+            w_length,
+            length,
+        } = measured;
+        let (mut l, mut light) = (w / w_length, self.dimmed(&measured));
+        let is_somewhere = w_length.above(T::ZERO);
+        if !is_somewhere.all() {
+            cold();
+            l = Vec3::select(is_somewhere, l, *UnitVec3::Z);
+            light.factor = is_somewhere.select(light.factor, T::ZERO);
+        }
+        Arrival {
+            l: UnitVec3::assume_unit(l),
+            intensity: light.multiplied().finite(),
+            distance: length.at_most(T::MAX),
+        }
+    }
+
     /// L, the direction from the surface **to** the light; the z axis if there is none.
     #[inline]
     pub fn l(&self) -> UnitVec3<T> {
         match self.kind {
-            Kind::Directional => UnitVec3::assume_unit(self.way),
-            _ => self.way.unit_or(UnitVec3::Z),
+            Kind::Directional => UnitVec3::assume_unit(self.to_light),
+            _ => self.to_light.unit_or(UnitVec3::Z),
         }
     }
 
@@ -112,58 +161,49 @@ impl<T: Real> IncidentLight<T> {
     pub fn distance(&self) -> T {
         match self.kind {
             Kind::Directional => T::MAX,
-            _ => self.way.length().at_most(T::MAX),
+            _ => self.to_light.length().at_most(T::MAX),
         }
     }
 
     /// I as it arrives: attenuated, and 0 outside a spot's cone.
     #[inline]
     pub fn intensity(&self) -> Rgb<T> {
-        if self.kind == Kind::Directional {
-            return self.intensity;
-        }
-        let measured = T::measured(self.way);
-        let is_somewhere = measured.w_length.above(T::ZERO);
-        let (color, factor) = self.dimmed(&measured);
-        let factor = is_somewhere.select(factor, T::ZERO);
-        (color * factor).finite()
+        self.arrival().intensity
     }
 
+    /// What a sum needs: the vector to the light, and the light before N·L.
     #[inline(always)]
-    pub(crate) fn arriving(&self, n: UnitVec3<T>) -> Arriving<T> {
+    pub(crate) fn toward(&self, n: UnitVec3<T>) -> (Toward<T>, Dimmed<T>) {
         if self.kind == Kind::Directional {
-            let way = Measured {
-                w: self.way,
+            let measured = Measured {
+                w: self.to_light,
                 w_length: T::ONE,
                 length: T::MAX,
             };
-            let n_dot_v = n.dot(self.way);
-            return Arriving {
-                way,
-                n_dot_l: T::cosine(*n, &Toward { way, n_dot_v }),
+            let toward = Toward {
+                measured,
+                n_dot_w: n.dot(self.to_light),
+            };
+            let light = Dimmed {
                 color: self.intensity,
                 factor: T::ONE,
             };
+            return (toward, light);
         }
-        let toward = T::toward(*n, self.way);
-        let (color, factor) = self.dimmed(&toward.way);
-        Arriving {
-            way: toward.way,
-            n_dot_l: T::cosine(*n, &toward),
-            color,
-            factor,
-        }
+        let toward = T::toward(*n, self.to_light);
+        let light = self.dimmed(&toward.measured);
+        (toward, light)
     }
 
-    /// I after the distance and the cone.
+    /// The light after the distance and the cone.
     #[inline(always)]
-    fn dimmed(&self, to_light: &Measured<T>) -> (Rgb<T>, T) {
-        let (color, factor) = self.attenuation.dimmed(self.intensity, to_light.length);
+    fn dimmed(&self, measured: &Measured<T>) -> Dimmed<T> {
+        let (v, q) = (self.to_light, measured.length);
+        let light = self.attenuation.dimmed(self.intensity, v, q);
         if self.kind == Kind::Spot {
-            let cosine = (-self.axis).dot(to_light.w) / to_light.w_length;
-            T::within((color, factor), self.cone.share(cosine))
+            self.cone.dimmed(light, self.axis, v, measured)
         } else {
-            (color, factor)
+            light
         }
     }
 
@@ -171,15 +211,17 @@ impl<T: Real> IncidentLight<T> {
     /// it, or take one of several lanes.
     #[inline]
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> IncidentLight<U> {
-        let (way, intensity) = (self.way.map(&mut f), self.intensity.map(&mut f));
-        let mut light = IncidentLight::new(way, intensity, self.attenuation.cast(&mut f));
-        (light.axis, light.cone) = (self.axis.cast(&mut f), self.cone.cast(f));
+        let (to_light, intensity) = (self.to_light.map(&mut f), self.intensity.map(&mut f));
+        let mut light = IncidentLight::new(to_light, intensity, self.attenuation.cast(&mut f));
         light.kind = self.kind;
+        if self.kind == Kind::Spot {
+            (light.axis, light.cone) = (self.axis.cast(&mut f), self.cone.cast(f));
+        }
         light
     }
 }
 
-/// What arrives, dimmed or brightened.
+/// Scales the light that arrives.
 impl<T: Real> Mul<T> for IncidentLight<T> {
     type Output = Self;
     #[inline]
@@ -188,12 +230,22 @@ impl<T: Real> Mul<T> for IncidentLight<T> {
     }
 }
 
-/// What arrives through a colored filter. A channel that overflows is the largest finite number.
+/// What arrives through a colored filter. A channel that overflows is the largest finite number, and a
+/// black one stays black.
+///
+/// ```
+/// use shading::f32::{DirectionalLight, Rgb, UnitVec3, Vec3};
+///
+/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::new(0.0, 1.0, 2.0) };
+/// let filtered = sun.at(Vec3::ZERO) * Rgb::new(f32::INFINITY, f32::INFINITY, 0.5);
+/// assert_eq!(filtered.intensity(), Rgb::new(0.0, f32::MAX, 1.0));
+/// ```
 impl<T: Real> Mul<Rgb<T>> for IncidentLight<T> {
     type Output = Self;
     #[inline]
     fn mul(mut self, filter: Rgb<T>) -> Self {
-        self.intensity = (self.intensity * filter).finite();
+        // a filter of ∞ times 0 would be NaN
+        self.intensity = (self.intensity * filter.finite()).finite();
         self
     }
 }

@@ -8,9 +8,8 @@ use crate::real::Real;
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
-pub(crate) use incident::Arriving;
-pub use incident::IncidentLight;
 use incident::Kind;
+pub use incident::{Arrival, IncidentLight};
 
 /// A light so far away, such as the sun, that its direction is the same everywhere. It is not
 /// attenuated.
@@ -125,8 +124,8 @@ impl<T: Real> PointLight<T> {
     /// ```
     #[inline]
     pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
-        let way = self.position - Vec3::from(p.into());
-        IncidentLight::new(way, self.intensity, self.attenuation)
+        let to_light = self.position - Vec3::from(p.into());
+        IncidentLight::new(to_light, self.intensity, self.attenuation)
     }
 
     /// The same light in another number type. `f` converts each number and may only round it.

@@ -1,7 +1,7 @@
-//! Lengths and directions that neither overflow nor vanish: the defaults of [`Real`]'s methods for
+//! Lengths and directions that neither overflow nor vanish: the defaults of [`Real`]'s hooks for
 //! vectors.
 
-use super::{Exponent, Measured, Real, Select};
+use super::{Lobe, Measured, Real, Select, Toward};
 use crate::triple::Vec3;
 
 #[inline(always)]
@@ -14,26 +14,45 @@ pub(super) fn measured<T: Real>(v: Vec3<T>) -> Measured<T> {
     plain(v, square)
 }
 
-/// [`Real::toward`] with n·w, which is the product that told that v faces the surface, unless v had to
-/// be scaled.
-#[cfg(any(target_arch = "arm", target_arch = "riscv32"))]
+/// n·w is the product that told that v faces the surface, unless v had to be scaled.
 #[inline(always)]
-pub(super) fn toward<T: Real>(n: Vec3<T>, v: Vec3<T>) -> super::Toward<T> {
+pub(super) fn toward<T: Real>(n: Vec3<T>, v: Vec3<T>) -> Toward<T> {
     let square = T::dot(v, v);
-    let (way, n_dot_v) = if is_extreme(square) {
+    let (measured, n_dot_w) = if is_extreme(square) {
         cold();
-        let way = rescued(v, square);
-        (way, T::dot(n, way.w))
+        let measured = rescued(v, square);
+        (measured, T::dot(n, measured.w))
     } else {
         (plain(v, square), T::dot(n, v))
     };
-    super::Toward { way, n_dot_v }
+    Toward { measured, n_dot_w }
+}
+
+/// The cosine between n and w.
+#[inline(always)]
+pub(crate) fn cosine<T: Real>(n_dot_w: T, w_length: T) -> T {
+    // w that overflowed gives ∞, and its light is black
+    (n_dot_w / w_length).at_least(T::ZERO).at_most(T::ONE)
+}
+
+/// The power of the cosine between n and h = w + |w| v from its square, which needs no root.
+#[inline(always)]
+pub(super) fn halfway_power<T: Real>(
+    n: Vec3<T>,
+    Measured { w, w_length, .. }: Measured<T>,
+    v: Vec3<T>,
+    m: impl Lobe<T>,
+) -> T {
+    let h = w + v * w_length;
+    let n_dot_h = T::dot(n, h);
+    let power = m.raise_quotient(n_dot_h * n_dot_h, T::dot(h, h));
+    n_dot_h.above(T::ZERO).select(power, T::ZERO)
 }
 
 /// Marks a path as rare, so that the compiler does not compute it beside the other and choose.
 #[cold]
 #[inline]
-const fn cold() {}
+pub(crate) const fn cold() {}
 
 #[inline(always)]
 fn plain<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
@@ -63,27 +82,15 @@ fn rescued<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
     }
 }
 
-/// The power of the cosine between n and v, from the square of the cosine, which needs no root.
-#[inline(always)]
-pub(super) fn cosine_power<T: Real>(n: Vec3<T>, v: Vec3<T>, m: impl Exponent<T>) -> T {
-    let n_dot_v = T::dot(n, v);
-    let cosine_squared = n_dot_v * n_dot_v / T::dot(v, v);
-    // at most 1; 0/0 counts as 1, too
-    let cosine_squared = T::ONE.above(cosine_squared).select(cosine_squared, T::ONE);
-    n_dot_v.above(T::ZERO).select(m.raise_root(cosine_squared),
-        T::ZERO,
-    )
-}
-
 /// The vector from `origin` to `v`, times a power of two that makes it fit for squares and products.
 #[inline(always)]
 pub(crate) fn tamed<T: Real>(v: Vec3<T>, origin: Vec3<T>) -> Vec3<T> {
-    let way = v - origin;
-    let square = T::dot(way, way);
+    let from_origin = v - origin;
+    let square = T::dot(from_origin, from_origin);
     if is_extreme(square) {
         tamed_by(v, origin, square).0
     } else {
-        way
+        from_origin
     }
 }
 
@@ -93,8 +100,9 @@ pub(crate) fn tamed<T: Real>(v: Vec3<T>, origin: Vec3<T>) -> Vec3<T> {
 /// (`f64`) of the largest one, which is far below the unit roundoff.
 #[inline(always)]
 fn tamed_by<T: Real>(v: Vec3<T>, origin: Vec3<T>, square: T) -> (Vec3<T>, T) {
-    let grow = (T::ONE / T::EXTREME).above(square).select(T::EXTREME, T::ONE);
-    let power = T::EXTREME.above(square).select(grow, T::ONE / T::EXTREME);
+    let least = T::ONE / T::EXTREME;
+    let grow = least.above(square).select(T::EXTREME, T::ONE);
+    let power = T::EXTREME.above(square).select(grow, least);
     // scaled down before the subtraction, which may overflow, and up after it, because the points
     // may be far from the origin
     let (shrink, grow) = (power.at_most(T::ONE), power.at_least(T::ONE));

@@ -1,18 +1,23 @@
 //! The number type that every formula is written over.
 
-mod exponent;
+pub(crate) mod falloff;
 mod float;
-mod length;
+mod known;
+pub(crate) mod length;
+mod lobe;
 pub(crate) mod power;
+mod root;
+mod soft;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::triple::{Rgb, Vec3};
 
-pub use exponent::Exponent;
-pub(crate) use exponent::{by_squaring, shininess};
-pub(crate) use float::const_sqrt;
-pub(crate) use length::{is_extreme, tamed};
+pub(crate) use known::{constant, epsilon, least, parts, whole};
+pub(crate) use length::{cold, is_extreme, tamed};
+pub use lobe::Lobe;
+pub(crate) use lobe::{by_squaring, shininess};
+pub(crate) use root::const_sqrt;
 
 /// A real number: `f32`, `f64`, a dual number, a set of SIMD lanes, or a type of your own.
 ///
@@ -33,15 +38,21 @@ pub(crate) use length::{is_extreme, tamed};
 ///
 /// # A number of your own
 ///
-/// Write the items without a default. The other methods are derived from them; override one if a
-/// processor has a better way to the same result.
+/// Write the items without a default: two types, five constants and three functions. For a scalar, the
+/// types are `type Mask = bool;` and `type Sum = Rgb<Self>;`.
 ///
 /// - No operation may panic. A division by zero may give any number.
 /// - If the operations round correctly, results have the same bits on every machine, and the error
 ///   bounds of [`guide::precision`](mod@crate::guide::precision) hold in units of the type's
-///   roundoff. If they do not, nothing else is lost.
+///   roundoff. Otherwise, everything but these two guarantees still holds.
 ///
-/// [`guide::numbers`](mod@crate::guide::numbers) has a complete one, and says how to test it.
+/// The methods from [`of_f32`](Real::of_f32) to [`finite`](Real::finite) are derived; override one if a
+/// processor has a better way to the same result. Those from [`dot`](Real::dot) on are **hooks**: each
+/// computes several operations at once. A number overrides one to keep digits between them, as fixed
+/// point must, or to choose another order. What wraps a number, as [`Dual`](crate::Dual) does, calls the
+/// hooks of the number inside.
+///
+/// [`guide::numbers`](mod@crate::guide::numbers) has a complete number, and says how to test it.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a number type that this crate computes with",
     label = "expected `f32`, `f64`, `Dual<_>` or SIMD lanes",
@@ -57,7 +68,7 @@ pub trait Real:
 {
     /// Where a comparison holds: `bool`, or one for each lane.
     type Mask: Mask + Select<Self>;
-    /// What a sum over lights is held in: the number, or one with more digits.
+    /// What a sum over lights is held in: `Rgb<Self>`, or a sum with more digits.
     type Sum: LightSum<Self>;
 
     /// Zero.
@@ -76,7 +87,7 @@ pub trait Real:
     /// `f32` p is 2¹⁰⁰ and for `f64` 2⁷²⁰.
     const EXTREME: Self;
 
-    /// The number nearest to a literal, an `f64`, so that users of `f64` lose nothing.
+    /// Converts an `f64` literal to the nearest number.
     #[must_use]
     fn of(literal: f64) -> Self;
 
@@ -88,8 +99,6 @@ pub trait Real:
     #[doc(alias("gt", "greater"))]
     #[must_use]
     fn above(self, other: Self) -> Self::Mask;
-
-    // the methods below are derived
 
     /// The number nearest to a single-precision literal, for processors without double precision,
     /// such as many GPUs.
@@ -124,93 +133,6 @@ pub trait Real:
         !self.above(low).all() || !high.above(self).all()
     }
 
-    /// The dot product of two vectors, a.x b.x + a.y b.y + a.z b.z. Its sign decides whether a light is
-    /// in front of a surface. A number of even precision may round once, and keep the sign.
-    #[inline(always)]
-    #[must_use]
-    fn dot(a: Vec3<Self>, b: Vec3<Self>) -> Self {
-        a.x * b.x + a.y * b.y + a.z * b.z
-    }
-
-    // the methods below are for numbers whose precision is not relative, as that of fixed point is not
-
-    /// The direction of v, not yet divided by its length, and the length of v.
-    ///
-    /// For a float, w is v, or v times a power of two if the square of v is out of range. A fixed-point
-    /// type may divide by |v| here, and return 1 for |w|.
-    #[inline(always)]
-    #[must_use]
-    fn measured(v: Vec3<Self>) -> Measured<Self> {
-        length::measured(v)
-    }
-
-    /// Where v points to the front of a surface with the normal n: where n·v > 0, to the last bit.
-    #[inline(always)]
-    #[must_use]
-    fn faces(n: Vec3<Self>, v: Vec3<Self>) -> Self::Mask {
-        Self::dot(n, v).above(Self::ZERO)
-    }
-
-    /// [`measured`](Real::measured), with what [`cosine`](Real::cosine) may want to know of n·v. It is
-    /// called where v [faces](Real::faces) the surface, so v is not zero there.
-    #[inline(always)]
-    #[must_use]
-    fn toward(n: Vec3<Self>, v: Vec3<Self>) -> Toward<Self> {
-        Toward {
-            way: Self::measured(v),
-            n_dot_v: Self::dot(n, v),
-        }
-    }
-
-    /// The cosine of the angle between a direction n and a vector, limited to 1.
-    ///
-    /// ```text
-    /// max(0, n·w/|w|)
-    /// ```
-    #[inline(always)]
-    #[must_use]
-    fn cosine(n: Vec3<Self>, toward: &Toward<Self>) -> Self {
-        // w that overflowed gives ∞, and its light is black
-        let cosine = Self::dot(n, toward.way.w) / toward.way.w_length;
-        cosine.at_least(Self::ZERO).at_most(Self::ONE)
-    }
-
-    /// The power of a number within [0, 1] by a whole number.
-    #[inline]
-    #[must_use]
-    fn whole_power(self, m: u32) -> Self {
-        by_squaring(self, m)
-    }
-
-    /// The power of the cosine between a direction n and a vector v of any length, limited to 1. It is
-    /// 0 if n·v ≤ 0 or if v is 0.
-    ///
-    /// ```text
-    /// max(0, n·v/|v|)ᵐ
-    /// ```
-    #[inline(always)]
-    #[must_use]
-    fn cosine_power(n: Vec3<Self>, v: Vec3<Self>, m: impl Exponent<Self>) -> Self {
-        length::cosine_power(n, v, m)
-    }
-
-    /// The power of the cosine between a direction n and the vector halfway between w and v, limited to
-    /// 1. It is 0 if that is not above 0 or if there is no such vector.
-    ///
-    /// ```text
-    /// max(0, n·h/|h|)ᵐ,  h = w + |w| v
-    /// ```
-    #[inline(always)]
-    #[must_use]
-    fn halfway_power(
-        n: Vec3<Self>,
-        w: Measured<Self>,
-        v: Vec3<Self>,
-        m: impl Exponent<Self>,
-    ) -> Self {
-        Self::cosine_power(n, w.w + v * w.w_length, m)
-    }
-
     /// The number, or [`MAX`](Real::MAX) if it is infinite or NaN.
     #[inline]
     #[must_use]
@@ -218,68 +140,134 @@ pub trait Real:
         Self::MAX.above(self).select(self, Self::MAX)
     }
 
-    /// A color of light and the factor, at most `limit`, that attenuates it at the distance q ≥ 0.
+    /// The dot product of two vectors. A fixed-point number may round it once, and keep its sign.
     ///
     /// ```text
-    /// color, min(limit, 1/(a + bq + cq²))
+    /// a.x b.x + a.y b.y + a.z b.z
     /// ```
-    ///
-    /// The factor is 0 if the denominator is negative or NaN. A number of even precision may
-    /// multiply the color at once, and return the factor 1.
     #[inline(always)]
     #[must_use]
-    fn attenuated(
-        color: Rgb<Self>,
-        [a, b, c]: [Self; 3],
-        q: Self,
-        limit: Self,
-    ) -> (Rgb<Self>, Self) {
-        let factor = Self::ONE / (a + q * (b + c * q));
-        let factor = if factor.any_outside(Self::ONE / Self::EXTREME, Self::ONE) {
-            factor.at_least(Self::ZERO).at_most(limit)
-        } else {
-            factor
-        };
-        (color, factor)
+    fn dot(a: Vec3<Self>, b: Vec3<Self>) -> Self {
+        a.x * b.x + a.y * b.y + a.z * b.z
     }
 
-    /// A color and its factor, times the window of a range r.
+    /// Where v points to the front of a surface with the normal n: where n·v > 0, to the last bit. It
+    /// decides which lights count, before any root.
+    #[inline(always)]
+    #[must_use]
+    fn faces(n: Vec3<Self>, v: Vec3<Self>) -> Self::Mask {
+        Self::dot(n, v).above(Self::ZERO)
+    }
+
+    /// The length of v, and its direction, not yet divided by a length: one root for both.
+    ///
+    /// For a float, w is v, or v times a power of two if the square of v is out of range. A
+    /// fixed-point number may divide by |v| here, and return 1 for |w|.
+    #[inline(always)]
+    #[must_use]
+    fn measured(v: Vec3<Self>) -> Measured<Self> {
+        length::measured(v)
+    }
+
+    /// [`measured`](Real::measured), and n·w, for a v that [faces](Real::faces) the surface.
+    #[inline(always)]
+    #[must_use]
+    fn toward(n: Vec3<Self>, v: Vec3<Self>) -> Toward<Self> {
+        length::toward(n, v)
+    }
+
+    /// The cosine of the angle between n and v, from what [`toward`](Real::toward) returned for the two.
+    /// A processor that would rather compute n·w late than keep it may do so here.
     ///
     /// ```text
-    /// max(0, 1 − (q/r)⁴)², or not squared
+    /// max(0, n·w/|w|), at most 1
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    fn cosine(_n: Vec3<Self>, toward: &Toward<Self>) -> Self {
+        length::cosine(toward.n_dot_w, toward.measured.w_length)
+    }
+
+    /// The power of a number within [0, 1] by a whole number; a number above 1 may count as 1.
+    ///
+    /// ```text
+    /// selfᵐ
+    /// ```
+    #[inline]
+    #[must_use]
+    fn whole_power(self, m: u32) -> Self {
+        by_squaring(self, m)
+    }
+
+    /// The lobe of the cosine between a direction n and the vector halfway between w and a direction v,
+    /// limited to 1. It is 0 if the cosine is not above 0, and if there is no such vector.
+    ///
+    /// ```text
+    /// max(0, n·h/|h|)ᵐ,  h = w + |w| v
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    fn halfway_power(n: Vec3<Self>, w: Measured<Self>, v: Vec3<Self>, m: impl Lobe<Self>) -> Self {
+        length::halfway_power(n, w, v, m)
+    }
+
+    /// A light after the distance q ≥ 0, with a factor of at most `limit`. The factor is 0 if the
+    /// denominator is negative or NaN.
+    ///
+    /// ```text
+    /// color · min(limit, 1/(a + bq + cq²))
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    fn attenuated(color: Rgb<Self>, coefficients: [Self; 3], q: Self, limit: Self) -> Dimmed<Self> {
+        let factor = falloff::attenuation(coefficients, q, limit);
+        Dimmed { color, factor }
+    }
+
+    /// A light times the window of a range r, which ends it at r. The light is at the end of the vector v, of
+    /// length q.
+    ///
+    /// ```text
+    /// light · max(0, 1 − (q/r)⁴)², or not squared
     /// ```
     #[inline(always)]
     #[must_use]
     fn windowed(
-        (color, factor): (Rgb<Self>, Self),
+        Dimmed { color, factor }: Dimmed<Self>,
+        _v: Vec3<Self>,
         q: Self,
         range: Self,
-        squared: Self,
-    ) -> (Rgb<Self>, Self) {
-        let share = q / range;
-        let square = share * share;
-        let root = (Self::ONE - square * square).at_least(Self::ZERO);
-        let window = squared.above(Self::ZERO).select(root * root, root);
-        let windowed = factor * window;
-        (color, Self::MAX.above(range).select(windowed, factor)) // in lanes, some may have no range
+        is_squared: Self::Mask,
+    ) -> Dimmed<Self> {
+        let factor = factor * falloff::window(q, range, is_squared);
+        Dimmed { color, factor }
     }
 
-    /// A color and its factor, times a share within [0, 1].
+    /// A light times the factor of a cone, given its axis, the cosines of its half-angles, inner ≥ outer, which
+    /// are equal for a hard edge, and the vector v to the light, of the direction w.
+    ///
+    /// ```text
+    /// light · t², or light · t²(3 − 2t) if it is smooth,
+    /// t = (−axis·w/|w| − outer)/(inner − outer) within [0, 1]
+    /// ```
     #[inline(always)]
     #[must_use]
-    fn within((color, factor): (Rgb<Self>, Self), share: Self) -> (Rgb<Self>, Self) {
-        (color, factor * share)
-    }
-
-    /// A factor times a share within [0, 1].
-    #[inline(always)]
-    #[must_use]
-    fn dimmed(factor: Self, share: Self) -> Self {
-        factor * share
+    fn beamed(
+        Dimmed { color, factor }: Dimmed<Self>,
+        axis: Vec3<Self>,
+        inner_and_outer: [Self; 2],
+        is_smooth: Self::Mask,
+        _v: Vec3<Self>,
+        Measured { w, w_length, .. }: &Measured<Self>,
+    ) -> Dimmed<Self> {
+        let cosine = Self::dot(-axis, *w) / *w_length;
+        let factor = factor * falloff::beam(cosine, inner_and_outer, is_smooth);
+        Dimmed { color, factor }
     }
 }
 
-/// A direction that is not yet divided by its length, with the length of the vector that it is from.
+/// The length of a vector v, and its direction, not yet divided by a length: what [`Real::measured`]
+/// gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured<T> {
     /// w, a vector in the direction of v. Its square, and those of its sums with vectors of its length,
@@ -291,38 +279,59 @@ pub struct Measured<T> {
     pub length: T,
 }
 
-/// A vector toward a light, seen from a surface.
+/// A vector that a surface with the normal n faces: what [`Real::toward`] gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Toward<T> {
-    /// The vector.
-    pub way: Measured<T>,
-    /// n·v, or what serves [`cosine`](Real::cosine) better.
-    pub n_dot_v: T,
+    /// The direction w and the length of the vector.
+    pub measured: Measured<T>,
+    /// n·w.
+    pub n_dot_w: T,
 }
 
-/// One channel of a sum over lights. Every number is one for itself.
+/// A light and the factor that dims it, not yet multiplied: a factor near 0 has few digits in fixed
+/// point. A number may multiply at once, and let the factor be 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dimmed<T> {
+    /// The light.
+    pub color: Rgb<T>,
+    /// The factor.
+    pub factor: T,
+}
+
+impl<T: Real> Dimmed<T> {
+    /// The light times its factor.
+    #[inline(always)]
+    pub(crate) fn multiplied(self) -> Rgb<T> {
+        self.color * self.factor
+    }
+}
+
+/// A sum over lights. For a float it is a color; a fixed-point number may hold it with more digits.
 pub trait LightSum<T>: Copy {
     /// No light.
     const DARK: Self;
-    /// self + light · factor, for a factor within [0, 1].
+    /// The sum plus a light times a cosine or a highlight within [0, 1].
+    ///
+    /// ```text
+    /// self + light.color · light.factor · cosine
+    /// ```
     #[must_use]
-    fn add(self, light: T, factor: T) -> Self;
-    /// The sum as a number; the largest, if it overflows.
-    #[must_use]
-    fn total(self) -> T;
+    fn add(self, light: Dimmed<T>, cosine: T) -> Self;
+    /// The sum as a color; the largest finite number in a channel that overflowed.
+    fn total(self) -> Rgb<T>;
 }
 
-impl<T: Real> LightSum<T> for T {
-    const DARK: Self = T::ZERO;
+impl<T: Real> LightSum<T> for Rgb<T> {
+    const DARK: Self = Self::new(T::ZERO, T::ZERO, T::ZERO);
 
     #[inline(always)]
-    fn add(self, light: T, factor: T) -> Self {
-        self + light * factor
+    fn add(self, Dimmed { color, factor }: Dimmed<T>, cosine: T) -> Self {
+        self + color * (factor * cosine)
     }
 
     #[inline(always)]
-    fn total(self) -> T {
-        self.finite()
+    fn total(self) -> Self {
+        self.map(T::finite)
     }
 }
 
@@ -343,7 +352,7 @@ pub trait Select<T> {
     ///
     /// ```
     /// use shading::{Real, Select};
-    /// assert_eq!(0.0.above(0.0).select(10.0, 20.0), 20.0);
+    /// assert_eq!(0.0_f32.above(0.0).select(10, 20), 20);
     /// ```
     #[must_use]
     fn select(self, then: T, otherwise: T) -> T;
@@ -387,29 +396,6 @@ impl<T: PartialOrd> Scalar for T {}
 
 /// |x|
 #[inline]
-pub(crate) fn size<T: Real>(x: T) -> T {
+pub(crate) fn magnitude<T: Real>(x: T) -> T {
     x.at_least(-x)
-}
-
-/// ε, the distance from 1 to the next number above: in any binary float, 4/3 is rounded by a third
-/// of it (Kahan).
-#[inline]
-pub(crate) fn epsilon<T: Real>() -> T {
-    let three = T::ONE + T::ONE + T::ONE;
-    size(three * ((T::ONE + three) / three - T::ONE) - T::ONE)
-}
-
-/// A constant as the sum of three numbers in single precision, split by the compiler.
-/// `constant(const { parts(PI) })` uses no `f64` on the path of `f32`.
-#[inline]
-pub(crate) fn constant<T: Real>([first, second, third]: [f32; 3]) -> T {
-    T::of_f32(first) + T::of_f32(second) + T::of_f32(third)
-}
-
-#[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
-pub(crate) const fn parts(constant: f64) -> [f32; 3] {
-    let first = constant as f32;
-    let rest = constant - first as f64;
-    let second = rest as f32;
-    [first, second, (rest - second as f64) as f32]
 }

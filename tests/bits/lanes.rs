@@ -4,7 +4,7 @@ use kit::digest::{Each, Fnv};
 use kit::places::places;
 use kit::{Float, Given};
 use shading::{
-    Exponent, IncidentLight, Lanes, Material, PointLight, Real, Rgb, Shaded, SpotLight, shade,
+    IncidentLight, Lanes, Lobe, Material, PointLight, Real, Rgb, Shaded, SpotLight, shade,
 };
 use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8};
 
@@ -22,7 +22,7 @@ fn bits_of_lights_in_lanes_are_as_pinned() {
     crate::assert_pinned("lanes.txt", include_str!("lanes.txt"), lines.into_iter());
 }
 
-fn digest<L: Lanes<Lane: Float + Exponent<L>>>() -> u64 {
+fn digest<L: Lanes<Lane: Float + Lobe<L>>>() -> u64 {
     let mut digest = Fnv::EMPTY;
     for given in places::<L::Lane>() {
         // lamps in a row, the last pack not full, and spots that differ in kind
@@ -56,7 +56,7 @@ fn splat<L: Lanes>(x: L::Lane) -> L {
     L::from_fn(|_| x)
 }
 
-fn shaded<L: Lanes<Lane: Float + Exponent<L>>>(
+fn shaded<L: Lanes<Lane: Float + Lobe<L>>>(
     given: &Given<L::Lane>,
     lights: impl Iterator<Item = IncidentLight<L>>,
 ) -> Shaded<L::Lane> {

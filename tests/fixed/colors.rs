@@ -74,10 +74,10 @@ impl Shares<'_> {
         let attenuation = Attenuation::new(a, b, c)?;
         let denominator = 1.0 / attenuation.cast(exact).at(q);
         let intensity = color.map(|x| Fixed::new(exact(x) * denominator));
-        let ranged = attenuation.within(Fixed::new((q * range).max(1.0)))?;
+        let range = Fixed::new((q * range).max(1.0));
         let attenuation = match kind {
-            0.4..0.55 => ranged,
-            0.55..0.7 => ranged.unsquared(),
+            0.4..0.55 => attenuation.within(range)?,
+            0.55..0.7 => attenuation.within_gltf(range)?,
             _ => attenuation,
         };
         let point = PointLight {

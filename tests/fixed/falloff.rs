@@ -1,7 +1,7 @@
 //! What distance leaves of a light.
 
 use shading::fixed::{Attenuation, Fixed, PointLight, Rgb, Vec3};
-use shading::{Real, attenuation};
+use shading::{Dimmed, Real, attenuation};
 
 use crate::{Random, exact, steps};
 
@@ -38,7 +38,11 @@ fn attenuated_colors_are_near_the_exact_ones() {
             continue;
         }
         let expected = exact(color) / d;
-        let (actual, factor) = Fixed::attenuated(Rgb::gray(color), [a, b, c], q, Fixed::MAX); let actual = actual.r * factor;
+        let Dimmed {
+            color: actual,
+            factor,
+        } = Fixed::attenuated(Rgb::gray(color), [a, b, c], q, Fixed::MAX);
+        let actual = actual.r * factor;
         let error = steps(actual) - (65536.0 * expected).min(steps(Fixed::MAX));
         let of_denominator = if d > 0.999 {
             expected / d * (1.0 + wide_q / 2.0)
@@ -53,7 +57,11 @@ fn attenuated_colors_are_near_the_exact_ones() {
             error.abs() <= bound,
             "{color} at {q} of {a}, {b}, {c}: {error} steps of {bound}"
         );
-        let (clamped, factor) = Fixed::attenuated(Rgb::gray(color), [a, b, c], q, Fixed::ONE); let clamped = clamped.r * factor;
+        let Dimmed {
+            color: clamped,
+            factor,
+        } = Fixed::attenuated(Rgb::gray(color), [a, b, c], q, Fixed::ONE);
+        let clamped = clamped.r * factor;
         let error = (clamped - actual.at_most(color)).to_bits().abs();
         assert!(error <= 1 + color.to_bits() / 65536);
     }
@@ -89,20 +97,20 @@ fn falloff_ends_where_the_formula_has_no_answer() {
 fn cast_keeps_an_attenuation_valid() {
     let faint = shading::f64::Attenuation::new(0.0, 0.0, 7e-6).unwrap();
     let cast = faint.cast(Fixed::new);
-    let least = Fixed::from_bits(2); // 1/MAX
+    let least = Fixed::from_bits(1);
     assert_eq!(cast.coefficients(), [x(0.0), x(0.0), least]);
     let near = shading::f64::Attenuation::new(0.0, 0.0, 0.25)
         .unwrap()
-        .within(8.0)
+        .within_gltf(8.0)
         .unwrap();
-    let near = near.clamped().unsquared().cast(Fixed::new);
+    let near = near.clamped().cast(Fixed::new);
     assert_eq!(near.coefficients(), [x(0.0), x(0.0), x(0.25)]);
     assert_eq!(
-        (near.range(), near.is_clamped(), near.is_unsquared()),
-        (x(8.0), true, true)
+        (near.range(), near.limit(), near.is_gltf()),
+        (x(8.0), x(1.0), true)
     );
     let endless = faint.cast(Fixed::new);
-    assert_eq!((endless.range(), endless.is_clamped()), (Fixed::MAX, false));
+    assert_eq!((endless.range(), endless.limit()), (Fixed::MAX, Fixed::MAX));
 }
 
 /// Sweeps the hundred distances from many on: no light is brighter than a nearer one by more than a level.

@@ -1,7 +1,7 @@
 //! Operators, roots, powers and conversions.
 
 use shading::fixed::{Fixed, Rgb};
-use shading::{Elementary, Exponent, Real, Select};
+use shading::{Elementary, Lobe, Real, Select};
 
 use crate::{Random, edges, exact, steps};
 

@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use kit::row::{saddle, torus};
 use shading::{
-    Attenuation, Cone, DirectionalLight, Dual, Elementary, Exponent, IncidentLight, Material,
+    Attenuation, Cone, DirectionalLight, Dual, Elementary, IncidentLight, Lobe, Material,
     PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, normal, shade, term,
 };
 
@@ -197,7 +197,7 @@ pub trait Number: Elementary + PartialOrd + Into<f32> + Value {}
 
 impl Number for f32 {}
 
-pub trait Float: Number + Exponent<Self> {}
+pub trait Float: Number + Lobe<Self> {}
 
 impl Float for f32 {}
 

@@ -18,7 +18,7 @@ use std::mem::transmute;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::time::{Duration, Instant};
 
-use shading::{Attenuation, Material, PointLight, Real, Rgb, UnitVec3, Vec3, shade};
+use shading::{Attenuation, Mask, Material, PointLight, Real, Rgb, Select, UnitVec3, Vec3, shade};
 use wide::f32x8;
 
 const COUNT: usize = 8;
@@ -59,6 +59,9 @@ impl Neg for Lanes {
 }
 
 impl Real for Lanes {
+    type Mask = Above;
+    type Sum = Rgb<Self>;
+
     const ZERO: Self = Self::all(0.0);
     const ONE: Self = Self::all(1.0);
     const NEG_ONE: Self = Self::all(-1.0);
@@ -76,21 +79,31 @@ impl Real for Lanes {
     }
 
     #[inline(always)]
-    fn if_positive(self, then: Self, otherwise: Self) -> Self {
-        self.if_above(Self::ZERO, then, otherwise)
+    fn above(self, other: Self) -> Above {
+        Above(unsafe { _mm256_cmp_ps::<_CMP_GT_OQ>(self.0, other.0) })
+    }
+}
+
+/// The lanes in which a comparison holds.
+#[derive(Clone, Copy)]
+struct Above(__m256);
+
+impl Mask for Above {
+    #[inline(always)]
+    fn any(self) -> bool {
+        unsafe { _mm256_movemask_ps(self.0) != 0 }
     }
 
     #[inline(always)]
-    fn any_positive(self) -> bool {
-        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_GT_OQ>(self.0, Self::ZERO.0)) != 0 }
+    fn all(self) -> bool {
+        unsafe { _mm256_movemask_ps(self.0) == 0xFF }
     }
+}
 
+impl Select<Lanes> for Above {
     #[inline(always)]
-    fn if_above(self, threshold: Self, then: Self, otherwise: Self) -> Self {
-        Self(unsafe {
-            let above = _mm256_cmp_ps::<_CMP_GT_OQ>(self.0, threshold.0);
-            _mm256_blendv_ps(otherwise.0, then.0, above)
-        })
+    fn select(self, then: Lanes, otherwise: Lanes) -> Lanes {
+        Lanes(unsafe { _mm256_blendv_ps(otherwise.0, then.0, self.0) })
     }
 }
 

@@ -206,8 +206,10 @@ impl Scene {
 
     fn shaded(&self, p: Vec3, n: UnitVec3, v: UnitVec3, material: &Material) -> Shaded {
         let start = p + *n * 2e-3; // off the surface, so that it does not shadow itself
-        let is_blocked =
-            |light: &IncidentLight| self.is_blocked(start, light.l(), light.distance());
+        let is_blocked = |light: &IncidentLight| {
+            let arrival = light.arrival();
+            self.is_blocked(start, arrival.l, arrival.distance)
+        };
         let lights = self.lights.iter().map(|light| light.at(p));
         let lit = lights.filter(|light| light.is_in_front(n) && !is_blocked(light));
         match self.model {

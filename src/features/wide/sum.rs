@@ -44,11 +44,11 @@ impl<L: Lanes> Shaded<L> {
     ///
     /// /// Whether a ball of radius 1 around (0, 0, 3) stands between p and the light.
     /// fn is_blocked(p: Vec3, light: &IncidentLight) -> bool {
-    ///     let to_center = Vec3::new(0.0, 0.0, 3.0) - p;
-    ///     let along = to_center.dot(light.l());
+    ///     let (to_center, arrival) = (Vec3::new(0.0, 0.0, 3.0) - p, light.arrival());
+    ///     let along = to_center.dot(arrival.l);
     ///     let aside_squared = to_center.dot(to_center) - along * along;
     ///     let t = along - (1.0 - aside_squared).sqrt(); // NaN where the ray misses the ball
-    ///     0.0 < t && t < light.distance()
+    ///     0.0 < t && t < arrival.distance
     /// }
     ///
     /// /// These lights, black where they are behind the surface or in shadow.

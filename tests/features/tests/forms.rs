@@ -34,24 +34,25 @@ fn parts() {
     let falling = Attenuation::new(1.0, 0.0, 0.25).unwrap();
     let within = falling.within(8.0).unwrap();
     is(&falling,
-       r#"{"a":1.0,"b":0.0,"c":0.25,"clamped":false,"range":null,"unsquared":false}"#,
-       "(a:1.0,b:0.0,c:0.25,clamped:false,range:None,unsquared:false)");
-    is(&within.clamped().unsquared(),
-       r#"{"a":1.0,"b":0.0,"c":0.25,"clamped":true,"range":8.0,"unsquared":true}"#,
-       "(a:1.0,b:0.0,c:0.25,clamped:true,range:Some(8.0),unsquared:true)");
+       r#"{"a":1.0,"b":0.0,"c":0.25,"limit":null,"range":null,"range_gltf":null}"#,
+       "(a:1.0,b:0.0,c:0.25,limit:None,range:None,range_gltf:None)");
+    is(&falling.within_gltf(8.0).unwrap().clamped(),
+       r#"{"a":1.0,"b":0.0,"c":0.25,"limit":1.0,"range":null,"range_gltf":8.0}"#,
+       "(a:1.0,b:0.0,c:0.25,limit:Some(1.0),range:None,range_gltf:Some(8.0))");
     reads(r#"{"c": 0.25, "a": 1, "b": 0}"#, "(c: 0.25, b: 0, a: 1)", &falling);
     reads("[1, 0, 0.25]", "Attenuation(a: 1, b: 0, c: 0.25)", &falling);
     let implicit = "#![enable(implicit_some)] (a: 1, b: 0, c: 0.25, range: 8)";
-    reads("[1, 0, 0.25, false, 8]", implicit, &within);
+    reads("[1, 0, 0.25, null, 8]", implicit, &within);
 
     let hard = Cone::from_cosine(0.5).unwrap();
     is(&hard, r#"{"cosine":0.5}"#, "cosine(0.5)");
     is(&Cone::from_cosines(0.875, 0.5).unwrap(),
        r#"{"cosines":{"inner":0.875,"outer":0.5,"smoothstep":false}}"#,
        "cosines((inner:0.875,outer:0.5,smoothstep:false))");
-    is(&hard.smoothstep(),
-       r#"{"cosines":{"inner":0.5,"outer":0.5,"smoothstep":true}}"#,
-       "cosines((inner:0.5,outer:0.5,smoothstep:true))");
+    is(&Cone::from_cosines(0.875, 0.5).unwrap().smoothstep(),
+       r#"{"cosines":{"inner":0.875,"outer":0.5,"smoothstep":true}}"#,
+       "cosines((inner:0.875,outer:0.5,smoothstep:true))");
+    is(&hard.smoothstep(), r#"{"cosine":0.5}"#, "cosine(0.5)");
     let of_angle = Cone::from_half_angle(0.75).unwrap();
     reads(r#"{"half_angle": 0.75}"#, "half_angle(0.75)", &of_angle);
     let of_angles = Cone::from_half_angles(0.25, 0.75).unwrap();
@@ -71,10 +72,10 @@ fn lights_are_maps_named_by_their_kind() {
     };
     let json = concat!(
         r#"{"position":[2.0,-1.5,0.5],"intensity":[1.0,0.5,0.25],"attenuation":"#,
-        r#"{"a":1.0,"b":0.0,"c":0.25,"clamped":false,"range":8.0,"unsquared":false}}"#
+        r#"{"a":1.0,"b":0.0,"c":0.25,"limit":null,"range":8.0,"range_gltf":null}}"#
     );
     let ron = "(position:(2.0,-1.5,0.5),intensity:(1.0,0.5,0.25),attenuation:\
-               (a:1.0,b:0.0,c:0.25,clamped:false,range:Some(8.0),unsquared:false))";
+               (a:1.0,b:0.0,c:0.25,limit:None,range:Some(8.0),range_gltf:None))";
     let named = format!(r#"{{"point":{json}}}"#);
     is(&Light::Point(point), &named, &format!("point({ron})"));
     let (axis, cone) = (UnitVec3::NEG_Z, Cone::from_cosine(0.875).unwrap());
@@ -142,5 +143,5 @@ fn examples_in_the_table_of_the_page_are_read() {
             }
         }
     }
-    assert_eq!(count, 12);
+    assert_eq!(count, 13);
 }

@@ -2,7 +2,7 @@
 //! without a long multiply computes every product in another way.
 
 use shading::fixed::{Attenuation, Fixed, PointLight, Rgb, Vec3};
-use shading::{Elementary, Exponent, Real};
+use shading::{Elementary, Lobe, Real};
 
 use crate::digest::Fnv;
 use crate::places::Numbers;
@@ -19,7 +19,7 @@ pub fn absorb(digest: &mut Fnv) {
         digest.absorb([v.dot(w), p.dot(q), v.length(), q.length(), x.sqrt()]);
         digest.absorb([v.unit(), q.unit()]);
         digest.absorb([1, 2, 33, 1000, u32::MAX].map(|m| m.raise(share)));
-        digest.absorb(Fixed::cosine_power(p, q, 5));
+        digest.absorb(Fixed::halfway_power(p, Fixed::measured(q), p, 5));
         let [a, b, c] = p.map(Elementary::abs).into();
         let mut lamp = PointLight {
             position: q,

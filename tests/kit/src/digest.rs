@@ -1,7 +1,7 @@
 //! What functions return, taken apart into numbers, and the digest of them: 64-bit FNV-1a (Fowler,
 //! Noll, and Vo) over their bits.
 
-use shading::{Dual, IncidentLight, Real, Rgb, Shaded, UnitVec3, Vec3};
+use shading::{Arrival, Dual, IncidentLight, Real, Rgb, Shaded, UnitVec3, Vec3};
 
 use crate::given::Given;
 use crate::number::{Float, Number};
@@ -85,6 +85,14 @@ impl<T: Value> Value for Dual<T> {
     fn give(self, sink: &mut impl Sink) {
         self.value.give(sink);
         self.gradient.give(sink);
+    }
+}
+
+impl<T: Value + Real> Value for Arrival<T> {
+    fn give(self, sink: &mut impl Sink) {
+        self.l.give(sink);
+        self.intensity.give(sink);
+        self.distance.give(sink);
     }
 }
 

@@ -4,7 +4,7 @@ use core::fmt::{Debug, LowerExp};
 
 #[cfg(feature = "fixed")]
 use shading::fixed::Fixed;
-use shading::{Cone, Dual, Elementary, Exponent, Real, Rgb, UnitVec3, Vec3};
+use shading::{Cone, Dual, Elementary, Lobe, Real, Rgb, UnitVec3, Vec3};
 
 use crate::digest::{Fnv, Sink, Value};
 use crate::places::Numbers;
@@ -31,7 +31,7 @@ pub trait Number: Elementary + PartialOrd + Debug + Value + 'static {
 }
 
 /// `f32` or `f64`.
-pub trait Float: Number + Exponent<Self> + From<f32> + Into<f64> + LowerExp {
+pub trait Float: Number + Lobe<Self> + From<f32> + Into<f64> + LowerExp {
     const NAME: &str;
     /// The unit roundoff u: half the distance from 1 to the next larger number.
     const U: f64;

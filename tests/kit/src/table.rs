@@ -23,7 +23,7 @@ macro_rules! for_each_function {
             at_most "Real::at_most" |g| g.x.at_most(g.y) => nothing;
             // a signaling NaN, which no operation returns, may be its own positive part
             positive_part "Real::at_least, zero" |g| (g.x + T::ZERO).at_least(T::ZERO) => not_negative;
-            light_sum "LightSum::add" |g| <T::Sum as shading::LightSum<T>>::DARK.add(g.x, g.cosine).total() => nothing;
+            light_sum "LightSum::add" |g| <T::Sum as LightSum<T>>::DARK.add(Dimmed { color: g.rgb, factor: g.cosine }, g.cosine).total() => nothing;
             any_positive "Mask::any" |g| g.x.above(T::ZERO).any() => nothing;
             all_positive "Mask::all" |g| g.x.above(T::ZERO).all() => nothing;
             vec3_operators "Vec3, operators" |g| [g.a + g.b, g.a - g.b, g.a * g.x, g.x.times_vector(g.a), g.a / g.x, -g.a] => nothing;
@@ -47,9 +47,10 @@ macro_rules! for_each_function {
             shaded_operators "Shaded, operators" |g| [g.shaded + g.shaded * g.x, [g.shaded, g.shaded].into_iter().sum()] => nothing;
             shaded_assigned "Shaded, assigned" |g| { let mut s = g.shaded; s += g.shaded * g.x; s } => nothing;
             dual_offset "Dual, with a plain vector" |g| [Vec3::new(g.f, g.h, g.f) + g.a, Vec3::new(g.f, g.h, g.f) - g.a] => nothing;
-            attenuation_kind "Attenuation::is_clamped" |g| g.lamps.map(|lamp| lamp.attenuation.is_clamped()) => nothing;
-            window_kind "Attenuation::is_unsquared" |g| g.soft_spot.point.attenuation.unsquared().is_unsquared() => nothing;
+            limit "Attenuation::limit" |g| g.lamps.map(|lamp| lamp.attenuation.limit()) => not_negative;
+            window_kind "Attenuation::is_gltf" |g| g.lamps.map(|lamp| lamp.attenuation.is_gltf()) => nothing;
             cone_kind "Cone::is_smoothstep" |g| [g.spot.cone, g.spot.cone.smoothstep()].map(|cone| cone.is_smoothstep()) => nothing;
+            limited "Attenuation::clamped_to" |g| g.attenuation.clamped_to(g.y.abs()).map(|limited| limited.at(g.x.abs())) => nothing;
             coefficients "Attenuation::coefficients" |g| g.attenuation.coefficients() => not_negative;
             clamped_attenuation "Attenuation::clamped" |g| g.attenuation.clamped().at(g.x.abs()) => nothing;
             range "Attenuation::range" |g| g.soft_spot.point.attenuation.range() => not_negative;
@@ -65,7 +66,7 @@ macro_rules! for_each_function {
             dual_powf "Dual::powf" |g| [g.f.powf(g.h), g.f.powf(g.x)] => nothing;
             dual_max "Dual::max" |g| [g.f.max(g.h), g.f.max(g.x)] => nothing;
             dual_min "Dual::min" |g| [g.f.min(g.h), g.f.min(g.x)] => nothing;
-            raise_sweep "Exponent::raise, every integer m" |g| INTEGER.map(|m| m.raise(g.cosine)) => nothing;
+            raise_sweep "Lobe::raise, every integer m" |g| INTEGER.map(|m| m.raise(g.cosine)) => nothing;
             phong_sweep "term::phong, every integer m" |g| INTEGER.map(|m| term::phong(g.l, g.v, m)) => share;
             blinn_sweep "term::blinn, every integer m" |g| INTEGER.map(|m| term::blinn(g.n, g.v, m)) => share;
             slivers "normal::triangle, slivers" |g| normal::triangle(g.p, g.p + g.a, g.p + g.a * g.cosine) => unit;
@@ -74,7 +75,7 @@ macro_rules! for_each_function {
             wild_tangents "normal::parametric, of any value" |g| normal::parametric(|u, v| Vec3::new(u * v, u.exp() / v, (u - v).abs()),
                 g.x, g.y)
                 => unit;
-            encoded "Rgb, encoded and decoded" |g| { let rgb = g.rgb.map(T::single); [Rgb::from_srgb8(rgb.to_srgb8()),
+            encoded "Rgb, encoded and decoded" |g| { let rgb = g.rgb.map(T::single); [Rgb::<f32>::from_srgb8(rgb.to_srgb8()),
                 Rgb::gray(rgb.to_rgb565().into())] }
                 => not_negative;
             cast "PointLight::cast" |g| g.lamps[0].cast(Dual::constant).at(Dual::point(g.p)) => nothing;
@@ -84,24 +85,40 @@ macro_rules! for_each_function {
             dual_factors "term::blinn, of dual numbers" |g| { let [n, h] = [g.n, g.l].map(|u| u.cast(Dual::constant));
                 [term::lambert(n, h), term::phong(n, h, g.integer.m), term::blinn(n, h, g.integer.m)] }
                 => nothing;
-            unsquared "Attenuation::unsquared" |g| { let ranged = g.soft_spot.point.attenuation.unsquared(); [ranged.at(g.x.abs()),
+            gltf_range "Attenuation::within_gltf" |g| { let ranged = within_gltf(g.soft_spot.point.attenuation); [ranged.at(g.x.abs()),
                 ranged.at(g.y.abs())] }
                 => not_negative;
-            unsquared_lamp "PointLight::at, unsquared" |g| { let mut lamp = g.soft_spot.point;
-                lamp.attenuation = lamp.attenuation.unsquared(); lamp.at(g.p) }
+            gltf_lamp "PointLight::at, as in glTF" |g| { let mut lamp = g.soft_spot.point;
+                lamp.attenuation = within_gltf(lamp.attenuation); lamp.at(g.p) }
                 => arriving;
             smooth_factor "Cone::smoothstep" |g| g.soft_spot.cone.smoothstep().factor(g.n, g.l) => share;
             every_lamp "PointLight::at, every lamp" |g| g.lamps.map(|lamp| lamp.at(g.p)) => nothing;
             every_light "Light::at, every light" |g| g.lights.map(|light| light.at(g.p)) => nothing;
+            light_arrival "IncidentLight::arrival" |g| g.soft_spot.at(g.p).arrival() => nothing;
             light_l "IncidentLight::l" |g| g.spot.at(g.p).l() => nothing;
             light_distance "IncidentLight::distance" |g| g.spot.at(g.p).distance() => nothing;
             light_intensity "IncidentLight::intensity" |g| g.soft_spot.at(g.p).intensity() => nothing;
             light_dimmed "IncidentLight, dimmed and filtered" |g| [g.spot.at(g.p) * g.cosine, g.sun.at(g.p) * g.rgb] => nothing;
             hook_direction "Real::measured" |g| { let m = T::measured(g.a); [m.w, Vec3::new(m.w_length, m.length, T::ZERO)] }
                 => nothing;
-            hook_cosine_power "Real::cosine_power" |g| T::cosine_power(*g.n, g.a, g.integer.m) => share;
-            raise_root "Exponent::raise_root" |g| INTEGER.map(|m| m.raise_root(g.cosine)) => nothing;
-            hook_attenuated "Real::attenuated" |g| { let (color, factor) = T::attenuated(g.rgb, g.attenuation.coefficients(), g.x.abs(), T::ONE); color * factor } => light;
+            hook_faces "Real::faces" |g| T::faces(*g.n, g.a).any() => nothing;
+            hook_toward "Real::toward" |g| T::faces(*g.n, g.a).any().then(|| {
+                let t = T::toward(*g.n, g.a);
+                [t.n_dot_w, T::cosine(*g.n, &t)]
+            }) => nothing;
+            hook_cosine "Real::cosine" |g| T::cosine(*g.n, &T::toward(*g.n, *g.l)) => share;
+            hook_whole_power "Real::whole_power" |g| INTEGER.map(|m| g.cosine.whole_power(m)) => nothing;
+            hook_halfway_power "Real::halfway_power" |g| T::halfway_power(*g.n, T::measured(g.a), *g.v, g.integer.m) => share;
+            raise_root "Lobe::raise_root" |g| INTEGER.map(|m| m.raise_root(g.cosine)) => nothing;
+            hook_attenuated "Real::attenuated" |g| light(T::attenuated(g.rgb, g.attenuation.coefficients(), g.x.abs(), T::ONE)) => light;
+            hook_windowed "Real::windowed" |g| { let dimmed = Dimmed { color: g.rgb, factor: g.cosine };
+                [light(T::windowed(dimmed, g.a, T::measured(g.a).length, g.y.abs(), T::ONE.above(T::ZERO))),
+                light(T::windowed(dimmed, g.a, T::measured(g.a).length, g.y.abs(), T::ZERO.above(T::ZERO)))] }
+                => nothing;
+            hook_beamed "Real::beamed" |g| { let dimmed = Dimmed { color: g.rgb, factor: g.cosine };
+                [light(T::beamed(dimmed, *g.l, [T::of(0.5), T::of(0.25)], T::ONE.above(T::ZERO), g.a, &T::measured(g.a))),
+                light(T::beamed(dimmed, *g.l, [T::of(0.5), T::of(0.25)], T::ZERO.above(T::ZERO), g.a, &T::measured(g.a)))] }
+                => nothing;
             every_lambert "shade::lambert, every light" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lights()) => light;
             every_phong "shade::phong, every light" |g| shade::phong(g.n, g.v, &g.integer, g.rgb,
                 g.from_lights().filter(|light| light.is_in_front(g.n)))
@@ -110,13 +127,13 @@ macro_rules! for_each_function {
                 => light;
         }
         SERIES: Float {
-            raise_real_sweep "Exponent::raise, every real m" |g| REAL.map(|m| T::from(m).raise(g.cosine)) => nothing;
-            raise_root_real "Exponent::raise_root, real m" |g| REAL.map(|m| T::from(m).raise_root(g.cosine)) => nothing;
-            raise_invalid "Exponent::raise, invalid m" |g| [f32::INFINITY, -1.0, f32::NAN].map(|m| T::from(m).raise(g.cosine)) => nothing;
-            raise_vanishing "Exponent::raise, where the power vanishes" |g| [2_u16, 5, 33, 1000, 10_000]
+            raise_real_sweep "Lobe::raise, every real m" |g| REAL.map(|m| T::from(m).raise(g.cosine)) => nothing;
+            raise_root_real "Lobe::raise_root, real m" |g| REAL.map(|m| T::from(m).raise_root(g.cosine)) => nothing;
+            raise_invalid "Lobe::raise, invalid m" |g| [f32::INFINITY, -1.0, f32::NAN].map(|m| T::from(m).raise(g.cosine)) => nothing;
+            raise_vanishing "Lobe::raise, where the power vanishes" |g| [2_u16, 5, 33, 1000, 10_000]
                 .map(|m| u32::from(m).raise(vanishing(m, g.cosine)))
                 => nothing;
-            raise_difficult "Exponent::raise, where all coefficients count" |g| Each((0_u8..32)
+            raise_difficult "Lobe::raise, where all coefficients count" |g| Each((0_u8..32)
                 .map(|i| { let (m, cosine) = difficult(i, g.cosine); m.raise(cosine) }))
                 => nothing;
             phong_real_sweep "term::phong, every real m" |g| REAL.map(|m| term::phong(g.l, g.v, T::from(m))) => share;
@@ -129,10 +146,10 @@ macro_rules! for_each_function {
         }
         BYTES: Number {
             to_srgb8 "Rgb::to_srgb8" |g| g.rgb.map(T::single).to_srgb8() => nothing;
-            from_srgb8 "Rgb::from_srgb8" |g| { let [r, g, b, _] = g.bits.to_le_bytes(); Rgb::from_srgb8([r, g, b]) } => share;
+            from_srgb8 "Rgb::from_srgb8" |g| { let [r, g, b, _] = g.bits.to_le_bytes(); Rgb::<T>::from_srgb8([r, g, b]) } => share;
             to_rgb565 "Rgb::to_rgb565" |g| g.rgb.map(T::single).to_rgb565() => nothing;
             from_rgb565 "Rgb::from_rgb565" |g| { let [low, high, ..] = g.bits.to_le_bytes();
-                Rgb::from_rgb565(u16::from_le_bytes([low, high])) }
+                Rgb::<T>::from_rgb565(u16::from_le_bytes([low, high])) }
                 => share;
             to_linear8 "Rgb::to_linear8" |g| g.rgb.map(T::single).to_linear8() => nothing;
         }
@@ -159,7 +176,7 @@ macro_rules! for_each_function {
         FUNCTIONS: Number {
             sqrt "Real::sqrt" |g| g.x.abs().sqrt() => nothing;
             powi "Elementary::powi" |g| g.x.powi(7) => nothing;
-            raise_integer "Exponent::raise, integer m" |g| g.integer.m.raise(g.cosine) => nothing;
+            raise_integer "Lobe::raise, integer m" |g| g.integer.m.raise(g.cosine) => nothing;
 
             dot "Vec3::dot" |g| g.a.dot(g.b) => nothing;
             cross "Vec3::cross" |g| g.a.cross(g.b) => nothing;
@@ -180,7 +197,7 @@ macro_rules! for_each_function {
             normal_from_gradient "normal::from_gradient" |g| normal::from_gradient(g.a) => unit;
             normal_parametric "normal::parametric, of a saddle" |g| normal::parametric(saddle, g.x, g.y) => unit;
             normal_from_tangents "normal::from_tangents" |g| normal::from_tangents(g.a, g.b) => unit;
-            normal_facing "normal::facing" |g| normal::facing(g.n, g.v) => n_or_opposite;
+            normal_facing "normal::facing" |g| normal::facing(g.n, g.v, g.n) => n_or_opposite;
             normal_transformed "normal::transformed" |g| normal::transformed(g.n, [g.p, g.a, g.b]) => unit;
             normal_corner "normal::corner" |g| normal::corner(g.p, g.a, g.b) => at_most_pi_long;
             normal_tangent "normal::tangent" |g| normal::tangent([g.p, g.a, g.b], [[g.x, g.y], [g.cosine, g.x], [g.y, g.cosine]])
@@ -219,7 +236,7 @@ macro_rules! for_each_function {
             shaded_total "Shaded::total" |g| g.shaded.total() => light;
         }
         REAL_M: Float {
-            raise_real "Exponent::raise, real m" |g| g.real.m.raise(g.cosine) => nothing;
+            raise_real "Lobe::raise, real m" |g| g.real.m.raise(g.cosine) => nothing;
             term_phong_real "term::phong, real m" |g| term::phong(g.l, g.v, g.real.m) => share;
             term_blinn_real "term::blinn, real m" |g| term::blinn(g.n, g.v, g.real.m) => share;
             blinn_normalization "term::blinn_normalization" |g| term::blinn_normalization(g.real.m) => positive;
@@ -232,8 +249,8 @@ macro_rules! for_each_function {
 /// Each row as a function.
 pub mod row {
     use shading::{
-        Attenuation, Cone, Dual, Elementary, Exponent, LightSum as _, Mask as _, Select as _, Real, Rgb, UnitVec3, Vec3,
-        normal, shade, term,
+        Attenuation, Cone, Dimmed, Dual, Elementary, LightSum, Lobe, Mask as _, Real, Rgb,
+        Select as _, UnitVec3, Vec3, normal, shade, term,
     };
 
     use crate::digest::{Each, Value};
@@ -251,6 +268,14 @@ pub mod row {
         )*)*};
     }
     for_each_function!(functions);
+
+    fn light<T: Number>(Dimmed { color, factor }: Dimmed<T>) -> Rgb<T> {
+        color * factor
+    }
+
+    fn within_gltf<T: Number>(ranged: Attenuation<T>) -> Attenuation<T> {
+        ranged.within_gltf(ranged.range()).expect("a range")
+    }
 
     /// The cosine whose power is close to the smallest normal number, below which it becomes 0.
     fn vanishing<T: Float>(m: u16, share: T) -> T {

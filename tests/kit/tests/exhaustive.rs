@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::thread;
 
-use shading::{Attenuation, Cone, Exponent, Real, Rgb, UnitVec3, Vec3, attenuation};
+use shading::{Attenuation, Cone, Lobe, Real, Rgb, UnitVec3, Vec3, attenuation};
 
 #[path = "encoding/srgb.rs"]
 mod srgb;

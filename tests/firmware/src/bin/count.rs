@@ -7,7 +7,7 @@ use core::hint::black_box;
 
 use firmware::{AMBIENT, CAP, LAMPS, board, brass};
 use shading::fixed::Fixed;
-use shading::{Exponent, Real, UnitVec3, shade};
+use shading::{Lobe, Real, UnitVec3, shade};
 
 firmware::program!(
     point_light::<f32, _>(32),
@@ -15,7 +15,7 @@ firmware::program!(
     point_light::<Fixed, _>(32)
 );
 
-fn point_light<T: Real, M: Exponent<T>>(m: M) -> u32 {
+fn point_light<T: Real, M: Lobe<T>>(m: M) -> u32 {
     let (material, i_a) = (brass(m), AMBIENT.map(T::of_f32));
     let lamps = LAMPS.map(|lamp| lamp.cast(T::of_f32));
     let calls = CAP.map(|n| {

@@ -7,7 +7,7 @@ use core::hint::black_box;
 
 use firmware::{AMBIENT, CAP, LIGHTS, board, brass};
 use shading::fixed::Fixed;
-use shading::{Exponent, Light, Material, Real, Rgb, Shaded, UnitVec3, Vec3, shade};
+use shading::{Light, Lobe, Material, Real, Rgb, Shaded, UnitVec3, Vec3, shade};
 
 firmware::program!(
     depth::<f32, _>(lambert, 32),
@@ -25,7 +25,7 @@ type Sum<T, M> = fn(Vec3<T>, [UnitVec3<T>; 2], &Material<T, M>, Rgb<T>, &[Light<
 
 macro_rules! sums {
     ($($sum:ident($($v:ident)?);)*) => {$(
-        fn $sum<T: Real, M: Exponent<T>>(
+        fn $sum<T: Real, M: Lobe<T>>(
             p: Vec3<T>,
             [n, _v]: [UnitVec3<T>; 2],
             material: &Material<T, M>,
@@ -44,7 +44,7 @@ sums! {
     blinn_phong(v);
 }
 
-fn depth<T: Real, M: Exponent<T>>(sum: Sum<T, M>, m: M) -> usize {
+fn depth<T: Real, M: Lobe<T>>(sum: Sum<T, M>, m: M) -> usize {
     let [n, v] = black_box([CAP[1], CAP[0]].map(|n| n.cast(T::of_f32)));
     let (material, i_a) = (&brass(m), black_box(AMBIENT.map(T::of_f32)));
     let sum = black_box(sum); // a call that cannot be inlined

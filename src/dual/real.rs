@@ -1,0 +1,333 @@
+//! [`Real`] for dual numbers. Each hook has a derivative of its own, by the chain rule: the value is that
+//! of the number's own hook, to the bit, and the gradient is that of the formula.
+
+use super::Dual;
+use crate::real::{
+    Dimmed, LightSum, Lobe, Mask, Measured, Real, Select, Toward, falloff, length, whole,
+};
+use crate::rgb::Rgb;
+use crate::vector::Vec3;
+
+impl<T: Real> Dual<T> {
+    /// The gradient with another value: that of the number's own hook.
+    #[inline(always)]
+    fn of_value(self, value: T) -> Self {
+        Self::new(value, self.gradient)
+    }
+}
+
+#[inline(always)]
+fn values<T: Copy>(v: Vec3<Dual<T>>) -> Vec3<T> {
+    v.map(|x| x.value)
+}
+
+/// a·b by the product rule.
+#[inline(always)]
+fn plain_dot<T: Real>(a: Vec3<Dual<T>>, b: Vec3<Dual<T>>) -> Dual<T> {
+    a.x * b.x + a.y * b.y + a.z * b.z
+}
+
+#[inline(always)]
+fn zip<A, B, C>(a: Vec3<A>, b: Vec3<B>, f: impl Fn(A, B) -> C) -> Vec3<C> {
+    Vec3::new(f(a.x, b.x), f(a.y, b.y), f(a.z, b.z))
+}
+
+impl<T: Real> Measured<Dual<T>> {
+    #[inline(always)]
+    fn values(self) -> Measured<T> {
+        Measured {
+            w: values(self.w),
+            w_length: self.w_length.value,
+            length: self.length.value,
+        }
+    }
+
+    /// What T measured of v, with its gradients. ∇|v| is w·∇v/|w|, and w is v times a number, which its
+    /// gradient takes for constant: a formula uses the direction of w alone.
+    #[inline(always)]
+    fn of(v: Vec3<Dual<T>>, measured: Measured<T>) -> Self {
+        let Measured {
+            w,
+            w_length,
+            length,
+        } = measured;
+        let along = v.x.gradient * w.x + v.y.gradient * w.y + v.z.gradient * w.z;
+        let length_gradient = along * (T::ONE / w_length);
+        let shrunk = length / w_length; // exact for a float, whose w is v times a power of two
+        Self {
+            w: zip(v, w, |v, w| Dual::new(w, v.gradient / shrunk)),
+            w_length: Dual::new(w_length, length_gradient / shrunk),
+            length: Dual::new(length, length_gradient),
+        }
+    }
+}
+
+impl<T: Real> Dimmed<Dual<T>> {
+    #[inline(always)]
+    fn values(self) -> Dimmed<T> {
+        Dimmed {
+            color: self.color.map(|channel| channel.value),
+            factor: self.factor.value,
+        }
+    }
+
+    /// The light that T gives for this one times a factor, with its gradient by the product rule. The
+    /// number chooses whether the factor or the color is multiplied.
+    #[inline(always)]
+    fn times(self, factor: Dual<T>, light: Dimmed<T>) -> Self {
+        let before = self.factor.value;
+        let is_above = light.factor.above(before);
+        let is_below = before.above(light.factor);
+        let if_factor_is_same = |then, otherwise| {
+            let below = Vec3::select(is_below, otherwise, then);
+            Vec3::select(is_above, otherwise, below)
+        };
+        let product = |x: Dual<T>| x.gradient * factor.value + factor.gradient * x.value;
+        let channel =
+            |x: Dual<T>, value| Dual::new(value, if_factor_is_same(product(x), x.gradient));
+        let color = light.color;
+        let gradient = if_factor_is_same(self.factor.gradient, product(self.factor));
+        Self {
+            color: Rgb::new(
+                channel(self.color.r, color.r),
+                channel(self.color.g, color.g),
+                channel(self.color.b, color.b),
+            ),
+            factor: Dual::new(light.factor, gradient),
+        }
+    }
+}
+
+#[diagnostic::do_not_recommend] // the trait's own message names the types
+impl<T: Real> Real for Dual<T> {
+    type Mask = Where<T::Mask>;
+    type Sum = Sum<T>;
+
+    const ZERO: Self = Self::constant(T::ZERO);
+    const ONE: Self = Self::constant(T::ONE);
+    const NEG_ONE: Self = Self::constant(T::NEG_ONE);
+    const MAX: Self = Self::constant(T::MAX);
+    const EXTREME: Self = Self::constant(T::EXTREME);
+
+    #[inline]
+    fn of(literal: f64) -> Self {
+        Self::constant(T::of(literal))
+    }
+
+    #[inline]
+    fn of_f32(literal: f32) -> Self {
+        Self::constant(T::of_f32(literal))
+    }
+
+    #[inline]
+    fn sqrt(self) -> Self {
+        Dual::sqrt(self)
+    }
+
+    #[inline]
+    fn above(self, other: Self) -> Where<T::Mask> {
+        Where(self.value.above(other.value))
+    }
+
+    #[inline]
+    fn any_outside(self, low: Self, high: Self) -> bool {
+        self.value.any_outside(low.value, high.value)
+    }
+
+    #[inline]
+    fn at_least(self, floor: Self) -> Self {
+        let larger = self.above(floor).select(self, floor);
+        larger.of_value(self.value.at_least(floor.value))
+    }
+
+    #[inline]
+    fn at_most(self, limit: Self) -> Self {
+        let smaller = self.above(limit).select(limit, self);
+        smaller.of_value(self.value.at_most(limit.value))
+    }
+
+    #[inline]
+    fn finite(self) -> Self {
+        let finite = Self::MAX.above(self).select(self, Self::MAX);
+        finite.of_value(self.value.finite())
+    }
+
+    #[inline(always)]
+    fn dot(a: Vec3<Self>, b: Vec3<Self>) -> Self {
+        plain_dot(a, b).of_value(T::dot(values(a), values(b)))
+    }
+
+    #[inline(always)]
+    fn faces(n: Vec3<Self>, v: Vec3<Self>) -> Where<T::Mask> {
+        Where(T::faces(values(n), values(v)))
+    }
+
+    #[inline(always)]
+    fn measured(v: Vec3<Self>) -> Measured<Self> {
+        Measured::of(v, T::measured(values(v)))
+    }
+
+    #[inline(always)]
+    fn toward(n: Vec3<Self>, v: Vec3<Self>) -> Toward<Self> {
+        let toward = T::toward(values(n), values(v));
+        let measured = Measured::of(v, toward.measured);
+        let n_dot_w = plain_dot(n, measured.w).of_value(toward.n_dot_w);
+        Toward { measured, n_dot_w }
+    }
+
+    #[inline(always)]
+    fn cosine(n: Vec3<Self>, toward: &Toward<Self>) -> Self {
+        let plain = length::cosine(toward.n_dot_w, toward.measured.w_length);
+        let toward = Toward {
+            measured: toward.measured.values(),
+            n_dot_w: toward.n_dot_w.value,
+        };
+        plain.of_value(T::cosine(values(n), &toward))
+    }
+
+    #[inline]
+    fn whole_power(self, m: u32) -> Self {
+        let slope = match m {
+            0 => T::ZERO,
+            m => whole::<T>(m) * self.value.whole_power(m - 1),
+        };
+        self.chain(self.value.whole_power(m), slope)
+    }
+
+    #[inline(always)]
+    fn halfway_power(n: Vec3<Self>, w: Measured<Self>, v: Vec3<Self>, m: impl Lobe<Self>) -> Self {
+        let power = T::halfway_power(values(n), w.values(), values(v), OfValue(m));
+        let cosine = Self::cosine(n, &Self::toward(n, w.w + v * w.w_length));
+        let varies = cosine.above(Self::ZERO);
+        varies.select(m.raise(cosine), Self::ZERO).of_value(power)
+    }
+
+    #[inline(always)]
+    fn attenuated(color: Rgb<Self>, coefficients: [Self; 3], q: Self, limit: Self) -> Dimmed<Self> {
+        let factor = falloff::attenuation(coefficients, q, limit);
+        let light = Dimmed {
+            color,
+            factor: Self::ONE,
+        };
+        let [a, b, c] = coefficients;
+        let abc = [a.value, b.value, c.value];
+        let attenuated = T::attenuated(light.values().color, abc, q.value, limit.value);
+        light.times(factor, attenuated)
+    }
+
+    #[inline(always)]
+    fn windowed(
+        light: Dimmed<Self>,
+        v: Vec3<Self>,
+        q: Self,
+        range: Self,
+        is_squared: Where<T::Mask>,
+    ) -> Dimmed<Self> {
+        let factor = falloff::window(q, range, is_squared);
+        let windowed = T::windowed(
+            light.values(),
+            values(v),
+            q.value,
+            range.value,
+            is_squared.0,
+        );
+        light.times(factor, windowed)
+    }
+
+    #[inline(always)]
+    fn beamed(
+        light: Dimmed<Self>,
+        axis: Vec3<Self>,
+        [inner, outer]: [Self; 2],
+        is_smooth: Where<T::Mask>,
+        v: Vec3<Self>,
+        measured: &Measured<Self>,
+    ) -> Dimmed<Self> {
+        let cosine = Self::dot(-axis, measured.w) / measured.w_length;
+        let factor = falloff::beam(cosine, [inner, outer], is_smooth);
+        let edges = [inner.value, outer.value];
+        let (axis, v, measured) = (values(axis), values(v), measured.values());
+        let beamed = T::beamed(light.values(), axis, edges, is_smooth.0, v, &measured);
+        light.times(factor, beamed)
+    }
+}
+
+/// A lobe of dual numbers as one of their values.
+#[derive(Clone, Copy)]
+struct OfValue<M>(M);
+
+impl<T: Real, M: Lobe<Dual<T>>> Lobe<T> for OfValue<M> {
+    #[inline]
+    fn raise(self, cosine: T) -> T {
+        self.0.raise(Dual::constant(cosine)).value
+    }
+
+    #[inline]
+    fn raise_root(self, square: T) -> T {
+        self.0.raise_root(Dual::constant(square)).value
+    }
+
+    #[inline]
+    fn raise_quotient(self, square: T, of: T) -> T {
+        let (square, of) = (Dual::constant(square), Dual::constant(of));
+        self.0.raise_quotient(square, of).value
+    }
+}
+
+/// A sum over lights as T holds it, and its gradient.
+#[derive(Clone, Copy)]
+pub struct Sum<T: Real> {
+    value: T::Sum,
+    plain: Rgb<Dual<T>>,
+}
+
+impl<T: Real> LightSum<Dual<T>> for Sum<T> {
+    const DARK: Self = Self {
+        value: T::Sum::DARK,
+        plain: Rgb::DARK,
+    };
+
+    #[inline(always)]
+    fn add(self, light: Dimmed<Dual<T>>, cosine: Dual<T>) -> Self {
+        Self {
+            value: self.value.add(light.values(), cosine.value),
+            plain: self.plain.add(light, cosine),
+        }
+    }
+
+    #[inline(always)]
+    fn total(self) -> Rgb<Dual<T>> {
+        let (value, plain) = (self.value.total(), self.plain.total());
+        Rgb::new(
+            plain.r.of_value(value.r),
+            plain.g.of_value(value.g),
+            plain.b.of_value(value.b),
+        )
+    }
+}
+
+/// Where a comparison of values holds.
+#[derive(Clone, Copy)]
+pub struct Where<M>(M);
+
+impl<M: Mask> Mask for Where<M> {
+    #[inline]
+    fn any(self) -> bool {
+        self.0.any()
+    }
+
+    #[inline]
+    fn all(self) -> bool {
+        self.0.all()
+    }
+}
+
+impl<T: Real> Select<Dual<T>> for Where<T::Mask> {
+    #[inline]
+    fn select(self, then: Dual<T>, otherwise: Dual<T>) -> Dual<T> {
+        Dual::new(
+            self.0.select(then.value, otherwise.value),
+            Vec3::select(self.0, then.gradient, otherwise.gradient),
+        )
+    }
+}
