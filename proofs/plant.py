@@ -5,7 +5,8 @@
 
 A line of a list: file, function, operator, which one of these in the function, what becomes of it, and claims. An operator is
 one of + - * / < <= > >= == && ||, the unary neg and not, or the name of a method. It becomes another operator, one of its
-operands (left, right; drop for what a method is called on; then, otherwise), or a name. One build has all faults.
+operands (left, right; drop for what a method is called on; then, otherwise), or a name. For the prover, whose rules are more than
+operators, a line is: file ¦ where, with what is replaced in « » ¦ what stands there instead. One build has all faults.
 (pip install tree-sitter tree-sitter-rust)"""
 import pathlib
 import sys
@@ -98,6 +99,24 @@ def rows(path):
     return [line.split(maxsplit=5) for line in lines if line and not line.startswith("#")]
 
 
+def quote(folder, lines):
+    """Plants what lines with ¦ say."""
+    changes = {}
+    for number, line in enumerate(lines):
+        file, where, new = line.split(" ¦ ")
+        changes.setdefault((file, where), []).append((number, new))
+    originals = {file: (folder / f"{file}.rs").read_text() for file, _ in changes}
+    # the longest first, for another may lie within it
+    for (file, where), of_it in sorted(changes.items(), key=lambda change: -len(change[0][1])):
+        before, old, after = where.replace("\\n", "\n").replace("«", "»").split("»")
+        assert originals[file].count(before + old + after) == 1, f"{file} has not exactly one {where}"
+        path = folder / f"{file}.rs"
+        text = path.read_text()
+        start = text.rfind(before + old + after) + len(before)
+        choice = " else ".join(f"if crate::planted({number}) {{ {new} }}" for number, new in of_it)
+        path.write_text(f"{text[:start]}({choice} else {{ {old} }}){text[start + len(old):]}")
+
+
 def every(folder):
     """A fault for each operator of the recorded files."""
     for path in sorted(folder.rglob("*.rs")):
@@ -132,14 +151,18 @@ def plant(folder, faults):
             node = nodes[which - 1]
             at.setdefault((node.start_byte, node.end_byte), []).append((number, new))
         path.write_text(render(root, at))
-    root = folder / "lib.rs"
-    root.write_text(root.read_text() + SWITCH)
 
 
 def main(list_, folder):
     folder = pathlib.Path(folder)
-    faults = list(every(folder)) if list_ == "every" else rows(list_)
-    plant(folder, faults)
+    quoted = [line for line in pathlib.Path(list_).read_text().splitlines() if " ¦ " in line and line[0] != "#"] if list_ != "every" else []
+    faults = list(every(folder)) if list_ == "every" else quoted or rows(list_)
+    if quoted:
+        quote(folder, quoted)
+    else:
+        plant(folder, faults)
+    root = folder / "lib.rs"
+    root.write_text(root.read_text() + SWITCH)
     print("\n".join(" ".join(fault) for fault in faults) if list_ == "every" else len(faults))
 
 

@@ -93,6 +93,13 @@ fn a_real_power_keeps_its_contract() {
         before = power.min(before);
         assert!(m.raise(1.0_f32).to_bits() == 1.0_f32.to_bits(), "{m:e}");
     }
+    // the power of a quotient of squares limits its product to 0
+    for square in up_to(f32::MAX) {
+        for of in [1.0, 0.3, 1e-30, f32::MAX] {
+            let power = 33.0_f32.raise_quotient(square, of);
+            assert!((0.0..=1.0).contains(&power), "{square:e} / {of:e}");
+        }
+    }
     // a positive logarithm would show with one of these m: from 2⁻²⁶ on its product is between 2⁻¹⁹ and 2⁷
     let scales = [1.0, 128.0, 16_384.0, 2_097_152.0, 67_108_864.0_f32];
     for c in up_to(1.0) {
