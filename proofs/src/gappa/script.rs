@@ -216,7 +216,7 @@ impl<'a> Script<'a> {
             (Node::Div(..), [x, y]) => format!("{x} / {y}"),
             _ => panic!("{node:?} is not on this way"),
         };
-        self.definitions += &match node {
+        let text = match node {
             Node::Constant(bits) => format!("n{id} = {};\n", binary(f64::from_bits(bits))),
             Node::Var(_) | Node::Power(..) => format!("n{id} = rnd(v{id});\n"),
             _ => {
@@ -227,6 +227,7 @@ impl<'a> Script<'a> {
                 format!("n{id} {rnd}= {rounded};\nN{id} = {exact};\n")
             }
         };
+        self.definitions.push_str(&text);
     }
 
     /// What is known of a node whose error is bounded.
