@@ -1,7 +1,6 @@
 """Plants faults in a copy of the source, each chosen by its number in the environment variable PLANTED.
 
-    plant.py LIST FOLDER        the faults of a list; prints how many there are
-    plant.py every FOLDER       one fault for each operator of the recorded functions; prints them as the lines of a list
+    plant.py LIST FOLDER        prints how many there are
 
 A line of a list: file, function, operator, which one of these in the function, what becomes of it, and claims. An operator is
 one of + - * / < <= > >= == && ||, the unary neg and not, or the name of a method. It becomes another operator, one of its
@@ -16,22 +15,15 @@ import tree_sitter_rust
 
 SWITCH = """
 extern crate std;
-/// Whether this fault was chosen. Without a choice, says once that it could have been.
+/// Whether this fault was chosen.
 pub(crate) fn planted(number: usize) -> bool {
-    use std::sync::{OnceLock, atomic::{AtomicBool, Ordering}};
-    static CHOSEN: OnceLock<Option<usize>> = OnceLock::new();
-    static REACHED: [AtomicBool; 2000] = [const { AtomicBool::new(false) }; 2000];
+    static CHOSEN: std::sync::OnceLock<usize> = std::sync::OnceLock::new();
     let chosen = || std::env::var("PLANTED").ok().and_then(|text| text.parse().ok());
-    let chosen = *CHOSEN.get_or_init(chosen);
-    if chosen.is_none() && !REACHED[number].swap(true, Ordering::Relaxed) {
-        std::eprintln!("reached {number}");
-    }
-    chosen == Some(number)
+    *CHOSEN.get_or_init(|| chosen().unwrap_or(usize::MAX)) == number
 }
 """
 PARSER = tree_sitter.Parser(tree_sitter.Language(tree_sitter_rust.language()))
-BINARY = {"+": "left", "-": "+", "*": "left", "/": "left", "<": ">=", "<=": ">", ">": "<=", ">=": "<", "==": "!=", "&&": "left", "||": "left"}
-METHODS = {"at_least": ["drop"], "at_most": ["drop"], "finite": ["drop"], "select": ["then", "otherwise"], "sqrt": ["drop"]}
+BINARY = ["+", "-", "*", "/", "<", "<=", ">", ">=", "==", "&&", "||"]
 
 
 def text(node):
@@ -117,23 +109,6 @@ def quote(folder, lines):
         path.write_text(f"{text[:start]}({choice} else {{ {old} }}){text[start + len(old):]}")
 
 
-def every(folder):
-    """A fault for each operator of the recorded files."""
-    for path in sorted(folder.rglob("*.rs")):
-        file = str(path.relative_to(folder))[:-3]
-        if file.startswith(("features", "encoding", "real/float", "real/power", "lib", "aliases")):
-            continue
-        count = {}
-        for name, function in functions(PARSER.parse(path.read_bytes()).root_node):
-            for _, operator, _ in operators(function):
-                if (name, operator) == ("corner", "*"):
-                    continue # a direction alone is no vector
-                which = count[name, operator] = count.get((name, operator), 0) + 1
-                news = [BINARY[operator]] if operator in BINARY else METHODS.get(operator, ["drop"] if operator in ("neg", "not") else [])
-                for new in news:
-                    yield [file, name, operator, str(which), new]
-
-
 def plant(folder, faults):
     by_file = {}
     for number, (file, name, operator, which, new, *_) in enumerate(faults):
@@ -155,15 +130,15 @@ def plant(folder, faults):
 
 def main(list_, folder):
     folder = pathlib.Path(folder)
-    quoted = [line for line in pathlib.Path(list_).read_text().splitlines() if " ¦ " in line and line[0] != "#"] if list_ != "every" else []
-    faults = list(every(folder)) if list_ == "every" else quoted or rows(list_)
+    lines = pathlib.Path(list_).read_text().splitlines()
+    quoted = [line for line in lines if " ¦ " in line and line[0] != "#"]
     if quoted:
         quote(folder, quoted)
     else:
-        plant(folder, faults)
+        plant(folder, rows(list_))
     root = folder / "lib.rs"
     root.write_text(root.read_text() + SWITCH)
-    print("\n".join(" ".join(fault) for fault in faults) if list_ == "every" else len(faults))
+    print(len(quoted or rows(list_)))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,8 @@
 //! What the prover does not record, with every number: the operations of floats that are written for a processor, powers by
 //! a real m, constructors for constants, lanes, and the reciprocals of fixed point. `proofs/run.sh --all` runs them.
 
+#![allow(clippy::float_cmp, clippy::cast_possible_truncation)] // bits are compared, and lanes are eight
+
 use shading::fixed::Fixed;
 use shading::{Attenuation, Cone, Lobe, Real, Rgb, Select, Vec3};
 use wide::f32x8;
@@ -34,7 +36,6 @@ fn up_to(most: f32) -> impl Iterator<Item = f32> {
 #[ignore = "every f32"]
 fn a_root_is_correctly_rounded() {
     for x in every_float() {
-        #[allow(clippy::cast_possible_truncation)] // it is what rounds
         let root = f64::from(x).sqrt() as f32;
         assert!(are_same(Real::sqrt(x), root), "{x:e}");
     }
