@@ -59,9 +59,10 @@ impl Cause {
     /// Mistakes, in the form in which the profile names them.
     fn of(mistakes: Vec<Fault>) -> Self {
         let words: Vec<String> = mistakes.iter().map(ToString::to_string).collect();
-        let is_state = |fault: &Fault| ["Leak", "NotRepeatable"].contains(&fault.id());
+        let never = ["Leak", "NotRepeatable", "HalfVectorUnguarded"];
+        let is_never = |fault: &Fault| never.contains(&fault.id());
         let declare = match &mistakes[..] {
-            faults if faults.iter().any(is_state) => None,
+            faults if faults.iter().any(is_never) => None,
             [rough] if rough.mistake.is_rough() => {
                 Some(format!("\"roundoff\":{:e}", (-rough.value).exp2()))
             }

@@ -21,7 +21,7 @@ fn the_same_seed_gives_the_same_report() {
     let headlight = |scene: &Scene| scene.k_d.map(|k| k * scene.v[2].max(0.0));
     let of = |seed, only: &str| {
         let only = only.split_whitespace().map(Into::into).collect();
-        let laws = Laws { seed, only, cases: 20, shrinks: 2, ..Laws::default() };
+        let laws = Laws { seed, only, cases: 20, shrinks: 0, ..Laws::default() };
         run(&laws, headlight)
     };
     let (all, again, other) = (of(1, ""), of(1, ""), of(2, ""));

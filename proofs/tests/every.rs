@@ -1,6 +1,8 @@
 //! What the prover does not record, with every number: the operations of floats that are written for a processor, powers by
 //! a real m, constructors for constants, lanes, and the reciprocals of fixed point. `proofs/run.sh --all` runs them.
 
+#![allow(clippy::float_cmp, clippy::cast_possible_truncation)] // bits are compared, and lanes are eight
+
 use shading::fixed::Fixed;
 use shading::{Attenuation, Cone, Lobe, Real, Rgb, Select, Vec3};
 use wide::f32x8;
@@ -34,7 +36,6 @@ fn up_to(most: f32) -> impl Iterator<Item = f32> {
 #[ignore = "every f32"]
 fn a_root_is_correctly_rounded() {
     for x in every_float() {
-        #[allow(clippy::cast_possible_truncation)] // it is what rounds
         let root = f64::from(x).sqrt() as f32;
         assert!(are_same(Real::sqrt(x), root), "{x:e}");
     }
@@ -92,6 +93,13 @@ fn a_real_power_keeps_its_contract() {
         );
         before = power.min(before);
         assert!(m.raise(1.0_f32).to_bits() == 1.0_f32.to_bits(), "{m:e}");
+    }
+    // the power of a quotient of squares limits its product to 0
+    for square in up_to(f32::MAX) {
+        for of in [1.0, 0.3, 1e-30, f32::MAX] {
+            let power = 33.0_f32.raise_quotient(square, of);
+            assert!((0.0..=1.0).contains(&power), "{square:e} / {of:e}");
+        }
     }
     // a positive logarithm would show with one of these m: from 2⁻²⁶ on its product is between 2⁻¹⁹ and 2⁷
     let scales = [1.0, 128.0, 16_384.0, 2_097_152.0, 67_108_864.0_f32];
