@@ -13,7 +13,8 @@ use crate::vector::Vec3;
 /// q ≥ 0 is the **distance**, not its square, in the unit of length of the scene. a, b, c ≥ 0 are
 /// the constant, linear and quadratic coefficients. The factor may exceed 1. It is evaluated as
 /// 1/(a + q(b + cq)) by [`Real::attenuated`], so it never increases as q, a, b or c increases, not even
-/// by rounding.
+/// by rounding. In fixed point, a factor above 1 may increase by a step, or by 2⁻²³ of itself, as b or c
+/// increases.
 ///
 /// If the denominator is 0, the factor is the largest finite number; if it is negative or NaN, 0.
 ///

@@ -338,11 +338,11 @@ fn sum<T: Real, M>(
     }
     let ambient = term::ambient(material.k_a, i_a);
     if !is_lit {
-        let [diffuse, specular] = [Rgb::BLACK; 2];
+        // as in a lane beside one that is lit: 0 · ∞ is NaN
         return Shaded {
             ambient,
-            diffuse,
-            specular,
+            diffuse: Rgb::<T>::BLACK * material.k_d,
+            specular: Rgb::<T>::BLACK * material.k_s,
         };
     }
     Shaded {

@@ -76,14 +76,10 @@ fn hooks<T: Real>(input: &Input<T>) -> Vec<(&'static str, T)> {
     lights("attenuated", T::attenuated(color, [a, b, k], q, limit));
     lights("windowed", T::windowed(light, v, q, range, yes));
     lights("windowed", T::windowed(light, v, q, range, no));
-    lights(
-        "beamed",
-        T::beamed(light, n, [inner, y], yes, v, &T::measured(v)),
-    );
-    lights(
-        "beamed",
-        T::beamed(light, n, [inner, y], no, v, &T::measured(v)),
-    );
+    let edges = [inner.at_most(T::ONE), y.at_most(T::ONE)]; // cosines
+    let measured = T::measured(v);
+    lights("beamed", T::beamed(light, n, edges, yes, v, &measured));
+    lights("beamed", T::beamed(light, n, edges, no, v, &measured));
     results
 }
 

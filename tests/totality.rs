@@ -1129,8 +1129,29 @@ mod falloffs {
     each_gives!(
         bad_range,
         [T::ZERO, -T::ZERO, -T::ONE, -T::INFINITY, T::NAN],
-        |r: T| Attenuation::NONE.within(r),
+        |r: T| [
+            Attenuation::NONE.within(r),
+            Attenuation::NONE.within_gltf(r)
+        ],
+        [None; 2]
+    );
+    each_gives!(
+        bad_limit,
+        [T::ZERO, -T::ZERO, -T::ONE, -T::INFINITY, T::NAN],
+        |limit: T| Attenuation::NONE.clamped_to(limit),
         None
+    );
+    each_gives!(
+        limit_without_an_end,
+        [T::INFINITY, T::MAX],
+        |limit: T| fading().clamped_to(limit) == Some(fading()),
+        true
+    );
+    each_gives!(
+        limited_below_one,
+        [T::ZERO, tiniest(), T::ONE],
+        |q: T| fading().clamped_to(T::of(0.125)).expect("above 0").at(q),
+        T::of(0.125)
     );
     fn fading<T: Float>() -> Attenuation<T> {
         falloff(1.0, 0.0, 0.25)

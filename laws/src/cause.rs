@@ -12,7 +12,7 @@ use crate::random::Random;
 use crate::scene::{Scene, Triple};
 
 /// The most colors that are kept, wrong ones and right ones.
-const MOST: [usize; 2] = [600, 300];
+const MOST: [usize; 2] = [600, 600];
 
 /// A share of the wrong colors that is nearly all.
 const NEARLY_ALL: f64 = 0.9;
@@ -59,9 +59,10 @@ impl Cause {
     /// Mistakes, in the form in which the profile names them.
     fn of(mistakes: Vec<Fault>) -> Self {
         let words: Vec<String> = mistakes.iter().map(ToString::to_string).collect();
-        let is_state = |fault: &Fault| ["Leak", "NotRepeatable"].contains(&fault.id());
+        let never = ["Leak", "NotRepeatable", "HalfVectorUnguarded"];
+        let is_never = |fault: &Fault| never.contains(&fault.id());
         let declare = match &mistakes[..] {
-            faults if faults.iter().any(is_state) => None,
+            faults if faults.iter().any(is_never) => None,
             [rough] if rough.mistake.is_rough() => {
                 Some(format!("\"roundoff\":{:e}", (-rough.value).exp2()))
             }
@@ -198,10 +199,10 @@ impl Evidence {
         }
         let of = self.wrong.len() - unknown;
         let is_contradicted = |(scene, reply): &&Sample| formula.fits(scene, *reply) == Some(false);
-        let most = part(self.right.len(), 0.02);
-        let contradicted = self.right.iter().filter(is_contradicted).take(most + 1).count();
+        // a right color that is wrong with the mistake shows that it is not made there; rounding may decide of few
+        let contradicted = self.right.iter().filter(is_contradicted).take(3).count();
         let is_enough = unexplained <= part(of, 1.0 - least) && of * 4 >= self.wrong.len();
-        (is_enough && contradicted <= most).then(|| Cause {
+        (is_enough && contradicted <= 2).then(|| Cause {
             mistakes: Vec::new(),
             says: String::new(),
             declare: None,

@@ -143,11 +143,6 @@ impl Claim {
             allowed += weight.abs() * error[channel];
             sum += weight * f64::midpoint(least, if most.is_finite() { most } else { least });
         }
-        if let (Relation::Zero, [weight]) = (self.relation, &self.weights[..]) {
-            // where the formulas leave it open, such as the highlight where L = -V, the right color is one of many
-            let open = (weight * seen[0].right[channel] + constant).abs();
-            allowed += if open.is_finite() { open } else { 0.0 };
-        }
         let is_broken = match self.relation {
             Relation::NotNegative => high < -allowed,
             _ => low > allowed || high < -allowed,

@@ -13,7 +13,6 @@ pub fn edges(profile: &Profile) -> Vec<Scene> {
     corpus.lamps();
     corpus.spots();
     corpus.shininess();
-    corpus.colors();
     corpus.many_lights();
     corpus.scenes
 }
@@ -259,31 +258,6 @@ impl Corpus<'_> {
             }
         }
         self.each_kind(UP, UP, UP, Some(most));
-    }
-
-    /// Colors with many digits, dark ones, and sums above 1 of which no light alone is.
-    fn colors(&mut self) {
-        for (k, i) in [
-            ([0.1, 0.3, 0.7], [0.9, 1.0 / 3.0, 0.55]),
-            ([0.01, 0.004, 0.999], [0.05, 0.4, 0.123]),
-            ([0.2, 0.0031, 0.06], [0.8, 0.9, 0.0011]),
-        ] {
-            for light in self.kinds([0.3, 0.2, 1.0], self.long(i)) {
-                let mut scene = self.scene(UP, [-0.2, 0.1, 1.0], vec![light]);
-                let k = self.long(k);
-                (scene.k_a, scene.k_d) = ([k[1], k[2], k[0]], k);
-                if !self.profile.gray_highlight {
-                    scene.k_s = [k[2], k[0], k[1]];
-                }
-                if self.profile.ambient {
-                    scene.i_a = self.long([0.31, 0.77, 0.15]);
-                }
-                self.add(&scene);
-            }
-        }
-        for intensity in [[0.7; 3], [2.0; 3]] {
-            self.add(&self.scene(UP, UP, self.kinds([0.0, 0.5, 1.0], intensity)));
-        }
     }
 
     /// As many lights as it has: all alike, and each in turn the brightest.

@@ -80,12 +80,12 @@ impl Edit {
 
 /// Every edit, from the particular to the general.
 pub static EDITS: &[Edit] = &[
-    edit("length of N", |s, p| s.n = p.unit(s.n)).law(
+    edit("length of N", |s, p| s.n = if p.unit_vectors { s.n } else { p.unit(s.n) }).law(
         "length_of_n",
         "the length of the vector along N does not matter",
         Holds::Same,
     ),
-    edit("length of V", |s, p| s.v = p.unit(s.v)).law(
+    edit("length of V", |s, p| s.v = if p.unit_vectors { s.v } else { p.unit(s.v) }).law(
         "length_of_v",
         "the distance of the eye does not matter",
         Holds::Same,

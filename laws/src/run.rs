@@ -39,6 +39,7 @@ impl Laws {
             start,
             deadline: self.time.map(|time| start + time),
             asked: 0,
+            waited: Duration::ZERO,
             of: plan.scenes(),
             tried: vec![0; plan.tries.len()],
             failures: BTreeMap::new(),
@@ -96,6 +97,8 @@ struct Run<'a> {
     /// The number of scenes, and that of the whole plan.
     asked: usize,
     of: usize,
+    /// The time that the renderer took for them.
+    waited: Duration,
     /// The number of cases of each group of laws, and for each law those that failed.
     tried: Vec<usize>,
     failures: BTreeMap<&'static str, Vec<Failure>>,
@@ -178,6 +181,7 @@ impl Run<'_> {
             return None;
         }
         self.asked += scenes.len();
+        let asked = Instant::now();
         let mut shade = |scenes: &[Scene]| {
             let shade = AssertUnwindSafe(|| self.renderer.shade(scenes));
             catch_unwind(shade).ok()
@@ -188,6 +192,7 @@ impl Run<'_> {
             let scene = alone.map_or("none alone".into(), Scene::to_json);
             Err(format!("the renderer panicked; the scene: {scene}"))
         });
+        self.waited += asked.elapsed();
         let answer = answer.and_then(|colors| match (colors.len(), scenes.len()) {
             (few, many) if few != many => Err(format!("{few} colors for {many} scenes")),
             _ => Ok(colors),
@@ -358,8 +363,8 @@ impl Run<'_> {
         if chosen.is_empty() {
             chosen.extend(self.failures.keys().find(|name| **name != "no_memory"));
         }
-        let per_scene = self.start.elapsed().as_secs_f64()
-            / f64::from(u32::try_from(self.asked.max(1)).unwrap_or(1));
+        let asked = f64::from(u32::try_from(self.asked.max(1)).unwrap_or(u32::MAX));
+        let per_scene = self.waited.as_secs_f64() / asked;
         let until_end = |end: Instant| end.saturating_duration_since(Instant::now()).min(SEARCH);
         let left = self.deadline.map_or(SEARCH, until_end).as_secs_f64();
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 2 to 60

@@ -87,6 +87,11 @@ fn examples_keep_all_laws() {
         ("c", "cc -x c -O2 file.c -o by_c -lm", "./by_c"),
         ("rust", "rustc -O --edition 2021 file.rust -o by_rust", "./by_rust"),
     ] {
+        // JavaScript's engine is not on every machine
+        let is_there = Command::new("node").arg("--version").output().is_ok();
+        if language == "javascript" && !is_there {
+            continue;
+        }
         let line =
             format!("$laws example {language} >file.{language} && {build} && $laws {command}");
         let report = shell(&folder, "", &line, 0);
@@ -96,10 +101,9 @@ fn examples_keep_all_laws() {
 
 /// The mistakes of a table, made in another program than this: each is found, nearly all have exactly the place that stands
 /// there, and none has another.
-#[test]
-fn mistakes_in_the_example_are_found_and_placed() {
+fn mistakes_are_found_and_placed(step: usize) {
     let rows = include_str!("mistakes.txt").lines();
-    let rows: Vec<&str> = rows.filter(|row| !row.starts_with('#')).collect();
+    let rows: Vec<&str> = rows.filter(|row| !row.starts_with('#')).step_by(step).collect();
     let some = |part: usize| -> Vec<_> {
         let of_part = rows.iter().skip(part).step_by(2);
         of_part.filter_map(|row| misplaced(row)).collect()
@@ -110,6 +114,17 @@ fn mistakes_in_the_example_are_found_and_placed() {
     });
     println!("{} rows, not exact: {inexact:#?}", rows.len());
     assert!(inexact.len() * 20 <= rows.len());
+}
+
+#[test]
+fn some_mistakes_in_the_example_are_found_and_placed() {
+    mistakes_are_found_and_placed(6);
+}
+
+#[test]
+#[ignore = "it takes half a minute"]
+fn all_mistakes_in_the_example_are_found_and_placed() {
+    mistakes_are_found_and_placed(1);
 }
 
 /// Makes the mistakes of a row, and says what is told if it is not exactly the place of the row. Nothing may be told that is
@@ -214,9 +229,9 @@ fn nonsense_is_refused() {
         (r#"echo '{"models":[]}'"#, "models is empty"),
         ("cat /dev/zero", endless),
         (r"printf '\377\n'", "not UTF-8"),
-        ("exec sleep 1000", "no line within 2s"),
+        ("exec sleep 1000", "no line within 5s"),
         ("exec >&-; exec sleep 1000", "it closed its output"),
-        ("echo '{}'; exec sleep 1000", "scene 1: no answer within 2s"),
+        ("echo '{}'; exec sleep 1000", "scene 1: no answer within 5s"),
     ];
     let answers = [
         ("sys.exit(3)", "it ended (exit status: 3)"),
@@ -229,7 +244,7 @@ fn nonsense_is_refused() {
         ("say('[' + '1' * 10**6)", endless),
         ("os.write(1, b'[\\xff,0,0]\\n')", "is not UTF-8"),
         ("os.write(1, b'[0.'); sys.exit(3)", "3) in the middle of the line \"[0.\""),
-        ("pass", "no answer within 2s"),
+        ("pass", "no answer within 5s"),
     ];
     let hint = "the empty line has no answer";
     let lines = [
@@ -253,8 +268,8 @@ fn nonsense_is_refused() {
         std::thread::scope(|scope| {
             for (interpreter, script, parts) in some {
                 scope.spawn(move || {
-                    let is_late = parts.iter().any(|part| part.contains("within 2s"));
-                    let timeout = if is_late { "2" } else { "60" };
+                    let is_late = parts.iter().any(|part| part.contains("within 5s"));
+                    let timeout = if is_late { "5" } else { "60" };
                     let mut command = program();
                     command.args(["--cases", "4", "--law", "finite", "--timeout", timeout]);
                     refused(command.args([interpreter, "-c", script]), parts);

@@ -3,8 +3,6 @@
 #![allow(missing_docs)]
 #![allow(clippy::float_cmp)] // short numbers, compared exactly
 
-use std::time::Duration;
-
 use shading_laws::{Laws, Profile, Renderer, Report, Scene, Triple, from_fn};
 
 fn run(laws: &Laws, color: impl FnMut(&Scene) -> Triple) -> Report {
@@ -23,7 +21,7 @@ fn the_same_seed_gives_the_same_report() {
     let headlight = |scene: &Scene| scene.k_d.map(|k| k * scene.v[2].max(0.0));
     let of = |seed, only: &str| {
         let only = only.split_whitespace().map(Into::into).collect();
-        let laws = Laws { seed, only, cases: 20, shrinks: 2, ..Laws::default() };
+        let laws = Laws { seed, only, cases: 20, shrinks: 0, ..Laws::default() };
         run(&laws, headlight)
     };
     let (all, again, other) = (of(1, ""), of(1, ""), of(2, ""));
@@ -107,17 +105,4 @@ fn a_panic_names_its_scene() {
     let error = report.error.expect("a panic");
     assert!(error.starts_with("the renderer panicked; the scene: {"));
     assert!(error.matches("\"kind\"").count() > 1, "{error}");
-}
-
-/// At 20 ms a scene, three seconds are enough to try each law, and to place what is wrong.
-#[test]
-fn a_slow_renderer_tries_every_law() {
-    let laws = Laws { time: Some(Duration::from_secs(3)), ..Laws::default() };
-    let report = run(&laws, |scene| {
-        std::thread::sleep(Duration::from_millis(20));
-        [0, 1, 2].map(|i| scene.k_a[i] * scene.i_a[i]) // no light but the ambient
-    });
-    let text = report.to_string();
-    assert!(!text.contains("holds in 0 cases"), "{text}");
-    assert!(text.contains("only with:"), "{text}");
 }

@@ -155,6 +155,12 @@ pub(crate) fn by_squaring<T: Real>(mut base: T, mut m: u32) -> T {
     }
 }
 
+/// m/2 as the powers take it. The product has quieted a signaling NaN, so [`shininess`] can be shorter.
+#[inline]
+pub(crate) fn half_shininess<T: Real>(m: T) -> T {
+    (T::of_f32(0.5) * m).at_least(T::ZERO).at_most(T::MAX)
+}
+
 /// m as the powers take it: finite and at least 0.
 #[inline]
 pub(crate) fn shininess<T: Real>(m: T) -> T {
@@ -178,7 +184,7 @@ macro_rules! real {
 
             #[inline]
             fn raise_quotient(self, square: $float, of: $float) -> $float {
-                $quotient(square, of, shininess(0.5 * self))
+                $quotient(square, of, half_shininess(self))
             }
         }
     };

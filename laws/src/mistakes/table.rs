@@ -220,15 +220,11 @@ fn highlight() -> Vec<Mistake> {
     vec![
         row(
             "HighlightNotGated",
-            "the highlight does not need N·L > 0, so faces turned away from a light have one",
+            "the highlight is not gated on N·L > 0, so faces turned away from a light have one",
         )
         .at(Gate, |_, _| one(ONE)),
-        row("ReflectionReversed", "R is reversed: L - 2(N·L)N in place of 2(N·L)N - L").at(
-            Cosine,
-            |x, at| {
-                if at.model == Model::Phong { minus(x) } else { x }
-            },
-        ),
+        row("ReflectionReversed", "R points the wrong way: reflect() of GLSL and HLSL takes −L")
+            .at(Cosine, |x, at| if at.model == Model::Phong { minus(x) } else { x }),
         row("HalfVectorNotNormalized", "H = L + V is not normalized").at(Half, |_, at| at.sum),
         row(
             "HalfVectorHalved",
@@ -279,7 +275,7 @@ fn ambient() -> Vec<Mistake> {
 
 fn sum() -> Vec<Mistake> {
     vec![
-        row("LightsAtMost", "only the first {} lights count")
+        row("LightsAtMost", "lights beyond number {} are left out")
             .of(&[4.0, 1.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 32.0, 64.0])
             .at(OfLight, |x, at| if at.i >= at.value { BLACK } else { x }),
         row("LightsAssigned", "each light replaces the color, in place of adding to it: = for +=")

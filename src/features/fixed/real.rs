@@ -1,9 +1,7 @@
 //! [`Real`] and [`Elementary`].
 
 use super::root::{Scaled, halfway_cosine, reciprocal, root, unit_and_length};
-use super::wide::{
-    HALVES, product, product_by_share, product_unsigned, upper_rounded, upper_unsigned,
-};
+use super::wide::{product, product_by_share, product_unsigned, upper_rounded, upper_unsigned};
 use super::{Fixed, ONE, rounded};
 use crate::elementary::Elementary;
 use crate::real::{Dimmed, LightSum, Lobe, Measured, Real, Toward};
@@ -59,13 +57,8 @@ impl Real for Fixed {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn faces(n: Vec3<Self>, v: Vec3<Self>) -> bool {
-        if HALVES {
-            // `toward` needs it, too, and whole products would be its double
-            let dot = Scaled::of(v.into()).dot(n);
-            return dot > 0 || dot > -3 && faces_nearly(n, v);
-        }
         // n has 17 bits, so the sum has 50
         let sum = product(n.x.0, v.x.0).wrapping_add(product(n.y.0, v.y.0));
         sum.wrapping_add(product(n.z.0, v.z.0)) > 0
@@ -142,7 +135,7 @@ impl Real for Fixed {
         let product = product_unsigned(slope, q.0 as u32);
         let d = ((product >> 16) as u32).wrapping_add(a.0 as u32);
         let d_above = (product >> 47) as u32 | a.0 as u32 >> 31;
-        let is_negative_or_limited = (c.0 | limit.0.wrapping_sub(ONE)) < 0;
+        let is_negative_or_limited = (c.0 | q.0 | limit.0.wrapping_sub(ONE)) < 0;
         if is_negative_or_limited || slope_above | d_above != 0 || d < ONE as u32 {
             let factor = Factor::attenuating([a, b, c], q, limit);
             let Rgb { r, g, b } = color;
@@ -152,9 +145,7 @@ impl Real for Fixed {
             return light(color);
         }
         let zeros = d.leading_zeros();
-        // 32 bits after the point
-        let factor = reciprocal(d << zeros) << 3 >> (15 - zeros);
-        times(light(color), factor)
+        times(light(color), reciprocal(d << zeros) << 3 >> (15 - zeros))
     }
 
     /// From the squares of q and r, which are exact, so that a bright light has its digits where it ends.
@@ -183,18 +174,10 @@ impl Real for Fixed {
     }
 }
 
-/// [`Real::faces`] where v is within three units of the edge.
-#[cold]
-#[inline(never)]
-fn faces_nearly(n: Vec3<Fixed>, v: Vec3<Fixed>) -> bool {
-    let sum = product(n.x.0, v.x.0).wrapping_add(product(n.y.0, v.y.0));
-    sum.wrapping_add(product(n.z.0, v.z.0)) > 0
-}
-
 /// A light times a factor with 32 bits after the point.
 #[inline]
 fn times(Dimmed { color, factor }: Dimmed<Fixed>, by: u32) -> Dimmed<Fixed> {
-    let color = color.map(|x| Fixed(upper_rounded(x.0.max(0) as u32, by) as i32));
+    let color = color.map(|x| Fixed(upper_rounded(by, x.0.max(0) as u32) as i32));
     Dimmed { color, factor }
 }
 
@@ -206,7 +189,7 @@ fn times(Dimmed { color, factor }: Dimmed<Fixed>, by: u32) -> Dimmed<Fixed> {
 // a call, so that the sum over lights without a range has the registers to itself
 #[inline(never)]
 fn window(v: Vec3<Fixed>, range: Fixed, is_squared: bool) -> u32 {
-    let square = |x: Fixed| product_unsigned(x.0.unsigned_abs(), x.0.unsigned_abs());
+    let square = |x: Fixed| product(x.0, x.0) as u64;
     let (q_squared, r_squared) = (square(v.x) + square(v.y) + square(v.z), square(range));
     if q_squared >= r_squared {
         return 0;
@@ -215,7 +198,7 @@ fn window(v: Vec3<Fixed>, range: Fixed, is_squared: bool) -> u32 {
     let upper = |x: u64| (x << zeros >> 32) as u32;
     let rest = upper_unsigned(upper(r_squared - q_squared), reciprocal(upper(r_squared)));
     let rest = (rest << 3).min(u32::MAX >> 1); // 31 bits after the point, where 2 is 2³²
-    let root = upper_unsigned(rest, rest.wrapping_neg()); // 30 bits
+    let root = upper_unsigned(rest.wrapping_neg(), rest); // 30 bits
     let window = if is_squared {
         upper_unsigned(2 * root, 2 * root)
     } else {
@@ -235,17 +218,18 @@ fn beam(axis: Vec3<Fixed>, [inner, outer]: [Fixed; 2], is_smooth: bool, v: Vec3<
     if cosine <= at_outer {
         return 0;
     }
-    let width = (inner.0 - outer.0) as u32;
+    // wrapping and limited, for edges that no cone has
+    let width = (inner.0.wrapping_sub(outer.0) as u32).clamp(1, 1 << 22);
     let zeros = width.leading_zeros();
-    let beyond = ((cosine - at_outer) as u32) << (zeros - 9);
+    let beyond = (cosine.wrapping_sub(at_outer) as u32) << (zeros - 9);
     let t = upper_unsigned(beyond, reciprocal(width << zeros));
-    let t = t.min(u32::MAX >> 4) << 4; // 32 bits after the point
-    let square = upper_unsigned(t, t);
+    let t = t.min(u32::MAX >> 4) << 3; // 31 bits after the point
+    let square = upper_unsigned(t, t); // 30 bits
     if is_smooth {
-        let three_less_2_t = (3 << 30) - (t >> 1); // 30 bits
-        upper_unsigned(square, three_less_2_t).min(u32::MAX >> 2) << 2
+        let three_less_2_t = (3 << 30) - t; // 30 bits
+        upper_unsigned(three_less_2_t, square).min(u32::MAX >> 4) << 4
     } else {
-        square
+        square << 2
     }
 }
 
@@ -260,7 +244,7 @@ impl Factor {
     #[cold]
     #[inline(never)]
     fn times(self, x: Fixed) -> Fixed {
-        let product = product_unsigned(x.0.max(0) as u32, self.significand);
+        let product = product_unsigned(self.significand, x.0.max(0) as u32);
         let steps = (product + (1 << self.shift >> 1)) >> self.shift;
         Fixed(if steps >> 31 == 0 {
             steps as i32
@@ -277,13 +261,14 @@ impl Factor {
             (a, b, c) = (a + q * (b + c * q), Fixed(0), Fixed(0));
         }
         let steps = |x: Fixed| x.0.max(0) as u32;
-        // the slope b + cq, with 32 bits after the point
-        let slope = product_unsigned(steps(c), steps(q)) + ((steps(b) as u64) << 16);
-        let zeros = (slope | 1).leading_zeros();
-        let product = product_unsigned((slope << zeros >> 32) as u32, steps(q));
-        // the denominator, with 16 bits after the point and as many more as there is room for
-        let more = zeros.min(32);
-        let denominator = ((product >> (zeros - more)) + ((steps(a) as u64) << more)) | 1;
+        // the slope b + cq with 32 bits after the point, and then as many as leave 32 in all
+        let mut slope = product_unsigned(steps(c), steps(q)) + ((steps(b) as u64) << 16);
+        let (mut constant, mut more) = ((steps(a) as u64) << 32, 32);
+        while slope >> 32 != 0 {
+            (slope, constant, more) = (slope >> 1, constant >> 1, more - 1);
+        }
+        // the denominator, with 16 bits after the point and as many more
+        let denominator = (product_unsigned(slope as u32, steps(q)) + constant) | 1;
         let zeros = denominator.leading_zeros();
         let significand = reciprocal((denominator << zeros >> 32) as u32);
         let exponent = more + zeros;

@@ -121,7 +121,21 @@ pub(super) struct Scaled {
 }
 
 impl Scaled {
-    #[inline]
+    // one copy for all callers where it is long: without long products, and without a count of leading zeros
+    #[cfg_attr(
+        any(
+            target_arch = "riscv32",
+            all(target_arch = "arm", not(target_has_atomic = "32"))
+        ),
+        inline(never)
+    )]
+    #[cfg_attr(
+        not(any(
+            target_arch = "riscv32",
+            all(target_arch = "arm", not(target_has_atomic = "32"))
+        )),
+        inline
+    )]
     pub(super) const fn of([x, y, z]: [Fixed; 3]) -> Self {
         let bits = x.0.unsigned_abs() | y.0.unsigned_abs() | z.0.unsigned_abs();
         let shift = (bits | bits << 1 | 1).leading_zeros(); // 0 for −2³¹, too
@@ -159,12 +173,6 @@ impl Scaled {
             length << (5 - shift)
         };
         (unit, Fixed(length as i32))
-    }
-
-    /// n·v/2²⁰, less up to three roundings down, for the scaled v.
-    #[inline(always)]
-    pub(super) fn dot(&self, n: Vec3<Fixed>) -> i32 {
-        dot(n, self.v)
     }
 
     /// The cosine of the angle to a direction, with 25 bits after the point.

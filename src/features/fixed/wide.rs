@@ -19,13 +19,13 @@ macro_rules! either {
 either! {
     /// The whole product.
     product(a: i32, b: i32) -> i64;
-    /// The whole product of unsigned numbers.
+    /// The whole product of unsigned numbers, the second below 2³¹.
     product_unsigned(a: u32, b: u32) -> u64;
     /// The whole product with a number of at most 2¹⁶.
     product_by_share(a: u32, share: u32) -> u64;
     /// The upper half of a product, rounded down.
     upper(a: i32, b: i32) -> i32;
-    /// The upper half of a product of unsigned numbers, rounded down.
+    /// The upper half of a product of unsigned numbers, the second below 2³¹, rounded down.
     upper_unsigned(a: u32, b: u32) -> u32;
     /// The upper half of a product of unsigned numbers, rounded to the nearest.
     upper_rounded(a: u32, b: u32) -> u32;
@@ -82,19 +82,18 @@ pub mod halves {
         a_1 * b_1 + (middle >> 16) + (other >> 16)
     }
 
+    /// The sign of a stands for 2³², which b takes part in. Without a sign, the compiler would see that this is the half of a
+    /// product of 64 bits, and call the routine.
     pub const fn upper_unsigned(a: u32, b: u32) -> u32 {
-        upper_of_sum(a, b, 0)
+        let product = upper(a as i32, b as i32) as u32;
+        product.wrapping_add((a as i32 >> 31) as u32 & b)
     }
 
     pub const fn upper_rounded(a: u32, b: u32) -> u32 {
-        upper_of_sum(a, b, 1 << 15)
-    }
-
-    /// The upper half of a · b + 2¹⁶ c, for c of at most 2¹⁵. No sum here exceeds 32 bits.
-    const fn upper_of_sum(a: u32, b: u32, c: u32) -> u32 {
         let (a_1, a_0, b_1, b_0) = (a >> 16, a & 0xFFFF, b >> 16, b & 0xFFFF);
+        // no sum exceeds 32 bits
         let middle = a_1 * b_0 + (a_0 * b_0 >> 16);
-        let other = a_0 * b_1 + (middle & 0xFFFF) + c;
+        let other = a_0 * b_1 + (middle & 0xFFFF) + (1 << 15);
         a_1 * b_1 + (middle >> 16) + (other >> 16)
     }
 }

@@ -12,7 +12,7 @@ use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8, i32x4, i32x8, i32x16, u64x2, u64x4, u64x8};
 
 use crate::real::power::{Bits, EXPONENT, double, double_of_quotient, single, single_of_quotient};
-use crate::real::{Lobe, Mask, Real, Select, shininess};
+use crate::real::{Lobe, Mask, Real, Select, half_shininess, shininess};
 use crate::rgb::Rgb;
 
 // x87 rounds a number in a register differently from a number in memory
@@ -125,7 +125,7 @@ macro_rules! real {
 
             #[inline]
             fn raise_quotient(self, square: $lanes, of: $lanes) -> $lanes {
-                $of_quotient(square, of, $lanes::splat(shininess(0.5 * self)))
+                $of_quotient(square, of, $lanes::splat(half_shininess(self)))
             }
         }
 

@@ -81,30 +81,41 @@ pub fn highlight(cosine: f64, m: u32) -> f64 {
     }
 }
 
-/// 1/(a + bq + cq²), times (1 − (q/r)⁴)² or, as glTF has it, not squared.
-pub fn falloff(attenuation: Attenuation<f64>, q: f64) -> f64 {
-    let [a, b, c] = attenuation.coefficients();
-    let free = 1.0 / (a + b * q + c * q * q);
-    let free = free.min(attenuation.limit());
-    let root = (1.0 - (q / attenuation.range()).powi(4)).max(0.0);
-    let is_ranged = attenuation.range() < f64::MAX;
-    match (is_ranged, attenuation.is_gltf()) {
+/// 1/(a + bq + cq²).
+pub fn attenuation([a, b, c]: [f64; 3], q: f64) -> f64 {
+    1.0 / (a + b * q + c * q * q)
+}
+
+/// 1 − (q/r)⁴, as glTF has it, or 0 beyond r; others square it.
+pub fn window(q: f64, r: f64) -> f64 {
+    (1.0 - (q / r).powi(4)).max(0.0)
+}
+
+/// What arrives after the distance q.
+pub fn falloff(falloff: Attenuation<f64>, q: f64) -> f64 {
+    let free = attenuation(falloff.coefficients(), q).min(falloff.limit());
+    let window = window(q, falloff.range());
+    match (falloff.range() < f64::MAX, falloff.is_gltf()) {
         (false, _) => free,
-        (true, false) => free * root * root,
-        (true, true) => free * root,
+        (true, false) => free * window * window,
+        (true, true) => free * window,
     }
 }
 
-/// 1 from the inner edge on, 0 beyond the outer one, and t² or t²(3 − 2t) between them.
-pub fn cone(cone: Cone<f64>, cosine: f64) -> f64 {
-    let [inner, outer] = cone.cosines();
+/// How far a cosine is from the outer edge of a cone to the inner one: 1 from the inner one on.
+pub fn across([inner, outer]: [f64; 2], cosine: f64) -> f64 {
     if cosine >= inner {
-        return 1.0;
+        1.0
+    } else if cosine < outer {
+        0.0
+    } else {
+        (cosine - outer) / (inner - outer)
     }
-    if cosine < outer {
-        return 0.0;
-    }
-    let t = (cosine - outer) / (inner - outer);
+}
+
+/// t², or t²(3 − 2t) for a smoothstep.
+pub fn cone(cone: Cone<f64>, cosine: f64) -> f64 {
+    let t = across(cone.cosines(), cosine);
     if cone.is_smoothstep() {
         t * t * (3.0 - 2.0 * t)
     } else {

@@ -314,6 +314,16 @@ pub fn unit(x: f64, y: f64, z: f64) -> UnitVec3<f64> {
     UnitVec3::assume_unit(Vec3::new(x, y, z))
 }
 
+/// The direction with these coordinates that points up, along z.
+pub fn up(x: f64, y: f64) -> UnitVec3<f64> {
+    unit(x, y, (1.0 - x * x - y * y).sqrt())
+}
+
+/// The direction with these coordinates that points down.
+pub fn down(x: f64, y: f64) -> UnitVec3<f64> {
+    unit(x, y, -(1.0 - x * x - y * y).sqrt())
+}
+
 pub fn rgb(r: f64, g: f64, b: f64) -> Rgb<f64> {
     Rgb::new(r, g, b)
 }

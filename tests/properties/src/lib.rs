@@ -57,7 +57,7 @@ pub use run::{run, try_property};
 pub use tracked::Tracked;
 
 // what the input of a failed test is written with
-pub use given::{coefficients, cone, lamp, material, rgb, spot, sun, unit, vec3};
+pub use given::{coefficients, cone, down, lamp, material, rgb, spot, sun, unit, up, vec3};
 pub use shading::{Attenuation, Real, Rgb, UnitVec3};
 
 use shading::Vec3;
@@ -226,6 +226,7 @@ properties! { $
         a_normal_is_perpendicular_to_its_edges
         any_vertex_may_come_first
         an_exchange_turns_the_normal_over
+        [mirroring] an_exchange_turns_the_corner_over
         a_degenerate_triangle_has_no_normal
         a_line_has_no_normal
         a_normal_does_not_move_with_its_surface
@@ -280,9 +281,13 @@ fn least_normal<T: Number>() -> f64 {
     if T::U > 0.0 { T::SMALLEST / T::U } else { 0.0 }
 }
 
+/// Whether the square of a length needs no scaling.
+fn is_tame<T: Number>(square: f64) -> bool {
+    square > 1.0 / T::LARGE && square < T::LARGE
+}
+
 /// Whether the square of a length has the digits of an ordinary number. In fixed point, one beyond
 /// `EXTREME` has few.
 fn has_digits<T: Number>(square: f64) -> bool {
-    let is_tame = square > 1.0 / T::LARGE && square < T::LARGE;
-    square > 0.0 && (is_tame || T::U > 0.0)
+    square > 0.0 && (is_tame::<T>(square) || T::U > 0.0)
 }

@@ -18,6 +18,8 @@ pub trait Number: Real + PartialOrd + Debug + 'static {
     /// The largest error of a rounding near 0: half the distance from 0 to the next number, or half
     /// a step.
     const STEP: f64 = Self::SMALLEST / 2.0;
+    /// The error of its own hooks of `Real`, relative to the result, beyond those of its operations.
+    const HOOK: f64 = 0.0;
     /// Whether a product with a power of two is exact, as in a binary float.
     const DOUBLES_EXACTLY: bool = true;
 
@@ -52,6 +54,7 @@ impl Number for shading::fixed::Fixed {
     const SMALLEST: f64 = 1.0 / 65_536.0;
     const LARGEST: f64 = 32_768.0 - Self::SMALLEST;
     const LARGE: f64 = 512.0;
+    const HOOK: f64 = 1.0 / 16_777_216.0; // a reciprocal of 24 bits
     const DOUBLES_EXACTLY: bool = false;
 
     fn exact(self) -> f64 {

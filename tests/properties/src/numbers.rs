@@ -90,13 +90,15 @@ pub fn the_power_of_a_halfway_cosine_is_its_formula<T: Number>(d: &Directions<T>
     let [n, l, v] = [d.n, d.l, d.v].map(|u| book::xyz(u.cast(T::exact)));
     let size = book::length(book::plus(l, v));
     let cosine = book::halfway(l, v).map_or(0.0, |h| book::dot(n, h));
-    prop_assume!(size > 0.1 && (cosine == 0.0 || cosine.abs() > 64.0 * (T::U + T::STEP)));
+    prop_assume!(size > 0.1 && cosine.abs() > 64.0 * (T::U + T::STEP));
     for scale in [0.25, 1.0, 3.0] {
         let to_light = T::measured(*d.l * T::of(scale));
         let is = T::halfway_power(*d.n, to_light, *d.v, d.m).exact();
+        // the square of n·h is rounded, too, and its root magnifies that where n·h is small
+        let steps = T::STEP * (1.0 + 1.0 / (scale * scale * size * cosine.abs()));
         let roundings = (f64::from(d.m) + 1.0) * 16.0 / size;
         let should = book::highlight(cosine, d.m);
-        prop_assert_near!(is, should, roundings * (T::U + T::STEP / scale));
+        prop_assert_near!(is, should, roundings * (T::U + steps));
     }
     let opposite = T::measured(*UnitVec3::NEG_X);
     prop_assert_eq!(T::halfway_power(*d.n, opposite, *UnitVec3::X, d.m), T::ZERO);

@@ -1,5 +1,6 @@
 //! Inputs as Rust, for what a failed test prints.
 
+use crate::given::{down, up};
 use shading::{Attenuation, Cone, Light, Material, PointLight, Rgb, UnitVec3, Vec3};
 
 pub trait Source {
@@ -34,9 +35,14 @@ impl Source for UnitVec3<f64> {
             (Self::NEG_Y, "NEG_Y"),
             (Self::NEG_Z, "NEG_Z"),
         ];
+        let (x, y, z) = (self.x, self.y, self.z);
+        let is_short = format!("{x:?}{y:?}{z:?}").len() < 20;
         match axes.iter().find(|(axis, _)| axis == self) {
             Some((_, name)) => format!("UnitVec3::{name}"),
-            None => format!("unit({:?}, {:?}, {:?})", self.x, self.y, self.z),
+            None if is_short => format!("unit({x:?}, {y:?}, {z:?})"),
+            None if *self == up(x, y) => format!("up({x:?}, {y:?})"),
+            None if *self == down(x, y) => format!("down({x:?}, {y:?})"),
+            None => format!("unit({x:?}, {y:?}, {z:?})"),
         }
     }
 }
@@ -129,13 +135,14 @@ fn list(values: &[impl Source]) -> String {
     values.join(", ")
 }
 
-/// A statement on lines of at most 100 columns, broken between the fields of a struct and the
+/// A statement on lines of at most 110 columns, broken between the fields of a struct and the
 /// elements of a list.
 pub fn wrapped(statement: &str) -> String {
     let (mut pieces, mut open) = (vec![String::new()], Vec::new());
     for part in statement.split_inclusive([' ', '(', ')', '[', ']', '{', '}']) {
         let piece = pieces.last_mut().expect("a piece");
-        if piece.ends_with(", ") && matches!(open.last(), Some('{' | '[')) {
+        let may_break = piece.ends_with("{ ") || piece.ends_with(", ");
+        if may_break && matches!(open.last(), Some('{' | '[')) {
             pieces.push(part.into());
         } else {
             piece.push_str(part);
@@ -149,7 +156,7 @@ pub fn wrapped(statement: &str) -> String {
     let mut lines = vec![String::new()];
     for piece in pieces {
         let line = lines.last_mut().expect("a line");
-        if line.is_empty() || line.len() + piece.trim_end().len() <= 100 {
+        if line.is_empty() || line.len() + piece.trim_end().len() <= 110 {
             line.push_str(&piece);
         } else {
             lines.push(format!("    {piece}"));

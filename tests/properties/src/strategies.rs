@@ -1,7 +1,7 @@
 //! Cases with the edges in them: axes, opposites, the horizon, a light at the point, m = 0,
 //! subnormal and huge sizes. What stands first in each is the simplest, to which proptest shrinks.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -9,7 +9,7 @@ use proptest::sample::select;
 use shading::{Attenuation, Cone, Light, Material, PointLight, Rgb, UnitVec3, Vec3, reflection};
 
 use crate::given::{Beam, Directions, Falloff, Frame, Numbers, Scene, Sizes, Triangle};
-use crate::given::{coefficients, cone, lamp, spot, sun, unit};
+use crate::given::{coefficients, cone, down, lamp, spot, sun, unit, up};
 use crate::simplest::simplest;
 
 /// A factor: mostly 1, and otherwise of any size that the number has.
@@ -18,7 +18,13 @@ fn size(sizes: Sizes) -> impl Strategy<Value = f64> {
     prop_oneof![4 => Just(1.0), 1 => any]
 }
 
-/// An axis, or a direction by its angles, so that none shrinks to zero.
+/// A number of few decimal digits, so that it prints short and shrinks to a whole one.
+fn decimal(least: i32, most: i32) -> impl Strategy<Value = f64> + Clone {
+    const DIGITS: i32 = 1_000_000;
+    (least * DIGITS..=most * DIGITS).prop_map(|k| f64::from(k) / f64::from(DIGITS))
+}
+
+/// An axis, or a direction by two of its coordinates, so that none shrinks to zero.
 fn direction() -> impl Strategy<Value = UnitVec3<f64>> + Clone {
     let simple = [
         UnitVec3::Z,
@@ -29,14 +35,24 @@ fn direction() -> impl Strategy<Value = UnitVec3<f64>> + Clone {
         UnitVec3::NEG_Y,
         unit(0.6, 0.0, 0.8),
         unit(0.6, 0.0, -0.8),
+        unit(0.8, 0.0, 0.6),
         unit(0.0, 0.6, 0.8),
+        unit(-0.6, 0.0, 0.8),
+        unit(0.0, -0.8, 0.6),
+        unit(0.6, 0.8, 0.0),
+        unit(0.28, 0.0, 0.96),
         unit(0.48, 0.6, 0.64),
+        unit(0.36, 0.48, 0.8),
+        unit(-0.48, 0.64, -0.6),
     ];
-    let by_angles = (0.0..PI, 0.0..TAU).prop_map(|(polar, azimuth): (f64, f64)| {
-        let ((s, c), (sine, cosine)) = (polar.sin_cos(), azimuth.sin_cos());
-        unit(s * cosine, s * sine, c)
+    // of few digits, so that it prints short; the horizon is among the simple ones
+    let any = (0.0..0.99999, 0.0..TAU, any::<bool>()).prop_map(|(square, azimuth, is_up)| {
+        let (sine, cosine) = f64::sin_cos(azimuth);
+        let digits = |x: f64| (x * f64::sqrt(square) * 1e6).round() / 1e6;
+        let [x, y] = [cosine, sine].map(digits);
+        if is_up { up(x, y) } else { down(x, y) }
     });
-    simplest(simple, by_angles)
+    simplest(simple, any)
 }
 
 /// Three directions. The second may lie on the horizon of the first; the third may be the second,
@@ -62,12 +78,15 @@ fn three_directions() -> impl Strategy<Value = [UnitVec3<f64>; 3]> {
 
 /// A number within [0, 1], often one that is simple.
 fn fraction() -> impl Strategy<Value = f64> + Clone {
-    simplest([0.0, 1.0, 0.5, 0.25], 0.0..1.0)
+    simplest([0.0, 1.0, 0.5, 0.25, 0.75, 0.1], decimal(0, 1))
 }
 
 fn color() -> impl Strategy<Value = Rgb<f64>> + Clone {
     let simple = [[1.0; 3], [1.0, 0.0, 0.0], [0.0; 3], [2.0, 1.0, 0.5]].map(Rgb::from);
-    simplest(simple, [0.0..2.0, 0.0..2.0, 0.0..2.0].prop_map(Rgb::from))
+    simplest(
+        simple,
+        [decimal(0, 2), decimal(0, 2), decimal(0, 2)].prop_map(Rgb::from),
+    )
 }
 
 fn shininess() -> impl Strategy<Value = u32> {
@@ -87,7 +106,7 @@ fn grid() -> impl Strategy<Value = Vec3<f64>> + Clone {
 /// A vector of few bits, or of any.
 fn vector() -> impl Strategy<Value = Vec3<f64>> + Clone {
     let axes = [UnitVec3::Z, UnitVec3::X, UnitVec3::Y, UnitVec3::NEG_Z].map(|axis| *axis);
-    let any = [-4.0..4.0, -4.0..4.0, -4.0..4.0].prop_map(Vec3::from);
+    let any = [decimal(-4, 4), decimal(-4, 4), decimal(-4, 4)].prop_map(Vec3::from);
     let simple = [&[Vec3::ZERO][..], &axes].concat();
     simplest(simple, prop_oneof![1 => grid(), 3 => any])
 }
@@ -121,11 +140,17 @@ fn any_lamp() -> impl Strategy<Value = PointLight<f64>> {
 
 /// A light at some place seen from the point.
 fn light() -> impl Strategy<Value = Light<f64>> {
-    prop_oneof![
-        2 => (direction(), color()).prop_map(|(l, color)| sun(l, color)),
-        2 => any_lamp().prop_map(Light::from),
-        1 => (any_lamp(), direction(), any_cone()).prop_map(|(lamp, axis, cone)| spot(lamp, axis, cone)),
-    ]
+    let simple = [
+        sun(UnitVec3::Z, Rgb::WHITE),
+        sun(unit(0.6, 0.0, 0.8), Rgb::WHITE),
+        lamp(*UnitVec3::Z, Rgb::WHITE, Attenuation::NONE).into(),
+        lamp(*UnitVec3::Z * 2.0, Rgb::WHITE, coefficients(0.0, 0.0, 1.0)).into(),
+    ];
+    let suns = (direction(), color()).prop_map(|(l, color)| sun(l, color));
+    let spots = (any_lamp(), direction(), any_cone());
+    let spots = spots.prop_map(|(lamp, axis, cone)| spot(lamp, axis, cone));
+    let any = prop_oneof![2 => suns, 2 => any_lamp().prop_map(Light::from), 2 => spots];
+    simplest(simple, any)
 }
 
 /// At most four lights. Of twenty lamps, one is at the point. The eye may be where a sun is,
@@ -231,7 +256,7 @@ pub fn beams(_: Sizes) -> BoxedStrategy<Beam> {
 }
 
 pub fn numbers(sizes: Sizes) -> BoxedStrategy<Numbers> {
-    let signed = simplest([0.0, 1.0, -1.0, 0.5], -1.0..1.0);
+    let signed = simplest([0.0, 1.0, -1.0, 0.5], decimal(-1, 1));
     let numbers = |(x, y, z, size, m): (_, _, f64, _, _)| Numbers {
         x,
         y,
