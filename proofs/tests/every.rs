@@ -187,15 +187,15 @@ fn reciprocals_of_fixed_point() {
             Fixed::ZERO,
             Fixed::MAX,
         );
-        (dimmed.color.r * dimmed.factor).to_bits()
+        i64::from((dimmed.color.r * dimmed.factor).to_bits())
     };
-    let mut before = [i32::MAX - 1; 2];
+    let mut before = [i64::from(i32::MAX); 2];
     for a in 1..=i32::MAX {
         for (before, color) in before.iter_mut().zip([Fixed::MAX, Fixed::ONE]) {
             let lit = light(a, color);
             assert!(lit >= 0 && lit <= *before + 1, "{a}: {before} {lit}");
             assert!(
-                a < Fixed::ONE.to_bits() || lit <= color.to_bits(),
+                a < Fixed::ONE.to_bits() || lit <= i64::from(color.to_bits()),
                 "{a}: {lit}"
             );
             *before = lit;
