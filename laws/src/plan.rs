@@ -112,12 +112,13 @@ impl Plan {
         let chosen = LAWS.iter().filter(|law| laws.tries(law.name));
         let (of_one, others): (Vec<_>, Vec<_>) = chosen.partition(|law| law.is_of_one_scene());
         let groups = std::iter::once(of_one).chain(others.into_iter().map(|law| vec![law]));
-        let tries = groups.filter(|group| !group.is_empty()).enumerate().map(|(i, group)| {
+        let tries = groups.filter(|group| !group.is_empty()).map(|group| {
             let of_group =
                 replayed.iter().filter(|(law, _)| group.iter().any(|it| it.name == law.name));
             // what is said of one scene is tried on every edge; other laws share them
             let step = if group[0].is_of_one_scene() { 1 } else { 6 };
-            let edges = edges.iter().skip(i % step).step_by(step);
+            let place = LAWS.iter().position(|law| law.name == group[0].name).unwrap_or_default();
+            let edges = edges.iter().skip(place % step).step_by(step);
             tries(group.clone(), laws, profile, of_group.map(|(_, scene)| scene), edges)
         });
         Ok(Self { laws: laws.clone(), profile: profile.clone(), tries: tries.collect() })

@@ -113,7 +113,7 @@ fn mistakes_are_found_and_placed(step: usize) {
         threads.into_iter().flat_map(|thread| thread.join().expect("no panic")).collect()
     });
     println!("{} rows, not exact: {inexact:#?}", rows.len());
-    assert!(inexact.len() * 20 <= rows.len());
+    assert!(inexact.len() * 20 <= rows.len().max(20));
 }
 
 #[test]
