@@ -135,7 +135,7 @@ impl Real for Fixed {
         let product = product_unsigned(slope, q.0 as u32);
         let d = ((product >> 16) as u32).wrapping_add(a.0 as u32);
         let d_above = (product >> 47) as u32 | a.0 as u32 >> 31;
-        let is_negative_or_limited = (c.0 | q.0 | limit.0.wrapping_sub(ONE)) < 0;
+        let is_negative_or_limited = (c.0 | limit.0.wrapping_sub(ONE)) < 0;
         if is_negative_or_limited || slope_above | d_above != 0 || d < ONE as u32 {
             let factor = Factor::attenuating([a, b, c], q, limit);
             let Rgb { r, g, b } = color;

@@ -19,7 +19,7 @@ macro_rules! either {
 either! {
     /// The whole product.
     product(a: i32, b: i32) -> i64;
-    /// The whole product of unsigned numbers, the second below 2³¹.
+    /// The whole product of unsigned numbers.
     product_unsigned(a: u32, b: u32) -> u64;
     /// The whole product with a number of at most 2¹⁶.
     product_by_share(a: u32, share: u32) -> u64;
@@ -65,7 +65,8 @@ pub mod halves {
     }
 
     pub const fn product_unsigned(a: u32, b: u32) -> u64 {
-        (upper_unsigned(a, b) as u64) << 32 | a.wrapping_mul(b) as u64
+        let upper = upper_unsigned(a, b).wrapping_add((b as i32 >> 31) as u32 & a);
+        (upper as u64) << 32 | a.wrapping_mul(b) as u64
     }
 
     pub const fn product_by_share(a: u32, share: u32) -> u64 {

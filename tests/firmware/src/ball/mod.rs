@@ -40,14 +40,20 @@ pub const F32_BY_MICROMATH: Pixel = by_hand::with_micromath;
 /// By hand with the numbers of the crate `fixed`.
 pub const FIXED_BY_HAND: Pixel = by_hand::fixed::pixel;
 
-/// Draws a row of the picture.
+/// Draws a row of the picture: `show` is given each column and its color.
 #[inline(always)]
-pub fn draw_row(row: i16, pixel: Pixel, colors: &mut [u16; SIDE as usize]) {
+pub fn draw_row(row: i16, pixel: Pixel, mut show: impl FnMut(u8, u16)) {
     let up = RADIUS - row;
-    for (right, color) in (-RADIUS..).zip(colors) {
+    for column in 0..SIDE as u8 {
+        let right = i16::from(column) - RADIUS;
         let square = i32::from(right) * i32::from(right) + i32::from(up) * i32::from(up);
         let is_on_ball = square < i32::from(RADIUS) * i32::from(RADIUS);
-        *color = if is_on_ball { pixel(right, up) } else { BEHIND };
+        let color = if is_on_ball {
+            pixel(right, up)
+        } else {
+            BEHIND
+        };
+        show(column, color);
     }
 }
 

@@ -9,11 +9,15 @@ use kit::digest::{Fnv, Sink};
 #[cfg(target_os = "none")]
 #[firmware::board::entry]
 fn main() -> ! {
-    let (mut digest, mut colors) = (Fnv::EMPTY, [0; SIDE as usize]);
+    let (mut digest, mut colors) = (Fnv::EMPTY, [0; 256]);
     let mut stopwatch = firmware::board::Stopwatch::start();
     for row in 0..SIDE {
-        stopwatch.count(|| ball::draw_row(row, const { ball::chosen() }, &mut colors));
-        absorb(&colors, &mut digest);
+        stopwatch.count(|| {
+            ball::draw_row(row, const { ball::chosen() }, |column, color| {
+                colors[usize::from(column)] = color;
+            });
+        });
+        absorb(&colors[..SIDE as usize], &mut digest);
     }
     firmware::board::println!("{} {}", stopwatch.instructions(), digest.0);
     firmware::board::exit(0)
@@ -35,12 +39,11 @@ fn absorb(colors: &[u16], digest: &mut Fnv) {
 #[cfg(not(target_os = "none"))]
 fn main() {
     let picture = |pixel| {
-        let rows = (0..SIDE).map(|row| {
-            let mut colors = [0; SIDE as usize];
-            ball::draw_row(row, pixel, &mut colors);
-            colors
-        });
-        rows.flatten().collect::<Vec<u16>>()
+        let mut colors = Vec::new();
+        for row in 0..SIDE {
+            ball::draw_row(row, pixel, |_, color| colors.push(color));
+        }
+        colors
     };
     let exact = picture(ball::F64);
     for (name, pixel) in ball::PROGRAMS {
