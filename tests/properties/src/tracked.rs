@@ -304,8 +304,8 @@ impl<P: Printed, const N: usize> Printed for [P; N] {
     }
 }
 
-/// A whole power below the least normal `f32` may count as 0, in numbers that are no wider; four lights have a highlight
-/// each, of an intensity of at most 2.
+/// A whole power below the least normal `f32` may count as 0, in numbers that are no wider; four
+/// lights have a highlight each, of an intensity of at most 2.
 fn least_power<T: Number>() -> f64 {
     let least = f64::from(f32::MIN_POSITIVE);
     let is_wider = T::LARGEST > f64::from(f32::MAX);
