@@ -9,7 +9,7 @@ use crate::scene::{Kind, Light, Model, Scene, Triple, add, dot, length, mul, sca
 pub struct Edit {
     /// What no longer matters after the edit. What has no name is a law alone.
     pub id: &'static str,
-    pub edit: fn(&mut Scene, &Profile),
+    change: fn(&mut Scene, &Profile),
     /// The name of the law, what it says, and what it says of the colors.
     pub law: Option<(&'static str, &'static str, Holds)>,
     /// It takes light away. Where there is more than 1, ambient light makes up for it, because a color that is no longer
@@ -35,7 +35,7 @@ impl Edit {
     /// The scene after the edit.
     pub fn of(&self, scene: &Scene, profile: &Profile) -> Scene {
         let mut edited = scene.clone();
-        (self.edit)(&mut edited, profile);
+        (self.change)(&mut edited, profile);
         // where ambient light is wrong itself, more of it helps nobody
         if self.darkens && scene.i_a != [0.0; 3] {
             brighten(&mut edited, scene, profile);
@@ -61,9 +61,9 @@ fn brighten(scene: &mut Scene, other: &Scene, profile: &Profile) {
     }
 }
 
-const fn edit(id: &'static str, edit: fn(&mut Scene, &Profile)) -> Edit {
+const fn edit(id: &'static str, change: fn(&mut Scene, &Profile)) -> Edit {
     let (law, darkens) = (None, false);
-    Edit { id, edit, law, darkens }
+    Edit { id, change, law, darkens }
 }
 
 impl Edit {
@@ -234,10 +234,10 @@ pub static EDITS: &[Edit] = &[
         for light in &mut s.lights {
             match light {
                 Light::Directional { l: way, .. } | Light::Point { position: way, .. } => {
-                    *way = turned(*way)
+                    *way = turned(*way);
                 }
                 Light::Spot { position, axis, .. } => {
-                    (*position, *axis) = (turned(*position), turned(*axis))
+                    (*position, *axis) = (turned(*position), turned(*axis));
                 }
             }
         }

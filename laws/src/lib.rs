@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 #![allow(clippy::float_cmp)] // special cases are exact
+#![allow(clippy::test_attr_in_doctest)] // the page shows a whole file of tests
 
 // Each file uses only those above it.
 

@@ -25,6 +25,7 @@ use crate::scene::{Kind, Light, Model, Scene, Triple, length, sub, unit};
 /// };
 /// assert_eq!(shader.roundoff, f64::from(f32::EPSILON) / 2.0);
 /// ```
+#[allow(clippy::struct_excessive_bools)] // each is a fact of its own
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Profile {

@@ -24,7 +24,7 @@ fn real<T: Float>(x: f64) -> T {
 
 /// The matrix of a view: an orthonormal one, whose rows are those of a rotation that a quaternion gives.
 fn view<T: Float>(form: Form) -> [[T; 3]; 3] {
-    let i = form.0 as f64;
+    let i = f64::from(u32::try_from(form.0).expect("a small number"));
     let [w, x, y, z] = match form.way(11, 3) {
         0 => [(i * 0.7).sin(), (i * 1.1).cos(), (i * 1.7).sin(), (i * 2.3).cos()],
         1 => [1.0, f64::from(form.0 as u32 % 2), 0.0, 0.0], // about an axis, by 90° or not at all

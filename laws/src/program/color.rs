@@ -48,6 +48,7 @@ pub fn quoted(text: &str) -> String {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp)] // read exactly
 mod tests {
     use super::color;
 
