@@ -4,7 +4,7 @@
 # page's screenshots; DEVICE is the number of the Vulkan device, 0 if nothing is said: Mesa's, where no driver is installed.
 set -euo pipefail
 cd "$(dirname "$0")"
-. ../tests/firmware/toolchain.sh
+. ../.ci/toolchain
 built=${CARGO_TARGET_DIR:-$PWD/target}
 mkdir -p "$built"
 
@@ -34,7 +34,7 @@ chip() {
 # the same scene from C, C++, JavaScript and Python: each bit is the crate's
 languages() {
     command -v g++ >/dev/null || install_packages g++
-    command -v node >/dev/null || install_packages nodejs
+    command -v npm >/dev/null || install_packages nodejs npm
     installer rustup --quiet target add wasm32-unknown-unknown
     local work=$built/languages
     mkdir -p "$work"
@@ -48,24 +48,24 @@ languages() {
     c++ -std=c++17 "${flags[@]}" languages/main.cpp -L "$built/release" -lshading_c -Wl,-rpath,"$built/release" -o "$work/c++"
     draws_the_same C "$work/c"
     draws_the_same C++ "$work/c++"
-    draws_the_same JavaScript node languages/main.mjs "$built/wasm32-unknown-unknown/release/shading_c.wasm"
 
-    # the wheel, from a copy of the folder that stands alone
+    # the npm package: its tests and types, from the module that cargo has built
+    (cd languages/javascript && npm ci --silent --no-audit --no-fund && CARGO_TARGET_DIR=$built npm run --silent build && npm test --silent)
+    draws_the_same JavaScript node languages/main.mjs
+
+    # the wheel, from a copy of the folder that stands alone: its tests, its types and the notebook
     local python=$work/python/bin/python
     [ -x "$python" ] || python3 -m venv "$work/python"
     rm -rf "$work/copy"
     cp -r languages "$work/copy"
     sed -i "s#path = \"../..\"#path = \"$(realpath ..)\"#" "$work/copy/Cargo.toml"
     echo "[workspace]" >>"$work/copy/Cargo.toml"
-    CARGO_TARGET_DIR=$built/wheel "$python" -m pip --quiet --disable-pip-version-check install "$work/copy" pillow nbclient ipykernel
-    cat >"$work/notebook.py" <<'PYTHON'
-import sys, nbformat, nbclient
-notebook = nbformat.read("languages/shading.ipynb", as_version=4)
-notebook.cells.append(nbformat.v4.new_code_cell(f"colors.tofile({sys.argv[1]!r})"))
-nbclient.NotebookClient(notebook).execute()
-PYTHON
-    draws_the_same Python "$python" "$work/notebook.py"
-    "$python" -c 'import shading; assert all("shape (..., 3)" in f.__doc__ for f in (shading.shade, shading.to_srgb8))'
+    CARGO_TARGET_DIR=$built/wheel "$python" -m pip --quiet --disable-pip-version-check install "$work/copy[notebook,test]"
+    draws_the_same Python "$python" languages/main.py
+    (cd "$work/copy" && "$python" -m pytest --quiet -p no:cacheprovider)
+    (cd "$work/copy" && "$python" -m mypy --no-error-summary python/shading python/tests)
+    "$python" -c 'import nbclient, nbformat; nbclient.NotebookClient(nbformat.read("languages/shading.ipynb", 4),
+        resources={"metadata": {"path": "languages"}}).execute()'
 }
 
 # draws_the_same LANGUAGE COMMAND...: the command writes the colors to the file that follows it

@@ -1,9 +1,12 @@
-"""Gives the queries of the claims to Bitwuzla: solve.py FOLDER ANSWERS [SECONDS [BUDGET [FIRST]]]
+"""Gives the queries of claims to Bitwuzla: solve.py FOLDER ANSWERS SECONDS needed|repeat|search NAME…
 
-FOLDER has the queries, NAME.FORMAT.NUMBER.smt2. A claim is proved in a format if no query of it has a solution. ANSWERS
-remembers, by the hash of all queries of a claim, what was proved; only the others are solved again, a query in at most SECONDS,
-and none after BUDGET seconds, but for the claims and formats in the lines of FIRST, which come first. Prints what is open and what
-is refuted. (pip install bitwuzla)"""
+FOLDER has the queries, NAME.FORMAT.NUMBER.smt2. A claim is proved in a format if no query of it has a solution. ANSWERS lists
+what was proved: claim, format, a hash of its queries, how many there are, and the seconds of the slowest. A query gets so many
+SECONDS at most.
+
+needed: the claims with these names must be proved in both formats. Those that ANSWERS has with the same hash are not asked again.
+repeat: what ANSWERS lists, and the claims with these names, must be proved anew.
+search: the claims with these names, or all, are asked, and ANSWERS lists those that are proved. (pip install bitwuzla)"""
 import hashlib
 import multiprocessing
 import pathlib
@@ -26,49 +29,48 @@ def solve(query):
 
 
 def read(path):
-    """A line: claim, format, hash, queries, seconds of the slowest, what became of it."""
     rows = [line.split() for line in path.read_text().splitlines()] if path.exists() else []
     return {(row[0], row[1]): row for row in rows}
 
 
-def remember(answers, rows):
-    answers.write_text("".join(" ".join(rows[key]) + "\n" for key in sorted(rows)))
-
-
-def main(folder, answers, limit="180", budget="inf", first=None):
-    answers, start = pathlib.Path(answers), time.time()
-    first = [tuple(line.split()) for line in pathlib.Path(first).read_text().splitlines()] if first else []
+def queries(folder):
+    """The queries of each claim and format."""
     claims = {}
     for path in sorted(pathlib.Path(folder).glob("*.smt2")):
         name, form, _ = path.name.split(".", 2)
         claims.setdefault((name, form), []).append(path.read_text())
-    known, solved = read(answers), {}
-    results = {key: known[key] for key in known if key not in claims}
-    with multiprocessing.Pool() as pool:
-        # the claims with the fewest queries first, so that an interrupted run has most to show
-        for key, texts in sorted(claims.items(), key=lambda claim: (claim[0] not in first, len(claim[1]))):
+    return claims
+
+
+def main(folder, answers, limit, mode, *names):
+    answers, claims = pathlib.Path(answers), queries(folder)
+    known, wrong, count = read(answers), [], 0
+    named = [key for key in claims if key[0] in names or not names and mode == "search"]
+    missing = [name for name in names if not any(key[0] == name for key in claims)]
+    assert not missing, f"no queries of {missing}"
+    asked = sorted({*named, *(known if mode == "repeat" else [])}, key=lambda key: (len(claims.get(key, [])), key))
+    with multiprocessing.Pool(2) as pool:
+        for key in asked:
+            texts = claims.get(key, [])
             digest = hashlib.sha256("".join(sorted(texts)).encode()).hexdigest()[:16]
-            if known.get(key, [""] * 3)[2] == digest:
-                results[key] = known[key]
+            if mode != "repeat" and known.get(key, [""] * 3)[2] == digest:
                 continue
-            if time.time() - start > float(budget) and key not in first:
-                results[key] = [*key, digest, str(len(texts)), "0", "unasked"]
-                continue
-            status, slowest = "proved", 0.0
-            for result, seconds in pool.imap_unordered(solve, [(text, int(limit)) for text in texts]):
+            status, slowest = "proved" if texts else "without a query", 0.0
+            results = pool.imap_unordered(solve, [(text, int(limit)) for text in texts])
+            for result, seconds in results:
                 slowest = max(slowest, seconds)
-                if result != "unsat":
+                if result != "unsat" and status == "proved":
                     status = {"sat": "refuted"}.get(result, "open")
-                    if status == "refuted":
-                        break
-            results[key] = solved[key] = [*key, digest, str(len(texts)), f"{slowest:.0f}", status]
-            print(*results[key], flush=True)
-            remember(answers, {**known, **results})
-    remember(answers, {key: row for key, row in results.items() if key in claims and row[5] != "unasked"})
-    of = lambda status: sum(results[key][5] == status for key in claims)
-    print(f"{of('proved')} proved by Bitwuzla, {of('open')} open, {of('unasked')} not asked, {of('refuted')} refuted; "
-          f"{len(solved)} were solved in {time.time() - start:.0f} s")
-    sys.exit(of("refuted") > 0)
+            row = [*key, digest, str(len(texts)), f"{slowest:.0f}"]
+            print(*row, status, flush=True)
+            count += status == "proved"
+            if status == "refuted" or status != "proved" and mode != "search":
+                wrong.append(key)
+            if mode == "search":
+                known = {**known, key: row} if status == "proved" else {k: v for k, v in known.items() if k != key}
+                answers.write_text("".join(" ".join(known[key]) + "\n" for key in sorted(known)))
+    print(f"{count} proved by Bitwuzla, {len(asked) - count - len(wrong)} not asked again or open, {len(wrong)} wrong")
+    sys.exit(bool(wrong))
 
 
 if __name__ == "__main__":

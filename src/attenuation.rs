@@ -12,7 +12,9 @@ use crate::vector::Vec3;
 ///
 /// q ≥ 0 is the **distance**, not its square, in the unit of length of the scene. a, b, c ≥ 0 are
 /// the constant, linear and quadratic coefficients. The factor may exceed 1. It is evaluated as
-/// 1/(a + q(b + cq)), by [`Real::attenuated`], so it never rises, to the bit, as q, a, b or c rises.
+/// 1/(a + q(b + cq)) by [`Real::attenuated`], so it never increases as q, a, b or c increases, not even
+/// by rounding. In fixed point, a factor above 1 may increase by a step, or by 2⁻²³ of itself, as b or c
+/// increases.
 ///
 /// If the denominator is 0, the factor is the largest finite number; if it is negative or NaN, 0.
 ///
@@ -136,8 +138,8 @@ impl<T: Real> Attenuation<T> {
     }
 
     /// The same attenuation, ended by a range as the specification of glTF recommends: as
-    /// [`within`](Attenuation::within), with a window that is not squared. The light is brighter toward
-    /// r and ends there with an edge.
+    /// [`within`](Attenuation::within), with a window that is not squared. The light stays brighter
+    /// toward r and stops there abruptly.
     ///
     /// ```text
     /// w(q) = max(0, 1 − (q/r)⁴)
@@ -242,12 +244,12 @@ impl<T: Real> Attenuation<T> {
     /// w(q) / (a + bq + cq²),  w(q) = max(0, 1 − (q/r)⁴)²
     /// ```
     ///
-    /// Without a range r, w is 1; from r on, the factor is exactly 0. It never rises as q rises, and
-    /// it never exceeds that without a range, to the bit. If the [`attenuation`] is infinite, the
+    /// Without a range r, w is 1; from r on, the factor is exactly 0. It never increases as q increases,
+    /// and a range never makes it larger, not even by rounding. If the [`attenuation`] is infinite, the
     /// result is the largest finite number. At an infinite distance, the result is 0.
     ///
-    /// Source: Brian Karis, *Real Shading in Unreal Engine 4*, SIGGRAPH course, 2013, for w;
-    /// Babylon.js, Bevy, Filament and three.js use the same formula.
+    /// Source: Brian Karis, *Real Shading in Unreal Engine 4*, SIGGRAPH course, 2013, for w; Bevy,
+    /// Filament, three.js and Babylon.js (with `FALLOFF_GLTF`) use the same formula.
     ///
     /// ```
     /// let lamp = shading::f32::Attenuation::NONE.within(2.0).unwrap();

@@ -51,9 +51,11 @@ impl<T: Real> Cone<T> {
     ///
     /// `axis` is the direction in which the spot shines, away from the light, and L the direction
     /// from the surface to the light. inner and outer are the half-angles, and equal for a hard edge.
-    /// [`smoothstep`](Cone::smoothstep) replaces t² with t²(3 − 2t). On the axis, the factor is 1 for
-    /// every cone; if a direction is NaN, too. It never falls, to the bit, as the computed −L·axis rises,
-    /// which rounding may lower by a unit or two as L turns toward the axis.
+    /// [`smoothstep`](Cone::smoothstep) replaces t² with t²(3 − 2t). On the axis, and if a direction is
+    /// NaN, the factor is 1 for every cone.
+    ///
+    /// As the computed −L·axis increases, the factor never decreases, not by a single bit. That product
+    /// itself may decrease by a unit in the last place or two while L turns toward the axis.
     ///
     /// Source: OpenGL 2.1, §2.14.1, with a spot exponent of 0; KHR_lights_punctual (glTF 2.0),
     /// “Inner and Outer Cone Angles”, whose sample code and Filament keep a hard edge slightly
@@ -190,26 +192,23 @@ impl<T: Real> Cone<T> {
     where
         T: Scalar,
     {
-        // −0 would turn the sign of the width of an edge
+        // −0 would flip the sign of the edge's width
         (T::ONE >= inner && inner >= outer && outer >= T::NEG_ONE)
             .then(|| Self::with_slack(inner + T::ZERO, outer + T::ZERO, T::ZERO))
     }
 
-    /// The cone of cosines within [−1, 1], or of another cone's: it contains its axis, and a cone of
-    /// half-angle π every direction, even if both directions are as long as they may be. The slack of
-    /// another number type stays where it is larger, because directions bring the roundoff of that
-    /// type along.
+    /// The cone of cosines within [−1, 1], or of another cone's: it contains its axis, even if both
+    /// directions are as long as they may be. The slack of another number type stays where it is
+    /// larger, because directions bring the roundoff of that type along.
+    ///
+    /// A cone of every direction has the cosine −2 in every number type, which no two directions reach.
     #[inline]
     fn with_slack(inner: T, outer: T, smooth: T) -> Self {
         let two = T::ONE + T::ONE;
         let slack = two * two * epsilon();
-        let everywhere = slack - T::ONE;
-        let widened = |cosine: T| {
-            let cosine = cosine.at_most(T::ONE - slack);
-            let wider = cosine.at_most(T::NEG_ONE - two * slack);
-            everywhere.above(cosine).select(wider, cosine)
-        };
-        let (inner, outer) = (widened(inner), widened(outer));
+        let is_everywhere = (slack - T::ONE).above(inner);
+        let stored = |cosine: T| is_everywhere.select(-two, cosine.at_most(T::ONE - slack));
+        let (inner, outer) = (stored(inner), stored(outer));
         Self {
             inner,
             outer,
@@ -254,10 +253,10 @@ macro_rules! constants {
             #[must_use]
             pub const fn const_from_cosines(inner: $float, outer: $float) -> Option<Self> {
                 if 1.0 >= inner && inner >= outer && outer >= -1.0 {
-                    let (inner, outer) = (Self::widened(inner), Self::widened(outer));
+                    let is_everywhere = inner < Self::SLACK - 1.0;
                     Some(Self {
-                        inner,
-                        outer,
+                        inner: Self::stored(inner, is_everywhere),
+                        outer: Self::stored(outer, is_everywhere),
                         smooth: 0.0,
                     })
                 } else {
@@ -272,14 +271,15 @@ macro_rules! constants {
                 Self { smooth, ..self }
             }
 
-            const fn widened(cosine: $float) -> $float {
-                const SLACK: $float = 4.0 * $float::EPSILON;
-                if cosine > 1.0 - SLACK {
-                    1.0 - SLACK
-                } else if cosine < SLACK - 1.0 {
-                    -1.0 - 2.0 * SLACK // two directions may both be too long
+            const SLACK: $float = 4.0 * $float::EPSILON;
+
+            const fn stored(cosine: $float, is_everywhere: bool) -> $float {
+                if is_everywhere {
+                    -2.0
+                } else if cosine > 1.0 - Self::SLACK {
+                    1.0 - Self::SLACK
                 } else {
-                    cosine + 0.0 // −0 would turn the sign of the width of an edge
+                    cosine + 0.0 // −0 would flip the sign of the edge's width
                 }
             }
 

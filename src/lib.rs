@@ -1,31 +1,5 @@
 //! Local illumination as pure functions: Lambert, Phong and Blinn–Phong shading of a point.
 //!
-//! | | formula | function |
-//! |---|---|---|
-//! | the model | k_a I_a + Σ I (k_d max(0, N·L) + k_s highlight) | [`shade::lambert`], [`shade::phong`], [`shade::blinn_phong`] |
-//! | ambient term | k_a I_a | [`term::ambient`] |
-//! | Lambert's factor | max(0, N·L) | [`term::lambert`] |
-//! | Phong's highlight | max(0, R·V)ᵐ | [`term::phong`] |
-//! | Blinn's highlight | max(0, N·H)ᵐ | [`term::blinn`] |
-//! | reflection vector | R = 2(N·L)N − L | [`reflection`] |
-//! | half vector | H = (L + V)/\|L + V\| | [`half_vector`] |
-//! | normalization | (m + 2)/(2π), (m + 2)(m + 4)/(8π(2^(−m/2) + m)) | [`term::phong_normalization`], [`term::blinn_normalization`] |
-//! | attenuation | 1/(a + bq + cq²) | [`attenuation`](attenuation()), [`Attenuation`] |
-//! | range | max(0, 1 − (q/r)⁴)²/(a + bq + cq²), or without the square | [`Attenuation::within`], [`Attenuation::unsquared`] |
-//! | spot | t² or t²(3 − 2t), t from 0 at the outer edge to 1 at the inner | [`Cone`] |
-//! | what arrives at p | L, I and q | [`DirectionalLight`], [`PointLight`], [`SpotLight`], [`Light`] |
-//! | plane | (a, b, c)/\|(a, b, c)\| | [`normal::plane`] |
-//! | triangle | (v₂ − v₁) × (v₃ − v₁), length 1 | [`normal::triangle`] |
-//! | sphere | (p − center)/\|p − center\| | [`normal::sphere`] |
-//! | implicit surface | ∇f/\|∇f\| | [`normal::implicit`], [`normal::from_gradient`] |
-//! | parametric surface | ∂s/∂u × ∂s/∂v, length 1 | [`normal::parametric`], [`normal::from_tangents`] |
-//! | two-sided surface | N if N·V ≥ 0, else −N | [`normal::facing`] |
-//! | transformed normal | cof(M) N, length 1 | [`normal::transformed`] |
-//! | smooth mesh | a triangle's normal times its angle at a vertex, to be summed | [`normal::corner`] |
-//! | tangents | t and h of a triangle with texture coordinates | [`normal::tangent`] |
-//! | normal map | x t + y b + z N, length 1 | [`normal::mapped`] |
-//! | encodings | linear light to sRGB bytes or RGB565, and back | [`Rgb::to_srgb8`](Rgb::<f32>::to_srgb8), [`Rgb::to_rgb565`](Rgb::<f32>::to_rgb565), [`Rgb::from_srgb8`], [`Rgb::from_rgb565`] |
-//!
 // Inside the page, because a registry shows no relative links and a page without a network no absolute ones. Renew it by
 // convert docs/pictures/teapot.png -crop 800x530+0+30 -resize 480x -quality 85 -strip jpg:- | base64 --wrap=0
 #![cfg_attr(doc, doc = include_str!("teapot.html"))]
@@ -53,9 +27,40 @@
 //! let [red, green, blue] = shaded.total().to_srgb8();
 //! ```
 //!
-//! Vectors of other libraries come in and go out as arrays: `Vec3::from(array)`, `<[f32; 3]>::from(v)`. A direction that is
-//! normalized already is [`UnitVec3::assume_unit`]`(array.into())`. The types without a number, such as `shading::PointLight<T>`,
-//! take every number type; those of [`mod@f32`] and [`mod@f64`] work in constants, with `Attenuation::const_new` and its like.
+//! Vectors of other libraries are converted through arrays: `Vec3::from(array)`, `<[f32; 3]>::from(v)`; `at` takes them as they
+//! are. A direction that is already normalized is [`UnitVec3::assume_unit`]`(array.into())`. The generic types, such as
+//! `shading::PointLight<T>`, accept every number type. The aliases in [`mod@f32`] and [`mod@f64`] fix it, so that literals need no
+//! annotation. Constructors for constants begin with `const_`, such as `Attenuation::const_new`.
+//!
+//! # What it computes
+//!
+//! | | formula | function |
+//! |---|---|---|
+//! | the model | k_a I_a + Σ I (k_d max(0, N·L) + k_s highlight) | [`shade::lambert`], [`shade::phong`], [`shade::blinn_phong`] |
+//! | ambient term | k_a I_a | [`term::ambient`] |
+//! | Lambert's factor | max(0, N·L) | [`term::lambert`] |
+//! | Phong's highlight | max(0, R·V)ᵐ | [`term::phong`] |
+//! | Blinn's highlight | max(0, N·H)ᵐ | [`term::blinn`] |
+//! | reflection vector | R = 2(N·L)N − L | [`reflection`] |
+//! | half vector | H = (L + V)/\|L + V\| | [`half_vector`] |
+//! | normalization | (m + 2)/(2π), (m + 2)(m + 4)/(8π(2^(−m/2) + m)) | [`term::phong_normalization`], [`term::blinn_normalization`] |
+//! | attenuation | 1/(a + bq + cq²) | [`attenuation`](attenuation()), [`Attenuation`] |
+//! | range | max(0, 1 − (q/r)⁴)²/(a + bq + cq²), or without the square | [`Attenuation::within`], [`Attenuation::within_gltf`] |
+//! | spot | t² or t²(3 − 2t), t from 0 at the outer edge to 1 at the inner | [`Cone`] |
+//! | what arrives at p | L, I and q | [`DirectionalLight`], [`PointLight`], [`SpotLight`], [`Light`] |
+//! | plane | (a, b, c)/\|(a, b, c)\| | [`normal::plane`] |
+//! | triangle | (v₂ − v₁) × (v₃ − v₁), length 1 | [`normal::triangle`] |
+//! | sphere | (p − center)/\|p − center\| | [`normal::sphere`] |
+//! | implicit surface | ∇f/\|∇f\| | [`normal::implicit`], [`normal::from_gradient`] |
+//! | parametric surface | ∂s/∂u × ∂s/∂v, length 1 | [`normal::parametric`], [`normal::from_tangents`] |
+//! | two-sided surface | N if F·V ≥ 0, else −N | [`normal::facing`] |
+//! | transformed normal | cof(M) N, length 1 | [`normal::transformed`] |
+//! | smooth mesh | a triangle's normal times its angle at a vertex, to be summed | [`normal::corner`] |
+//! | tangents | t and h of a triangle with texture coordinates | [`normal::tangent`] |
+//! | normal map | x t + y b + z N, length 1 | [`normal::mapped`] |
+//! | encodings | linear light to sRGB bytes or RGB565, and back | [`Rgb::to_srgb8`](Rgb::<f32>::to_srgb8), [`Rgb::to_rgb565`](Rgb::<f32>::to_rgb565), [`Rgb::from_srgb8`], [`Rgb::from_rgb565`] |
+//!
+//! F is the normal of the face, N the one to shade with.
 //!
 //! # Conventions
 //!
@@ -65,7 +70,8 @@
 //! - **A shadow ray ends at the light**, at its [distance](IncidentLight::distance): geometry beyond the light does not block it.
 //! - **A spot's angle is measured from its axis**, in radians. A point on the edge is lit.
 //! - **Lambert has no 1/π**, and the highlights are not normalized.
-//! - **A face turned away from a light has no highlight** in the sums of [`mod@shade`]; the factors in [`mod@term`] do not know.
+//! - **A face turned away from a light has no highlight** in the sums of [`mod@shade`]; the factors in [`mod@term`] do not
+//!   check this.
 //! - **A cosine of 0 or below gives no highlight**, whatever m is, even m = 0.
 //!
 //! # Features
@@ -75,15 +81,16 @@
 //! - `approx` implements `AbsDiffEq`, `RelativeEq` and `UlpsEq` for vectors, colors, [`IncidentLight`] and [`Shaded`].
 //! - `bytemuck` implements `Pod` for [`Vec3`] and [`Rgb`], and `NoUninit` for [`UnitVec3`].
 //! - `defmt` implements `Format` for the types of a scene, so that a microcontroller can log them.
-//! - `fixed` adds a signed 16.16 fixed-point number, and the types of a scene in it.
+//! - `fixed` adds a signed 16.16 fixed-point number, and aliases of the scene types that use it.
 //! - `mint` converts [`Vec3`] from and to `mint`'s `Vector3` and `Point3`, and [`UnitVec3`] to `Vector3`.
-//! - `serde` reads and writes lights and materials; invalid input is an error that names the field and the reason.
+//! - `serde` reads and writes lights and materials; invalid input is an error that says what is wrong and, in a
+//!   text format, where.
 //! - `wide` implements [`Real`] and [`Lobe`] for the SIMD types of the crate `wide`.
 //!
 //! # Guide
 //!
-//! - [Recipes](guide::recipes): parts of a renderer, to copy.
-//! - [Porting](guide::porting): how to replace a loop of your own, with your vectors.
+//! - [Recipes](guide::recipes): parts of a renderer to copy, found by what you see or by topic.
+//! - [Porting](guide::porting): how to replace your own loop and keep your vectors; the lights of other programs.
 //! - [Numbers](guide::numbers): how to compute with a number type of your own.
 //! - [Embedded](guide::embedded): from an empty folder to a picture on an emulated board; costs on chips.
 //! - [GPU](guide::gpu): scenes in buffers, and this crate as a shader.
@@ -92,6 +99,7 @@
 //! - [Proofs](guide::proofs): which of that is proved, and how.
 //! - [Precision](guide::precision): how far each function is from its formula.
 //! - [Performance](guide::performance): which way to take, and what it costs.
+//! - [Sources](guide::sources): where each formula comes from, and whether the source was read.
 //!
 //! # References
 //!
@@ -118,6 +126,7 @@
 
 // one paragraph per layer of the table in CONTRIBUTING.md, the lowest first
 
+mod angle;
 mod elementary;
 mod real;
 mod triple;
@@ -166,6 +175,8 @@ macro_rules! pages {
         ///
         // the first definition of a link counts, so these replace those of the files
         /// [falloffs]: mod@crate::guide::recipes#falloffs-beams-and-filters-of-your-own
+        /// [gltf]: mod@crate::guide::recipes#lights-of-a-gltf-file
+        /// [programs]: mod@crate::guide::porting#lights-of-other-programs
         /// [laws]: https://docs.rs/shading-laws
         /// [embedded]: mod@crate::guide::embedded
         /// [gpu]: mod@crate::guide::gpu
@@ -176,6 +187,7 @@ macro_rules! pages {
         /// [proofs]: mod@crate::guide::proofs
         /// [recipes]: mod@crate::guide::recipes
         /// [schema]: mod@crate::guide::schema
+        /// [sources]: mod@crate::guide::sources
         /// [totality]: mod@crate::guide::totality
         ///
         #[doc = include_str!($file)]
@@ -196,6 +208,7 @@ pub mod guide {
         proofs, "../docs/proofs.md": "Which promises are proved, from what, and how to prove one of your own.";
         recipes, "../docs/recipes.md": "Parts of a renderer, to copy.";
         schema, "../docs/schema.md": "The forms in which `serde` reads and writes lights and materials.";
+        sources, "../docs/sources.md": "Where each formula comes from, and whether the source was read.";
         totality, "../docs/totality.md": "What each function gives where its formula has no answer.";
     }
 }

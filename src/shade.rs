@@ -65,7 +65,7 @@ use core::ops::{Add, AddAssign, Mul};
 
 use crate::direction::mirrored;
 use crate::light::IncidentLight;
-use crate::real::{Dimmed, LightSum, Lobe, Mask, Measured, Real, Select};
+use crate::real::{LightSum, Lobe, Mask, Measured, Real, Select};
 use crate::rgb::Rgb;
 use crate::term;
 use crate::unit::UnitVec3;
@@ -73,7 +73,7 @@ use crate::unit::UnitVec3;
 /// The material of a surface: three reflectances, each with three channels, and the shininess.
 ///
 /// A reflectance is 0 or more; at 1, the surface reflects all the light. It is the fraction that the
-/// surface reflects, not a color of light: the light's color is in the light. `M` is the type of the
+/// surface reflects, not a color of light: the color of the light belongs to the light. `M` is the type of the
 /// shininess, an [`Lobe`]; a `u32` is faster than a float.
 ///
 /// ```
@@ -314,23 +314,39 @@ fn sum<T: Real, M>(
     highlight: impl Fn(Measured<T>) -> T,
 ) -> Shaded<T> {
     let [mut diffuse, mut specular] = [T::Sum::DARK; 2];
+    let mut is_lit = false;
     // not `for_each`, whose closure keeps the sums in memory
     for light in lights {
         // the sign of N·L decides before the root of |w|
         let in_front = light.in_front(n);
         if in_front.any() {
-            let (toward, light) = light.toward(n);
-            let n_dot_l = T::cosine(*n, &toward);
-            let light = Dimmed {
-                factor: in_front.select(light.factor, T::ZERO),
-                ..light
-            };
-            diffuse = diffuse.add(light, n_dot_l);
-            specular = specular.add(light, highlight(toward.measured));
+            is_lit = true;
+            let (toward, mut light) = light.toward(n);
+            // of lanes; a product with 0 would not do, because ∞ · 0 is NaN
+            let is_partly = !in_front.all();
+            if is_partly {
+                light.color = Rgb::select(in_front, light.color, Rgb::BLACK);
+            }
+            // first, and the highlight after it: in the other order a sum takes 6 % longer on x86-64
+            diffuse = diffuse.add(light, T::cosine(*n, &toward));
+            let mut highlight = highlight(toward.measured);
+            if is_partly {
+                highlight = in_front.select(highlight, T::ZERO);
+            }
+            specular = specular.add(light, highlight);
         }
     }
+    let ambient = term::ambient(material.k_a, i_a);
+    if !is_lit {
+        // as in a lane beside one that is lit: 0 · ∞ is NaN
+        return Shaded {
+            ambient,
+            diffuse: Rgb::<T>::BLACK * material.k_d,
+            specular: Rgb::<T>::BLACK * material.k_s,
+        };
+    }
     Shaded {
-        ambient: term::ambient(material.k_a, i_a),
+        ambient,
         diffuse: diffuse.total() * material.k_d,
         specular: specular.total() * material.k_s,
     }

@@ -95,9 +95,10 @@ pub fn phong<T: Real, M: Lobe<T>>(r: UnitVec3<T>, v: UnitVec3<T>, m: M) -> T {
 /// max(0, N·H)ᵐ
 /// ```
 ///
-/// N is the normal, and H the [`half_vector`](crate::half_vector) of L and V. What [`phong`] says of
-/// m, of the range and of the degenerate cases holds for N·H, too. With about four times the m, the
-/// highlight looks like that of `phong`.
+/// N is the normal, and H the [`half_vector`](crate::half_vector) of L and V. What [`phong`] says about
+/// m, the range and the degenerate cases also holds for N·H. With about four times the m, the
+/// highlight is as large as that of `phong`, except at grazing angles, where it is narrower from side
+/// to side.
 ///
 /// Source: Blinn 1977.
 ///

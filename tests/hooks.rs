@@ -1,12 +1,13 @@
 //! The hooks of [`Real`] through the numbers that wrap others: a dual number has the value of its
 //! number's own hook, to the bit, and the gradient of the formula beside it.
 
+#![allow(clippy::float_cmp)] // exact on purpose
+
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use shading::{
-    Attenuation, Cone, Dimmed, Dual, IncidentLight, LightSum, Lobe, Material, Measured, PointLight,
-    Real, Rgb, Select, SpotLight, Toward, UnitVec3, Vec3, normal, shade,
+    Dimmed, Dual, LightSum, Lobe, Measured, Real, Rgb, Select, Toward, UnitVec3, Vec3, normal,
 };
 
 /// Twenty-four numbers, from which each hook gets its arguments.
@@ -75,14 +76,10 @@ fn hooks<T: Real>(input: &Input<T>) -> Vec<(&'static str, T)> {
     lights("attenuated", T::attenuated(color, [a, b, k], q, limit));
     lights("windowed", T::windowed(light, v, q, range, yes));
     lights("windowed", T::windowed(light, v, q, range, no));
-    lights(
-        "beamed",
-        T::beamed(light, n, [inner, y], yes, v, &T::measured(v)),
-    );
-    lights(
-        "beamed",
-        T::beamed(light, n, [inner, y], no, v, &T::measured(v)),
-    );
+    let edges = [inner.at_most(T::ONE), y.at_most(T::ONE)]; // cosines
+    let measured = T::measured(v);
+    lights("beamed", T::beamed(light, n, edges, yes, v, &measured));
+    lights("beamed", T::beamed(light, n, edges, no, v, &measured));
     results
 }
 
@@ -257,6 +254,7 @@ impl Real for Odd {
 struct Random(u64);
 
 impl Random {
+    #[allow(clippy::cast_precision_loss)] // 53 bits fit
     fn next(&mut self) -> f64 {
         self.0 = self
             .0
@@ -267,6 +265,7 @@ impl Random {
 
     fn number<T: Real>(&mut self) -> T {
         let sign = if self.next() < 0.5 { -1.0 } else { 1.0 };
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // below 16
         match (self.next() * 16.0) as u32 {
             0 => T::ZERO,
             1 => T::ONE,
@@ -281,8 +280,8 @@ impl Random {
         let mut input: Input<T> = core::array::from_fn(|_| self.number());
         // what the hooks take within [0, 1], or from 0 on
         input[14] = T::of(self.next());
-        for at in 9..COUNT {
-            input[at] = input[at].at_least(-input[at]);
+        for x in &mut input[9..] {
+            *x = x.at_least(-*x);
         }
         input
     }
@@ -466,68 +465,77 @@ fn a_power_whose_reciprocal_overflows_has_a_gradient() {
     assert_eq!([0, 1, 2].map(|n| zero.powi(n).gradient.x), [0.0, 1.0, 0.0]);
 }
 
-/// What arrives at a moving point, and three sums over it, in fixed point.
 #[cfg(feature = "fixed")]
-#[test]
-fn sums_of_dual_numbers_in_fixed_point_have_the_values_of_fixed_point() {
+mod fixed {
     use shading::fixed::Fixed;
-    let x = Fixed::new;
-    let lamp = PointLight {
-        position: Vec3::new(x(1.0), x(2.0), x(3.0)),
-        intensity: Rgb::new(x(4.0), x(2.0), x(1.0)),
-        attenuation: Attenuation::new(x(0.25), x(0.5), x(0.125))
-            .and_then(|a| a.within(x(9.0)))
-            .expect("valid"),
+    use shading::{
+        Attenuation, Cone, Dual, IncidentLight, Material, PointLight, Real, Rgb, SpotLight,
+        UnitVec3, Vec3, shade,
     };
-    let cone = Cone::from_cosines(x(0.9), x(0.5))
-        .expect("in order")
-        .smoothstep();
-    let spot = SpotLight {
-        point: lamp,
-        axis: UnitVec3::NEG_Z,
-        cone,
-    };
-    let clay = Material {
-        k_a: Rgb::WHITE,
-        k_d: Rgb::gray(x(0.5)),
-        k_s: Rgb::gray(x(0.25)),
-        m: 20,
-    };
-    fn sums<T: Real>(p: Vec3<T>, spot: &SpotLight<T>, clay: &Material<T>) -> Vec<T> {
-        let (n, v) = (
-            UnitVec3::Z,
-            (Vec3::new(T::ZERO, T::ONE, T::ONE + T::ONE) - p).unit_or(UnitVec3::Z),
-        );
-        let lights = || [spot.at(p), spot.point.at(p)];
-        let arrival = IncidentLight::arrival(&lights()[0]);
-        let sums = [
-            shade::lambert(n, clay, Rgb::WHITE, lights()),
-            shade::phong(n, v, clay, Rgb::WHITE, lights()),
-            shade::blinn_phong(n, v, clay, Rgb::WHITE, lights()),
-        ];
-        let sums = sums
-            .map(|s| [s.diffuse.r, s.diffuse.g, s.specular.b])
-            .concat();
-        [
-            sums,
-            vec![arrival.l.x, arrival.intensity.g, arrival.distance],
-        ]
-        .concat()
-    }
-    let mut random = Random(9);
-    for _ in 0..500 {
-        let p = Vec3::new(
-            x(4.0 * random.next()),
-            x(4.0 * random.next()),
-            x(2.0 * random.next()),
-        );
-        let plain = sums(p, &spot, &clay);
-        let duals = sums(
-            Dual::point(p),
-            &spot.cast(Dual::constant),
-            &clay.cast(Dual::constant),
-        );
-        let duals: Vec<_> = duals.into_iter().map(|x| x.value).collect();
-        assert_eq!(duals, plain, "{p:?}");
+
+    use super::Random;
+
+    /// What arrives at a moving point, and three sums over it, in fixed point.
+    #[test]
+    fn sums_of_dual_numbers_in_fixed_point_have_the_values_of_fixed_point() {
+        let x = Fixed::new;
+        let lamp = PointLight {
+            position: Vec3::new(x(1.0), x(2.0), x(3.0)),
+            intensity: Rgb::new(x(4.0), x(2.0), x(1.0)),
+            attenuation: Attenuation::new(x(0.25), x(0.5), x(0.125))
+                .and_then(|a| a.within(x(9.0)))
+                .expect("valid"),
+        };
+        let cone = Cone::from_cosines(x(0.9), x(0.5))
+            .expect("in order")
+            .smoothstep();
+        let spot = SpotLight {
+            point: lamp,
+            axis: UnitVec3::NEG_Z,
+            cone,
+        };
+        let clay = Material {
+            k_a: Rgb::WHITE,
+            k_d: Rgb::gray(x(0.5)),
+            k_s: Rgb::gray(x(0.25)),
+            m: 20,
+        };
+        fn sums<T: Real>(p: Vec3<T>, spot: &SpotLight<T>, clay: &Material<T>) -> Vec<T> {
+            let (n, v) = (
+                UnitVec3::Z,
+                (Vec3::new(T::ZERO, T::ONE, T::ONE + T::ONE) - p).unit_or(UnitVec3::Z),
+            );
+            let lights = || [spot.at(p), spot.point.at(p)];
+            let arrival = IncidentLight::arrival(&lights()[0]);
+            let sums = [
+                shade::lambert(n, clay, Rgb::WHITE, lights()),
+                shade::phong(n, v, clay, Rgb::WHITE, lights()),
+                shade::blinn_phong(n, v, clay, Rgb::WHITE, lights()),
+            ];
+            let sums = sums
+                .map(|s| [s.diffuse.r, s.diffuse.g, s.specular.b])
+                .concat();
+            [
+                sums,
+                vec![arrival.l.x, arrival.intensity.g, arrival.distance],
+            ]
+            .concat()
+        }
+        let mut random = Random(9);
+        for _ in 0..500 {
+            let p = Vec3::new(
+                x(4.0 * random.next()),
+                x(4.0 * random.next()),
+                x(2.0 * random.next()),
+            );
+            let plain = sums(p, &spot, &clay);
+            let duals = sums(
+                Dual::point(p),
+                &spot.cast(Dual::constant),
+                &clay.cast(Dual::constant),
+            );
+            let duals: Vec<_> = duals.into_iter().map(|x| x.value).collect();
+            assert_eq!(duals, plain, "{p:?}");
+        }
     }
 }

@@ -62,6 +62,11 @@ macro_rules! lanes {
             }
 
             #[test]
+            fn a_light_behind_adds_nothing_whatever_it_holds() {
+                super::behind::<wide::$lanes>();
+            }
+
+            #[test]
             fn packs_hold_each_light_once_and_add_up_in_halves() {
                 super::packs::<wide::$lanes>();
             }
@@ -158,13 +163,28 @@ fn edges_agree<L: Simd>() {
     assert_same(&[power.first()], &[L::Lane::ONE], "signaling");
 }
 
-/// Mostly ordinary numbers; some whose squares underflow or overflow in `f32`, zeros, and the ends.
+/// Mostly ordinary numbers; some whose squares underflow or overflow, zeros, the lengths from which
+/// vectors are scaled, the ends, and what is not finite.
 fn number() -> BoxedStrategy<f64> {
-    const ENDS: &[f64] = &[0.0, -0.0, f32::MAX as f64, -1e-45];
+    const ENDS: &[f64] = &[
+        0.0,
+        -0.0,
+        f32::MAX as f64,
+        -1e-45,
+        1_125_899_906_842_624.0, // 2⁵⁰
+        1.0 / 1_125_899_906_842_624.0,
+        2.348_542_582_773_833_2e108, // 2³⁶⁰
+        1.0 / 2.348_542_582_773_833_2e108,
+        f64::MAX,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::NAN,
+    ];
     prop_oneof![
         16 => -4.0..4.0,
         1 => prop::sample::select(ENDS),
         1 => (-1.0..1.0, -140..127).prop_map(|(x, power)| x * 2.0_f64.powi(power)),
+        1 => (-1.0..1.0, -1000..1000).prop_map(|(x, power)| x * 2.0_f64.powi(power)),
     ]
     .boxed()
 }
@@ -211,7 +231,7 @@ impl<S: Scalar> Place<S> {
         let outer = if kind.z > S::ONE {
             inner
         } else {
-            S::NEG_ONE.at_least(inner - kind.y)
+            (inner - kind.y).at_least(S::NEG_ONE)
         };
         let cone = Cone::from_cosines(inner, outer).expect("in order");
         let cone = if kind.x > S::ONE {
@@ -309,7 +329,7 @@ fn everything<T: Real, M: Lobe<T>>(c: &Place<T>, m: M) -> Vec<T> {
     let vectors = [
         vec![
             Vec3::from(reflection(n, v)),
-            normal::facing(n, v).into(),
+            normal::facing(n, v, n).into(),
             normal::corner(p, *n, *v),
         ],
         vec![
@@ -384,6 +404,74 @@ fn everything_agrees<L: Simd>() {
         agree::<L, u32>(&places, m);
         agree::<L, L::Lane>(&places, L::Lane::of(real));
     });
+}
+
+/// A highlight that is infinite, and NaN at a cosine of 0.
+#[derive(Clone, Copy)]
+struct Infinite;
+
+impl<T: Real> Lobe<T> for Infinite {
+    fn raise(self, cosine: T) -> T {
+        cosine / T::ZERO
+    }
+}
+
+/// Lights of each kind that are behind the surface in one lane or in all but one, with each edge as
+/// their intensity, or with a highlight that is not finite.
+fn behind<L: Simd>() {
+    let edges = L::Lane::EDGES;
+    let (zero, one) = (L::Lane::ZERO, L::Lane::ONE);
+    let place = |intensity: L::Lane, is_behind: bool| {
+        let z = if is_behind { -one } else { one };
+        let l = UnitVec3::assume_unit(Vec3::new(zero, zero, z));
+        let intensity = Rgb::gray(intensity);
+        let attenuation = Attenuation::NONE;
+        let lamp = PointLight {
+            position: *l,
+            intensity,
+            attenuation,
+        };
+        Place {
+            p: Vec3::ZERO,
+            n: UnitVec3::Z,
+            v: UnitVec3::assume_unit(Vec3::new(L::Lane::of(0.6), zero, L::Lane::of(0.8))),
+            q: one,
+            sun: DirectionalLight { l, intensity },
+            lamp,
+            spot: SpotLight {
+                point: lamp,
+                axis: -l,
+                cone: Cone::from_cosine(zero).expect("a cosine"),
+            },
+            rgb: Rgb::WHITE,
+        }
+    };
+    let agree = |places: &[Place<L::Lane>]| {
+        let lanes = everything(&gathered::<L>(places), 3);
+        let infinite = everything(&gathered::<L>(places), Infinite);
+        for (i, place) in places.iter().enumerate() {
+            for (lanes, alone) in [
+                (&lanes, everything(place, 3)),
+                (&infinite, everything(place, Infinite)),
+            ] {
+                let lane: Vec<_> = lanes.iter().map(|x| x.lane(i)).collect();
+                assert_same(&lane, &alone, format!("lane {i}, {places:?}"));
+            }
+        }
+    };
+    for first in 0..edges.len() {
+        for (lane, is_behind) in (0..L::COUNT).flat_map(|lane| [(lane, true), (lane, false)]) {
+            let places: Vec<_> = (0..L::COUNT)
+                .map(|i| {
+                    place(
+                        edges[(first + 5 * i) % edges.len()],
+                        (i == lane) == is_behind,
+                    )
+                })
+                .collect();
+            agree(&places);
+        }
+    }
 }
 
 /// Lights keep their order, whatever they differ in; lanes without a light hold the first, black.

@@ -8,7 +8,7 @@ enum { SIDE = 64, COUNT = SIDE * SIDE };
 
 static const float eye[3] = {0, 0, 5}, ambient[3] = {0.5f, 0.5f, 0.5f};
 static const shading_material material = {{0.125f, 0.125f, 0.125f}, {0.5f, 0.375f, 0.25f}, {0.5f, 0.5f, 0.5f}, 32};
-/* kind, position, direction, intensity, attenuation, range, inner and outer half-angle, unsquared */
+/* kind, position, direction, intensity, attenuation, range, inner and outer half-angle, gltf */
 static const shading_light lights[] = {
     {SHADING_DIRECTIONAL, {0, 0, 0}, {-1, 2, 2}, {0.25f, 0.25f, 0.375f}, {0, 0, 0}, 0, 0, 0, 0},
     {SHADING_POINT, {2, 1, 2}, {0, 0, 0}, {1, 0.75f, 0.5f}, {1, 0, 0.25f}, INFINITY, 0, 0, 0},

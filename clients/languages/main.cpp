@@ -22,7 +22,7 @@ std::vector<float> shade(const std::vector<float> &points, const std::vector<flo
 }
 
 void run(const char *path) {
-    // kind, position, direction, intensity, attenuation, range, inner and outer half-angle, unsquared
+    // kind, position, direction, intensity, attenuation, range, inner and outer half-angle, gltf
     const std::vector<shading_light> lights{
         {SHADING_DIRECTIONAL, {0, 0, 0}, {-1, 2, 2}, {0.25f, 0.25f, 0.375f}, {0, 0, 0}, 0, 0, 0, 0},
         {SHADING_POINT, {2, 1, 2}, {0, 0, 0}, {1, 0.75f, 0.5f}, {1, 0, 0.25f}, INFINITY, 0, 0, 0},

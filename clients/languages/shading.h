@@ -22,7 +22,7 @@ enum shading_status {
     SHADING_OVERLAP = 4,  /* the output overlaps an input */
     SHADING_MODEL = 5,    /* there is no such model */
     SHADING_MATERIAL = 6, /* a reflectance that the model takes or the ambient light is negative or not finite, or m is negative or NaN */
-    SHADING_LIGHT = 7     /* a light has an unknown kind, no direction, or a bad intensity, attenuation, range, angle or unsquared */
+    SHADING_LIGHT = 7     /* a light has an unknown kind, no direction, or a bad intensity, attenuation, range, angle or gltf */
 };
 
 enum shading_model { SHADING_LAMBERT = 0, SHADING_PHONG = 1, SHADING_BLINN_PHONG = 2 };
@@ -38,7 +38,7 @@ typedef struct shading_light {
     float attenuation[3]; /* point, spot: a, b, c of 1/(a + bq + cq^2), q the distance; not negative, not all 0 */
     float range;          /* point, spot: where the light ends, above 0; INFINITY for never */
     float inner, outer;   /* spot: half-angles in radians, 0 <= inner <= outer <= pi; equal for a hard edge */
-    uint32_t unsquared;   /* point, spot: 0 to end by max(0, 1 - (q/range)^4)^2, 1 to end as glTF does, without the square */
+    uint32_t gltf;        /* point, spot: 0 to end by max(0, 1 - (q/range)^4)^2, 1 to end as glTF does, without the square */
 } shading_light;
 
 typedef struct shading_material {

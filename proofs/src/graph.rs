@@ -87,13 +87,14 @@ pub struct Graph {
     sampler: Option<Sampler>,
 }
 
-/// The nodes of [`Real::ZERO`](shading::Real::ZERO) and of [`Real::ONE`](shading::Real::ONE).
+/// The nodes of [`Real::ZERO`](shading::Real::ZERO), `ONE` and `NEG_ONE`.
 pub(super) const ZERO: u32 = 0;
 pub(super) const ONE: u32 = 1;
+pub(super) const MINUS_ONE: u32 = 2;
 
 impl Graph {
     /// Records a node in the one way in which it is written: what has the same bits by the rules of signs, and without a
-    /// factor of 1.
+    /// factor of 1 or −1.
     pub(super) fn node(&mut self, node: Node) -> u32 {
         let parts = node.parts();
         let of = |at: usize| parts.get(at).map(|id| self.nodes[*id as usize]);
@@ -102,6 +103,9 @@ impl Graph {
                 Node::Sub(a, ZERO) | Node::Mul(a, ONE) | Node::Mul(ONE, a) | Node::Div(a, ONE),
                 ..,
             ) => a,
+            (Node::Mul(a, MINUS_ONE) | Node::Mul(MINUS_ONE, a) | Node::Div(a, MINUS_ONE), ..) => {
+                self.node(Node::Neg(a))
+            }
             (Node::Neg(_), Some(Node::Neg(x)), _) => x,
             (Node::Add(a, _), _, Some(Node::Neg(y))) => self.insert(Node::Sub(a, y)),
             (Node::Add(_, b), Some(Node::Neg(x)), _) => self.insert(Node::Sub(b, x)),
@@ -141,6 +145,7 @@ impl Graph {
         sampler.map_or(f64::NAN, |sampler| sampler(range, &[0.0]))
     }
 
+    #[allow(clippy::match_same_arms)] // one has no value yet, and of the other nothing is known
     fn value(&mut self, node: Node) -> f64 {
         if let (Node::Var(index), Some(sampler)) = (node, &mut self.sampler) {
             return sampler(self.names[index as usize].1, &self.values);
@@ -160,8 +165,9 @@ impl Graph {
             Node::Call(Function::Cos, a) => v(a).cos(),
             Node::Call(Function::Exp, a) => v(a).exp(),
             Node::Call(Function::Ln, a) => v(a).ln(),
-            Node::Power(c, m) if v(c) > 0.0 => v(c).min(1.0).powf(v(m).max(0.0)),
-            Node::Power(..) => 0.0,
+            Node::Power(c, m) if v(c) > 0.0 && v(c) <= 1.0 => v(c).powf(v(m).max(0.0)),
+            Node::Power(c, _) if v(c) == 0.0 => 0.9,
+            Node::Power(..) => f64::NAN,
         };
         self.format.round(exact)
     }
@@ -176,6 +182,18 @@ impl Graph {
             Test::Equal(a, b) => v(a) == v(b),
             Test::Case(_) => unreachable!("a case is no property of the numbers"),
         }
+    }
+
+    /// Whether one constant is above another.
+    pub(super) fn of_constants(&self, test: Test) -> Option<bool> {
+        let Test::Above(a, b) = test else {
+            return None;
+        };
+        let constant = |id: u32| match self.nodes[id as usize] {
+            Node::Constant(bits) => Some(f64::from_bits(bits)),
+            _ => None,
+        };
+        Some(constant(a)? > constant(b)?)
     }
 
     /// The variables' values, in a run with numbers.

@@ -50,25 +50,43 @@ impl Known {
         }
     }
 
+    /// The node of which this one has the bits, because it adds 0 to it, multiplies it by 1 or selects it.
+    fn reduced(&mut self, g: &Graph, id: u32) -> u32 {
+        let id = self.resolved(g, id);
+        let (Node::Add(x, y) | Node::Mul(x, y)) = g.nodes[id as usize] else {
+            return id;
+        };
+        for (x, y) in [(x, y), (y, x)] {
+            let has_its_bits = match g.nodes[id as usize] {
+                // x + 0 = x, whatever the sign of that zero, unless x is −0
+                Node::Add(..) => self.is_zero(g, y) && !self.range(g, x).minus_zero,
+                _ => self.range(g, y).only() == Some(1.0),
+            };
+            if has_its_bits {
+                return self.reduced(g, x);
+            }
+        }
+        id
+    }
+
     /// Whether two nodes have the same bits on this path; any NaN is as good as another.
     pub(super) fn same(&mut self, g: &Graph, a: u32, b: u32) -> bool {
-        let (a, b) = (self.resolved(g, a), self.resolved(g, b));
+        let (a, b) = (self.reduced(g, a), self.reduced(g, b));
         let (x, y) = (self.range(g, a), self.range(g, b));
         if a == b || x == y && (x.only().is_some() || x == Range::NAN) {
             return true;
         }
+        let mut are = |c, d, e, f| self.same(g, c, e) && self.same(g, d, f);
         match (g.nodes[a as usize], g.nodes[b as usize]) {
-            // x + 0 = x, whatever the sign of that zero, unless x is −0
-            (Node::Add(c, d), _) if !self.range(g, c).minus_zero && self.is_zero(g, d) => {
-                self.same(g, c, b)
+            (Node::Mul(c, d), Node::Mul(e, f)) | (Node::Add(c, d), Node::Add(e, f)) => {
+                are(c, d, e, f) || are(c, d, f, e)
             }
-            (Node::Add(c, d), _) if !self.range(g, d).minus_zero && self.is_zero(g, c) => {
-                self.same(g, d, b)
+            (Node::Div(c, d), Node::Div(e, f)) | (Node::Sub(c, d), Node::Sub(e, f)) => {
+                are(c, d, e, f)
             }
-            (Node::Mul(c, d), Node::Mul(e, f))
-            | (Node::Add(c, d), Node::Add(e, f))
-            | (Node::Div(c, d), Node::Div(e, f))
-            | (Node::Sub(c, d), Node::Sub(e, f)) => self.same(g, c, e) && self.same(g, d, f),
+            (Node::Select(Test::Above(x, y), c, d), Node::Select(Test::Above(z, w), e, f)) => {
+                are(x, y, z, w) && are(c, d, e, f)
+            }
             _ => false,
         }
     }
@@ -163,7 +181,7 @@ impl Known {
             Test::Above(..) => (x.low > y.high, x.high <= y.low || self.is_at_most(g, a, b)),
             Test::AtMost(..) => (
                 x.high <= y.low || self.is_at_most(g, a, b),
-                x.low > y.high || self.facts.contains(&(Test::Above(a, b), true)),
+                x.low > y.high || self.is_told_above(a, b),
             ),
             _ => (false, false),
         };
@@ -181,6 +199,11 @@ impl Known {
             (Test::AtMost(x, y), false) | (Test::Above(x, y), true) => (x, y) == (b, a),
             _ => false,
         })
+    }
+
+    /// Whether the path has found that a > b.
+    pub(super) fn is_told_above(&self, a: u32, b: u32) -> bool {
+        self.facts.contains(&(Test::Above(a, b), true))
     }
 
     /// Learns the answer to a test.
@@ -325,14 +348,12 @@ fn called(function: Function, of: Range) -> Range {
     }
 }
 
-/// What is known of a power.
+/// What is known of a power. The contract speaks of cosines within [0, 1] alone, and of 0 it says only that.
 fn raised(cosine: Range, m: Range) -> Range {
-    let is_lit = cosine.low > 0.0 && !cosine.nan;
-    let is_dark = cosine.high <= 0.0 || !cosine.has_numbers();
-    if is_dark {
-        constant(0.0)
-    } else if is_lit && m.high <= 1.0 {
-        Range::unsigned(cosine.low.min(1.0) - 2.0_f64.powi(-20), 1.0)
+    if !Range::within(0.0, 1.0).covers(cosine) {
+        Range::ANY
+    } else if cosine.low > 0.0 && m.high <= 1.0 {
+        Range::unsigned(cosine.low - 2.0_f64.powi(-20), 1.0)
     } else {
         Range::unsigned(0.0, 1.0)
     }

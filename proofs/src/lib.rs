@@ -158,33 +158,54 @@ pub fn paths<R>(format: Format, formula: impl Fn(Given) -> R, mut each: impl FnM
     });
 }
 
-/// Tries to prove a claim, then to refute it with `runs` inputs, which also must show that it says something.
-pub fn judge(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Verdict {
-    let formula = || claim(Given(format));
-    let (mut open, mut empty, mut cases) = (None, None, Vec::new());
-    run::explore(format, &formula, |run, goals| {
+/// What the rules say of a claim: the first goal that is open, why the claim is empty, and the cases that have goals.
+#[derive(Default)]
+struct Derived {
+    open: Option<String>,
+    empty: Option<String>,
+    cases: Vec<Vec<(Test, bool)>>,
+}
+
+fn derive(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Derived {
+    let (mut derived, mut without_goal) = (Derived::default(), Vec::new());
+    run::explore(format, &|| claim(Given(format)), |run, goals| {
         let Run { graph, known, .. } = run;
         let is_empty = |(_, range): &&(String, Range)| range.is_empty();
         if let Some((name, _)) = graph.names.iter().find(is_empty) {
-            empty = Some(format!("no number lies in the range of {name}"));
+            derived.empty = Some(format!("no number lies in the range of {name}"));
         }
         let goals = goals.unwrap_or_default();
-        if goals.is_empty() || open.is_some() {
+        if goals.is_empty() {
+            without_goal.push(run.cases());
             return;
         }
-        if !cases.contains(&run.cases()) {
-            cases.push(run.cases());
+        if derived.open.is_some() {
+            return;
+        }
+        if !derived.cases.contains(&run.cases()) {
+            derived.cases.push(run.cases());
         }
         if let Some(goal) = goals.iter().find(|goal| !goal.is_proved(graph, known)) {
             let mut known = known.clone();
             let nodes = goal.nodes().into_iter();
             let ranges: Vec<_> = nodes.map(|id| known.range(graph, id)).collect();
-            open = Some(format!("{goal:?} has {ranges:?}"));
+            derived.open = Some(format!("{goal:?} has {ranges:?}"));
         }
     });
-    if cases.is_empty() && empty.is_none() {
-        empty = Some("it has no goal on any path".into());
+    let has_goal = |case: &Vec<_>| derived.cases.iter().any(|other| other.starts_with(case));
+    if derived.cases.is_empty() {
+        let nowhere = "it has no goal on any path".into();
+        derived.empty = derived.empty.or(Some(nowhere));
+    } else if derived.open.is_none() && !without_goal.iter().all(has_goal) {
+        let without = "one of its cases has no goal".into();
+        derived.empty = derived.empty.or(Some(without));
     }
+    derived
+}
+
+/// Tries to prove a claim, then to refute it with `runs` inputs, which also must show that it says something.
+pub fn judge(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Verdict {
+    let Derived { open, empty, cases } = derive(format, &claim);
     if let Some(why) = empty {
         return Verdict::Empty(why);
     }
@@ -200,7 +221,7 @@ pub fn judge(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> V
 /// Looks for an input that refutes a claim, among random and extreme ones.
 pub fn refute(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Option<Input> {
     let mut input = None;
-    sample::try_out(format, &|| claim(Given(format)), runs, |run, goals| {
+    sample::try_out(format, &[], &|| claim(Given(format)), runs, |run, goals| {
         let holds = goals.iter().all(|goal| goal.holds(&run.graph));
         if !holds {
             input = Some(run.graph.input());
@@ -217,21 +238,34 @@ fn witnesses(
     cases: &[Vec<(Test, bool)>],
     runs: u64,
 ) -> Option<Input> {
-    let (mut missing, mut input) = (cases.to_vec(), None);
-    sample::try_out(format, &|| claim(Given(format)), runs, |run, goals| {
-        if !goals.is_empty() {
-            missing.retain(|case| *case != run.cases());
-            input = Some(run.graph.input());
-        }
-        input.is_none() || !missing.is_empty()
-    });
-    input.filter(|_| missing.is_empty())
+    let mut input = None;
+    for case in cases {
+        input = None;
+        sample::try_out(
+            format,
+            case,
+            &|| claim(Given(format)),
+            runs,
+            |run, goals| {
+                let is_of_case = !goals.is_empty() && run.cases() == *case;
+                input = is_of_case.then(|| run.graph.input());
+                !is_of_case
+            },
+        );
+        input.as_ref()?;
+    }
+    input
 }
 
 /// An input for which a goal of a claim was evaluated, if one is found.
 #[doc(hidden)]
 pub fn witness(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Option<Input> {
-    witnesses(format, claim, &[], runs)
+    let mut input = None;
+    sample::try_out(format, &[], &|| claim(Given(format)), runs, |run, goals| {
+        input = (!goals.is_empty()).then(|| run.graph.input());
+        input.is_none()
+    });
+    input
 }
 
 /// Proves a claim for every `f32` and every `f64`, as a test: panics if it does not hold, or if the rules do

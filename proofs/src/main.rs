@@ -7,11 +7,11 @@ use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
 
-use claims::{CLAIMS, Claim};
+use claims::{By, CLAIMS, Claim};
 use shading_proofs::{Format, Verdict, judge, smt, witness};
 
 const USAGE: &str =
-    "claims | names | prove [CLAIM]… | queries FOLDER [CLAIM]… | bounds FOLDER [SHARE]";
+    "claims | inputs | prove [CLAIM]… | queries FOLDER [CLAIM]… | bounds FOLDER [SHARE]";
 const FORMATS: [Format; 2] = [Format::F32, Format::F64];
 
 fn main() -> ExitCode {
@@ -19,12 +19,7 @@ fn main() -> ExitCode {
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let is_right = match arguments[..] {
         ["claims"] => claims(),
-        ["names"] => {
-            for claim in CLAIMS {
-                println!("{}", claim.name);
-            }
-            true
-        }
+        ["inputs"] => inputs(),
         ["prove", ref names @ ..] => prove(names),
         ["queries", folder, ref names @ ..] => queries(Path::new(folder), names).is_ok(),
         ["bounds", folder] => gappa::write(Path::new(folder), 1.0).is_ok(),
@@ -48,11 +43,21 @@ fn chosen(names: &[&str]) -> impl Iterator<Item = &'static Claim> {
     CLAIMS.iter().filter(is_chosen)
 }
 
-/// Prints the claims, each with an input for which it was evaluated.
+/// Prints the claims as the table of `docs/proofs.md` has them, each with what proves it.
 fn claims() -> bool {
+    println!("| claim | says | by |\n|---|---|---|");
+    for claim in CLAIMS {
+        let by = format!("{:?}", claim.by).to_lowercase();
+        println!("| `{}` | {} | {by} |", claim.name, claim.promise);
+    }
+    true
+}
+
+/// Prints the claims, each with an input for which it was evaluated.
+fn inputs() -> bool {
     let mut are_witnessed = true;
     for claim in CLAIMS {
-        println!("{}: {}", claim.name, claim.promise);
+        print!("{}:", claim.name);
         let input = witness(Format::F32, claim.formula, 100_000);
         are_witnessed &= input.is_some();
         for (name, x) in input.unwrap_or_default() {
@@ -63,23 +68,24 @@ fn claims() -> bool {
     are_witnessed
 }
 
-/// Proves the claims with these names, or all of them, by the rules alone.
+/// Proves the claims with these names, or all of them: the rules must prove those that are theirs, leave open those that
+/// another tool completes, and refute none.
 fn prove(names: &[&str]) -> bool {
-    let (mut proved, mut open, mut wrong) = (0, 0, 0);
+    let (mut proved, mut left, mut wrong) = (0, 0, 0);
     for claim in chosen(names) {
         for format in FORMATS {
             let verdict = judge(format, claim.formula, 20_000);
-            match verdict {
-                Verdict::Proved => proved += 1,
-                Verdict::Open(_) => open += 1,
-                Verdict::Refuted(_) | Verdict::Empty(_) => wrong += 1,
-            }
-            if verdict != Verdict::Proved {
-                println!("{} {format:?}: {verdict}", claim.name);
+            match (claim.by, &verdict) {
+                (By::Rules, Verdict::Proved) => proved += 1,
+                (By::Bitwuzla | By::Gappa, Verdict::Open(_)) => left += 1,
+                (by, _) => {
+                    wrong += 1;
+                    println!("{} {format:?}, by {by:?}: {verdict}", claim.name);
+                }
             }
         }
     }
-    println!("{proved} proved by the rules, {open} left to Bitwuzla and Gappa, {wrong} wrong");
+    println!("{proved} proved by the rules, {left} left to Bitwuzla and Gappa, {wrong} wrong");
     wrong == 0
 }
 

@@ -26,6 +26,10 @@ impl Known {
                     range
                 }
             }
+            // the difference of two floats is 0 only if they are equal
+            Node::Sub(a, b) if self.is_told_above(a, b) => {
+                range.meet(Range::within(g.format.tiny(), f64::INFINITY))
+            }
             _ => range,
         }
     }
@@ -89,6 +93,23 @@ impl Known {
         {
             return true;
         }
+        // another, and a sum of it and a number that is not negative
+        if let Node::Add(r, s) = g.nodes[b as usize]
+            && (self.range(g, r).low >= 0.0 && is(self, a, s)
+                || self.range(g, s).low >= 0.0 && is(self, a, r))
+        {
+            return true;
+        }
+        // what is selected below an edge, and what is selected of a number that is not less
+        if let Node::Select(Test::Above(edge, x), below, other) = g.nodes[a as usize]
+            && let Node::Select(Test::Above(same, y), less, more) = g.nodes[b as usize]
+            && edge == same
+            && is(self, below, less)
+            && (x == y || !self.range(g, x).nan && is(self, x, y) && is(self, below, more))
+            && is(self, other, more)
+        {
+            return true;
+        }
         match (g.nodes[a as usize], g.nodes[b as usize]) {
             (Node::Add(p, q), Node::Add(r, s)) => {
                 is(self, p, r) && is(self, q, s) || is(self, p, s) && is(self, q, r)
@@ -100,7 +121,7 @@ impl Known {
             }
             // 1/−0 is −∞
             (Node::Div(p, q), Node::Div(r, s)) => {
-                self.range(g, p).low >= 0.0
+                (q == s || self.range(g, p).low >= 0.0)
                     && self.is_plus(g, s)
                     && is(self, p, r)
                     && is(self, s, q)

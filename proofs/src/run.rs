@@ -25,6 +25,8 @@ pub struct Run {
     script: Vec<(bool, bool)>, // the answer, and whether the other one remains to be tried
     next: usize,
     cases: u32,
+    /// The cases of a run with numbers; others are drawn.
+    wanted: Vec<(Test, bool)>,
 }
 
 impl Run {
@@ -51,8 +53,10 @@ impl Run {
     /// The answer to a test: that of the numbers, a known one, or a fork.
     fn decide(&mut self, test: Test) -> bool {
         if self.graph.is_numeric() {
-            let answer = match test {
-                Test::Case(_) => self.graph.draw(Range::unsigned(0.0, 1.0)) > 0.5,
+            let wanted = self.wanted.iter().find(|(wanted, _)| *wanted == test);
+            let answer = match (test, wanted) {
+                (Test::Case(_), Some((_, answer))) => *answer,
+                (Test::Case(_), None) => self.graph.draw(Range::unsigned(0.0, 1.0)) > 0.5,
                 _ => self.graph.holds(test),
             };
             self.path.push((test, answer));
@@ -160,14 +164,19 @@ pub(super) fn explore<R>(
     }
 }
 
-/// Runs a formula with the numbers of a sampler; `each` sees the run with its result, unless an assumption does not hold.
+/// Runs a formula with the numbers of a sampler, in these cases or in any; `each` sees the run with its result, unless
+/// an assumption does not hold.
 pub(super) fn calculate<R, S>(
     format: Format,
     sampler: Sampler,
+    cases: &[(Test, bool)],
     formula: &impl Fn() -> R,
     each: impl FnOnce(&Run, R) -> S,
 ) -> Option<S> {
-    with_run(|run| run.restart(format, Some(sampler)));
+    with_run(|run| {
+        run.restart(format, Some(sampler));
+        run.wanted = cases.to_vec();
+    });
     let result = formula();
     with_run(|run| (!run.is_void).then(|| each(run, result)))
 }

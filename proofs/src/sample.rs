@@ -2,6 +2,7 @@
 
 use super::format::Format;
 use super::goal::Goal;
+use super::graph::Test;
 use super::range::Range;
 use super::run::{Run, calculate};
 
@@ -49,10 +50,11 @@ impl Random {
     }
 }
 
-/// Runs a formula with random numbers; `each` sees those runs for which the assumptions hold,
+/// Runs a formula with random numbers, in these cases or in any; `each` sees those runs for which the assumptions hold,
 /// and says whether to go on.
 pub(super) fn try_out(
     format: Format,
+    cases: &[(Test, bool)],
     formula: &impl Fn() -> Vec<Goal>,
     runs: u64,
     mut each: impl FnMut(&Run, Vec<Goal>) -> bool,
@@ -60,7 +62,7 @@ pub(super) fn try_out(
     for seed in 1..=runs {
         let mut random = Random::new(seed);
         let sampler = move |range: Range, others: &[f64]| random.sample(range, others, format);
-        if calculate(format, Box::new(sampler), formula, &mut each) == Some(false) {
+        if calculate(format, Box::new(sampler), cases, formula, &mut each) == Some(false) {
             return;
         }
     }

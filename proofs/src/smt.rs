@@ -173,11 +173,11 @@ fn called(f: Format, function: Function, id: u32, a: u32) -> String {
 /// What is known of a power.
 fn raised(f: Format, id: u32, c: u32, m: u32) -> String {
     let [zero, one, lack] = [0.0, 1.0, 2.0_f64.powi(-20)].map(|x| constant(f, x));
-    let least = format!("(fp.sub RNE (ite (fp.gt n{c} {one}) {one} n{c}) {lack})");
+    let least = format!("(fp.sub RNE n{c} {lack})");
     format!(
-        "(and (fp.leq {zero} n{id}) (fp.leq n{id} {one}) (not (fp.isNegative n{id})) \
-         (ite (fp.gt n{c} {zero}) \
-         (ite (fp.gt n{m} {zero}) (=> (fp.leq n{m} {one}) (fp.leq {least} n{id})) (= n{id} {one})) \
-         (= n{id} {zero})))"
+        "(=> (and (fp.leq {zero} n{c}) (fp.leq n{c} {one})) \
+         (and (fp.leq {zero} n{id}) (fp.leq n{id} {one}) (not (fp.isNegative n{id})) \
+         (=> (fp.gt n{c} {zero}) \
+         (ite (fp.gt n{m} {zero}) (=> (fp.leq n{m} {one}) (fp.leq {least} n{id})) (= n{id} {one})))))"
     )
 }

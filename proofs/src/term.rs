@@ -7,7 +7,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use shading::{Elementary, Lobe, Mask, Real, Rgb, Select};
 
-use super::graph::{Function, Node, ONE, Test, ZERO};
+use super::graph::{Function, MINUS_ONE, Node, ONE, Test, ZERO};
 use super::range::Range;
 use super::run::{decide, node, told, with};
 
@@ -102,7 +102,7 @@ impl Real for Term {
 
     const ZERO: Self = Self(ZERO);
     const ONE: Self = Self(ONE);
-    const NEG_ONE: Self = Self(2);
+    const NEG_ONE: Self = Self(MINUS_ONE);
     const MAX: Self = Self(3);
     const EXTREME: Self = Self(4);
 
@@ -135,7 +135,7 @@ impl Select<Term> for Above {
         if then.0 == otherwise.0 {
             return then;
         }
-        match told(test) {
+        match with(|g| g.of_constants(test)).or_else(|| told(test)) {
             Some(answer) => [otherwise, then][usize::from(answer)],
             None => Term(node(Node::Select(test, then.0, otherwise.0))),
         }

@@ -50,7 +50,7 @@ pub fn every(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Result<u64, 
             *inside.nth(input % count).expect("a number of the range")
         };
         let formula = || claim(Given(format));
-        calculate(format, Box::new(sampler), &formula, |run, goals| {
+        calculate(format, Box::new(sampler), &[], &formula, |run, goals| {
             if rest.get() > 0 {
                 return;
             }

@@ -88,6 +88,10 @@ fn all_of(x: Term, y: Term) -> Vec<Goal> {
     ]
 }
 
+fn above_zero(x: Term) -> Goal {
+    Goal::Within(x, Range::within(SMALL.tiny(), INF))
+}
+
 /// A decision, from which the rules learn. Returns whether it holds.
 fn decide(test: usize, x: Term, y: Term) -> bool {
     match test {
@@ -204,6 +208,9 @@ fn operations_with_constants() {
             // two selections that differ in what they compare
             let chosen = [k, Term::ONE].map(|limit| x.above(limit).select(Term::ONE, Term::ZERO));
             let turned = [k, Term::ONE].map(|y| y.above(x).select(Term::ONE, Term::ZERO));
+            // what differs only in the order of operands, once a 0 is left out
+            let (sum, product) = ((x + Term::ZERO) + k, (x + Term::ZERO) * k);
+            let selected = |x: Term| k.above(x).select(x * k, x);
             let shifted = results.map(|result| operation(op, result, x));
             [
                 all_of(results[0], x),
@@ -211,6 +218,9 @@ fn operations_with_constants() {
                 all_of(shifted[0], x),
                 all_of(chosen[0], chosen[1]),
                 all_of(turned[0], turned[1]),
+                all_of(sum, k + x),
+                all_of(product, k * x),
+                all_of(selected(x + Term::ZERO), selected(x)),
                 all_of(x, shifted[1]),
             ]
             .concat()
@@ -262,6 +272,8 @@ fn decisions_about_decisions() {
             all_of(chosen, y),
             all_of(x * x, chosen),
             all_of(x / y, x),
+            all_of(x - y, y - x),
+            vec![above_zero(x - y), above_zero(y - x)],
         ]
         .concat()
     });
@@ -341,7 +353,13 @@ fn order_of_results() {
             let limited = [clamped(straight[0]), clamped(straight[1])];
             let limits = [straight[0].at_most(x), straight[1].at_most(y)];
             let floors = [back[0].at_least(x), back[1].at_least(y)];
-            let pairs = [straight, back, nested, limited, limits, floors];
+            let edges = [(x, 0), (y, 1)].map(|(z, i)| k.above(z).select(limited[i], Term::ONE));
+            let chosen = [(x, 0), (y, 1)].map(|(z, i)| k.above(z).select(straight[i], back[i]));
+            let masked = [0, 1].map(|i| k.above(Term::ONE).select(straight[i], back[i]));
+            let added = [straight[0], straight[0] + back[0]];
+            let pairs = [
+                straight, back, nested, limited, limits, floors, edges, chosen, masked, added,
+            ];
             pairs
                 .into_iter()
                 .flat_map(|[a, b]| {

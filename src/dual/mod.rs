@@ -19,7 +19,8 @@ use crate::vector::Vec3;
 /// [`normal::implicit`](crate::normal::implicit) and
 /// [`normal::parametric`](crate::normal::parametric) pass such numbers to your function. They mix
 /// with plain numbers: `p.dot(p) - 1.0`, `2.0 * p.x`. Comparisons compare only the values. Where
-/// the derivative does not exist (√ at 0, ln below 0), the gradient is not finite.
+/// the derivative does not exist (√ at 0, ln below 0), the gradient is not finite. A choice, as
+/// [`max`](Dual::max) makes it, has the gradient of the number chosen, also where the two are equal.
 ///
 /// ```
 /// use shading::{Dual, Vec3};
@@ -97,13 +98,13 @@ impl<T: Real> Dual<T> {
         self.chain(root, T::ONE / (root + root))
     }
 
-    /// The larger of two numbers; `other`, if this one is NaN.
+    /// The larger of two numbers; `other`, with its gradient, if they are equal or this one is NaN.
     #[inline]
     pub fn max(self, other: impl Into<Self>) -> Self {
         self.at_least(other.into())
     }
 
-    /// The smaller of two numbers.
+    /// The smaller of two numbers; this one, with its gradient, if they are equal or one is NaN.
     #[inline]
     pub fn min(self, other: impl Into<Self>) -> Self {
         self.at_most(other.into())

@@ -266,6 +266,12 @@ impl<T: Real, M: Lobe<Dual<T>>> Lobe<T> for OfValue<M> {
     fn raise_root(self, square: T) -> T {
         self.0.raise_root(Dual::constant(square)).value
     }
+
+    #[inline]
+    fn raise_quotient(self, square: T, of: T) -> T {
+        let (square, of) = (Dual::constant(square), Dual::constant(of));
+        self.0.raise_quotient(square, of).value
+    }
 }
 
 /// A sum over lights as T holds it, and its gradient.

@@ -10,12 +10,14 @@
     clippy::cast_possible_truncation, // levels fit their bits; edges are rounded
     clippy::cast_possible_wrap,       // bits are compared as signed integers
     clippy::cast_precision_loss,      // levels are small
+    clippy::cast_lossless,            // `From` is not const
     clippy::cast_sign_loss            // likewise
 )]
 
 mod edges;
 mod steps;
 
+use crate::real::Real;
 use crate::rgb::Rgb;
 use edges::decoded;
 #[cfg(feature = "fixed")]
@@ -23,8 +25,7 @@ pub(crate) use steps::{FIXED_EIGHT_BITS, FIXED_FIVE_BITS, FIXED_SIX_BITS};
 use steps::{clamped, eight_bits, five_bits, six_bits};
 
 /// Colors on a display, whose light is encoded as sRGB, and linear colors for programs that
-/// encode elsewhere or not at all. Single precision is more than any display shows; convert with
-/// [`map`](Rgb::map): `Rgb::from_srgb8(texel).map(f64::from)`.
+/// encode elsewhere or not at all. Single precision is more than any display shows.
 impl Rgb<f32> {
     /// Encodes linear light as sRGB bytes.
     ///
@@ -41,7 +42,7 @@ impl Rgb<f32> {
     /// Source: IEC 61966-2-1:1999, *Default RGB colour space – sRGB*.
     ///
     /// ```
-    /// use shading::Rgb;
+    /// use shading::f32::Rgb;
     ///
     /// assert_eq!(Rgb::new(0.5, 0.18, 0.001).to_srgb8(), [188, 118, 3]);
     /// assert_eq!(Rgb::new(2.0, -1.0, f32::NAN).to_srgb8(), [255, 0, 0]);
@@ -69,7 +70,7 @@ impl Rgb<f32> {
     /// Channels outside [0, 1] and NaN are treated as in [`to_srgb8`](Self::to_srgb8).
     ///
     /// ```
-    /// use shading::Rgb;
+    /// use shading::f32::Rgb;
     ///
     /// assert_eq!(Rgb::new(1.0, 0.18, 0.001).to_rgb565(), 31 << 11 | 29 << 5);
     /// ```
@@ -92,7 +93,7 @@ impl Rgb<f32> {
     /// [`to_srgb8`](Self::to_srgb8).
     ///
     /// ```
-    /// use shading::Rgb;
+    /// use shading::f32::Rgb;
     ///
     /// assert_eq!(Rgb::new(1.0, 0.5, 0.001).to_linear8(), [255, 128, 0]); // sRGB is [255, 188, 3]
     /// ```
@@ -102,24 +103,61 @@ impl Rgb<f32> {
     pub const fn to_linear8(self) -> [u8; 3] {
         [linear(self.r), linear(self.g), linear(self.b)]
     }
+}
 
-    /// Decodes sRGB bytes, such as those of a texture or of a designer's color, to linear light.
+/// Decoding, to every number type.
+impl<T: Real> Rgb<T> {
+    /// Decodes sRGB bytes, such as those of a texture or of a designer's color, to linear light. In a
+    /// constant, use [`const_from_srgb8`](Rgb::<f32>::const_from_srgb8).
     ///
     /// ```text
     /// L = E/12.92                     for E = byte/255 ≤ 0.04045
     /// L = ((E + 0.055)/1.055)^2.4     above
     /// ```
     ///
-    /// The result is correctly rounded, and [`to_srgb8`](Self::to_srgb8) gives the same bytes back.
+    /// The result is that of single precision, correctly rounded, and
+    /// [`to_srgb8`](Rgb::<f32>::to_srgb8) gives the same bytes back.
     ///
     /// ```
-    /// use shading::Rgb;
-    /// static BRASS: Rgb = Rgb::from_srgb8([0xB5, 0xA6, 0x42]);
-    /// assert_eq!(BRASS.to_srgb8(), [0xB5, 0xA6, 0x42]);
+    /// let brass = shading::f64::Rgb::from_srgb8([0xB5, 0xA6, 0x42]);
+    /// assert_eq!(brass.to_srgb8(), [0xB5, 0xA6, 0x42]);
     /// ```
     #[doc(alias("gamma", "decode"))]
     #[inline]
-    pub const fn from_srgb8([r, g, b]: [u8; 3]) -> Self {
+    pub fn from_srgb8(bytes: [u8; 3]) -> Self {
+        Rgb::<f32>::const_from_srgb8(bytes).map(T::of_f32)
+    }
+
+    /// Decodes the 16 bits of [`to_rgb565`](Rgb::<f32>::to_rgb565), such as those of a picture for a small
+    /// display, to linear light.
+    ///
+    /// ```text
+    /// E_r = bits₁₅…₁₁/31,  E_g = bits₁₀…₅/63,  E_b = bits₄…₀/31,   L as for from_srgb8
+    /// ```
+    ///
+    /// The result is that of single precision, correctly rounded, and
+    /// [`to_rgb565`](Rgb::<f32>::to_rgb565) gives the same bits back.
+    ///
+    /// ```
+    /// assert_eq!(shading::f32::Rgb::from_rgb565(0x1234).to_rgb565(), 0x1234);
+    /// ```
+    #[doc(alias = "decode")]
+    #[inline]
+    pub fn from_rgb565(bits: u16) -> Self {
+        Rgb::<f32>::const_from_rgb565(bits).map(T::of_f32)
+    }
+}
+
+impl Rgb<f32> {
+    /// [`from_srgb8`](Rgb::from_srgb8) for constants.
+    ///
+    /// ```
+    /// use shading::f32::Rgb;
+    /// static BRASS: Rgb = Rgb::const_from_srgb8([0xB5, 0xA6, 0x42]);
+    /// assert_eq!(BRASS, Rgb::from_srgb8([0xB5, 0xA6, 0x42]));
+    /// ```
+    #[inline]
+    pub const fn const_from_srgb8([r, g, b]: [u8; 3]) -> Self {
         Self::new(
             EIGHT_BITS[r as usize],
             EIGHT_BITS[g as usize],
@@ -127,26 +165,63 @@ impl Rgb<f32> {
         )
     }
 
-    /// Decodes the 16 bits of [`to_rgb565`](Self::to_rgb565), such as those of a picture for a small
-    /// display, to linear light.
-    ///
-    /// ```text
-    /// E_r = bits₁₅…₁₁/31,  E_g = bits₁₀…₅/63,  E_b = bits₄…₀/31,   L as for from_srgb8
-    /// ```
-    ///
-    /// The result is correctly rounded, and [`to_rgb565`](Self::to_rgb565) gives the same bits back.
-    ///
-    /// ```
-    /// assert_eq!(shading::Rgb::from_rgb565(0x1234).to_rgb565(), 0x1234);
-    /// ```
-    #[doc(alias = "decode")]
+    /// [`from_rgb565`](Rgb::from_rgb565) for constants.
     #[inline]
-    pub const fn from_rgb565(bits: u16) -> Self {
+    pub const fn const_from_rgb565(bits: u16) -> Self {
         Self::new(
             FIVE_BITS[bits as usize >> 11],
             SIX_BITS[bits as usize >> 5 & 63],
             FIVE_BITS[bits as usize & 31],
         )
+    }
+}
+
+/// Encodings of the color that is nearest in single precision. That can be another level than the nearest
+/// only where the light is within 2⁻²⁵ of itself from the edge between two.
+impl Rgb<f64> {
+    /// Encodes linear light as sRGB bytes; see [`Rgb::<f32>::to_srgb8`].
+    ///
+    /// ```
+    /// assert_eq!(shading::f64::Rgb::new(0.5, 0.18, 0.001).to_srgb8(), [188, 118, 3]);
+    /// ```
+    #[inline]
+    #[must_use]
+    pub const fn to_srgb8(self) -> [u8; 3] {
+        self.single().to_srgb8()
+    }
+
+    /// Encodes linear light as sRGB with five, six and five bits; see [`Rgb::<f32>::to_rgb565`].
+    #[inline]
+    #[must_use]
+    pub const fn to_rgb565(self) -> u16 {
+        self.single().to_rgb565()
+    }
+
+    /// Rounds linear light to bytes without encoding it; see [`Rgb::<f32>::to_linear8`].
+    #[inline]
+    #[must_use]
+    pub const fn to_linear8(self) -> [u8; 3] {
+        self.single().to_linear8()
+    }
+
+    /// [`from_srgb8`](Rgb::from_srgb8) for constants.
+    #[inline]
+    pub const fn const_from_srgb8(bytes: [u8; 3]) -> Self {
+        let Rgb { r, g, b } = Rgb::<f32>::const_from_srgb8(bytes);
+        Self::new(r as f64, g as f64, b as f64)
+    }
+
+    /// [`from_rgb565`](Rgb::from_rgb565) for constants.
+    #[inline]
+    pub const fn const_from_rgb565(bits: u16) -> Self {
+        let Rgb { r, g, b } = Rgb::<f32>::const_from_rgb565(bits);
+        Self::new(r as f64, g as f64, b as f64)
+    }
+
+    /// The nearest color in single precision.
+    #[inline]
+    const fn single(self) -> Rgb<f32> {
+        Rgb::new(self.r as f32, self.g as f32, self.b as f32)
     }
 }
 

@@ -1,53 +1,58 @@
 //! Lights and materials in files. `docs/schema.md` describes the format.
 //!
 //! Types with public fields derive the traits where they are defined. The types here check what
-//! they read, and vectors and colors also what they write, so that every value that was written can
-//! be read again.
+//! they read, and vectors, colors and directions also what they write, so that every value that was
+//! written can be read again.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser};
 
-use crate::real::{epsilon, magnitude};
+use crate::real::magnitude;
 use crate::{Attenuation, Cone, Elementary, Real, Rgb, Scalar, UnitVec3, Vec3};
 
 macro_rules! list {
-    ($type:ident by $new:expr, $is_valid:ident or $reason:literal) => {
+    ($type:ident by $read:ident) => {
         impl<T: Real + Scalar + Serialize> Serialize for $type<T> {
             fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
                 let list = <[T; 3]>::from(*self);
-                if $is_valid(list) {
-                    list.serialize(to)
-                } else {
-                    Err(ser::Error::custom($reason))
+                match $read(list) {
+                    Ok(_) => list.serialize(to),
+                    Err(reason) => Err(ser::Error::custom(reason)),
                 }
             }
         }
 
         impl<'de, T: Real + Scalar + Deserialize<'de>> Deserialize<'de> for $type<T> {
             fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-                let list = <[T; 3]>::deserialize(from)?;
-                checked($is_valid(list).then(|| $new(list)), $reason)
+                $read(<[T; 3]>::deserialize(from)?).map_err(de::Error::custom)
             }
         }
     };
 }
 
-list!(Vec3 by Self::from, is_finite or "vector: a coordinate is not finite");
-list!(Rgb by Self::from, is_light or "color: a channel is negative or not finite");
-list!(UnitVec3 by |v| Self::assume_unit(Vec3::from(v)), is_unit or "direction: its length is not 1");
+list!(Vec3 by vector);
+list!(Rgb by color);
+list!(UnitVec3 by direction);
 
-fn is_finite<T: Real + Scalar>(v: [T; 3]) -> bool {
-    v.iter().all(|x| magnitude(*x) <= T::MAX)
+fn vector<T: Real + Scalar>(v: [T; 3]) -> Result<Vec3<T>, &'static str> {
+    let is_finite = v.iter().all(|x| magnitude(*x) <= T::MAX);
+    is_finite
+        .then(|| v.into())
+        .ok_or("vector: a coordinate is not finite")
 }
 
-fn is_light<T: Real + Scalar>(color: [T; 3]) -> bool {
-    color.iter().all(|x| T::ZERO <= *x && *x <= T::MAX)
+fn color<T: Real + Scalar>(color: [T; 3]) -> Result<Rgb<T>, &'static str> {
+    let is_light = color.iter().all(|x| T::ZERO <= *x && *x <= T::MAX);
+    is_light
+        .then(|| color.into())
+        .ok_or("color: a channel is negative or not finite")
 }
 
-fn is_unit<T: Real + Scalar>(v: [T; 3]) -> bool {
-    let v = Vec3::from(v);
-    // Six decimals must suffice. They change each number by 10⁻⁶/2 and |v|² by √3 · 10⁻⁶ < 2⁻¹⁹.
-    let roundoff = T::of_f32(4.0) * epsilon();
-    magnitude(v.dot(v) - T::ONE) <= roundoff.at_least(T::of_f32(1.0 / 262_144.0))
+/// A vector of any length gives its direction. One of length 1 keeps its bits.
+fn direction<T: Real + Scalar>(v: [T; 3]) -> Result<UnitVec3<T>, &'static str> {
+    let [x, y, z] = v;
+    let v = vector(v).map_err(|_| "direction: a coordinate is not finite")?;
+    let unit = UnitVec3::new(x, y, z).or_else(|| v.unit());
+    unit.ok_or("direction: the zero vector has none; a vector of any other length will do")
 }
 
 fn checked<V, E: de::Error>(value: Option<V>, reason: &str) -> Result<V, E> {

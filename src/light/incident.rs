@@ -4,7 +4,7 @@ use core::ops::Mul;
 
 use crate::attenuation::Attenuation;
 use crate::cone::Cone;
-use crate::real::{Dimmed, Mask, Measured, Real, Select, Toward};
+use crate::real::{Dimmed, Mask, Measured, Real, Select, Toward, cold};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
@@ -20,9 +20,9 @@ pub(super) enum Kind {
 
 /// The light that arrives at a point: a [`Light`](crate::Light), and the vector to it.
 ///
-/// The method `at` of every light returns it for a point. The direction, the distance and the
+/// Each light's `at` returns one for a given point. The direction, the distance and the
 /// intensity are computed when you ask for them, so a light behind the surface costs a sum almost
-/// nothing. [`arrival`](IncidentLight::arrival) computes all three by one root.
+/// nothing. [`arrival`](IncidentLight::arrival) computes all three with a single root.
 ///
 /// Multiply it to change what arrives. A falloff, a beam or a filter of your own is a `map`:
 ///
@@ -76,7 +76,7 @@ pub struct Arrival<T = f32> {
 }
 
 impl<T: Real> IncidentLight<T> {
-    /// Of a lamp: it has a cone that nobody looks at.
+    /// For a point light. Its cone is never read.
     #[inline(always)]
     pub(super) fn new(to_light: Vec3<T>, intensity: Rgb<T>, attenuation: Attenuation<T>) -> Self {
         Self {
@@ -128,13 +128,16 @@ impl<T: Real> IncidentLight<T> {
             w_length,
             length,
         } = measured;
+        let (mut l, mut light) = (w / w_length, self.dimmed(&measured));
         let is_somewhere = w_length.above(T::ZERO);
-        let light = self.dimmed(&measured);
-        let factor = is_somewhere.select(light.factor, T::ZERO);
-        let intensity = Dimmed { factor, ..light }.multiplied().finite();
+        if !is_somewhere.all() {
+            cold();
+            l = Vec3::select(is_somewhere, l, *UnitVec3::Z);
+            light.factor = is_somewhere.select(light.factor, T::ZERO);
+        }
         Arrival {
-            l: UnitVec3::assume_unit(Vec3::select(is_somewhere, w / w_length, *UnitVec3::Z)),
-            intensity,
+            l: UnitVec3::assume_unit(l),
+            intensity: light.multiplied().finite(),
             distance: length.at_most(T::MAX),
         }
     }
@@ -210,13 +213,15 @@ impl<T: Real> IncidentLight<T> {
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> IncidentLight<U> {
         let (to_light, intensity) = (self.to_light.map(&mut f), self.intensity.map(&mut f));
         let mut light = IncidentLight::new(to_light, intensity, self.attenuation.cast(&mut f));
-        (light.axis, light.cone) = (self.axis.cast(&mut f), self.cone.cast(f));
         light.kind = self.kind;
+        if self.kind == Kind::Spot {
+            (light.axis, light.cone) = (self.axis.cast(&mut f), self.cone.cast(f));
+        }
         light
     }
 }
 
-/// What arrives, dimmed or brightened.
+/// Scales the light that arrives.
 impl<T: Real> Mul<T> for IncidentLight<T> {
     type Output = Self;
     #[inline]
@@ -227,6 +232,14 @@ impl<T: Real> Mul<T> for IncidentLight<T> {
 
 /// What arrives through a colored filter. A channel that overflows is the largest finite number, and a
 /// black one stays black.
+///
+/// ```
+/// use shading::f32::{DirectionalLight, Rgb, UnitVec3, Vec3};
+///
+/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::new(0.0, 1.0, 2.0) };
+/// let filtered = sun.at(Vec3::ZERO) * Rgb::new(f32::INFINITY, f32::INFINITY, 0.5);
+/// assert_eq!(filtered.intensity(), Rgb::new(0.0, f32::MAX, 1.0));
+/// ```
 impl<T: Real> Mul<Rgb<T>> for IncidentLight<T> {
     type Output = Self;
     #[inline]

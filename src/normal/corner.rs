@@ -1,6 +1,6 @@
 //! The normals of a mesh's vertices.
 
-use crate::elementary::angle;
+use crate::angle::angle;
 use crate::real::{Real, tamed};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
@@ -12,8 +12,9 @@ use crate::vector::Vec3;
 /// α (e₁ × e₂)/|e₁ × e₂|,  e₁ = v₂ − v₁,  e₂ = v₃ − v₁,  α = the angle between them
 /// ```
 ///
-/// To get the normal of a vertex, add the contributions of all triangles around it and make the sum
-/// [`unit`](Vec3::unit). The vertices appear counter-clockwise, as for
+/// To get the normal of a vertex, add the contributions of all triangles around it and normalize the
+/// sum with [`unit_or`](Vec3::unit_or): mesh files contain vertices that no triangle uses, and their
+/// sum is 0. The vertices appear counter-clockwise, as for
 /// [`triangle`](crate::normal::triangle()). If the triangle is a line or a point, or if a vertex is
 /// not finite, the contribution is the zero vector. The size of a triangle does not matter: 10⁻²⁰
 /// and 10²⁰ work as well as 1, even side by side.
@@ -30,8 +31,8 @@ use crate::vector::Vec3;
 /// | a sphere, with its vertices moved at random | 1.1° | 0 | 2.8° |
 ///
 /// Max's weights, `e1.cross(e2)` divided by |e₁|²|e₂|², are exact on a sphere and need no angle.
-/// Area weights, `e1.cross(e2)`, are the shortest to write. On the teapot with all squares split
-/// alike, their error was 0.3°, and that of the angle 0.4°.
+/// Area weights, `e1.cross(e2)`, are the shortest to write. With all the teapot's squares split along
+/// the same diagonal, area weights erred by 0.3° and angle weights by 0.4°.
 ///
 /// Source: Grit Thürmer and Charles A. Wüthrich, *Computing Vertex Normals from Polygonal Facets*,
 /// 1998; Nelson Max, *Weights for Computing Vertex Normals from Facet Normals*, 1999.
@@ -41,17 +42,18 @@ use crate::vector::Vec3;
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
 ///
-/// let positions: [Vec3; 4] = [Vec3::ZERO, *UnitVec3::X, *UnitVec3::Y, *UnitVec3::Z];
+/// let unused = Vec3::new(9.0, 9.0, 9.0);
+/// let positions: [Vec3; 5] = [Vec3::ZERO, *UnitVec3::X, *UnitVec3::Y, *UnitVec3::Z, unused];
 /// let triangles = [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]];
 ///
-/// let mut sums = [Vec3::ZERO; 4];
+/// let mut sums = [Vec3::ZERO; 5];
 /// for triangle in triangles {
 ///     let [a, b, c] = triangle;
 ///     for [i, j, k] in [[a, b, c], [b, c, a], [c, a, b]] {
 ///         sums[i] += normal::corner(positions[i], positions[j], positions[k]);
 ///     }
 /// }
-/// let normals = sums.map(|sum| sum.unit().unwrap());
+/// let normals = sums.map(|sum| sum.unit_or(UnitVec3::Z));
 /// // three faces meet at the origin
 /// let diagonal = Vec3::new(-1.0, -1.0, -1.0).unit().unwrap();
 /// assert!((*normals[0] - *diagonal).length() < 1e-6);
@@ -62,6 +64,6 @@ pub fn corner<T: Real>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Vec3<T> {
     let none = UnitVec3::assume_unit(Vec3::ZERO);
     let (e1, e2) = (tamed(v2, v1), tamed(v3, v1));
     let (n, length) = e1.cross(e2).unit_or_with_length(none);
-    // without a normal, the angle may be NaN
+    // if there is no normal, the angle may be NaN
     n * angle(length, e1.dot(e2)).at_least(T::ZERO)
 }

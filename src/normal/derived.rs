@@ -8,14 +8,19 @@ use crate::vector::Vec3;
 /// The normal on the viewer's side, for surfaces that are seen from both sides.
 ///
 /// ```text
-/// N where N·V ≥ 0, else −N
+/// N where F·V ≥ 0, else −N
 /// ```
 ///
-/// N is the normal and V the direction to the eye, away from the surface. If the surface is seen
-/// edge-on (N·V = 0), or if a number is NaN, the result is N.
+/// N is the normal to shade with, V the direction to the eye, away from the surface, and `face`, F,
+/// the normal of the surface itself: that of the triangle which the ray has hit. F decides which side
+/// the eye sees. If the surface is seen edge-on (F·V = 0), or if F or V is NaN, the result is N.
 ///
-/// GLSL's `faceforward(N, I, N)` takes the incident direction, which is −V. `faceforward(N, -V, N)`
-/// is this function, except that it gives −N for N·V = 0.
+/// For an exact surface, such as a sphere, F is N. Where N is interpolated over a mesh or comes from a
+/// normal map, N·V may be negative although the eye sees the front: such an N must not be turned.
+/// Turn it **last**: interpolate first, then apply the [normal map](mapped), then call this function.
+///
+/// GLSL's `faceforward(N, I, F)` takes the incident direction, which is −V. `faceforward(N, -V, F)`
+/// is this function, except that it gives −N for F·V = 0.
 ///
 /// Source: *The OpenGL Shading Language*, version 4.60, 2017, §8.5.
 ///
@@ -23,14 +28,19 @@ use crate::vector::Vec3;
 /// use shading::{UnitVec3, normal};
 ///
 /// let v = UnitVec3::<f32>::new(0.0, 0.6, 0.8).unwrap();
-/// assert_eq!(normal::facing(UnitVec3::Z, v), UnitVec3::Z);
-/// assert_eq!(normal::facing(-UnitVec3::Z, v), UnitVec3::Z);
-/// assert_eq!(normal::facing(-UnitVec3::X, v), -UnitVec3::X); // edge-on
+/// let (front, back) = (UnitVec3::Z, -UnitVec3::Z);
+/// assert_eq!(normal::facing(front, v, front), UnitVec3::Z);
+/// assert_eq!(normal::facing(back, v, back), UnitVec3::Z);
+///
+/// // a smooth normal near the outline, which leans away from the eye on a face seen from the front
+/// let smooth = UnitVec3::new(0.0, -0.96, 0.28).unwrap();
+/// assert!(smooth.dot(v) < 0.0);
+/// assert_eq!(normal::facing(smooth, v, front), smooth);
 /// ```
 #[doc(alias("faceforward", "two-sided"))]
 #[inline]
-pub fn facing<T: Real>(n: UnitVec3<T>, v: UnitVec3<T>) -> UnitVec3<T> {
-    let away = (-n).dot(v).above(T::ZERO);
+pub fn facing<T: Real>(n: UnitVec3<T>, v: UnitVec3<T>, face: UnitVec3<T>) -> UnitVec3<T> {
+    let away = (-face).dot(v).above(T::ZERO);
     UnitVec3::assume_unit(Vec3::select(away, -*n, *n))
 }
 
@@ -47,17 +57,18 @@ pub fn facing<T: Real>(n: UnitVec3<T>, v: UnitVec3<T>) -> UnitVec3<T> {
 ///
 /// **Mirroring.** The commonly used inverse transpose is cof(M)/det(M). If M mirrors (det(M) < 0),
 /// the inverse transpose gives −N′. It keeps an outward normal outward, while the transformed
-/// vertices appear clockwise. Use `-n` if you want that.
+/// vertices appear clockwise. If you want that, use `-n` where `a.cross(b).dot(c) < 0`.
 ///
 /// The result is `None` if M flattens the surface to a line or a point, up to rounding, or if a
 /// number is not finite. A singular M still gives a normal to every other surface, because M is not
 /// inverted. The error is a few u times the conditioning
-/// (|n_x||b||c| + |n_y||c||a| + |n_z||a||b|)/|cof(M) N|, whatever the length of each column, where
-/// u is the unit roundoff. It is an error of a vector of length 1: a component that M makes much
+/// (|n_x||b||c| + |n_y||c||a| + |n_z||a||b|)/|cof(M) N|, whatever the length of each column from 2⁻¹²⁰
+/// (`f32`) or 2⁻¹⁰⁰⁰ (`f64`) on, where u is the unit roundoff. It is an error of a vector of length 1: a component that M makes much
 /// smaller than the others has fewer correct digits, and below 2⁻⁷⁵ (`f32`) or 2⁻⁶⁶⁰ (`f64`) it may
 /// be 0.
 ///
-/// Source: Ken Turkowski, *Properties of Surface-Normal Transformations*, in *Graphics Gems*, 1990.
+/// Source: Eric Lengyel, *Transforming Normals*, 2024; Ken Turkowski, *Properties of Surface-Normal
+/// Transformations*, in *Graphics Gems*, 1990, for the inverse transpose.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};
@@ -90,11 +101,11 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
         let least = counts(n.x, x)
             .at_most(counts(n.y, y))
             .at_most(counts(n.z, z));
-        let share = |n: T, length: T| {
-            let share = length.above(least).select(n * (least / length), n);
-            magnitude(n).above(T::ZERO).select(share, T::ZERO)
+        let scaled = |n: T, length: T| {
+            let scaled = length.above(least).select(n * (least / length), n);
+            magnitude(n).above(T::ZERO).select(scaled, T::ZERO)
         };
-        let n = Vec3::new(share(n.x, x), share(n.y, y), share(n.z, z));
+        let n = Vec3::new(scaled(n.x, x), scaled(n.y, y), scaled(n.z, z));
         // the product with 0 keeps what is not finite
         let along = |v: Vec3<T>| *v.unit_or(none) + v * T::ZERO;
         cofactors([along(a), along(b), along(c)], n)
@@ -114,13 +125,14 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
 ///
 /// N is the normal of the surface. T is a tangent of any length: the direction in which the map's x
 /// grows (the `u` of its texture coordinates). Only the part of T perpendicular to N counts. The
-/// handedness h is the sign of the fourth number of a tangent in a glTF file. If it is positive, b
-/// points to where y grows; otherwise, b points the other way.
+/// handedness h is the sign of the fourth number of a tangent in a glTF file. b points to where the
+/// map's y grows. If h is positive, so does N × t; otherwise, N × t points the other way.
 ///
 /// The sample (x, y, z) must be decoded: (0, 0, 1) is N itself, and the length does not matter. To
 /// decode a texel with channels within [0, 1], compute 2·texel − 1, as in OpenGL and glTF. In maps
-/// made for Direct3D, y points down: negate it. A valid texel has a blue channel above ½. A black
-/// texel is the direction (−1, −1, −1), below the surface.
+/// made for Direct3D, y points down: negate it. If a glTF file has no tangents, pass the t and the
+/// **negative** h of [`tangent`](crate::normal::tangent), which explains why. A valid texel has a blue
+/// channel above ½. A black texel is the direction (−1, −1, −1), below the surface.
 ///
 /// The result is `None` if T is zero or parallel to N, if the sample is zero, or if a coordinate is not
 /// finite. The nearer T is to N, the more its rounding errors matter, as in
@@ -130,8 +142,8 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
 /// perpendicular before it adds. Its result is the same at the vertices and differs slightly
 /// between them.
 ///
-/// Source: Blinn 1978; Khronos, *glTF 2.0 Specification*, 2021, §3.7.2.1 and §3.9.3; Mikkelsen
-/// 2008.
+/// Source: Khronos, *glTF 2.0 Specification*, 2021, §3.7.2.1 and §3.9.3; Mikkelsen 2008; Blinn 1978
+/// for the idea.
 ///
 /// ```
 /// use shading::{UnitVec3, Vec3, normal};

@@ -52,7 +52,7 @@ pub fn plane<T: Real + Scalar>(a: T, b: T, c: T) -> Option<UnitVec3<T>> {
 #[inline(always)]
 #[must_use]
 pub fn triangle<T: Real + Scalar>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Option<UnitVec3<T>> {
-    product(v2, v3, v1).unit()
+    cross_from(v1, v2, v3).unit()
 }
 
 /// The outward normal of a sphere at a point p on it.
@@ -209,8 +209,9 @@ pub fn parametric<T: Real + Scalar>(
 /// N = s_u × s_v / |s_u × s_v|
 /// ```
 ///
-/// The tangents may have any length; nothing overflows or vanishes. Their order decides to which side
-/// N points. The result is `None` if they are parallel, 0 or not finite.
+/// The tangents may have any length. Their order decides to which side N points. The result is `None`
+/// if they are parallel, 0 or not finite. They may count as parallel if the sine of the angle between
+/// them is below u², where u is the unit roundoff.
 ///
 /// Source: Foley, van Dam et al. 1990, §11.3.4.
 ///
@@ -224,16 +225,16 @@ pub fn parametric<T: Real + Scalar>(
 #[inline(always)]
 #[must_use]
 pub fn from_tangents<T: Real + Scalar>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<UnitVec3<T>> {
-    product(s_u, s_v, Vec3::ZERO).unit()
+    cross_from(Vec3::ZERO, s_u, s_v).unit()
 }
 
 /// (a − origin) × (b − origin), times a power of two if it would overflow or vanish.
 #[inline(always)]
-pub(super) fn product<T: Real>(a: Vec3<T>, b: Vec3<T>, origin: Vec3<T>) -> Vec3<T> {
-    let product = (a - origin).cross(b - origin);
-    if is_extreme(product.dot(product)) {
+fn cross_from<T: Real>(origin: Vec3<T>, a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
+    let cross = (a - origin).cross(b - origin);
+    if is_extreme(cross.dot(cross)) {
         tamed(a, origin).cross(tamed(b, origin))
     } else {
-        product
+        cross
     }
 }

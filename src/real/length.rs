@@ -45,17 +45,14 @@ pub(super) fn halfway_power<T: Real>(
 ) -> T {
     let h = w + v * w_length;
     let n_dot_h = T::dot(n, h);
-    let cosine_squared = n_dot_h * n_dot_h / T::dot(h, h);
-    // at most 1; 0/0 counts as 1, too
-    let cosine_squared = T::ONE.above(cosine_squared).select(cosine_squared, T::ONE);
-    let power = m.raise_root(cosine_squared);
+    let power = m.raise_quotient(n_dot_h * n_dot_h, T::dot(h, h));
     n_dot_h.above(T::ZERO).select(power, T::ZERO)
 }
 
 /// Marks a path as rare, so that the compiler does not compute it beside the other and choose.
 #[cold]
 #[inline]
-const fn cold() {}
+pub(crate) const fn cold() {}
 
 #[inline(always)]
 fn plain<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {

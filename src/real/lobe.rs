@@ -1,6 +1,6 @@
 //! The shininess m of a highlight.
 
-use super::power::{double, single};
+use super::power::{double, double_of_quotient, single, single_of_quotient};
 use super::{Real, Select};
 
 /// The shininess m of a highlight: an integer (`u32`) or a real number of the scene's type (`f32`,
@@ -44,14 +44,14 @@ use super::{Real, Select};
 pub trait Lobe<T: Real>: Copy {
     /// cosineᵐ, within [0, 1], for a cosine within [0, 1].
     ///
-    /// The terms and the sums call it with no other cosine: a highlight of your own need not think of
+    /// The terms and the sums call it with no other cosine: your own highlight never has to handle
     /// light from behind. They do not use the result for a cosine of 0; the factor is then 0 for
     /// **every** m. Above 0, the power with m = 0 is 1. A negative or NaN m counts as 0. 1 to any power
     /// is 1, even if m is infinite.
     ///
     /// With an integer m the relative error is at most m·u, the conditioning of the power itself,
     /// where u is the unit roundoff (2⁻²⁴ for `f32`). With a real m the absolute error is at most
-    /// 2⁻²² in `f32` and 2⁻⁵¹ in `f64`. A power that would be subnormal may be 0.
+    /// 2⁻²² in `f32` and 2⁻⁵¹ in `f64`. A power that would be subnormal has fewer digits, or is 0.
     ///
     /// ```
     /// use shading::Lobe;
@@ -74,6 +74,27 @@ pub trait Lobe<T: Real>: Copy {
     #[must_use]
     fn raise_root(self, square: T) -> T {
         self.raise(square.sqrt())
+    }
+
+    /// The power of a cosine whose square is given as a quotient. A quotient above 1, or of 0 by 0,
+    /// counts as 1.
+    ///
+    /// ```text
+    /// (√(square/of))ᵐ
+    /// ```
+    ///
+    /// A real m needs no division but that of the logarithm.
+    ///
+    /// ```
+    /// use shading::Lobe;
+    ///
+    /// assert_eq!(4_u32.raise_quotient(2.0_f32, 8.0), 0.0625); // (√¼)⁴
+    /// ```
+    #[inline]
+    #[must_use]
+    fn raise_quotient(self, square: T, of: T) -> T {
+        let square = square / of;
+        self.raise_root(T::ONE.above(square).select(square, T::ONE))
     }
 }
 
@@ -103,18 +124,12 @@ impl<T: Real> Lobe<T> for u32 {
 /// Below it, squaring would pass through subnormal numbers, which cost some processors up to a
 /// hundred times as much.
 #[inline]
-#[allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_precision_loss,
-    clippy::cast_sign_loss
-)]
 fn least<T: Real>(m: u32) -> T {
     const ONE: u32 = 1.0_f32.to_bits();
     const OCTAVE: u32 = 1 << 23;
     // The bits of a float are its logarithm, except that the significand 1 + x stands for
     // log₂(1 + x), which is about x + 0.39 (¼ − (x − ½)²). The result never exceeds the true one.
-    // A quotient of floats, unlike one of integers, can be moved out of a loop over lights.
-    let linear = ONE.wrapping_sub(((126 * OCTAVE) as f32 / m as f32) as u32);
+    let linear = ONE.wrapping_sub(126 * OCTAVE / if m > 1 { m } else { 1 });
     let from_half = (linear >> 12 & 0x7FF).wrapping_sub(0x400);
     let bend = 0x10_0000 - from_half.wrapping_mul(from_half);
     let least = f32::from_bits(linear.wrapping_sub(bend / 32 * 25 + 1600));
@@ -140,6 +155,12 @@ pub(crate) fn by_squaring<T: Real>(mut base: T, mut m: u32) -> T {
     }
 }
 
+/// m/2 as the powers take it. The product has quieted a signaling NaN, so [`shininess`] can be shorter.
+#[inline]
+pub(crate) fn half_shininess<T: Real>(m: T) -> T {
+    (T::of_f32(0.5) * m).at_least(T::ZERO).at_most(T::MAX)
+}
+
 /// m as the powers take it: finite and at least 0.
 #[inline]
 pub(crate) fn shininess<T: Real>(m: T) -> T {
@@ -148,7 +169,7 @@ pub(crate) fn shininess<T: Real>(m: T) -> T {
 }
 
 macro_rules! real {
-    ($float:ident, $power:ident) => {
+    ($float:ident, $power:ident, $quotient:ident) => {
         #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Lobe<$float> for $float {
             #[inline]
@@ -160,9 +181,14 @@ macro_rules! real {
             fn raise_root(self, square: $float) -> $float {
                 (0.5 * self).raise(square)
             }
+
+            #[inline]
+            fn raise_quotient(self, square: $float, of: $float) -> $float {
+                $quotient(square, of, half_shininess(self))
+            }
         }
     };
 }
 
-real!(f32, single);
-real!(f64, double);
+real!(f32, single, single_of_quotient);
+real!(f64, double, double_of_quotient);

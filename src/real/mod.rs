@@ -2,6 +2,7 @@
 
 pub(crate) mod falloff;
 mod float;
+mod known;
 pub(crate) mod length;
 mod lobe;
 pub(crate) mod power;
@@ -12,9 +13,10 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::triple::{Rgb, Vec3};
 
-pub(crate) use length::{is_extreme, tamed};
+pub(crate) use known::{constant, epsilon, least, parts, whole};
+pub(crate) use length::{cold, is_extreme, tamed};
 pub use lobe::Lobe;
-pub(crate) use lobe::{by_squaring, shininess};
+pub(crate) use lobe::{by_squaring, half_shininess, shininess};
 pub(crate) use root::const_sqrt;
 
 /// A real number: `f32`, `f64`, a dual number, a set of SIMD lanes, or a type of your own.
@@ -36,15 +38,21 @@ pub(crate) use root::const_sqrt;
 ///
 /// # A number of your own
 ///
-/// Write the items without a default. The other methods are derived from them; override one if a
-/// processor has a better way to the same result.
+/// Write the items without a default: two types, five constants and three functions. For a scalar, the
+/// types are `type Mask = bool;` and `type Sum = Rgb<Self>;`.
 ///
 /// - No operation may panic. A division by zero may give any number.
 /// - If the operations round correctly, results have the same bits on every machine, and the error
 ///   bounds of [`guide::precision`](mod@crate::guide::precision) hold in units of the type's
-///   roundoff. If they do not, nothing else is lost.
+///   roundoff. Otherwise, everything but these two guarantees still holds.
 ///
-/// [`guide::numbers`](mod@crate::guide::numbers) has a complete one, and says how to test it.
+/// The methods from [`of_f32`](Real::of_f32) to [`finite`](Real::finite) are derived; override one if a
+/// processor has a better way to the same result. Those from [`dot`](Real::dot) on are **hooks**: each
+/// computes several operations at once. A number overrides one to keep digits between them, as fixed
+/// point must, or to choose another order. What wraps a number, as [`Dual`](crate::Dual) does, calls the
+/// hooks of the number inside.
+///
+/// [`guide::numbers`](mod@crate::guide::numbers) has a complete number, and says how to test it.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a number type that this crate computes with",
     label = "expected `f32`, `f64`, `Dual<_>` or SIMD lanes",
@@ -79,7 +87,7 @@ pub trait Real:
     /// `f32` p is 2¹⁰⁰ and for `f64` 2⁷²⁰.
     const EXTREME: Self;
 
-    /// The number nearest to a literal, an `f64`, so that users of `f64` lose nothing.
+    /// Converts an `f64` literal to the nearest number.
     #[must_use]
     fn of(literal: f64) -> Self;
 
@@ -91,8 +99,6 @@ pub trait Real:
     #[doc(alias("gt", "greater"))]
     #[must_use]
     fn above(self, other: Self) -> Self::Mask;
-
-    // the methods below are derived
 
     /// The number nearest to a single-precision literal, for processors without double precision,
     /// such as many GPUs.
@@ -133,10 +139,6 @@ pub trait Real:
     fn finite(self) -> Self {
         Self::MAX.above(self).select(self, Self::MAX)
     }
-
-    // The methods below are hooks: each computes several operations at once, so that a number or a
-    // processor can choose their order, and a number whose precision is not relative, as that of fixed
-    // point is not, can keep digits between them. The defaults are for floats.
 
     /// The dot product of two vectors. A fixed-point number may round it once, and keep its sign.
     ///
@@ -264,7 +266,8 @@ pub trait Real:
     }
 }
 
-/// The direction of a vector v, not yet divided by a length, with the length of v.
+/// The length of a vector v, and its direction, not yet divided by a length: what [`Real::measured`]
+/// gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured<T> {
     /// w, a vector in the direction of v. Its square, and those of its sums with vectors of its length,
@@ -276,7 +279,7 @@ pub struct Measured<T> {
     pub length: T,
 }
 
-/// A vector that a surface with the normal n faces.
+/// A vector that a surface with the normal n faces: what [`Real::toward`] gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Toward<T> {
     /// The direction w and the length of the vector.
@@ -307,11 +310,14 @@ impl<T: Real> Dimmed<T> {
 pub trait LightSum<T>: Copy {
     /// No light.
     const DARK: Self;
-    /// The sum plus light.color · light.factor · cosine, for a cosine or a highlight within [0, 1].
+    /// The sum plus a light times a cosine or a highlight within [0, 1].
+    ///
+    /// ```text
+    /// self + light.color · light.factor · cosine
+    /// ```
     #[must_use]
     fn add(self, light: Dimmed<T>, cosine: T) -> Self;
     /// The sum as a color; the largest finite number in a channel that overflowed.
-    #[must_use]
     fn total(self) -> Rgb<T>;
 }
 
@@ -392,52 +398,4 @@ impl<T: PartialOrd> Scalar for T {}
 #[inline]
 pub(crate) fn magnitude<T: Real>(x: T) -> T {
     x.at_least(-x)
-}
-
-/// ε, the distance from 1 to the next number above: in any binary float, 4/3 is rounded by a third
-/// of it (Kahan).
-#[inline]
-pub(crate) fn epsilon<T: Real>() -> T {
-    let three = T::ONE + T::ONE + T::ONE;
-    magnitude(three * ((T::ONE + three) / three - T::ONE) - T::ONE)
-}
-
-/// The least number above 0, by halving 1 until nothing is left, or until rounding ends it.
-#[cold]
-pub(crate) fn least<T: Real>() -> T {
-    let (half, mut least) = (T::of_f32(0.5), T::ONE);
-    loop {
-        let next = least * half;
-        if !(next.above(T::ZERO).all() && least.above(next).all()) {
-            return least;
-        }
-        least = next;
-    }
-}
-
-/// A whole number. A literal in double precision would link its routines on a chip.
-#[inline]
-#[allow(clippy::cast_precision_loss)] // sixteen bits fit
-pub(crate) fn whole<T: Real>(n: u32) -> T {
-    let low = T::of_f32((n & 0xFFFF) as f32);
-    if n >> 16 == 0 {
-        low
-    } else {
-        T::of_f32((n >> 16) as f32) * T::of_f32(65_536.0) + low
-    }
-}
-
-/// A constant as the sum of three numbers in single precision, split by the compiler.
-/// `constant(const { parts(PI) })` uses no `f64` on the path of `f32`.
-#[inline]
-pub(crate) fn constant<T: Real>([first, second, third]: [f32; 3]) -> T {
-    T::of_f32(first) + T::of_f32(second) + T::of_f32(third)
-}
-
-#[allow(clippy::cast_possible_truncation, clippy::cast_lossless)]
-pub(crate) const fn parts(constant: f64) -> [f32; 3] {
-    let first = constant as f32;
-    let rest = constant - first as f64;
-    let second = rest as f32;
-    [first, second, (rest - second as f64) as f32]
 }

@@ -25,9 +25,9 @@ use super::Real;
 
 /// The operations of the powers on the bits of a float, lane by lane.
 pub(crate) trait Bits: Real {
-    /// For a positive normal number, returns `(e, z)` such that self = 2^e z and z is within
-    /// [√½, √2) times 2²⁴ (`f32`) or 2⁵³ (`f64`).
-    fn split(self) -> (Self, Self);
+    /// For positive normal numbers, returns `(e, z)` such that self = 2^e z and z is within
+    /// [`least`, 2 `least`).
+    fn split(self, least: Self) -> (Self, Self);
 
     /// 2^(n − 127) for the low byte n of the bits of an `f32`, from 0 to 254, or 2^(n − 1023) for the
     /// low eleven bits n of those of an `f64`, from 0 to 2046; +0 for n = 0.
@@ -40,8 +40,6 @@ pub(crate) trait Bits: Real {
     }
 }
 
-/// The bits of 2²⁴ √½, the least z of `f32`, and of 2⁵³ √½, that of `f64`.
-pub(crate) const LEAST: (i32, i64) = (0x4B35_04F3, 0x4336_A09E_667F_3BCD);
 /// The bits of the sign and the exponent.
 pub(crate) const EXPONENT: (i32, i64) = (-0x0080_0000, -0x0010_0000_0000_0000);
 
@@ -50,9 +48,9 @@ macro_rules! bits {
         impl Bits for $float {
             #[inline]
             #[allow(clippy::pedantic)] // casts: only the bits matter, and e has eleven
-            fn split(self) -> (Self, Self) {
+            fn split(self, least: Self) -> (Self, Self) {
                 let bits = self.to_bits() as $integer;
-                let above = bits.wrapping_sub(LEAST.$part);
+                let above = bits.wrapping_sub(least.to_bits() as $integer);
                 let z = bits.wrapping_sub(above & EXPONENT.$part);
                 let e = (above >> $digits) as i32;
                 (e as $float, $float::from_bits(z as _))
@@ -76,10 +74,11 @@ macro_rules! bits {
 bits!(f32 i32 0, 23);
 bits!(f64 i64 1, 52);
 
-/// log₂ z = s P(s²), s = (z − 1)/(z + 1), for z in [√½, √2).
+/// log₂ (z/d) = s P(s²), s = (z − d)/(z + d), for z/d in [√½, √2).
 ///
 /// P is the minimax polynomial of degree 2, weighted for the relative error of log₂ c. That error
-/// is 2.0 · 2⁻²⁴ with exact coefficients, 2.5 · 2⁻²⁴ with these, and 5.8 · 2⁻²⁴ with all roundings.
+/// is 2.0 · 2⁻²⁴ with exact coefficients, 2.5 · 2⁻²⁴ with these, and 5.91 · 2⁻²⁴ with all roundings,
+/// at c = 0.8334765. Every c was tried, for d = 1.
 const LOG: [f32; 3] = [
     2.885_390_5,  // 0x4038AA3D
     0.961_551_8,  // 0x3F762842
@@ -89,7 +88,8 @@ const LOG: [f32; 3] = [
 /// 2^(1 + r) = (2 + r) + r Q(r) for r in [−½, ½].
 ///
 /// Q is the minimax polynomial of degree 5, weighted for the absolute error of 2^y, y ≤ 0. That
-/// error is 0.03 · 2⁻²⁴ with exact coefficients and with these, and 0.74 · 2⁻²⁴ with all roundings.
+/// error is 0.03 · 2⁻²⁴ with exact coefficients and with these, and 1.24 · 2⁻²⁴ with all roundings,
+/// at y = −0.5114769; every y was tried.
 const EXP: [f32; 6] = [
     0.386_294_43,     // 0x3EC5C862
     0.480_453_1,      // 0x3EF5FDF3
@@ -111,20 +111,40 @@ const SHIFT: f32 = 12_583_038.0; // 1.5 · 2²³ + 126
 /// flushes subnormal numbers gives the same bits. The power of 0 is some number within [0, 1].
 #[inline(always)]
 pub(crate) fn single<T: Bits>(c: T, m: T) -> T {
+    exp2_single(m * log2_single(c, T::ONE))
+}
+
+/// (c/d)ᵐ, by one division in place of two, for c ≥ 0 and d > 0 whose products with 2²⁴ are finite. A
+/// quotient above 1 counts as 1, and the power of NaN is 0.
+#[inline(always)]
+pub(crate) fn single_of_quotient<T: Bits>(c: T, d: T, m: T) -> T {
+    exp2_single((m * log2_single(c, d)).at_most(T::ZERO))
+}
+
+/// log₂ (c/d).
+#[inline(always)]
+fn log2_single<T: Bits>(c: T, d: T) -> T {
     // not `LOG.map`, as rust-gpu cannot compile it
     let of = T::of_f32;
 
     // Scaling by 2²⁴ is exact and makes even the least subnormal number normal. The quotient s does
     // not change.
     let scale = of(16_777_216.0);
-    let (e, z) = (c * scale).split();
-    let s = (z - scale) / (z + scale);
+    let (e, z) = (c * scale).split(d * of(11_863_283.0)); // 2²⁴ √½
+    let d = d * scale;
+    let s = (z - d) / (z + d);
     let x = s * s;
     let [p0, p1, p2] = LOG;
-    let log2_c = e + s * ((of(p0) + x * of(p1)) + x * x * of(p2));
+    e + s * ((of(p0) + x * of(p1)) + x * x * of(p2))
+}
+
+/// 2^y for y ≤ 0.
+#[inline(always)]
+fn exp2_single<T: Bits>(y: T) -> T {
+    let of = T::of_f32;
 
     // y = n + r within [−126, 0]; the result is 2^(n − 1) 2^(1 + r), or 0 for n = −126
-    let y = (m * log2_c).at_least(of(-126.0));
+    let y = y.at_least(of(-126.0));
     let shifted = y + of(SHIFT);
     let r = y - shifted.unshifted(of(SHIFT));
     let x = r * r;
@@ -165,20 +185,37 @@ const SHIFT_DOUBLE: f64 = 6_755_399_441_056_766.0; // 1.5 · 2⁵² + 1022
 /// 2⁻¹⁰²² becomes 0.
 #[inline(always)]
 pub(crate) fn double<T: Bits>(c: T, m: T) -> T {
+    exp2_double(m * log2_double(c, T::ONE))
+}
+
+/// (c/d)ᵐ, as [`single_of_quotient`], for products with 2⁵³ that are finite.
+#[inline(always)]
+pub(crate) fn double_of_quotient<T: Bits>(c: T, d: T, m: T) -> T {
+    exp2_double((m * log2_double(c, d)).at_most(T::ZERO))
+}
+
+#[inline(always)]
+fn log2_double<T: Bits>(c: T, d: T) -> T {
     let of = T::of;
 
     let scale = of(9_007_199_254_740_992.0); // 2⁵³
-    let (e, z) = (c * scale).split();
-    let s = (z - scale) / (z + scale);
+    let (e, z) = (c * scale).split(d * of(6_369_051_672_525_773.0)); // 2⁵³ √½
+    let d = d * scale;
+    let s = (z - d) / (z + d);
     let x = s * s;
     let x2 = x * x;
     let [p0, p1, p2, p3, p4, p5, p6, p7] = LOG_DOUBLE;
     let pair = |a, b| of(a) + of(b) * x;
     let low = pair(p0, p1) + x2 * pair(p2, p3);
     let high = pair(p4, p5) + x2 * pair(p6, p7);
-    let log2_c = e + s * (low + x2 * x2 * high);
+    e + s * (low + x2 * x2 * high)
+}
 
-    let y = (m * log2_c).at_least(of(-1022.0));
+#[inline(always)]
+fn exp2_double<T: Bits>(y: T) -> T {
+    let of = T::of;
+
+    let y = y.at_least(of(-1022.0));
     let shifted = y + of(SHIFT_DOUBLE);
     let r = y - shifted.unshifted(of(SHIFT_DOUBLE));
     let x = r * r;

@@ -12,13 +12,14 @@ macro_rules! soft {
             /// x > other, by a comparison of bits: the order of numbers is that of their bits, with NaN
             /// at both ends.
             #[inline]
+            #[allow(clippy::cast_possible_wrap)] // only the bits matter
             pub(in crate::real) fn above(x: $float, other: $float) -> bool {
                 if other.to_bits() == 0 {
                     // a constant, as a rule; neither 0, nor NaN, nor negative
                     return x.to_bits().wrapping_sub(1) < $float::INFINITY.to_bits();
                 }
                 let order = |x: $float| {
-                    let bits = x.to_bits().cast_signed();
+                    let bits = x.to_bits() as $integer;
                     let sign = bits >> ($integer::BITS - 1);
                     (bits ^ (sign & $integer::MAX)) - sign
                 };

@@ -7,12 +7,14 @@ use std::path::Path;
 /// Functions without a row: they store what they are given, apply a function of the user's, round a
 /// literal, differ in nothing but that they work in constants (`tests/totality` compares them), or are those
 /// of lanes (`lanes.txt`, `tests/lanes.rs`).
-const WITHOUT_A_ROW: [&str; 21] = [
+const WITHOUT_A_ROW: [&str; 25] = [
     "new",
     "constant",
     "point",
     "cast",
     "map",
+    "from_lanes",
+    "to_lanes",
     "of",
     "of_f32",
     "const_clamped_to",
@@ -20,6 +22,8 @@ const WITHOUT_A_ROW: [&str; 21] = [
     "const_smoothstep",
     "const_within",
     "const_within_gltf",
+    "const_from_srgb8",
+    "const_from_rgb565",
     "const_from_half_angle",
     "const_from_half_angles",
     "const_from_cosines",

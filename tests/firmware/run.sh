@@ -3,7 +3,7 @@
 # digest differs or a budget is exceeded. `run.sh renew` writes flash.txt. Installs what it needs.
 set -euo pipefail
 cd "$(dirname "$0")"
-. ./toolchain.sh
+. ../../.ci/toolchain
 
 m0=thumbv6m-none-eabi m3=thumbv7m-none-eabi m4f=thumbv7em-none-eabihf riscv=riscv32imac-unknown-none-elf
 chips="$m0 $m3 $m4f $riscv"

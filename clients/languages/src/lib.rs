@@ -149,9 +149,19 @@ pub unsafe extern "C" fn shading_to_srgb8(
     code(encode())
 }
 
-/// Room in the module's memory for so many floats, for JavaScript. It stays until the module goes.
+/// Room for so many floats in the module's memory, for JavaScript, until `shading_free` is called with the same number.
 #[cfg(target_family = "wasm")]
 #[unsafe(no_mangle)]
 pub extern "C" fn shading_room(floats: usize) -> *mut f32 {
-    vec![0.0; floats].leak().as_mut_ptr()
+    Box::into_raw(vec![0.0_f32; floats].into_boxed_slice()).cast()
+}
+
+/// # Safety
+///
+/// `room` must come from `shading_room(floats)`, and nothing may use it afterward.
+#[cfg(target_family = "wasm")]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shading_free(room: *mut f32, floats: usize) {
+    // SAFETY: as the caller promises
+    drop(unsafe { Box::from_raw(std::ptr::slice_from_raw_parts_mut(room, floats)) });
 }

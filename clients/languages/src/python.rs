@@ -1,198 +1,188 @@
-//! The module `shading` for Python, on NumPy's arrays.
+//! The kernels of the module `shading` for Python. The package around them, `python/shading`, checks the arguments, brings the
+//! arrays into shape and explains the functions. Here, every array is contiguous and has as many rows as there are points, or one.
 
-use numpy::{
-    AllowTypeChange, PyArray1, PyArrayDyn, PyArrayLikeDyn, PyArrayMethods, PyUntypedArrayMethods,
-};
+use numpy::{Element, PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::scene::{Light, Material, Model, Scene};
+use crate::scene::{Light, Material, Model, Number, Place, shaded};
 
-type Array<'py> = PyArrayLikeDyn<'py, f32, AllowTypeChange>;
-type Vector = [f32; 3];
+/// The numbers of a light, in the order of [`Light`].
+type Numbers = [f64; 17];
 
-const NOTHING: Light = Light {
-    kind: 0,
-    position: [0.0; 3],
-    direction: [0.0; 3],
-    intensity: [0.0; 3],
-    attenuation: [1.0, 0.0, 0.0],
-    range: f32::INFINITY,
-    inner: 0.0,
-    outer: 0.0,
-    unsquared: 0,
-};
-
-/// A light, made by `directional`, `point` or `spot`.
-#[pyclass(name = "Light", module = "shading", frozen)]
-struct PyLight(Light);
-
-fn checked(light: Light) -> PyResult<PyLight> {
-    let message = "the intensity and the attenuation must be finite and not negative, and not all of the attenuation 0; the \
-                   direction must not be 0, the range above 0, and 0 <= inner <= outer <= pi";
-    let _ = light
-        .checked()
-        .ok_or_else(|| PyValueError::new_err(message))?;
-    Ok(PyLight(light))
-}
-
-/// A light so far away that its rays are parallel.
-///
-/// toward: the direction to the light, three numbers of any length.
-/// intensity: linear red, green and blue.
-#[pyfunction]
-fn directional(toward: Vector, intensity: Vector) -> PyResult<PyLight> {
-    checked(Light {
-        direction: toward,
-        intensity,
-        ..NOTHING
-    })
-}
-
-/// A light that shines from a point, with the intensity I/(a + b q + c q²) at the distance q.
-///
-/// position: three numbers, in the unit of the points.
-/// intensity: linear red, green and blue.
-/// attenuation: a, b and c; b per unit of length, c per its square.
-/// range: the distance at which the light ends, in the unit of the points.
-#[pyfunction]
-#[pyo3(signature = (position, intensity, attenuation=[1.0, 0.0, 0.0], range=f32::INFINITY))]
-fn point(
-    position: Vector,
-    intensity: Vector,
-    attenuation: Vector,
-    range: f32,
-) -> PyResult<PyLight> {
-    checked(Light {
-        kind: 1,
-        position,
-        intensity,
-        attenuation,
-        range,
-        ..NOTHING
-    })
-}
-
-/// A point light that shines into a cone around its axis. Its edge lies between two half-angles, measured from the axis.
-///
-/// axis: the direction in which it shines, three numbers of any length.
-/// inner, outer: half-angles in radians; equal for a hard edge.
-/// The other arguments are those of `point`.
-#[pyfunction]
-#[pyo3(signature = (position, axis, intensity, inner, outer, attenuation=[1.0, 0.0, 0.0], range=f32::INFINITY))]
-fn spot(
-    position: Vector,
-    axis: Vector,
-    intensity: Vector,
-    inner: f32,
-    outer: f32,
-    attenuation: Vector,
-    range: f32,
-) -> PyResult<PyLight> {
-    let direction = axis;
-    checked(Light {
-        kind: 2,
-        position,
-        direction,
-        intensity,
-        attenuation,
-        range,
-        inner,
-        outer,
-        ..NOTHING
-    })
-}
-
-/// The numbers of an array, three by three, row by row.
-fn triples(array: &Array) -> PyResult<Vec<Vector>> {
-    if array.shape().last() != Some(&3) {
-        return Err(PyValueError::new_err(format!(
-            "the shape must be (..., 3), not {:?}",
-            array.shape()
-        )));
+fn light<T: Number>(numbers: &Numbers) -> Option<shading::Light<T>> {
+    let vector = |first: usize| [0, 1, 2].map(|i| T::of(numbers[first + i]));
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // 0, 1 or 2
+    let whole = |index: usize| numbers[index] as u32;
+    Light {
+        kind: whole(0),
+        position: vector(1),
+        direction: vector(4),
+        intensity: vector(7),
+        attenuation: vector(10),
+        range: T::of(numbers[13]),
+        inner: T::of(numbers[14]),
+        outer: T::of(numbers[15]),
+        gltf: whole(16),
     }
-    let numbers: Vec<f32> = array.as_array().iter().copied().collect();
-    Ok(numbers.as_chunks().0.to_vec())
+    .checked()
 }
 
-/// The linear light that points of a surface send to the eye:
-/// k_a ambient + sum of I (k_d max(0, N.L) + k_s max(0, cosine)^m) over the lights in front of the surface.
-///
-/// points, normals: arrays of one shape (..., 3). The normals have any length; where one has none, the result is black.
-/// eye: a point, three numbers in the unit of the points.
-/// lights: a list of lights.
-/// k_a, k_d, k_s: what the surface reflects of each channel, from 0 to 1. m: the shininess, at least 0.
-/// ambient: linear red, green and blue.
-/// model: "lambert", "phong" or "blinn-phong".
-///
-/// Returns an array of float32 of the shape of the points: linear red, green and blue, at least 0 and without an upper limit.
-#[pyfunction]
-#[pyo3(signature = (points, normals, eye, lights, *, k_a=[0.0; 3], k_d=[0.0; 3], k_s=[0.0; 3], m=1.0, ambient=[1.0; 3],
-                    model="blinn-phong"))]
-#[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
-fn shade<'py>(
+/// One row for each point, or one for all.
+struct Rows<'a, R>(&'a [R]);
+
+impl<R: Copy> Rows<'_, R> {
+    fn at(&self, i: usize) -> R {
+        self.0[if self.0.len() == 1 { 0 } else { i }]
+    }
+}
+
+fn triples<'a, T: Element>(array: &'a PyReadonlyArray2<'_, T>) -> PyResult<Rows<'a, [T; 3]>> {
+    Ok(Rows(array.as_slice()?.as_chunks().0))
+}
+
+/// The colors of all points; with `parts`, the ambient ones of all points, then the diffuse, then the specular ones.
+#[allow(clippy::too_many_arguments)]
+fn shade<'py, T: Number + Element>(
     py: Python<'py>,
-    points: Array<'py>,
-    normals: Array<'py>,
-    eye: Vector,
-    lights: Vec<PyRef<'py, PyLight>>,
-    k_a: Vector,
-    k_d: Vector,
-    k_s: Vector,
-    m: f32,
-    ambient: Vector,
-    model: &str,
-) -> PyResult<Bound<'py, PyArrayDyn<f32>>> {
-    let shape = points.shape().to_vec();
-    if shape != normals.shape() {
-        return Err(PyValueError::new_err(
-            "points and normals must have the same shape",
-        ));
-    }
-    let (points, normals) = (triples(&points)?, triples(&normals)?);
-    let lights: Vec<Light> = lights.iter().map(|light| light.0).collect();
-    let numbers = ["lambert", "phong", "blinn-phong"].iter().zip(0..);
-    let number = numbers
-        .filter(|(name, _)| **name == model)
-        .map(|(_, number)| number)
-        .next();
-    let model = Model::of(number.unwrap_or(u32::MAX));
-    let mut out = vec![[0.0; 3]; points.len()];
-    let material = Material { k_a, k_d, k_s, m };
-    let shaded = model.and_then(|model| {
-        let scene = Scene {
-            model,
-            points: &points,
-            normals: &normals,
-            eye,
-            material,
-            ambient,
-            lights: &lights,
+    model: u32,
+    count: usize,
+    lights: &[Numbers],
+    points: &PyReadonlyArray2<'py, T>,
+    normals: &PyReadonlyArray2<'py, T>,
+    eye: &PyReadonlyArray2<'py, T>,
+    [k_a, k_d, k_s, ambient]: [&PyReadonlyArray2<'py, T>; 4],
+    m: &PyReadonlyArray1<'py, T>,
+    visible: &PyReadonlyArray2<'py, T>,
+    parts: bool,
+) -> PyResult<Bound<'py, PyArray1<T>>> {
+    let refuse = |message: String| PyValueError::new_err(message);
+    let model = Model::of(model).map_err(|_| refuse("model: not a model".to_owned()))?;
+    let lights = lights.iter().enumerate().map(|(i, numbers)| {
+        let too_small = || {
+            refuse(format!(
+                "lights[{i}]: its numbers are too small or too large for this dtype"
+            ))
         };
-        scene.shade(&mut out)
+        light::<T>(numbers).ok_or_else(too_small)
     });
-    shaded.map_err(|status| PyValueError::new_err(format!("not a {status:?}").to_lowercase()))?;
-    PyArray1::from_slice(py, out.as_flattened()).reshape(shape)
+    let lights = lights.collect::<PyResult<Vec<_>>>()?;
+    let (points, normals, eye) = (triples(points)?, triples(normals)?, triples(eye)?);
+    let (k_a, k_d, k_s, ambient) = (
+        triples(k_a)?,
+        triples(k_d)?,
+        triples(k_s)?,
+        triples(ambient)?,
+    );
+    let m = Rows(m.as_slice()?);
+    let columns = visible.as_array().ncols();
+    let visible = visible.as_slice()?;
+    let seen = |light: usize, i: usize| visible[light * columns + if columns == 1 { 0 } else { i }];
+    let shade = move || {
+        let mut out = vec![T::ZERO; count * if parts { 9 } else { 3 }];
+        for i in 0..count {
+            let place = Place {
+                point: points.at(i),
+                normal: normals.at(i),
+                eye: eye.at(i),
+            };
+            let material = Material {
+                k_a: k_a.at(i),
+                k_d: k_d.at(i),
+                k_s: k_s.at(i),
+                m: m.at(i),
+            };
+            let arriving = lights.iter().enumerate().filter_map(|(k, light)| {
+                let fraction = seen(k, i);
+                (fraction > T::ZERO).then(|| light.at(place.point) * fraction)
+            });
+            let i_a = shading::Rgb::from(ambient.at(i));
+            let result = shaded(model, place, &material, i_a, arriving);
+            let mut put = |part: usize, light: shading::Rgb<T>| {
+                let start = 3 * (part * count + i);
+                out[start..start + 3].copy_from_slice(&<[T; 3]>::from(light));
+            };
+            if parts {
+                put(0, result.ambient);
+                put(1, result.diffuse);
+                put(2, result.specular);
+            } else {
+                put(0, result.total());
+            }
+        }
+        out
+    };
+    Ok(PyArray1::from_vec(py, py.detach(shade)))
 }
 
-/// The bytes of linear colors in sRGB.
-///
-/// colors: an array of shape (..., 3): linear red, green and blue, where 1 is the brightest that a screen shows.
-///
-/// Returns an array of uint8 of the same shape, each rounded to the nearest.
+macro_rules! kernels {
+    ($($name:ident: $float:ident),*) => {$(
+        #[pyfunction]
+        #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
+        fn $name<'py>(
+            py: Python<'py>,
+            model: u32,
+            count: usize,
+            lights: Vec<Numbers>,
+            points: PyReadonlyArray2<'py, $float>,
+            normals: PyReadonlyArray2<'py, $float>,
+            eye: PyReadonlyArray2<'py, $float>,
+            k_a: PyReadonlyArray2<'py, $float>,
+            k_d: PyReadonlyArray2<'py, $float>,
+            k_s: PyReadonlyArray2<'py, $float>,
+            ambient: PyReadonlyArray2<'py, $float>,
+            m: PyReadonlyArray1<'py, $float>,
+            visible: PyReadonlyArray2<'py, $float>,
+            parts: bool,
+        ) -> PyResult<Bound<'py, PyArray1<$float>>> {
+            let colors = [&k_a, &k_d, &k_s, &ambient];
+            shade(py, model, count, &lights, &points, &normals, &eye, colors, &m, &visible, parts)
+        }
+    )*};
+}
+kernels!(shade_f32: f32, shade_f64: f64);
+
+/// Whether the numbers are a light's.
 #[pyfunction]
 #[allow(clippy::needless_pass_by_value)]
-fn to_srgb8<'py>(py: Python<'py>, colors: Array<'py>) -> PyResult<Bound<'py, PyArrayDyn<u8>>> {
-    let bytes: Vec<[u8; 3]> = triples(&colors)?
-        .into_iter()
-        .map(|color| shading::Rgb::from(color).to_srgb8())
-        .collect();
-    PyArray1::from_slice(py, bytes.as_flattened()).reshape(colors.shape())
+fn is_light(numbers: Numbers) -> bool {
+    light::<f64>(&numbers).is_some()
 }
 
-/// Lambert, Phong and Blinn-Phong shading of arrays. All directions point away from the surface, and colors are linear.
-#[pymodule(name = "shading")]
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+fn to_srgb8<'py>(
+    py: Python<'py>,
+    colors: PyReadonlyArray2<'py, f32>,
+) -> PyResult<Bound<'py, PyArray1<u8>>> {
+    let colors = triples(&colors)?.0;
+    let encode = || {
+        let bytes = colors
+            .iter()
+            .flat_map(|&color| shading::Rgb::from(color).to_srgb8());
+        bytes.collect::<Vec<u8>>()
+    };
+    Ok(PyArray1::from_vec(py, py.detach(encode)))
+}
+
+#[pyfunction]
+#[allow(clippy::needless_pass_by_value)]
+fn from_srgb8<'py>(
+    py: Python<'py>,
+    bytes: PyReadonlyArray2<'py, u8>,
+) -> PyResult<Bound<'py, PyArray1<f32>>> {
+    let bytes = triples(&bytes)?.0;
+    let decode = || {
+        let colors = bytes
+            .iter()
+            .flat_map(|&bytes| <[f32; 3]>::from(shading::Rgb::from_srgb8(bytes)));
+        colors.collect::<Vec<f32>>()
+    };
+    Ok(PyArray1::from_vec(py, py.detach(decode)))
+}
+
+#[pymodule(name = "_native")]
 mod module {
     #[pymodule_export]
-    use super::{PyLight, directional, point, shade, spot, to_srgb8};
+    use super::{from_srgb8, is_light, shade_f32, shade_f64, to_srgb8};
 }

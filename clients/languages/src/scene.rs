@@ -1,9 +1,9 @@
-//! The structures of `shading.h`, and the types of the crate that they become.
+//! The structures of `shading.h`, and the types of the crate that they become. C uses them with `f32`, Python also with `f64`.
 
-use shading::f32::{
-    Attenuation, Cone, DirectionalLight, PointLight, Rgb, SpotLight, UnitVec3, Vec3,
+use shading::{
+    Attenuation, Cone, DirectionalLight, Elementary, IncidentLight, Lobe, PointLight, Rgb, Scalar,
+    Shaded, SpotLight, UnitVec3, Vec3, shade,
 };
-use shading::{Lobe, shade};
 
 use crate::Status;
 
@@ -25,40 +25,61 @@ impl Model {
     }
 }
 
+/// `f32` or `f64`.
+pub trait Number: Elementary + Scalar + Lobe<Self> + Send + Sync {
+    /// A whole shininess as an integer, which is faster.
+    fn whole(self) -> Option<u32>;
+}
+
+macro_rules! numbers {
+    ($($float:ident)*) => {$(
+        impl Number for $float {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a whole number
+            fn whole(self) -> Option<u32> {
+                (self.fract() == 0.0 && (0.0..65_536.0).contains(&self)).then_some(self as u32)
+            }
+        }
+    )*};
+}
+numbers!(f32 f64);
+
 #[derive(Clone, Copy)]
 #[repr(C)]
-pub struct Material {
-    pub k_a: [f32; 3],
-    pub k_d: [f32; 3],
-    pub k_s: [f32; 3],
-    pub m: f32,
+pub struct Material<T = f32> {
+    pub k_a: [T; 3],
+    pub k_d: [T; 3],
+    pub k_s: [T; 3],
+    pub m: T,
 }
 
 #[derive(Clone, Copy)]
 #[repr(C)]
-pub struct Light {
+pub struct Light<T = f32> {
     pub kind: u32,
-    pub position: [f32; 3],
-    pub direction: [f32; 3],
-    pub intensity: [f32; 3],
-    pub attenuation: [f32; 3],
-    pub range: f32,
-    pub inner: f32,
-    pub outer: f32,
-    pub unsquared: u32,
+    pub position: [T; 3],
+    pub direction: [T; 3],
+    pub intensity: [T; 3],
+    pub attenuation: [T; 3],
+    pub range: T,
+    pub inner: T,
+    pub outer: T,
+    pub gltf: u32,
 }
 
 // as in the callers
 const _: () = assert!(size_of::<Light>() == 68 && size_of::<Material>() == 40);
 
 /// Light or a reflectance: neither negative nor infinite nor NaN.
-fn color(color: [f32; 3]) -> Option<Rgb> {
-    let is_light = |channel: &f32| (0.0..=f32::MAX).contains(channel);
-    color.iter().all(is_light).then(|| color.into())
+fn color<T: Number>(color: [T; 3]) -> Option<Rgb<T>> {
+    let is_light = |channel: T| channel >= T::ZERO && channel <= T::MAX;
+    color
+        .iter()
+        .all(|&channel| is_light(channel))
+        .then(|| color.into())
 }
 
-impl Light {
-    pub fn checked(&self) -> Option<shading::f32::Light> {
+impl<T: Number> Light<T> {
+    pub fn checked(&self) -> Option<shading::Light<T>> {
         Some(match self.kind {
             0 => shading::Light::Directional(DirectionalLight {
                 l: self.direction()?,
@@ -74,13 +95,13 @@ impl Light {
         })
     }
 
-    fn point(&self) -> Option<PointLight> {
+    fn point(&self) -> Option<PointLight<T>> {
         let [a, b, c] = self.attenuation;
         let attenuation = Attenuation::new(a, b, c)?;
         Some(PointLight {
             position: self.position.into(),
             intensity: color(self.intensity)?,
-            attenuation: match self.unsquared {
+            attenuation: match self.gltf {
                 0 => attenuation.within(self.range)?,
                 1 => attenuation.within_gltf(self.range)?,
                 _ => return None,
@@ -88,8 +109,60 @@ impl Light {
         })
     }
 
-    fn direction(&self) -> Option<UnitVec3> {
+    fn direction(&self) -> Option<UnitVec3<T>> {
         Vec3::from(self.direction).unit()
+    }
+}
+
+/// A point of a surface, and the eye that sees it.
+#[derive(Clone, Copy)]
+pub struct Place<T> {
+    pub point: [T; 3],
+    pub normal: [T; 3],
+    pub eye: [T; 3],
+}
+
+/// The light that a point sends to the eye. It is black if the normal has no direction, or if the point is at the eye.
+#[inline]
+pub fn shaded<T: Number>(
+    model: Model,
+    place: Place<T>,
+    material: &Material<T>,
+    i_a: Rgb<T>,
+    lights: impl Iterator<Item = IncidentLight<T>>,
+) -> Shaded<T> {
+    let directions = Vec3::from(place.normal)
+        .unit()
+        .zip((Vec3::from(place.eye) - Vec3::from(place.point)).unit());
+    let black = Rgb::BLACK;
+    let [k_a, k_d, k_s] = [material.k_a, material.k_d, material.k_s].map(Rgb::from);
+    let (integer, real) = (material.m.whole(), material.m);
+    let Some((n, v)) = directions else {
+        return Shaded {
+            ambient: black,
+            diffuse: black,
+            specular: black,
+        };
+    };
+    match (model, integer) {
+        (Model::Lambert, _) => {
+            let m = 1;
+            shade::lambert(n, &shading::Material { k_a, k_d, k_s, m }, i_a, lights)
+        }
+        (Model::Phong, Some(m)) => {
+            shade::phong(n, v, &shading::Material { k_a, k_d, k_s, m }, i_a, lights)
+        }
+        (Model::Phong, None) => {
+            let m = real;
+            shade::phong(n, v, &shading::Material { k_a, k_d, k_s, m }, i_a, lights)
+        }
+        (Model::BlinnPhong, Some(m)) => {
+            shade::blinn_phong(n, v, &shading::Material { k_a, k_d, k_s, m }, i_a, lights)
+        }
+        (Model::BlinnPhong, None) => {
+            let m = real;
+            shade::blinn_phong(n, v, &shading::Material { k_a, k_d, k_s, m }, i_a, lights)
+        }
     }
 }
 
@@ -106,46 +179,29 @@ pub struct Scene<'a> {
 
 impl Scene<'_> {
     pub fn shade(&self, out: &mut [[f32; 3]]) -> Result<(), Status> {
-        let mut given = self.material;
+        let mut material = self.material;
         if let Model::Lambert = self.model {
-            (given.k_s, given.m) = ([0.0; 3], 1.0);
+            (material.k_s, material.m) = ([0.0; 3], 1.0);
         }
-        let m = given.m;
-        let colors = || Some((color(given.k_a)?, color(given.k_d)?, color(given.k_s)?));
-        let (k_a, k_d, k_s) = colors().filter(|_| m >= 0.0).ok_or(Status::Material)?;
+        let colors = [material.k_a, material.k_d, material.k_s];
+        let are_colors = colors.iter().all(|&channels| color(channels).is_some());
+        if !(are_colors && material.m >= 0.0) {
+            return Err(Status::Material);
+        }
         let i_a = color(self.ambient).ok_or(Status::Material)?;
         let lights: Option<Vec<_>> = self.lights.iter().map(Light::checked).collect();
         let lights = lights.ok_or(Status::Light)?;
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a whole number
-        if m.fract() == 0.0 && m < 65_536.0 {
-            let m = m as u32;
-            self.shade_with(&shading::Material { k_a, k_d, k_s, m }, i_a, &lights, out);
-        } else {
-            self.shade_with(&shading::Material { k_a, k_d, k_s, m }, i_a, &lights, out);
+        for ((&point, &normal), out) in self.points.iter().zip(self.normals).zip(out) {
+            let place = Place {
+                point,
+                normal,
+                eye: self.eye,
+            };
+            let arriving = lights.iter().map(|light| light.at(point));
+            *out = shaded(self.model, place, &material, i_a, arriving)
+                .total()
+                .into();
         }
         Ok(())
-    }
-
-    fn shade_with<M: Lobe<f32>>(
-        &self,
-        material: &shading::f32::Material<M>,
-        i_a: Rgb,
-        lights: &[shading::f32::Light],
-        out: &mut [[f32; 3]],
-    ) {
-        let eye = Vec3::from(self.eye);
-        for ((p, n), out) in self.points.iter().zip(self.normals).zip(out) {
-            let p = Vec3::from(*p);
-            let directions = Vec3::from(*n).unit().zip((eye - p).unit());
-            *out = directions.map_or([0.0; 3], |(n, v)| {
-                let arriving = lights.iter().map(|light| light.at(p));
-                let shaded = match self.model {
-                    Model::Lambert => shade::lambert(n, material, i_a, arriving),
-                    Model::Phong => shade::phong(n, v, material, i_a, arriving),
-                    Model::BlinnPhong => shade::blinn_phong(n, v, material, i_a, arriving),
-                };
-                shaded.total().into()
-            });
-        }
     }
 }

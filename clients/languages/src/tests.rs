@@ -22,7 +22,7 @@ const LAMP: Light = Light {
     range: f32::INFINITY,
     inner: 0.25,
     outer: 0.5,
-    unsquared: 0,
+    gltf: 0,
 };
 
 /// The status, and the output, which an error must not change.
@@ -89,10 +89,7 @@ fn what_is_not_light_is_refused() {
         },
         Light { range: 0.0, ..LAMP },
         Light { inner: 1.0, ..LAMP },
-        Light {
-            unsquared: 2,
-            ..LAMP
-        },
+        Light { gltf: 2, ..LAMP },
     ] {
         assert_eq!(shade(2, CLAY, light).0, 7);
     }

@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use kit::row::{saddle, torus};
 use shading::{
-    Attenuation, Cone, DirectionalLight, Dual, Elementary, Lobe, IncidentLight, Material,
+    Attenuation, Cone, DirectionalLight, Dual, Elementary, IncidentLight, Lobe, Material,
     PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, normal, shade, term,
 };
 

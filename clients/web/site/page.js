@@ -1,16 +1,20 @@
 // The controls go into the module's memory, and the picture comes out of it.
 
-// as `Scene::new` in src/scene.rs takes them; three bytes of color follow
-const SETTINGS = ["surface", "model", "ka", "kd", "ks", "m", "x", "y", "z", "a", "b", "c", "angle", "edge"];
-// as `numbers` in src/page.rs gives them: numbers, and triples in capitals
-const PROBE = ["seen", "P", "N", "V", "AMBIENT", "DIFFUSE", "SPECULAR", "TOTAL", "SRGB", "L", "R", "H",
-  "q", "nl", "rv", "nh", "highlight", "attenuation", "cone"];
+// as `Scene::new` in src/scene.rs takes them; three bytes of each color follow
+const SETTINGS = ["surface", "model", "ka", "kd", "ks", "m", "x", "y", "z", "a", "b", "c", "angle", "edge", "second", "x2", "y2", "z2"];
+const COLORS = ["color", "light", "light2"];
+const COUNT = SETTINGS.length + 3 * COLORS.length;
+// as `numbers` in src/page.rs gives them: numbers, and triples in capitals; those of the lamps that are on follow, one by one
+const PROBE = ["seen", "P", "N", "V", "AMBIENT", "DIFFUSE", "SPECULAR", "TOTAL", "SRGB"];
+const PROBE_OF_LAMP = ["L", "R", "H", "q", "nl", "rv", "nh", "highlight", "attenuation", "cone"];
+const LAMPS = [{ marker: "lamp", names: ["x", "y", "z"], color: "light" },
+  { marker: "lamp2", names: ["x2", "y2", "z2"], color: "light2" }];
 
 const $ = (id) => document.getElementById(id);
 const [canvas, form, frame] = [$("canvas"), $("controls"), $("frame")];
 const context = canvas.getContext("2d");
 const thumbnails = [...document.querySelectorAll("#parts canvas")];
-const cross = { x: 0.45, y: 0.42 }; // in shares of the picture
+const cross = { x: 0.45, y: 0.42 }; // in fractions of the picture
 
 let shader;
 try {
@@ -25,9 +29,11 @@ try {
 /** What the controls say, as numbers in the module's order. */
 function settings() {
   const values = new FormData(form);
-  const color = values.get("color").match(/\w\w/g).map((byte) => parseInt(byte, 16));
-  return [...SETTINGS.map((name) => Number(values.get(name))), ...color];
+  const value = (name) => (name === "second" ? Number(form.elements.second.checked) : Number(values.get(name)));
+  return [...SETTINGS.map(value), ...COLORS.flatMap((name) => bytes(values.get(name)))];
 }
+
+const bytes = (color) => color.match(/\w\w/g).map((byte) => parseInt(byte, 16));
 
 /** Draws a part into a canvas, in the canvas's size. */
 function draw(part, { width, height }, context) {
@@ -41,13 +47,21 @@ function draw(part, { width, height }, context) {
 }
 
 function redraw() {
-  new Float32Array(shader.memory.buffer, shader.settings(), SETTINGS.length + 3).set(settings());
+  new Float32Array(shader.memory.buffer, shader.settings(), COUNT).set(settings());
   thumbnails.forEach((canvas, part) => draw(part, canvas, canvas.getContext("2d")));
   const part = Number(document.querySelector("[name=part]:checked").value);
   $("message").textContent = draw(part, canvas, context);
-  const { width, height } = canvas;
-  place($("lamp"), shader.lamp_x(width, height) / width, shader.lamp_y(width, height) / height);
+  LAMPS.forEach(({ marker, color }, lamp) => {
+    place($(marker), ...lampPlace(lamp));
+    $(marker).style.setProperty("--light", form.elements[color].value);
+  });
   explain();
+}
+
+/** Where a lamp is in the picture, in fractions of it. */
+function lampPlace(lamp) {
+  const { width, height } = canvas;
+  return [shader.lamp_x(lamp, width, height) / width, shader.lamp_y(lamp, width, height) / height];
 }
 
 function place(marker, x, y) {
@@ -58,11 +72,12 @@ function place(marker, x, y) {
 /** The numbers of the pixel under the cross. */
 function probe() {
   const { width, height } = canvas;
-  const at = (share, size) => Math.min(Math.floor(share * size), size - 1);
+  const at = (fraction, size) => Math.min(Math.floor(fraction * size), size - 1);
   const address = shader.probe(width, height, at(cross.x, width), at(cross.y, height));
-  const numbers = [...new Float32Array(shader.memory.buffer, address, 41)];
+  const numbers = [...new Float32Array(shader.memory.buffer, address, 57)];
   const take = (name) => (name > "Z" ? numbers.shift() : numbers.splice(0, 3));
-  return Object.fromEntries(PROBE.map((name) => [name, take(name)]));
+  const all = (names) => Object.fromEntries(names.map((name) => [name, take(name)]));
+  return { ...all(PROBE), lamps: LAMPS.map(() => all(PROBE_OF_LAMP)).slice(0, form.elements.second.checked ? 2 : 1) };
 }
 
 const number = (x) => (Math.abs(x) >= 1000 ? x.toExponential(2) : x.toFixed(3)).replace("-", "−");
@@ -73,7 +88,7 @@ function explain() {
   const { ka, kd, ks, m, a, b, c, model } = Object.fromEntries(new FormData(form));
   const dot = { 1: "<b>R</b>·<b>V</b>", 2: "<b>N</b>·<b>H</b>" }[model];
   const highlight = dot ? ` + <span class="specular">k<sub>s</sub> max(0, ${dot})<sup>m</sup></span>` : "";
-  $("formula").innerHTML = `I = <span class="ambient">k<sub>a</sub> O</span> + f(q) s
+  $("formula").innerHTML = `I = <span class="ambient">k<sub>a</sub> O</span> + Σ f(q) s C
     (<span class="diffuse">k<sub>d</sub> O max(0, <b>N</b>·<b>L</b>)</span>${highlight})`;
 
   const at = probe();
@@ -81,30 +96,83 @@ function explain() {
     $("numbers").textContent = "Nothing is seen here.";
     return;
   }
-  const behind = at.nl <= 0 ? " ≤ 0: turned from the lamp, no light from it" : "";
-  const [cosine, vector] = model === "1" ? [at.rv, ["R", at.R]] : [at.nh, ["H", at.H]];
-  const lit = at.nl > 0 ? at.highlight : 0;
-  const share = `${number(at.attenuation)} · ${number(at.cone)}`;
+  $("code").textContent = rust(at);
   const row = (name, value, kind = "") => `<dt class="${kind}">${name}</dt><dd class="${kind}">${value}</dd>`;
+  const rows_of_lamp = (lamp, index) => {
+    const sub = at.lamps.length > 1 ? `<sub>${index + 1}</sub>` : "";
+    const behind = lamp.nl <= 0 ? " ≤ 0: turned from the lamp, no light from it" : "";
+    const [cosine, name, vector] = model === "1" ? [lamp.rv, "R", lamp.R] : [lamp.nh, "H", lamp.H];
+    return [
+      row(`L${sub}`, triple(lamp.L)),
+      dot ? row(`${name}${sub}`, triple(vector)) : "",
+      row(`q${sub}`, number(lamp.q)),
+      row(`f(q${sub})`, `1/(${a} + ${b} · ${number(lamp.q)} + ${c} · ${number(lamp.q)}²) = ${number(lamp.attenuation)}`),
+      row(`s${sub}`, `${number(lamp.cone)}, the fraction that passes the cone`),
+      row(`N·L${sub}`, number(lamp.nl) + behind),
+      dot ? row(dot.replace(/<\/?b>/g, "") + sub, `${number(cosine)}; to the power of ${m}: ${number(lamp.highlight)}`) : "",
+    ];
+  };
+  const sum = (factor) => at.lamps.map((lamp, i) =>
+    `${number(lamp.attenuation)} · ${number(lamp.cone)} · ${number(factor(lamp))} · C${at.lamps.length > 1 ? `<sub>${i + 1}</sub>` : ""}`).join(" + ");
   const rows = [
     row("P", triple(at.P)),
     row("N", triple(at.N)),
-    row("L", triple(at.L)),
     row("V", triple(at.V)),
-    dot ? row(vector[0], triple(vector[1])) : "",
-    row("q", number(at.q)),
-    row("f(q)", `1/(${a} + ${b} · ${number(at.q)} + ${c} · ${number(at.q)}²) = ${number(at.attenuation)}`),
-    row("s", `${number(at.cone)}, the cone's share`),
-    row("N·L", number(at.nl) + behind),
-    dot ? row(dot.replace(/<\/?b>/g, ""), `${number(cosine)}; to the power of ${m}: ${number(at.highlight)}`) : "",
+    ...at.lamps.flatMap(rows_of_lamp),
     row("ambient", `${ka} · O = ${triple(at.AMBIENT)}`, "ambient"),
-    row("diffuse", `${share} · ${kd} · O · ${number(Math.max(0, at.nl))} = ${triple(at.DIFFUSE)}`, "diffuse"),
-    dot ? row("specular", `${share} · ${ks} · ${number(lit)} = ${triple(at.SPECULAR)}`, "specular") : "",
+    row("diffuse", `${kd} · O · (${sum((lamp) => Math.max(0, lamp.nl))}) = ${triple(at.DIFFUSE)}`, "diffuse"),
+    dot ? row("specular", `${ks} · (${sum((lamp) => (lamp.nl > 0 ? lamp.highlight : 0))}) = ${triple(at.SPECULAR)}`, "specular") : "",
     row("I", triple(at.TOTAL)),
     row("sRGB", `${at.SRGB.join(", ")} <span class="swatch"></span>`),
   ];
   $("numbers").innerHTML = `<dl>${rows.join("")}</dl>`;
   document.querySelector(".swatch").style.backgroundColor = `rgb(${at.SRGB})`;
+}
+
+/** A program that computes the light of the pixel with the bits of the page. */
+function rust({ P, N, V }) {
+  const { elements } = form;
+  const values = Object.fromEntries(SETTINGS.map((name, i) => [name, settings()[i]]));
+  // nine digits tell each float from all others
+  const float = (x) => {
+    const digits = String(Number(Math.fround(x).toPrecision(9)));
+    return /[.e]/.test(digits) ? digits : `${digits}.0`;
+  };
+  const vector = (v) => v.map(float).join(", ");
+  const rgb = (name) => `Rgb::from_srgb8([${bytes(elements[name].value).join(", ")}])`;
+  const { a, b, c, angle, edge } = values;
+  const radians = (degrees) => {
+    const PI = Math.fround(Math.PI);
+    const scaled = Math.fround(Math.fround(degrees) * Math.fround(PI / 180));
+    return Math.min(Math.max(scaled, 0), PI);
+  };
+  const lamps = a || b || c ? LAMPS.slice(0, values.second ? 2 : 1) : [];
+  const model = ["lambert", "phong", "blinn_phong"][values.model];
+  const list = lamps.map(({ names, color }) => `        (Vec3::new(${vector(names.map((name) => values[name]))}), ${rgb(color)}),\n`);
+  return `use shading::f32::{Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3};
+use shading::{Material, shade};
+
+fn main() {
+    let color = ${rgb("color")};
+    let material = Material { k_a: color * ${float(values.ka)}, k_d: color * ${float(values.kd)}, k_s: Rgb::gray(${float(values.ks)}), m: ${float(values.m)} };
+    let attenuation = Attenuation::new(${vector([a, b, c])})${lamps.length ? ".unwrap()" : ".unwrap_or_default()"};
+    let cone = Cone::from_half_angles(${vector([radians(angle - edge), radians(angle)])}).unwrap();
+    let lamps: [(Vec3, Rgb); ${lamps.length}] = [
+${list.join("")}    ];
+
+    // the pixel: its point, its normal${model === "lambert" ? "" : " and the direction to the eye"}
+    let p = Vec3::new(${vector(P)});
+    let n = UnitVec3::assume_unit(Vec3::new(${vector(N)}));
+${model === "lambert" ? "" : `    let v = UnitVec3::assume_unit(Vec3::new(${vector(V)}));\n`}
+    let lights = lamps.map(|(position, intensity)| {
+        let point = PointLight { position, intensity, attenuation };
+        let axis = (-position).unit_or(UnitVec3::NEG_Z); // toward the origin
+        SpotLight { point, axis, cone }.at(p)
+    });
+    let shaded = shade::${model}(n, ${model === "lambert" ? "" : "v, "}&material, Rgb::WHITE, lights);
+    println!("{:?}", shaded.total().to_srgb8());
+}
+`;
 }
 
 let waiting = 0;
@@ -117,7 +185,7 @@ function soon() {
 
 function label(input) {
   const output = input.labels?.[0]?.querySelector("output");
-  if (output) output.textContent = input.value;
+  if (output) output.textContent = Math.round(100 * input.value) / 100;
 }
 
 form.addEventListener("input", ({ target }) => {
@@ -130,20 +198,77 @@ form.addEventListener("reset", () => setTimeout(() => {
 }));
 $("parts").addEventListener("input", soon);
 
-function point({ offsetX, offsetY }) {
+const REACH = 16; // a lamp is taken by a pointer this near, in pixels of the screen
+let dragged = null;
+
+/** The lamp under the pointer, if there is one. */
+function lampUnder({ offsetX, offsetY }) {
+  const distances = LAMPS.map((_, lamp) => {
+    const [x, y] = lampPlace(lamp);
+    const is_shown = x >= 0 && x <= 1 && y >= 0 && y <= 1;
+    return is_shown ? Math.hypot(x * canvas.clientWidth - offsetX, y * canvas.clientHeight - offsetY) : Infinity;
+  });
+  const nearest = Math.min(...distances);
+  return nearest <= REACH ? distances.indexOf(nearest) : null;
+}
+
+/** Moves a lamp to a place in the picture; it keeps its depth and stays within the reach of its sliders. */
+function drag(lamp, { offsetX, offsetY }) {
+  const { width, height } = canvas;
+  const to = [(offsetX / canvas.clientWidth) * width, (offsetY / canvas.clientHeight) * height];
+  const position = [0, 1, 2].map((i) => shader.moved(lamp, width, height, ...to, i));
+  LAMPS[lamp].names.forEach((name, i) => {
+    const input = form.elements[name];
+    input.value = position[i];
+    label(input);
+  });
+  soon();
+}
+
+function point(event) {
+  if (dragged !== null) return drag(dragged, event);
+  canvas.classList.toggle("over", lampUnder(event) !== null);
   // the center of a pixel, which rounding does not move to the next
-  cross.x = Math.max(0, (Math.floor(offsetX) + 0.5) / canvas.clientWidth);
-  cross.y = Math.max(0, (Math.floor(offsetY) + 0.5) / canvas.clientHeight);
+  cross.x = Math.max(0, (Math.floor(event.offsetX) + 0.5) / canvas.clientWidth);
+  cross.y = Math.max(0, (Math.floor(event.offsetY) + 0.5) / canvas.clientHeight);
   explain();
 }
-canvas.addEventListener("pointerdown", point);
+
+canvas.addEventListener("pointerdown", (event) => {
+  dragged = lampUnder(event);
+  if (dragged === null) return point(event);
+  canvas.setPointerCapture(event.pointerId);
+  canvas.classList.add("dragging");
+});
 canvas.addEventListener("pointermove", point);
+for (const end of ["pointerup", "pointercancel"]) {
+  canvas.addEventListener(end, () => {
+    dragged = null;
+    canvas.classList.remove("dragging");
+  });
+}
+// a finger on a lamp drags it; elsewhere it scrolls the page
+canvas.addEventListener("touchstart", (event) => {
+  const { left, top } = canvas.getBoundingClientRect();
+  const { clientX, clientY } = event.changedTouches[0];
+  if (lampUnder({ offsetX: clientX - left, offsetY: clientY - top }) !== null) event.preventDefault();
+}, { passive: false });
+
+$("copy").addEventListener("click", async () => {
+  try {
+    await navigator.clipboard.writeText($("code").textContent);
+    $("copied").textContent = "Copied.";
+  } catch {
+    getSelection().selectAllChildren($("code"));
+    $("copied").textContent = "The browser refused. The program is selected: copy it with the keyboard.";
+  }
+});
 canvas.addEventListener("keydown", (event) => {
   const [x, y] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key] ?? [0, 0];
   if (!x && !y) return;
   event.preventDefault();
   const step = event.shiftKey ? 10 : 1;
-  const moved = (share, by, size) => Math.min(Math.max(share + (step * by) / size, 0), 1);
+  const moved = (fraction, by, size) => Math.min(Math.max(fraction + (step * by) / size, 0), 1);
   cross.x = moved(cross.x, x, canvas.width);
   cross.y = moved(cross.y, y, canvas.height);
   explain();

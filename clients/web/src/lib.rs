@@ -52,16 +52,29 @@ pub extern "C" fn probe(width: u32, height: u32, x: u32, y: u32) -> *const f32 {
         .as_ptr()
 }
 
-/// Where the lamp is in the picture, in pixels.
+/// Where a lamp, 0 or 1, is in the picture, in pixels.
 #[unsafe(no_mangle)]
-pub extern "C" fn lamp_x(width: u32, height: u32) -> f32 {
-    page().lamp(width as usize, height as usize)[0]
+pub extern "C" fn lamp_x(lamp: u32, width: u32, height: u32) -> f32 {
+    page().lamp(lamp as usize, width as usize, height as usize)[0]
 }
 
 /// As [`lamp_x`].
 #[unsafe(no_mangle)]
-pub extern "C" fn lamp_y(width: u32, height: u32) -> f32 {
-    page().lamp(width as usize, height as usize)[1]
+pub extern "C" fn lamp_y(lamp: u32, width: u32, height: u32) -> f32 {
+    page().lamp(lamp as usize, width as usize, height as usize)[1]
+}
+
+/// A coordinate, 0, 1 or 2, of a lamp that is moved to a place in the picture and keeps its depth.
+#[unsafe(no_mangle)]
+pub extern "C" fn moved(
+    lamp: u32,
+    width: u32,
+    height: u32,
+    x: f32,
+    y: f32,
+    coordinate: usize,
+) -> f32 {
+    page().moved(lamp as usize, width as usize, height as usize, [x, y])[coordinate.min(2)]
 }
 
 /// The text for the user, in UTF-8.

@@ -10,7 +10,7 @@ use crate::surface::{Camera, EYE, Point, Surface};
 pub const MOST_PIXELS: usize = 2048 * 2048;
 
 /// How many numbers `Page::probe` gives, in the order of `PROBE` in `page.js`.
-pub const PROBE: usize = 41;
+pub const PROBE: usize = 57;
 
 pub struct Page {
     pub settings: [f32; SETTINGS],
@@ -85,13 +85,27 @@ impl Page {
         &self.probe
     }
 
-    /// Where in the picture the lamp is, or outside of the picture if it is behind the eye.
+    /// Where in the picture a lamp is, or outside of the picture if it is off or behind the eye.
     #[must_use]
-    pub fn lamp(&self, width: usize, height: usize) -> [f32; 2] {
-        let lamp = Scene::new(&self.settings).lamp;
-        let projected =
-            lamp.and_then(|lamp| Camera::new(width, height).project(lamp.point.position));
+    pub fn lamp(&self, index: usize, width: usize, height: usize) -> [f32; 2] {
+        let projected = self
+            .position(index)
+            .and_then(|position| Camera::new(width, height).project(position));
         projected.map_or([-1.0; 2], |at| [at.x, at.y])
+    }
+
+    /// Where a lamp would be in space if it were moved in the picture and kept its depth. A lamp that is off stays at 0.
+    #[must_use]
+    pub fn moved(&self, index: usize, width: usize, height: usize, to: [f32; 2]) -> [f32; 3] {
+        let position = self.position(index);
+        position.map_or([0.0; 3], |position| {
+            Camera::new(width, height).moved(position, to).into()
+        })
+    }
+
+    fn position(&self, index: usize) -> Option<Vec3> {
+        let lamp = Scene::new(&self.settings).lamps.get(index).copied()??;
+        Some(lamp.point.position)
     }
 }
 
@@ -120,19 +134,21 @@ fn view(views: &mut Vec<View>, surface: Surface, size: [usize; 2]) -> &View {
 
 /// The problem with the lamp, if there is one.
 fn trouble(scene: &Scene, points: &[Point]) -> &'static str {
-    let Some(lamp) = scene.lamp else {
-        return "1/(a + bq + cq²) has no value where a, b and c are 0. The lamp is off: raise one of them.";
+    let Some(lamp) = scene.lamps[0] else {
+        return "1/(a + bq + cq²) has no value where a, b and c are 0. The lamps are off: raise one of them.";
     };
     let is_lit = |point: &Point| {
-        let light = lamp.at(point.p);
-        light.is_in_front(point.n) && light.intensity() != Rgb::BLACK
+        let mut lights = scene.lamps.iter().flatten().map(|lamp| lamp.at(point.p));
+        lights.any(|light| light.is_in_front(point.n) && light.intensity() != Rgb::BLACK)
     };
     if points.iter().any(is_lit) {
         ""
+    } else if scene.lamps[1].is_some() {
+        "The lamps light nothing that is seen."
     } else if lamp.point.position == EYE {
         "The lamp is at the eye, and its cone misses what is seen."
     } else {
-        "The lamp lights nothing that is seen: it is inside or behind the surface, or its cone is too narrow."
+        "The lamp lights nothing that is seen: it is black, inside or behind the surface, or its cone is too narrow."
     }
 }
 
@@ -171,7 +187,7 @@ fn numbers(scene: &Scene, point: &Point) -> [f32; PROBE] {
         total.to_srgb8().map(f32::from),
     ]
     .as_flattened());
-    if let Some(lamp) = scene.lamp {
+    for lamp in scene.lamps.into_iter().flatten() {
         let incident = lamp.at(p).arrival();
         let (l, q) = (incident.l, incident.distance);
         let r = reflection(n, l);

@@ -1,4 +1,4 @@
-//! The page's controls as a material and a lamp, and the light from one point.
+//! The page's controls as a material and two lamps, and the light from one point.
 
 use shading::f32::{Attenuation, Cone, PointLight, Rgb, Shaded, SpotLight, UnitVec3, Vec3};
 use shading::{Material, shade};
@@ -6,9 +6,9 @@ use shading::{Material, shade};
 use crate::surface::Point;
 
 /// What the controls hold, in the order of `SETTINGS` in `page.js`.
-pub const SETTINGS: usize = 17;
+pub const SETTINGS: usize = 27;
 
-/// The light of the surroundings and of the lamp.
+/// The light of the surroundings.
 pub const WHITE: Rgb = Rgb::WHITE;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,8 +30,8 @@ pub enum Part {
 pub struct Scene {
     pub model: Model,
     pub material: Material<f32, f32>,
-    /// `None` where a = b = c = 0.
-    pub lamp: Option<SpotLight>,
+    /// `None` where a = b = c = 0, or where the second lamp is off.
+    pub lamps: [Option<SpotLight>; 2],
 }
 
 impl Scene {
@@ -54,11 +54,18 @@ impl Scene {
             c,
             angle,
             edge,
-            red,
-            green,
-            blue,
+            second,
+            x_2,
+            y_2,
+            z_2,
+            ref colors @ ..,
         ] = finite;
-        let body = Rgb::from_srgb8([red, green, blue].map(|byte| byte as u8));
+        let color = |i: usize| {
+            let bytes = [0, 1, 2].map(|channel| colors[3 * i + channel] as u8);
+            Rgb::from_srgb8(bytes)
+        };
+        let body = color(0);
+        let lamp = |position, intensity| lamp(position, intensity, [a, b, c], angle, edge);
         let [k_a, k_d, k_s] = [k_a, k_d, k_s].map(|k| k.clamp(0.0, 1.0));
         Self {
             model: match model {
@@ -72,13 +79,16 @@ impl Scene {
                 k_s: Rgb::gray(k_s),
                 m,
             },
-            lamp: lamp(Vec3::new(x, y, z), [a, b, c], angle, edge),
+            lamps: [
+                lamp(Vec3::new(x, y, z), color(1)),
+                lamp(Vec3::new(x_2, y_2, z_2), color(2)).filter(|_| second != 0.0),
+            ],
         }
     }
 
     /// The light from a point, part by part.
     pub fn shaded(&self, &Point { p, n, v, .. }: &Point) -> Shaded {
-        let lights = self.lamp.iter().map(|lamp| lamp.at(p));
+        let lights = self.lamps.iter().flatten().map(|lamp| lamp.at(p));
         match self.model {
             Model::Lambert => shade::lambert(n, &self.material, WHITE, lights),
             Model::Phong => shade::phong(n, v, &self.material, WHITE, lights),
@@ -88,13 +98,19 @@ impl Scene {
 }
 
 /// A lamp that points to the origin. The soft edge begins `edge` degrees inside the cone.
-fn lamp(position: Vec3, [a, b, c]: [f32; 3], angle: f32, edge: f32) -> Option<SpotLight> {
+fn lamp(
+    position: Vec3,
+    intensity: Rgb,
+    [a, b, c]: [f32; 3],
+    angle: f32,
+    edge: f32,
+) -> Option<SpotLight> {
     use std::f32::consts::PI;
     let radians = |degrees: f32| (degrees * (PI / 180.0)).clamp(0.0, PI);
     Some(SpotLight {
         point: PointLight {
             position,
-            intensity: WHITE,
+            intensity,
             attenuation: Attenuation::new(a, b, c)?,
         },
         axis: (-position).unit_or(UnitVec3::NEG_Z),

@@ -64,6 +64,14 @@ impl Camera {
             w: 1.0 / depth,
         })
     }
+
+    /// The point that appears at this place, at the depth of another point.
+    pub fn moved(&self, p: Vec3, [x, y]: [f32; 2]) -> Vec3 {
+        let depth = (p - EYE).dot(self.forward);
+        let right = (x - 0.5 * self.width as f32) / self.scale;
+        let up = (0.5 * self.height as f32 - y) / self.scale;
+        EYE + (*self.forward + *self.right * right + *self.up * up) * depth
+    }
 }
 
 /// A visible point.
@@ -139,7 +147,8 @@ fn teapot(camera: &Camera) -> Vec<Point> {
         let patch: &Patch = &patches[patch];
         let p = (w > 0.0).then(|| patch.at(u, v))?;
         let to_eye = (EYE - p).unit()?;
-        let n = normal::facing(patch.normal(u, v)?, to_eye);
+        let face = patch.normal(u, v)?; // exact, so it is the face's normal, too
+        let n = normal::facing(face, to_eye, face);
         Some(Point {
             pixel,
             p,

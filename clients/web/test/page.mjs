@@ -2,9 +2,10 @@
 // DRAW is the program that draws the same picture on this machine. The pictures must be equal to the bit.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { readFile, stat } from "node:fs/promises";
+import { mkdir, mkdtemp, readFile, rm, stat, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
 import { extname, join } from "node:path";
 import { chromium } from "playwright-core";
 
@@ -45,6 +46,7 @@ async function open(options = {}) {
   return page;
 }
 
+const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
 const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
 
 /** Sets controls as a user's hand does, with an event for each. */
@@ -54,6 +56,7 @@ async function set(page, values) {
       const inputs = [...document.querySelectorAll(`[name=${name}]`)];
       const input = inputs.find(({ type }) => type !== "radio") ?? inputs.find((radio) => radio.value === String(value));
       if (input.type === "radio") input.checked = true;
+      else if (input.type === "checkbox") input.checked = value;
       else input.value = value;
       input.dispatchEvent(new Event("input", { bubbles: true }));
     }
@@ -81,7 +84,10 @@ async function same_as_host(page, what) {
 
 const CASES = {
   "as it opens": {},
-  "another diffuse share": { kd: 0.3 },
+  "another diffuse reflectance": { kd: 0.3 },
+  "a second lamp": { second: true, x2: 2, y2: 0.5, light2: "#40ff80" },
+  "a first one of another color": { light: "#ff8000" },
+  "the second lamp off again": { second: false },
   "Phong": { model: 1, m: 7 },
   "Lambert": { model: 0 },
   "a sphere in a soft cone": { model: 2, surface: 0, angle: 20, edge: 12, x: -3.1, y: 0.4 },
@@ -120,27 +126,34 @@ const LAST_WORDS = {
 // the numbers beside the picture, by the formula in doubles, and the pixel by the numbers
 {
   const page = await open();
-  for (const values of [{}, { model: 1, m: 12 }, { surface: 0, x: 2.5, angle: 40, edge: 15, b: 0.3 }]) {
+  for (const values of [{}, { model: 1, m: 12 }, { surface: 0, x: 2.5, angle: 40, edge: 15, b: 0.3 },
+    { second: true, light2: "#ff2080", x2: -1, y2: 1.5, z2: 3, light: "#80ffc0" }]) {
     await set(page, values);
     const at = await page.evaluate(() => window.module.probe());
-    const { ka, kd, ks, m, a, b, c, model, color, x, y, z } = await page.evaluate(() =>
-      Object.fromEntries([...new FormData(document.getElementById("controls"))]));
+    const form = await page.evaluate(() => Object.fromEntries([...new FormData(document.getElementById("controls"))]));
+    const { ka, kd, ks, m, a, b, c, model } = form;
     const dot = (u, v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
     const unit = (v) => v.map((c) => c / Math.hypot(...v));
-    const to_lamp = [x, y, z].map((c, i) => Number(c) - at.P[i]);
-    const [q, l] = [Math.hypot(...to_lamp), unit(to_lamp)];
-    const v = unit([0, 1, 5].map((c, i) => c - at.P[i]));
-    const nl = dot(at.N, l);
-    const r = at.N.map((n, i) => 2 * nl * n - l[i]);
-    const cosine = model === "1" ? dot(r, v) : dot(at.N, unit(l.map((c, i) => c + v[i])));
-    const f = (1 / (Number(a) + b * q + c * q * q)) * at.cone;
-    const decoded = color.match(/\w\w/g).map((byte) => parseInt(byte, 16) / 255)
+    const decoded = (color) => color.match(/\w\w/g).map((byte) => parseInt(byte, 16) / 255)
       .map((e) => (e <= 0.04045 ? e / 12.92 : ((e + 0.055) / 1.055) ** 2.4));
-    const highlight = nl > 0 && cosine > 0 ? cosine ** m : 0;
-    decoded.forEach((o, i) => {
-      const expected = ka * o + f * (kd * o * Math.max(0, nl) + ks * highlight);
-      // rounding of some twenty operations in f32, the power's m times
-      assert.ok(Math.abs(expected - at.TOTAL[i]) < 1e-5 * (1 + Number(m)), `${expected}, ${at.TOTAL[i]}`);
+    const v = unit([0, 1, 5].map((c, i) => c - at.P[i]));
+    const lamps = [["x", "y", "z", "light"], ["x2", "y2", "z2", "light2"]].slice(0, form.second ? 2 : 1);
+    assert.equal(at.lamps.length, lamps.length);
+    const arriving = lamps.map(([x, y, z, color], k) => {
+      const to_lamp = [x, y, z].map((name, i) => Number(form[name]) - at.P[i]);
+      const [q, l] = [Math.hypot(...to_lamp), unit(to_lamp)];
+      const nl = dot(at.N, l);
+      const r = at.N.map((n, i) => 2 * nl * n - l[i]);
+      const cosine = model === "1" ? dot(r, v) : dot(at.N, unit(l.map((c, i) => c + v[i])));
+      const f = (1 / (Number(a) + b * q + c * q * q)) * at.lamps[k].cone;
+      const highlight = nl > 0 && cosine > 0 ? cosine ** m : 0;
+      return { light: decoded(form[color]).map((channel) => f * channel), nl, highlight };
+    });
+    decoded(form.color).forEach((o, i) => {
+      const expected = ka * o + arriving.reduce((sum, { light, nl, highlight }) =>
+        sum + light[i] * (kd * o * Math.max(0, nl) + ks * highlight), 0);
+      // rounding of some twenty operations in f32, the power's m times, for each lamp
+      assert.ok(Math.abs(expected - at.TOTAL[i]) < 2e-5 * (1 + Number(m)), `${expected}, ${at.TOTAL[i]}`);
       const e = Math.min(1, at.TOTAL[i]);
       const byte = 255 * (e <= 0.0031308 ? 12.92 * e : 1.055 * e ** (1 / 2.4) - 0.055);
       assert.ok(Math.abs(byte - at.SRGB[i]) <= 0.51, `byte ${at.SRGB[i]}, by the formula ${byte}`);
@@ -171,6 +184,92 @@ const LAST_WORDS = {
   await page.close();
 }
 
+// a lamp is dragged on the picture: it follows the pointer, its sliders follow it, and the picture is the host's
+{
+  const page = await open();
+  await set(page, { second: true });
+  const box = await page.locator("#canvas").boundingBox();
+  for (const [marker, names, to] of [["#lamp", ["x", "y", "z"], [90, 120]], ["#lamp2", ["x2", "y2", "z2"], [320, 90]]]) {
+    const center = async () => {
+      const { x, y, width, height } = await page.locator(marker).boundingBox();
+      return [x + width / 2 - box.x, y + height / 2 - box.y];
+    };
+    const values = () => Promise.all(names.map((name) => page.inputValue(`[name=${name}]`)));
+    const [before, cross, old] = [await values(), await page.locator("#cross").boundingBox(), await seen(page)];
+    const [x, y] = await center();
+    await page.mouse.move(box.x + x + 3, box.y + y - 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + to[0], box.y + to[1], { steps: 5 });
+    await page.mouse.up();
+    await page.mouse.move(box.x + to[0] + 60, box.y + 390); // after the button is released, nothing follows
+    await drawn(page);
+    const at = await center();
+    assert.ok(Math.hypot(at[0] - to[0], at[1] - to[1]) < 1.5, `${marker} is at ${at}, not at ${to}`);
+    assert.notDeepEqual(await values(), before);
+    assert.notDeepEqual(await page.locator("#cross").boundingBox(), cross, "the pointer moves the cross again");
+    assert.ok(!old.data.equals(await same_as_host(page, `${marker} dragged`)));
+  }
+  await page.close();
+  console.log("lamps are dragged on the picture");
+}
+
+// with a finger: on a lamp it drags
+{
+  const page = await open({ ...PHONE });
+  const box = await page.locator("#canvas").boundingBox();
+  const lamp = await page.locator("#lamp").boundingBox();
+  const [x, y] = [lamp.x + lamp.width / 2, lamp.y + lamp.height / 2];
+  const before = await page.inputValue("[name=x]");
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points });
+  await touch("touchStart", [{ x, y }]);
+  await touch("touchMove", [{ x: x - 30, y: y + 20 }]);
+  await touch("touchMove", [{ x: x - 60, y: y + 40 }]);
+  await touch("touchEnd", []);
+  await drawn(page);
+  const after = await page.locator("#lamp").boundingBox();
+  assert.ok(Math.hypot(after.x - lamp.x + 60, after.y - lamp.y - 40) < 3, JSON.stringify([lamp, after, box]));
+  assert.notEqual(await page.inputValue("[name=x]"), before);
+  await page.close();
+}
+
+// the Rust that the page copies prints the bytes of the pixel
+{
+  const page = await open();
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  const folder = await mkdtemp(join(tmpdir(), "page-"));
+  const shading = new URL("../../../", import.meta.url).pathname;
+  await mkdir(join(folder, "src"));
+  await writeFile(join(folder, "Cargo.toml"),
+    `[package]\nname = "pixel"\nedition = "2024"\n[dependencies]\nshading = { path = ${JSON.stringify(shading)} }\n[workspace]\n`);
+  await page.click("#rust summary");
+  for (const values of [{}, { model: 0, second: true, angle: 50, edge: 20, m: 7 }, { model: 1, light2: "#ff4000", second: true },
+    { a: 0, c: 0 }]) {
+    await set(page, values);
+    await page.click("#copy");
+    await page.waitForFunction(() => document.getElementById("copied").textContent === "Copied.");
+    const program = await page.evaluate(() => navigator.clipboard.readText());
+    await writeFile(join(folder, "src/main.rs"), program);
+    const printed = execFileSync("cargo", ["run", "--quiet", "--offline"], { cwd: folder, stdio: ["ignore", "pipe", "inherit"],
+      env: { ...process.env, CARGO_TARGET_DIR: join(folder, "target"), RUSTFLAGS: "-D warnings" } });
+    const { SRGB } = await page.evaluate(() => window.module.probe());
+    assert.equal(String(printed).trim(), `[${SRGB.join(", ")}]`, program);
+  }
+  await rm(folder, { recursive: true });
+  await page.close();
+  console.log("the copied Rust prints the pixel's bytes");
+}
+
+// the link to the documentation
+{
+  const page = await browser.newPage();
+  await page.route("https://docs.rs/**", (route) => route.fulfill({ body: "documentation", contentType: "text/plain" }));
+  await page.goto(home);
+  await page.click("#docs");
+  await page.waitForURL("https://docs.rs/shading");
+  await page.close();
+}
+
 // without a mouse
 {
   const page = await open();
@@ -179,7 +278,7 @@ const LAST_WORDS = {
   await page.keyboard.press("Shift+ArrowRight");
   assert.notEqual(await page.textContent("#numbers"), before, "arrow keys move the cross");
   const reached = new Set();
-  for (let i = 0; i < 40; i++) {
+  for (let i = 0; i < 60; i++) {
     await page.keyboard.press("Tab");
     reached.add(await page.evaluate(() => document.activeElement.name ?? document.activeElement.type));
   }
@@ -200,15 +299,17 @@ const LAST_WORDS = {
   console.log("keys reach and move everything; a window without room gets a message");
 }
 
-const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
 for (const colorScheme of ["light", "dark"]) {
   for (const [name, options] of Object.entries({ wide: {}, phone: PHONE })) {
     const page = await open({ ...options, colorScheme, bypassCSP: true });
+    await set(page, { second: true });
+    await page.click("#rust summary");
     await page.addScriptTag({ path: axe });
     const { violations } = await page.evaluate(() => window.axe.run());
     assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]), [], `${colorScheme} ${name}`);
     const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     assert.ok(overflow <= 0, `${colorScheme} ${name}: ${overflow} pixels too wide`);
+    await page.evaluate(() => scrollTo(0, 0));
     if (pictures) await page.screenshot({ path: join(pictures, `page_${name}_${colorScheme}.png`) });
     await page.close();
   }
@@ -240,7 +341,7 @@ console.log("axe-core finds nothing wrong, light or dark, wide or on a phone");
 }
 
 const { size } = await stat(join(folder, "web.wasm"));
-assert.ok(size < 61_440, `${size} bytes`);
+assert.ok(size < 65_536, `${size} bytes`);
 
 await browser.close();
 server.close();

@@ -1,13 +1,16 @@
 //! The page on this machine: its picture, and what it does with bad input.
 
-use shading::f32::Rgb;
+use shading::f32::{Rgb, Vec3};
 use web::page::{MOST_PIXELS, Page};
 use web::scene::{Part, SETTINGS};
 use web::surface::{Camera, EYE, Surface};
 
-/// As the page opens: the teapot, Blinn–Phong.
+/// As the page opens: the teapot, Blinn–Phong, one white lamp.
 const OPENING: [f32; SETTINGS] = [
-    1.0, 2.0, 0.1, 0.65, 0.4, 40.0, 0.8, 1.2, 1.8, 0.8, 0.0, 0.02, 180.0, 0.0, 224.0, 128.0, 60.0,
+    1.0, 2.0, 0.1, 0.65, 0.4, 40.0, 0.8, 1.2, 1.8, 0.8, 0.0, 0.02, 180.0,
+    0.0, // material, lamp
+    0.0, -0.8, 0.9, 1.6, // second lamp
+    224.0, 128.0, 60.0, 255.0, 255.0, 255.0, 77.0, 139.0, 255.0, // colors
 ];
 const SURFACE: usize = 0;
 const MODEL: usize = 1;
@@ -16,6 +19,9 @@ const X: usize = 6;
 const A: usize = 9;
 const ANGLE: usize = 12;
 const EDGE: usize = 13;
+const SECOND: usize = 14;
+const COLOR: usize = 18;
+const LIGHT: usize = 21;
 /// The ends of the page's sliders.
 const ENDS: [[f32; 2]; SETTINGS] = [
     [0.0, 1.0],
@@ -32,6 +38,16 @@ const ENDS: [[f32; 2]; SETTINGS] = [
     [0.0, 1.0],
     [0.0, 180.0],
     [0.0, 90.0],
+    [0.0, 1.0],
+    [-6.0, 6.0],
+    [-6.0, 6.0],
+    [-6.0, 6.0],
+    [0.0, 255.0],
+    [0.0, 255.0],
+    [0.0, 255.0],
+    [0.0, 255.0],
+    [0.0, 255.0],
+    [0.0, 255.0],
     [0.0, 255.0],
     [0.0, 255.0],
     [0.0, 255.0],
@@ -95,9 +111,9 @@ fn mean_of_lambert_is_the_integral() {
         (X + 2, EYE.z),
         (A, 1.0),
         (A + 2, 0.0),
-        (14, 255.0),
-        (15, 255.0),
-        (16, 255.0),
+        (COLOR, 255.0),
+        (COLOR + 1, 255.0),
+        (COLOR + 2, 255.0),
     ]);
     let mut page = page(settings);
     let (mut sum, mut count) = (0.0, 0.0);
@@ -176,7 +192,11 @@ fn trouble_is_told() {
         (page.message(), pixels)
     };
     assert_eq!(told(&[], SIZE, SIZE), ("", 4 * SIZE * SIZE));
-    let cases: [(&[(usize, f32)], &str); 3] = [
+    let cases: [(&[(usize, f32)], &str); 4] = [
+        (
+            &[(LIGHT, 0.0), (LIGHT + 1, 0.0), (LIGHT + 2, 0.0)],
+            "it is black",
+        ),
         (&[(A, 0.0), (A + 1, 0.0), (A + 2, 0.0)], "has no value"),
         (
             &[(SURFACE, 0.0), (X, 0.1), (X + 1, 0.2), (X + 2, 0.3)],
@@ -229,4 +249,55 @@ fn parts_add_up() {
             [10, 13, 16, 19].map(|i| Rgb::new(numbers[i], numbers[i + 1], numbers[i + 2]));
         assert_eq!(ambient + diffuse + specular, total);
     }
+}
+
+/// Light adds up: what two lamps send is what each sends alone, and the surroundings once.
+#[test]
+fn a_second_lamp_adds_its_light() {
+    let parts = |changes: &[(usize, f32)], pixel: usize| {
+        let numbers = *page(with(changes)).probe(SIZE, SIZE, pixel % SIZE, pixel / SIZE);
+        [13, 16].map(|i| Rgb::new(numbers[i], numbers[i + 1], numbers[i + 2]))
+    };
+    let black = [(LIGHT, 0.0), (LIGHT + 1, 0.0), (LIGHT + 2, 0.0)];
+    for pixel in (0..SIZE * SIZE).step_by(7) {
+        let [first, both] = [0.0, 1.0].map(|second| parts(&[(SECOND, second)], pixel));
+        let second = parts(&[(SECOND, 1.0), black[0], black[1], black[2]], pixel);
+        for part in 0..2 {
+            let [sum, both] = [first[part] + second[part], both[part]].map(<[f32; 3]>::from);
+            for (sum, both) in sum.into_iter().zip(both) {
+                assert!(
+                    (sum - both).abs() <= 4.0 * f32::EPSILON * both,
+                    "{sum}, {both}"
+                );
+            }
+        }
+    }
+}
+
+/// A dragged lamp appears where the pointer is, and keeps its distance from the plane of the picture.
+#[test]
+fn a_dragged_lamp_is_under_the_pointer() {
+    for (lamp, first) in [(0, X), (1, SECOND + 1)] {
+        let mut page = page(with(&[(SECOND, 1.0)]));
+        let camera = Camera::new(400, 400);
+        let depth = |page: &Page| {
+            let [x, y, z] = [0, 1, 2].map(|i| page.settings[first + i]);
+            1.0 / camera.project(Vec3::new(x, y, z)).expect("in sight").w
+        };
+        let before = depth(&page);
+        for to in [[10.5, 20.5], [399.5, 200.5], [200.0, 0.0]] {
+            let moved = page.moved(lamp, 400, 400, to);
+            page.settings[first..first + 3].copy_from_slice(&moved);
+            let at = page.lamp(lamp, 400, 400);
+            assert!(
+                (at[0] - to[0]).hypot(at[1] - to[1]) < 1e-2,
+                "{at:?} is not {to:?}"
+            );
+            assert!((depth(&page) - before).abs() < 1e-5);
+        }
+    }
+    let off = page(OPENING);
+    let stays = Vec3::from(off.moved(1, 400, 400, [1.0, 1.0]));
+    assert_eq!(stays, Vec3::ZERO, "it is off");
+    assert!(off.lamp(1, 400, 400)[0] < 0.0, "and not in the picture");
 }

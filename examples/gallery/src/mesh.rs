@@ -114,9 +114,11 @@ impl Surface for Mesh {
 
     fn place(&self, ray: &Ray, meeting: &Meeting) -> (Vec3, Option<UnitVec3>) {
         let (p, n) = (self.normal)(meeting.triangle, meeting.weights);
+        let [a, b, c] = self.corners[meeting.triangle];
+        let face = normal::triangle(a, b, c);
         (
             p.unwrap_or(ray.at(meeting.t)),
-            n.map(|n| normal::facing(n, -ray.along)),
+            n.map(|n| normal::facing(n, -ray.along, face.unwrap_or(n))),
         )
     }
 }
@@ -209,7 +211,8 @@ pub fn teapot() -> Mesh {
                 ]
             };
             let (a, c) = (at(0, 0), at(1, 1));
-            found.extend([(patch, [a, at(1, 0), c]), (patch, [a, c, at(0, 1)])]);
+            // counter-clockwise from outside, where v comes before u
+            found.extend([(patch, [a, c, at(1, 0)]), (patch, [a, at(0, 1), c])]);
         }
     }
     let corners = found

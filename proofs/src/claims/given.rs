@@ -1,7 +1,10 @@
 //! What claims are about, and what they say of it.
+//!
+//! The functions that are named `any_` make everything that the crate's constructors make. A test compares the lists here
+//! with the crate's interface, so that a claim about "any light" is about every kind of light that there is.
 
-use shading::{Attenuation, Cone, DirectionalLight, IncidentLight, Material, PointLight, Real};
-use shading::{Rgb, SpotLight, UnitVec3, Vec3};
+use shading::{Attenuation, Cone, DirectionalLight, IncidentLight, Light, Material, PointLight};
+use shading::{Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, shade};
 use shading_proofs::{Given, Goal, Range, Term};
 
 pub const INF: f64 = f64::INFINITY;
@@ -30,6 +33,17 @@ pub fn finite(given: Given) -> Range {
 
 pub fn not_negative(given: Given) -> Range {
     Range::within(0.0, given.format().max())
+}
+
+/// A coefficient or a channel that a constructor has checked: finite and not negative, and not −0.
+pub fn checked(given: Given, name: &str) -> Term {
+    given.number(name, Range::unsigned(0.0, given.format().max()))
+}
+
+pub fn checked_rgb(given: Given, name: &str) -> Rgb<Term> {
+    ["r", "g", "b"]
+        .map(|channel| checked(given, &format!("{name}.{channel}")))
+        .into()
 }
 
 /// Below 0, infinite or NaN.
@@ -93,6 +107,15 @@ pub fn same(a: impl Into<[Term; 3]>, b: impl Into<[Term; 3]>) -> Vec<Goal> {
     pairs.map(|(a, b)| Goal::Same(a, b)).collect()
 }
 
+pub fn at_most(a: impl Into<[Term; 3]>, b: impl Into<[Term; 3]>) -> Vec<Goal> {
+    let pairs = a.into().into_iter().zip(b.into());
+    pairs.map(|(a, b)| Goal::AtMost(a, b)).collect()
+}
+
+pub fn black(color: Rgb<Term>) -> Vec<Goal> {
+    components(color, nothing())
+}
+
 /// `None`, or a direction.
 pub fn none_or_unit(n: Option<UnitVec3<Term>>) -> Vec<Goal> {
     n.map_or(vec![], |n| components(n, component()))
@@ -104,65 +127,191 @@ pub fn none<T>(result: Option<T>) -> Vec<Goal> {
     result.map_or(vec![Goal::Same(Term::ZERO, Term::ZERO)], reached)
 }
 
-/// Any attenuation without a range.
-pub fn attenuation(given: Given) -> Attenuation<Term> {
-    let a = given.number("a", Range::unsigned(0.0, given.format().max()));
-    let (b, c) = (given.not_negative("b"), given.not_negative("c"));
+/// Any attenuation without a range and a limit: what `Attenuation::new` makes of any bits has such coefficients, which
+/// `attenuation_of_any` proves.
+pub fn unlimited(given: Given) -> Attenuation<Term> {
+    let [a, b, c] = ["a", "b", "c"].map(|name| checked(given, name));
     Attenuation::new(a, b, c).unwrap_or(Attenuation::NONE)
 }
 
-/// Any attenuation with a range below the largest number.
-pub fn ranged(given: Given) -> Attenuation<Term> {
-    let format = given.format();
-    let below_max = Range::within(format.tiny(), format.next_down(format.max()));
-    let ranged = attenuation(given).within(given.number("r", below_max));
-    ranged.expect("a range above 0")
+/// What limits an attenuation, and what ends it at a range, by the names of the methods.
+type Limit = fn(Attenuation<Term>, Term) -> Option<Attenuation<Term>>;
+pub const LIMITS: [(&str, Limit); 3] = [
+    ("new", |free, _| Some(free)),
+    ("clamped", |free, _| Some(free.clamped())),
+    ("clamped_to", Attenuation::clamped_to),
+];
+pub const WINDOWS: [(&str, Limit); 3] = [
+    ("new", |free, _| Some(free)),
+    ("within", Attenuation::within),
+    ("within_gltf", Attenuation::within_gltf),
+];
+
+/// Any attenuation with any of the limits.
+pub fn limited(given: Given) -> Option<Attenuation<Term>> {
+    LIMITS[given.one_of(3) as usize].1(unlimited(given), given.any("limit"))
 }
 
-/// Any cone as `Cone::from_cosines` makes it of any bits.
-pub fn cone(given: Given) -> Option<Cone<Term>> {
-    Cone::from_cosines(given.any("inner"), given.any("outer"))
+pub fn any_attenuation(given: Given) -> Option<Attenuation<Term>> {
+    WINDOWS[given.one_of(3) as usize].1(limited(given)?, given.any("r"))
 }
 
-pub fn lamp(given: Given, position: Vec3<Term>) -> PointLight<Term> {
-    PointLight {
+/// What makes the edge of a cone, by the name of the method.
+type Edge = fn(Cone<Term>) -> Cone<Term>;
+pub const EDGES: [(&str, Edge); 2] = [
+    ("from_cosines", |cone| cone),
+    ("smoothstep", Cone::smoothstep),
+];
+
+/// Any cone as `Cone::from_cosines` makes it of any bits, with a hard edge or any soft one.
+pub fn any_cone(given: Given) -> Option<Cone<Term>> {
+    let cone = Cone::from_cosines(given.any("inner"), given.any("outer"))?;
+    Some(EDGES[given.one_of(2) as usize].1(cone))
+}
+
+fn lamp(given: Given, position: Vec3<Term>) -> Option<PointLight<Term>> {
+    Some(PointLight {
         position,
         intensity: given.rgb("I"),
-        attenuation: attenuation(given),
-    }
-}
-
-/// A spot of any bits whose cone has one angle, or two.
-pub fn spot(given: Given, position: Vec3<Term>) -> Option<SpotLight<Term>> {
-    Some(SpotLight {
-        point: lamp(given, position),
-        axis: any_direction(given, "axis"),
-        cone: cone(given)?,
+        attenuation: any_attenuation(given)?,
     })
 }
 
-pub fn sun(given: Given, l: UnitVec3<Term>) -> IncidentLight<Term> {
-    let intensity = given.rgb("I");
-    DirectionalLight { l, intensity }.into()
+pub fn any_spot(given: Given, position: Vec3<Term>) -> Option<SpotLight<Term>> {
+    Some(SpotLight {
+        point: lamp(given, position)?,
+        axis: any_direction(given, "axis"),
+        cone: any_cone(given)?,
+    })
 }
 
-/// A material whose shininess is any bits: of its power is known what integer and real ones have in common.
-pub fn material(given: Given) -> Material<Term, Term> {
-    Material {
-        k_a: given.rgb("k_a"),
-        k_d: given.rgb("k_d"),
-        k_s: given.rgb("k_s"),
-        m: given.any("m"),
+pub fn sun(given: Given, name: &str) -> DirectionalLight<Term> {
+    DirectionalLight {
+        l: any_direction(given, name),
+        intensity: given.rgb(&format!("I.{name}")),
     }
 }
 
-/// Light that arrives: no channel is negative, infinite or NaN.
-pub fn arrives(given: Given, light: IncidentLight<Term>) -> Vec<Goal> {
-    let mut goals = components(light.intensity(), not_negative(given));
-    goals.extend(components(light.l(), component()));
-    goals
+/// Any light with a position, at this one.
+pub fn any_lamp(given: Given, position: Vec3<Term>) -> Option<Light<Term>> {
+    Some(match given.one_of(2) {
+        0 => lamp(given, position)?.into(),
+        _ => any_spot(given, position)?.into(),
+    })
 }
 
-pub fn black(color: Rgb<Term>) -> Vec<Goal> {
-    components(color, nothing())
+/// Any light; one that has a position is at this one. A new kind of light does not compile until it has a place here.
+pub fn light_at(given: Given, position: Vec3<Term>) -> Option<Light<Term>> {
+    let light = match given.one_of(2) {
+        0 => sun(given, "l").into(),
+        _ => any_lamp(given, position)?,
+    };
+    match light {
+        Light::Directional(_) | Light::Point(_) | Light::Spot(_) => Some(light),
+    }
+}
+
+/// What arrives of any light at any point.
+pub fn any_arrival(given: Given) -> Option<IncidentLight<Term>> {
+    let position = any_vector(given, "position");
+    Some(light_at(given, position)?.at(any_vector(given, "p")))
+}
+
+/// One of the six directions of the axes of coordinates, and a distance at which a product with it is exact.
+pub fn straight(given: Given) -> (UnitVec3<Term>, Term) {
+    let axes = [UnitVec3::X, UnitVec3::Y, UnitVec3::Z];
+    let axis = axes[given.one_of(3) as usize];
+    let axis = if given.one_of(2) == 0 { axis } else { -axis };
+    (
+        axis,
+        Term::of([0.25, 1.0, 1024.0][given.one_of(3) as usize]),
+    )
+}
+
+/// A surface, the eye and the ambient light. Of the power by its shininess, which is any bits, only the contract is known,
+/// which integer and real ones have in common.
+pub struct Scene {
+    pub n: UnitVec3<Term>,
+    pub v: UnitVec3<Term>,
+    pub material: Material<Term, Term>,
+    pub i_a: Rgb<Term>,
+}
+
+pub fn any_scene(given: Given) -> Scene {
+    let [n, v] = ["n", "v"].map(|name| any_direction(given, name));
+    let material = Material {
+        k_a: checked_rgb(given, "k_a"),
+        k_d: checked_rgb(given, "k_d"),
+        k_s: checked_rgb(given, "k_s"),
+        m: given.any("m"),
+    };
+    let i_a = given.rgb("I_a");
+    Scene {
+        n,
+        v,
+        material,
+        i_a,
+    }
+}
+
+/// The names of the models in `shade`.
+pub const MODELS: [&str; 3] = ["lambert", "phong", "blinn_phong"];
+
+impl Scene {
+    /// One of the models, each of which is proved apart.
+    pub fn shade(&self, model: u32, lights: &[IncidentLight<Term>]) -> Shaded<Term> {
+        let (material, lights) = (&self.material, lights.iter().copied());
+        match MODELS[model as usize] {
+            "lambert" => shade::lambert(self.n, material, self.i_a, lights),
+            "phong" => shade::phong(self.n, self.v, material, self.i_a, lights),
+            _ => shade::blinn_phong(self.n, self.v, material, self.i_a, lights),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{EDGES, LIMITS, MODELS, WINDOWS};
+
+    /// The names of the public functions of a file, with this indentation, that return one of these.
+    fn made(source: &'static str, indentation: &str, results: &[&str]) -> Vec<&'static str> {
+        let begins = format!("\n{indentation}pub ");
+        let items = source.split(&begins);
+        let functions = items.filter_map(|item| {
+            let function = item
+                .strip_prefix("fn ")
+                .or(item.strip_prefix("const fn "))?;
+            let (name, _) = function.split_once(['(', '<'])?;
+            let (head, _) = function.split_once('{')?;
+            let is_made = results
+                .iter()
+                .any(|result| head.contains(&format!("-> {result}")));
+            is_made.then_some(name)
+        });
+        sorted(functions.collect())
+    }
+
+    fn sorted(mut names: Vec<&str>) -> Vec<&str> {
+        names.sort_unstable();
+        names.dedup();
+        names
+    }
+
+    #[test]
+    fn any_means_all_that_constructors_make() {
+        let own = ["Self", "Option<Self>"];
+        let attenuations = LIMITS
+            .iter()
+            .chain(&WINDOWS)
+            .map(|(name, _)| *name)
+            .collect();
+        let source = include_str!("../../../src/attenuation.rs");
+        assert_eq!(sorted(attenuations), made(source, "    ", &own));
+        let apart = ["from_cosine", "from_half_angle", "from_half_angles"]; // in claims of their own
+        let cones = EDGES.iter().map(|(name, _)| *name).chain(apart).collect();
+        let source = include_str!("../../../src/cone.rs");
+        assert_eq!(sorted(cones), made(source, "    ", &own));
+        let source = include_str!("../../../src/shade.rs");
+        assert_eq!(sorted(MODELS.to_vec()), made(source, "", &["Shaded<T>"]));
+    }
 }

@@ -1,62 +1,85 @@
 //! The light that arrives at a point.
 
-use shading::{PointLight, Rgb};
-use shading_proofs::{Given, Goal, Term};
+use shading::{Light, Real, Rgb, SpotLight, Vec3};
+use shading_proofs::{Given, Goal, Range, Term};
 
 use super::given::*;
 
-pub fn lamp_of_any(given: Given) -> Vec<Goal> {
-    let lamp = lamp(given, any_vector(given, "position"));
-    arrives(given, lamp.at(any_vector(given, "p")))
-}
-
-pub fn distance_of_finite(given: Given) -> Vec<Goal> {
-    let lamp = lamp(given, finite_vector(given, "position"));
-    let distance = lamp.at(finite_vector(given, "p")).distance();
-    within([distance], not_negative(given))
-}
-
-pub fn lamp_with_a_range(given: Given) -> Vec<Goal> {
-    let lamp = PointLight {
-        position: any_vector(given, "position"),
-        intensity: given.rgb("I"),
-        attenuation: ranged(given),
+/// What arrives through any filter, or none.
+pub fn light_that_arrives(given: Given) -> Vec<Goal> {
+    let Some(light) = any_arrival(given) else {
+        return vec![];
     };
-    arrives(given, lamp.at(any_vector(given, "p")))
+    let light = match given.one_of(2) {
+        0 => light,
+        _ => light * given.rgb("filter"),
+    };
+    components(light.intensity(), not_negative(given))
 }
 
-pub fn spot_of_any(given: Given) -> Vec<Goal> {
-    let spot = spot(given, any_vector(given, "position"));
-    spot.map_or(vec![], |spot| {
-        arrives(given, spot.at(any_vector(given, "p")))
+pub fn direction_that_arrives(given: Given) -> Vec<Goal> {
+    let (position, p) = (any_vector(given, "position"), any_vector(given, "p"));
+    any_lamp(given, position).map_or(vec![], |lamp| {
+        let lamp = lamp.at(p);
+        [lamp.l(), lamp.arrival().l]
+            .map(|l| components(l, component()))
+            .concat()
     })
 }
 
-pub fn light_at_the_point(given: Given) -> Vec<Goal> {
-    let position = any_vector(given, "position");
-    let Some(spot) = spot(given, position) else {
+pub fn distance_of_finite(given: Given) -> Vec<Goal> {
+    let (position, p) = (finite_vector(given, "position"), finite_vector(given, "p"));
+    let max = given.format().max();
+    let Some(light) = light_at(given, position) else {
         return vec![];
     };
-    [
-        black(spot.point.at(position).intensity()),
-        black(spot.at(position).intensity()),
-    ]
-    .concat()
+    let range = match light {
+        Light::Directional(_) => Range::within(max, max),
+        _ => not_negative(given),
+    };
+    let light = light.at(p);
+    within([light.distance(), light.arrival().distance], range)
 }
 
-pub fn light_at_infinity(given: Given) -> Vec<Goal> {
-    let (finite, broken) = (finite_vector(given, "finite"), broken(given, "broken"));
-    let (position, p) = match given.one_of(2) {
-        0 => (finite, broken),
-        _ => (broken, finite),
+/// At its own position, or with a coordinate of either that is infinite or NaN.
+pub fn light_of_nowhere(given: Given) -> Vec<Goal> {
+    let (any, broken) = (any_vector(given, "any"), broken(given, "broken"));
+    let (position, p) = match given.one_of(3) {
+        0 => (any, any),
+        1 => (any, broken),
+        _ => (broken, any),
     };
-    black(lamp(given, position).at(p).intensity())
+    let lamp = any_lamp(given, position);
+    lamp.map_or(vec![], |lamp| black(lamp.at(p).intensity()))
 }
 
-pub fn black_lamp(given: Given) -> Vec<Goal> {
-    let lamp = PointLight {
-        intensity: Rgb::<Term>::BLACK,
-        ..lamp(given, any_vector(given, "position"))
+pub fn black_light(given: Given) -> Vec<Goal> {
+    let light = any_arrival(given);
+    light.map_or(vec![], |light| {
+        black((light * Rgb::<Term>::BLACK).intensity())
+    })
+}
+
+pub fn spot_at_most_its_lamp(given: Given) -> Vec<Goal> {
+    let (position, p) = (any_vector(given, "position"), any_vector(given, "p"));
+    any_spot(given, position).map_or(vec![], |spot| {
+        at_most(spot.at(p).intensity(), spot.point.at(p).intensity())
+    })
+}
+
+/// Straight ahead of a spot, and straight behind one of less than a hemisphere.
+pub fn spot_ahead_and_behind(given: Given) -> Vec<Goal> {
+    let ((axis, q), is_ahead) = (straight(given), given.one_of(2) == 0);
+    let Some(spot) = any_spot(given, Vec3::ZERO) else {
+        return vec![];
     };
-    black(lamp.at(any_vector(given, "p")).intensity())
+    let spot = SpotLight { axis, ..spot };
+    let p = axis * q;
+    if is_ahead {
+        return same(spot.at(p).intensity(), spot.point.at(p).intensity());
+    }
+    for cosine in spot.cone.cosines() {
+        given.assume_at_most(Term::ZERO, cosine);
+    }
+    black(spot.at(-p).intensity())
 }

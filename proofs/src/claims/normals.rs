@@ -51,7 +51,8 @@ fn degenerate(given: Given) -> [Vec3<Term>; 3] {
 
 pub fn normals_of_any(given: Given) -> Vec<Goal> {
     let [a, b, c] = vertices(given);
-    none_or_unit(match given.one_of(5) {
+    none_or_unit(match given.one_of(6) {
+        5 => normal::plane(a.x, a.y, a.z),
         0 => normal::triangle(a, b, c),
         1 => normal::sphere(a, b),
         2 => implicit(given, a),
@@ -96,16 +97,16 @@ pub fn facing_faces(given: Given) -> Vec<Goal> {
     };
     let (n, v) = (direction("n"), direction("v"));
     let _ = (-n).dot(v) > Term::ZERO; // on either path, what is selected is known
-    within([normal::facing(n, v).dot(v)], light().or_nan())
+    within([normal::facing(n, v, n).dot(v)], light().or_nan())
 }
 
 pub fn facing_stays(given: Given) -> Vec<Goal> {
-    let (n, v) = (any_direction(given, "n"), any_direction(given, "v"));
-    if Term::ZERO > n.dot(v) {
+    let [n, v, face] = ["n", "v", "face"].map(|name| any_direction(given, name));
+    if Term::ZERO > face.dot(v) {
         return vec![];
     }
-    let _ = (-n).dot(v) > Term::ZERO;
-    same(normal::facing(n, v), n)
+    let _ = (-face).dot(v) > Term::ZERO;
+    same(normal::facing(n, v, face), n)
 }
 
 /// A vector of any bits, but for its square between 1/p and p.

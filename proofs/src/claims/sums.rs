@@ -1,39 +1,10 @@
 //! The reflected light.
 
-use shading::{IncidentLight, Light, Material, Real, Rgb, Shaded, UnitVec3, shade};
+use shading::{IncidentLight, Light, Material, PointLight, Real, Rgb, Shaded, Vec3, shade};
 use shading_proofs::{Given, Goal, Node, Term, Test, with};
 
 use super::given::*;
-
-/// A surface, the eye and the ambient light.
-struct Scene {
-    n: UnitVec3<Term>,
-    v: UnitVec3<Term>,
-    material: Material<Term, Term>,
-    i_a: Rgb<Term>,
-}
-
-fn scene(given: Given, direction: fn(Given, &str) -> UnitVec3<Term>) -> Scene {
-    let [n, v] = ["n", "v"].map(|name| direction(given, name));
-    Scene {
-        n,
-        v,
-        material: material(given),
-        i_a: given.rgb("I_a"),
-    }
-}
-
-impl Scene {
-    /// One of the three models, each of which is proved apart.
-    fn shade(&self, model: u32, lights: &[IncidentLight<Term>]) -> Shaded<Term> {
-        let (material, lights) = (&self.material, lights.iter().copied());
-        match model {
-            0 => shade::lambert(self.n, material, self.i_a, lights),
-            1 => shade::phong(self.n, self.v, material, self.i_a, lights),
-            _ => shade::blinn_phong(self.n, self.v, material, self.i_a, lights),
-        }
-    }
-}
+use super::terms::SHININESS;
 
 /// No channel is negative or NaN, nor one of the total.
 fn is_light(s: Shaded<Term>) -> Vec<Goal> {
@@ -41,28 +12,20 @@ fn is_light(s: Shaded<Term>) -> Vec<Goal> {
     colors.map(|color| components(color, light())).concat()
 }
 
-fn lights(given: Given) -> [IncidentLight<Term>; 2] {
-    ["l1", "l2"].map(|name| sun(given, given.unit(name)))
-}
-
-pub fn lit_by_suns(given: Given) -> Vec<Goal> {
-    is_light(scene(given, Given::unit).shade(given.one_of(3), &lights(given)))
-}
-
-pub fn lit_by_a_lamp(given: Given) -> Vec<Goal> {
-    let lamp = lamp(given, any_vector(given, "position"));
-    is_light(scene(given, Given::unit).shade(2, &[lamp.at(any_vector(given, "p"))]))
+pub fn lit_by_any(given: Given) -> Vec<Goal> {
+    let (scene, model) = (any_scene(given), given.one_of(3));
+    any_arrival(given).map_or(vec![], |light| is_light(scene.shade(model, &[light])))
 }
 
 /// The terms of a sum that is limited to MAX and multiplied by a reflectance, the last first.
 fn added(channel: Term) -> Vec<Term> {
     with(|g| {
-        let limit_of = |id: u32| match g.nodes[id as usize] {
-            Node::Select(Test::Above(sum, 3), 3, _) => Some(sum),
-            _ => None,
-        };
         let Node::Mul(a, b) = g.nodes[channel.0 as usize] else {
             panic!("no product")
+        };
+        let limit_of = |id: u32| match g.nodes[id as usize] {
+            Node::Select(Test::Above(3, sum), then, 3) if then == sum => Some(sum),
+            _ => (id == Term::ZERO.0).then_some(id), // the sum over no light
         };
         let mut sum = limit_of(a).or(limit_of(b)).expect("a limit");
         let mut terms = Vec::new();
@@ -77,20 +40,32 @@ fn added(channel: Term) -> Vec<Term> {
 }
 
 pub fn any_number_of_lights(given: Given) -> Vec<Goal> {
-    let scene = scene(given, Given::unit);
-    let lit = scene.shade(given.one_of(3), &lights(given));
-    let mut terms = Vec::new();
-    for channel in [lit.diffuse.r, lit.specular.r] {
-        if channel.0 != Term::ZERO.0 {
-            terms.extend(added(channel));
-        }
-    }
-    within(terms, light())
+    let (scene, model) = (any_scene(given), given.one_of(3));
+    let first = sun(given, "first").into();
+    let Some(second) = any_arrival(given) else {
+        return vec![];
+    };
+    let lit = scene.shade(model, &[first, second]);
+    let channels = [lit.diffuse.r, lit.specular.r].into_iter();
+    let channels = channels.filter(|channel| channel.0 != Term::ZERO.0);
+    within(channels.flat_map(added), light())
+}
+
+pub fn one_more_light(given: Given) -> Vec<Goal> {
+    let (scene, model) = (any_scene(given), given.one_of(3));
+    let first = sun(given, "first").into();
+    let Some(light) = any_arrival(given) else {
+        return vec![];
+    };
+    let [one, two] = [&[first][..], &[first, light]].map(|lights| scene.shade(model, lights));
+    let parts = |s: Shaded<Term>| [s.diffuse, s.specular, s.total()];
+    let pairs = parts(one).into_iter().zip(parts(two));
+    pairs.flat_map(|(one, two)| at_most(one, two)).collect()
 }
 
 /// A light that adds nothing, to the bit, before or after another.
 fn adds_nothing(given: Given, scene: &Scene, light: IncidentLight<Term>) -> Vec<Goal> {
-    let other = sun(given, any_direction(given, "other"));
+    let other = sun(given, "other").into();
     let lights = [[light, other], [other, light]][given.one_of(2) as usize];
     let model = given.one_of(3);
     let [with, without] = [&lights[..], &[other]].map(|lights| scene.shade(model, lights));
@@ -99,72 +74,116 @@ fn adds_nothing(given: Given, scene: &Scene, light: IncidentLight<Term>) -> Vec<
     pairs.flat_map(|(a, b)| same(a, b)).collect()
 }
 
-pub fn behind(given: Given) -> Vec<Goal> {
-    let scene = scene(given, any_direction);
-    let l = any_direction(given, "l");
-    if scene.n.dot(l) > Term::ZERO {
-        return vec![];
+pub fn light_behind(given: Given) -> Vec<Goal> {
+    let scene = any_scene(given);
+    match any_arrival(given) {
+        Some(light) if !light.is_in_front(scene.n) => adds_nothing(given, &scene, light),
+        _ => vec![],
     }
-    adds_nothing(given, &scene, sun(given, l))
 }
 
-pub fn lamp_behind(given: Given) -> Vec<Goal> {
-    let scene = scene(given, any_direction);
-    let Some(spot) = spot(given, any_vector(given, "position")) else {
-        return vec![];
-    };
-    let light = [Light::from(spot), Light::from(spot.point)][given.one_of(2) as usize];
-    let light = light.at(any_vector(given, "p"));
-    if light.is_in_front(scene.n) {
-        return vec![];
-    }
-    adds_nothing(given, &scene, light)
-}
-
-pub fn black_light(given: Given) -> Vec<Goal> {
-    let light = sun(given, given.unit("l")) * Rgb::BLACK;
-    adds_nothing(given, &scene(given, Given::unit), light)
+pub fn light_that_is_black(given: Given) -> Vec<Goal> {
+    let scene = any_scene(given);
+    any_arrival(given).map_or(vec![], |light| {
+        adds_nothing(given, &scene, light * Rgb::BLACK)
+    })
 }
 
 pub fn broken_lamp(given: Given) -> Vec<Goal> {
-    let lamp = lamp(given, broken(given, "position"));
-    let light = lamp.at(finite_vector(given, "p"));
-    adds_nothing(given, &scene(given, Given::unit), light)
+    let (scene, p) = (any_scene(given), any_vector(given, "p"));
+    let lamp = any_lamp(given, broken(given, "position"));
+    lamp.map_or(vec![], |lamp| adds_nothing(given, &scene, lamp.at(p)))
 }
 
 pub fn opposite(given: Given) -> Vec<Goal> {
-    let scene = scene(given, Given::unit);
-    let light = sun(given, -scene.v);
-    black(scene.shade(2, &[light]).specular)
-}
-
-pub fn black_surface(given: Given) -> Vec<Goal> {
-    let mut scene = scene(given, Given::unit);
-    (scene.material.k_d, scene.material.k_s) = (Rgb::BLACK, Rgb::BLACK);
-    let lit = scene.shade(given.one_of(3), &lights(given));
-    [black(lit.diffuse), black(lit.specular)].concat()
-}
-
-fn at_most(a: Rgb<Term>, b: Rgb<Term>) -> Vec<Goal> {
-    let pairs = [(a.r, b.r), (a.g, b.g), (a.b, b.b)];
-    pairs.map(|(a, b)| Goal::AtMost(a, b)).into()
+    let (scene, mut sun) = (any_scene(given), sun(given, "l"));
+    sun.l = -scene.v;
+    black(scene.shade(2, &[sun.into()]).specular)
 }
 
 pub fn reflected_at_most(given: Given) -> Vec<Goal> {
-    let scene = scene(given, Given::unit);
-    let lit = scene.shade(given.one_of(3), &lights(given));
-    let most = |k: Rgb<Term>| k * Term::MAX;
+    let (mut scene, model) = (any_scene(given), given.one_of(3));
+    scene.i_a = Rgb::BLACK;
+    let Some(light) = any_arrival(given) else {
+        return vec![];
+    };
+    let lit = scene.shade(model, &[light, sun(given, "other").into()]);
     let (k_d, k_s) = (scene.material.k_d, scene.material.k_s);
     [
-        at_most(lit.diffuse, most(k_d)),
-        at_most(lit.specular, most(k_s)),
+        at_most(lit.diffuse, k_d * Term::MAX),
+        at_most(lit.specular, k_s * Term::MAX),
     ]
     .concat()
 }
 
-pub fn highlight_at_most(given: Given) -> Vec<Goal> {
-    let scene = scene(given, Given::unit);
-    let light = sun(given, given.unit("l"));
-    let lit = scene.shade(given.one_of(3), &[light]);
-    at_most(lit.specular, light.intensity() * scene.material.k_s)
+/// No more than arrives of one light, whose distance needs no scaling.
+pub fn reflected_of_one(given: Given) -> Vec<Goal> {
+    let (scene, model, p) = (any_scene(given), given.one_of(3), any_vector(given, "p"));
+    let position = any_vector(given, "position");
+    let Some(light) = light_at(given, position) else {
+        return vec![];
+    };
+    if !matches!(light, Light::Directional(_)) {
+        let square = (position - p).dot(position - p);
+        given.assume_at_most(Term::ONE / Term::EXTREME, square);
+        given.assume_above(Term::EXTREME, square);
+    }
+    let light = light.at(p);
+    let (lit, arriving) = (scene.shade(model, &[light]), light.intensity());
+    let (k_d, k_s) = (scene.material.k_d, scene.material.k_s);
+    [
+        at_most(lit.diffuse, arriving * k_d),
+        at_most(lit.specular, arriving * k_s),
+    ]
+    .concat()
+}
+
+/// A lamp straight above a surface, seen from there, with an integer shininess.
+pub fn head_on(given: Given) -> Vec<Goal> {
+    let (n, q) = straight(given);
+    let material = Material {
+        k_a: Rgb::BLACK,
+        k_d: checked_rgb(given, "k_d"),
+        k_s: checked_rgb(given, "k_s"),
+        m: SHININESS[given.one_of(9) as usize],
+    };
+    let Some(attenuation) = any_attenuation(given) else {
+        return vec![];
+    };
+    let lamp = PointLight {
+        position: n * q,
+        intensity: checked_rgb(given, "I"),
+        attenuation,
+    };
+    let light = lamp.at(Vec3::ZERO);
+    let lit = match given.one_of(2) {
+        0 => shade::phong(n, n, &material, Rgb::BLACK, [light]),
+        _ => shade::blinn_phong(n, n, &material, Rgb::BLACK, [light]),
+    };
+    let arriving = light.intensity();
+    [
+        same(lit.diffuse, arriving * material.k_d),
+        same(lit.specular, arriving * material.k_s),
+    ]
+    .concat()
+}
+
+pub fn black_surface(given: Given) -> Vec<Goal> {
+    let (mut scene, model) = (any_scene(given), given.one_of(3));
+    (scene.material.k_d, scene.material.k_s) = (Rgb::BLACK, Rgb::BLACK);
+    any_arrival(given).map_or(vec![], |light| {
+        let lit = scene.shade(model, &[light, sun(given, "other").into()]);
+        [black(lit.diffuse), black(lit.specular)].concat()
+    })
+}
+
+/// Results that are added and scaled are light.
+pub fn added_results(given: Given) -> Vec<Goal> {
+    let part = |name: &str| Shaded {
+        ambient: given.rgb(&format!("{name}.ambient")),
+        diffuse: given.rgb(&format!("{name}.diffuse")),
+        specular: given.rgb(&format!("{name}.specular")),
+    };
+    let (x, y, weight) = (part("x"), part("y"), given.not_negative("weight"));
+    is_light(x * weight + y)
 }

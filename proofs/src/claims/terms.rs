@@ -10,14 +10,28 @@ pub fn lambert_of_any(given: Given) -> Vec<Goal> {
     within([term::lambert(n, l)], light())
 }
 
-pub fn lambert_of_units(given: Given) -> Vec<Goal> {
+/// The ends of what rounding makes of the cosine of two directions.
+fn cosines(given: Given) -> Range {
     let most = 1.0 + 16.0 * given.format().u();
-    let lambert = term::lambert(given.unit("n"), given.unit("l"));
-    within([lambert], Range::within(0.0, most))
+    Range::within(-most, most)
+}
+
+pub fn cosine_of_units(given: Given) -> Vec<Goal> {
+    let (n, l) = (given.unit("n"), given.unit("l"));
+    within([n.dot(l), (-n).dot(l)], cosines(given))
+}
+
+pub fn lambert_of_units(given: Given) -> Vec<Goal> {
+    let (n, l) = (any_direction(given, "n"), any_direction(given, "l"));
+    given.assume_at_most(n.dot(l), Term::of(cosines(given).high));
+    within(
+        [term::lambert(n, l)],
+        Range::within(0.0, cosines(given).high),
+    )
 }
 
 /// Small ones, odd and even, and the largest: what a power by squaring does with bits.
-const SHININESS: [u32; 9] = [0, 1, 2, 3, 5, 32, 127, 1000, u32::MAX];
+pub const SHININESS: [u32; 9] = [0, 1, 2, 3, 5, 32, 127, 1000, u32::MAX];
 
 /// The factors of both highlights, for a cosine of a range.
 fn highlights(given: Given, cosine: Range, ms: &[u32], range: Range) -> Vec<Goal> {
@@ -55,6 +69,12 @@ pub fn powers_in_their_range(given: Given) -> Vec<Goal> {
     let cosine = given.number("cosine", share());
     let m = SHININESS[given.one_of(9) as usize];
     within([m.raise(cosine), m.raise_root(cosine)], share())
+}
+
+/// One step of a power by squaring: of the base, and of the power so far.
+pub fn one_squaring(given: Given) -> Vec<Goal> {
+    let [base, power] = ["base", "power"].map(|name| given.number(name, share()));
+    within([base * base, power * base], share())
 }
 
 pub fn phong_normalization(given: Given) -> Vec<Goal> {

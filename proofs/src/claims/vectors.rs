@@ -1,6 +1,6 @@
 //! Numbers, vectors and directions.
 
-use shading::{Rgb, UnitVec3, half_vector};
+use shading::{Rgb, UnitVec3, half_vector, normal};
 use shading_proofs::{Given, Goal, Range, Term};
 
 use super::given::*;
@@ -15,7 +15,11 @@ pub fn unit_of_any(given: Given) -> Vec<Goal> {
 }
 
 pub fn unit_of_nothing(given: Given) -> Vec<Goal> {
-    none(without_direction(given, "v").unit())
+    let v = without_direction(given, "v");
+    none(match given.one_of(2) {
+        0 => v.unit(),
+        _ => normal::plane(v.x, v.y, v.z),
+    })
 }
 
 pub fn unit_or_of_any(given: Given) -> Vec<Goal> {

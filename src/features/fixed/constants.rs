@@ -87,7 +87,7 @@ impl Cone<Fixed> {
     pub const fn const_from_half_angles(inner: Fixed, outer: Fixed) -> Option<Self> {
         let (inner, outer) = (inner.0 as f64 / ONE as f64, outer.0 as f64 / ONE as f64);
         match Cone::<f64>::const_from_half_angles(inner, outer) {
-            Some(cone) => Self::const_from_cosines(Fixed::new(cone.inner), Fixed::new(cone.outer)),
+            Some(cone) => Some(Self::stored(Fixed::new(cone.inner), Fixed::new(cone.outer))),
             None => None,
         }
     }
@@ -96,14 +96,37 @@ impl Cone<Fixed> {
     #[must_use]
     pub const fn const_from_cosines(inner: Fixed, outer: Fixed) -> Option<Self> {
         if ONE >= inner.0 && inner.0 >= outer.0 && outer.0 >= -ONE {
-            let (inner, outer, smooth) = (widened(inner), widened(outer), Fixed(0));
-            Some(Self {
-                inner,
-                outer,
-                smooth,
-            })
+            Some(Self::stored(inner, outer))
         } else {
             None
+        }
+    }
+
+    /// A cone that contains its axis, or everything, in spite of rounding, as for any number.
+    const fn stored(inner: Fixed, outer: Fixed) -> Self {
+        /// How far rounding may take a cosine or the length of a direction from 1, in steps.
+        const SLACK: i32 = 4;
+        const NARROWEST: i32 = ONE - SLACK;
+        let edges = if inner.0 < -NARROWEST {
+            [-2 * ONE; 2]
+        } else {
+            [
+                if inner.0 > NARROWEST {
+                    NARROWEST
+                } else {
+                    inner.0
+                },
+                if outer.0 > NARROWEST {
+                    NARROWEST
+                } else {
+                    outer.0
+                },
+            ]
+        };
+        Self {
+            inner: Fixed(edges[0]),
+            outer: Fixed(edges[1]),
+            smooth: Fixed(0),
         }
     }
 
@@ -113,19 +136,6 @@ impl Cone<Fixed> {
         let smooth = Fixed(if self.inner.0 > self.outer.0 { ONE } else { 0 });
         Self { smooth, ..self }
     }
-}
-
-/// The cosine of a cone that contains its axis, or everything, in spite of rounding.
-const fn widened(cosine: Fixed) -> Fixed {
-    /// How far rounding may take a cosine or the length of a direction from 1, in steps.
-    const SLACK: i32 = 4;
-    Fixed(if cosine.0 > ONE - SLACK {
-        ONE - SLACK
-    } else if cosine.0 < SLACK - ONE {
-        -ONE - 2 * SLACK
-    } else {
-        cosine.0
-    })
 }
 
 /// The channel within [0, 1), in steps. At the greatest that it returns, every encoding has its highest level.

@@ -24,7 +24,9 @@
 //!   200, light that arrives with up to 4, ranges from 1, soft edges from 0.1 (of the cosine), and
 //!   |L + V| ≥ 0.1. At the edge of a hard cone, a point may fall on either side.
 //! - Light is never negative, and never brighter by more than a level where the distance is greater.
-//! - Nothing panics, and every machine gives the same bits.
+//! - Nothing panics, and every machine gives the same bits. The functions of
+//!   [`Elementary`](crate::Elementary) are the exception: they go by way of `f32`, whose last digits may
+//!   differ on x86 without SSE2.
 
 #![allow(
     clippy::cast_lossless,            // `From` is not const
@@ -110,7 +112,7 @@ impl Fixed {
     #[inline]
     #[must_use]
     pub const fn to_f32(self) -> f32 {
-        // 16 less in the exponent: a product would be a call on a chip without an FPU
+        // subtracts 16 from the exponent, because a multiplication would be a library call without an FPU
         let exponent = if self.0 == 0 { 0 } else { 16 << 23 };
         f32::from_bits((self.0 as f32).to_bits() - exponent)
     }

@@ -6,12 +6,13 @@
 
 mod pack;
 mod sum;
+mod transposed;
 
 use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8, i32x4, i32x8, i32x16, u64x2, u64x4, u64x8};
 
-use crate::real::power::{Bits, EXPONENT, LEAST, double, single};
-use crate::real::{Lobe, Mask, Real, Select, shininess};
+use crate::real::power::{Bits, EXPONENT, double, double_of_quotient, single, single_of_quotient};
+use crate::real::{Lobe, Mask, Real, Select, half_shininess, shininess};
 use crate::rgb::Rgb;
 
 // x87 rounds a number in a register differently from a number in memory
@@ -22,7 +23,8 @@ compile_error!(
 );
 
 /// Whether lanes are SSE2 registers. The maximum and minimum of SSE2 return the second operand
-/// unless the first is greater or less. That is exactly a comparison and a selection.
+/// unless the first is greater or less. That is exactly a comparison and a selection (measured: sums
+/// take 11 to 17 % fewer instructions).
 const SSE2: bool = cfg!(target_feature = "sse2");
 
 /// Whether the processor has an instruction for the root. Elsewhere `wide` computes the root in
@@ -50,6 +52,11 @@ const HAS_ROOT: bool = cfg!(any(
 /// [`Elementary`](crate::Elementary) functions and the encodings of an [`Rgb`](crate::Rgb) are for scalars too: take
 /// the lanes apart by `to_array`.
 ///
+/// # Points in lanes
+///
+/// `from_lanes` of [`Vec3`](crate::Vec3::from_lanes), [`UnitVec3`](crate::UnitVec3::from_lanes) and
+/// [`Rgb`](crate::Rgb::from_lanes) puts an array of them into lanes, and `to_lanes` takes them out.
+///
 /// # Lights in lanes
 ///
 /// [`PointLight::packed`](crate::PointLight::packed) puts lights into lanes, and
@@ -70,12 +77,23 @@ pub trait Lanes: Real {
     /// The number in one lane.
     type Lane: Real;
 
+    /// A value for each lane: the array `[V; COUNT]`.
+    type Array<V>: AsRef<[V]> + IntoIterator<Item = V>;
+
     /// How many lanes there are: a power of two, at most 16.
     const COUNT: usize;
 
     /// The number of each lane, by its index.
     #[must_use]
     fn from_fn(lane: impl FnMut(usize) -> Self::Lane) -> Self;
+
+    /// A value for each lane, by its index: [`core::array::from_fn`].
+    #[must_use]
+    fn array<V>(value: impl FnMut(usize) -> V) -> Self::Array<V>;
+
+    /// The numbers of all lanes.
+    #[must_use]
+    fn to_lanes(self) -> Self::Array<Self::Lane>;
 
     /// The number in the first lane.
     #[must_use]
@@ -91,7 +109,7 @@ pub trait Lanes: Real {
 pub struct In<L>(L);
 
 macro_rules! real {
-    ($lanes:ident of $count:literal $float:ident, $power:ident) => {
+    ($lanes:ident of $count:literal $float:ident, $power:ident, $of_quotient:ident) => {
         /// One m for all lanes.
         #[diagnostic::do_not_recommend] // the trait's own message names the types
         impl Lobe<$lanes> for $float {
@@ -104,15 +122,31 @@ macro_rules! real {
             fn raise_root(self, square: $lanes) -> $lanes {
                 (0.5 * self).raise(square)
             }
+
+            #[inline]
+            fn raise_quotient(self, square: $lanes, of: $lanes) -> $lanes {
+                $of_quotient(square, of, $lanes::splat(half_shininess(self)))
+            }
         }
 
         impl Lanes for $lanes {
             type Lane = $float;
+            type Array<V> = [V; $count];
             const COUNT: usize = $count;
 
             #[inline]
             fn from_fn(lane: impl FnMut(usize) -> $float) -> Self {
                 Self::new(core::array::from_fn(lane))
+            }
+
+            #[inline]
+            fn array<V>(value: impl FnMut(usize) -> V) -> [V; $count] {
+                core::array::from_fn(value)
+            }
+
+            #[inline]
+            fn to_lanes(self) -> [$float; $count] {
+                self.to_array()
             }
 
             #[inline]
@@ -221,13 +255,13 @@ macro_rules! real {
 /// Lanes of `f32`, with as many integer lanes for the power.
 macro_rules! single {
     ($lanes:ident * $count:literal, $integers:ident, $from_integers:ident) => {
-        real!($lanes of $count f32, single);
+        real!($lanes of $count f32, single, single_of_quotient);
 
         impl Bits for $lanes {
             #[inline]
-            fn split(self) -> (Self, Self) {
-                let bits: $integers = cast(self);
-                let above = bits - $integers::splat(LEAST.0);
+            fn split(self, least: Self) -> (Self, Self) {
+                let (bits, least): ($integers, $integers) = (cast(self), cast(least));
+                let above = bits - least;
                 let z = bits - (above & $integers::splat(EXPONENT.0));
                 (Self::$from_integers(above >> 23), cast(z))
             }
@@ -241,22 +275,25 @@ macro_rules! single {
     };
 }
 
+/// The doubles from here to twice it are the integers, in their low bits.
+const TWO_TO_52: f64 = 4_503_599_627_370_496.0;
+
 /// Lanes of `f64`. SSE2 cannot convert integers of 64 bits, so the exponent becomes a float as the low
 /// bits of one.
 macro_rules! double {
     ($lanes:ident * $count:literal, $integers:ident) => {
-        real!($lanes of $count f64, double);
+        real!($lanes of $count f64, double, double_of_quotient);
 
         impl Bits for $lanes {
             #[inline]
             #[allow(clippy::cast_sign_loss)] // only the bits matter
-            fn split(self) -> (Self, Self) {
-                let bits: $integers = cast(self);
-                let above = bits - $integers::splat(LEAST.1 as u64);
+            fn split(self, least: Self) -> (Self, Self) {
+                let (bits, least): ($integers, $integers) = (cast(self), cast(least));
+                let above = bits - least;
                 let z = bits - (above & $integers::splat(EXPONENT.1 as u64));
                 let e = (above + $integers::splat(1 << 63)) >> 52_u32; // e + 2048
-                let e: Self = cast(e | $integers::splat(4_503_599_627_370_496.0_f64.to_bits()));
-                (e - Self::splat(4_503_599_627_372_544.0), cast(z)) // 2⁵² + 2048
+                let e: Self = cast(e | $integers::splat(TWO_TO_52.to_bits()));
+                (e - Self::splat(TWO_TO_52 + 2048.0), cast(z))
             }
 
             #[inline]

@@ -16,7 +16,8 @@ fn both_files_hold_the_same_scene() {
 
 const VECTOR: &str = "vector: a coordinate is not finite";
 const COLOR: &str = "color: a channel is negative or not finite";
-const LENGTH: &str = "direction: its length is not 1";
+const ZERO: &str = "direction: the zero vector has none; a vector of any other length will do";
+const DIRECTION: &str = "direction: a coordinate is not finite";
 const COEFFICIENTS: &str = "attenuation: a, b and c must be finite, 0 or more, and not all 0";
 const RANGE: &str = "range: it must be above 0";
 const COSINE: &str = "cosine: it must be between -1 and 1";
@@ -28,23 +29,24 @@ const CONE: &str = r#"{"half_angles": {"inner": 0.25, "outer": 0.5, "smoothstep"
 
 /// What stands in the file once, what replaces it, and the error.
 #[rustfmt::skip]
-const IN_JSON: [(&str, &str, &str); 27] = [
+const IN_JSON: [(&str, &str, &str); 28] = [
     ("[2, 0, 2]", "[2, NaN, 2]", "expected value"),
     ("[2, 0, 2]", "[2, 0]", "invalid length 2, expected an array of length 3"),
     ("[4, 4, 4]", "[4, 4, -1]", COLOR),
     ("[0.3, 0.3, 0.3]", "[0.3, -0.3, 0.3]", COLOR),
     ("[0.1, 0.1, 0.12]", "[-0.1, 0.1, 0.12]", COLOR),
-    ("[0.0, 0.6, 0.8]", "[1, 1, 1]", LENGTH),
-    ("[0.0, 0.6, 0.8]", "[0.577, 0.577, 0.577]", LENGTH), // three decimals are not enough
-    ("[0.0, 0.6, 0.8]", "[0, 0.6, 0.800003]", LENGTH),
-    ("[0.0, 0.6, 0.8]", "[0, 0.6, 0.799997]", LENGTH),
-    ("[0, -1, 0]", "[0, 0, 0]", LENGTH),
+    ("[0, -1, 0]", "[0, 0, 0]", ZERO),
+    ("[0, -1, 0]", "[0, 1e-60, -0.0]", ZERO), // in `f32`
     ("[1, 0, 0.25]", "[1, -0.5, 0]", COEFFICIENTS),
     ("[1, 0, 0.25]", "[-0.0, 0, 0]", COEFFICIENTS),
     ("[1, 0, 0.25]", "[1, 0]", "invalid length 2, expected an attenuation with a, b and c"),
     ("\"c\": 1", "\"c\": 0", COEFFICIENTS),
-    ("\"range\": 8", "\"range\": 0", RANGE),
-    ("\"range\": 8", "\"range\": -2", RANGE),
+    ("\"range_gltf\": 8", "\"range\": 0", RANGE),
+    ("\"range_gltf\": 8", "\"range\": -2", RANGE),
+    ("\"range_gltf\": 8", "\"range_gltf\": 0", "range_gltf: it must be above 0"),
+    ("\"range_gltf\": 8", "\"range_gltf\": 8, \"range\": 9", "range: write it or range_gltf, not both"),
+    ("\"limit\": 1", "\"limit\": 0", "limit: it must be above 0"),
+    ("\"limit\": 1", "\"limit\": -1", "limit: it must be above 0"),
     ("\"limit\"", "\"radius\"", "unknown field `radius`"),
     ("\"inner\": 0.25", "\"inner\": 0.51", HALF_ANGLES),
     ("\"outer\": 0.5", "\"outer\": 3.1416", HALF_ANGLES),
@@ -63,10 +65,10 @@ const IN_RON: [(&str, &str, &str); 9] = [
     ("(2, 0, 2)", "(2, NaN, 2)", VECTOR),
     ("(2, 0, 2)", "(2, 0, -inf)", VECTOR),
     ("(4, 4, 4)", "(4, 4, NaN)", COLOR),
-    ("(0.0, 0.6, 0.8)", "(1, 1, 1)", LENGTH),
-    ("(0, -1, 0)", "(0, NaN, 0)", LENGTH),
+    ("(0.0, 0.6, 0.8)", "(0, 0, 0)", ZERO),
+    ("(0, -1, 0)", "(0, NaN, 0)", DIRECTION),
     ("c: 0.25", "c: NaN", COEFFICIENTS),
-    ("Some(8)", "Some(NaN)", RANGE),
+    ("Some(8)", "Some(NaN)", "range_gltf: it must be above 0"),
     ("inner: 0.25", "inner: NaN", HALF_ANGLES),
     ("half_angles((inner: 0.25, outer: 0.5, smoothstep: true))", "half_angle(30)", HALF_ANGLE),
 ];
@@ -95,6 +97,27 @@ fn errors_say_where_and_why() {
     }
 }
 
+/// With `serde_path_to_error`, an error names the fields that lead to the place, in each format.
+#[test]
+fn an_error_names_the_fields_that_lead_there() {
+    let path = |good, bad| {
+        let (json, _) = spoiled(JSON, good, bad);
+        let mut format = serde_json::Deserializer::from_str(&json);
+        let error = serde_path_to_error::deserialize::<_, Scene>(&mut format).expect_err(bad);
+        error.path().to_string()
+    };
+    assert_eq!(path("[0.6, 0.6, 0.6]", "[0.6, -1, 0]"), "materials[0].k_d");
+    assert_eq!(
+        path("[2, 0, 2]", "[2, 0, 1e39]"),
+        "lights[1].point.position[2]"
+    );
+    assert_eq!(path("[0, -1, 0]", "[0, 0, 0]"), "lights[2].spot.axis");
+    let (ron, _) = spoiled(RON, "(0.6, 0.6, 0.6)", "(0.6, NaN, 0)");
+    let mut format = ron::Deserializer::from_str(&ron).expect("tokens");
+    let error = serde_path_to_error::deserialize::<_, Scene>(&mut format).expect_err("NaN");
+    assert_eq!(error.path().to_string(), "materials[0].k_d");
+}
+
 /// The JSON pointers of a value and of all that it holds.
 fn pointers(value: &Value, pointer: &str) -> Vec<String> {
     let held: Vec<(String, &Value)> = match value {
@@ -110,11 +133,14 @@ fn pointers(value: &Value, pointer: &str) -> Vec<String> {
 /// Every way to spoil the value at a pointer, but those that give another scene.
 fn spoilers(pointer: &str, value: &Value) -> Vec<Value> {
     let is = |name| pointer.ends_with(name);
+    let is_of_a_vector = ["/position/", "/l/", "/axis/"]
+        .iter()
+        .any(|name| pointer.contains(name));
     let is_right = |new: &Value| match new {
-        Value::Null => is("/range"),
+        Value::Null => is("/range_gltf") || is("/limit"),
         Value::Bool(_) => value.is_boolean(),
-        Value::Number(x) if x.is_f64() => is("/m") || is("/range"),
-        Value::Number(_) => is("/m") || value.is_number() && pointer.contains("position"),
+        Value::Number(x) if x.is_f64() => is("/m") || is("/range_gltf") || is("/limit"),
+        Value::Number(_) => is("/m") || value.is_number() && is_of_a_vector,
         _ => (is("/lights") || is("/materials")) && *new == json!([]),
     };
     let all = json!([null, true, "x", -7, 1e39, [], {}, [[]]]);

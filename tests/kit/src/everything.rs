@@ -101,10 +101,10 @@ pub fn any_bits<T: Float>(mut numbers: Numbers<T>) {
 
     let single = given.rgb.map(T::single);
     let bytes = single.to_srgb8();
-    assert_eq!(Rgb::from_srgb8(bytes).to_srgb8(), bytes);
+    assert_eq!(Rgb::<f32>::from_srgb8(bytes).to_srgb8(), bytes);
     assert_eq!(single.clamped().to_rgb565(), single.to_rgb565());
     assert_eq!(
-        Rgb::from_rgb565(single.to_rgb565()).to_rgb565(),
+        Rgb::<f32>::from_rgb565(single.to_rgb565()).to_rgb565(),
         single.to_rgb565()
     );
     assert_eq!(single.clamped().to_linear8(), single.to_linear8());

@@ -11,7 +11,7 @@ use crate::number::Number;
 pub const INTEGER: [u32; 8] = [0, 1, 2, 5, 32, 33, 1000, u32::MAX];
 pub const REAL: [f32; 8] = [0.0, 0.5, 1.0, 10.25, 32.0, 100.5, 1e4, f32::MAX];
 
-/// A linear congruential generator (Knuth's constants, as in *Numerical Recipes*).
+/// A linear congruential generator (Knuth's multiplier and Lewis's increment, as in *Numerical Recipes*).
 pub struct Numbers(pub u32);
 
 impl Numbers {

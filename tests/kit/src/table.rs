@@ -75,7 +75,7 @@ macro_rules! for_each_function {
             wild_tangents "normal::parametric, of any value" |g| normal::parametric(|u, v| Vec3::new(u * v, u.exp() / v, (u - v).abs()),
                 g.x, g.y)
                 => unit;
-            encoded "Rgb, encoded and decoded" |g| { let rgb = g.rgb.map(T::single); [Rgb::from_srgb8(rgb.to_srgb8()),
+            encoded "Rgb, encoded and decoded" |g| { let rgb = g.rgb.map(T::single); [Rgb::<f32>::from_srgb8(rgb.to_srgb8()),
                 Rgb::gray(rgb.to_rgb565().into())] }
                 => not_negative;
             cast "PointLight::cast" |g| g.lamps[0].cast(Dual::constant).at(Dual::point(g.p)) => nothing;
@@ -102,7 +102,10 @@ macro_rules! for_each_function {
             hook_direction "Real::measured" |g| { let m = T::measured(g.a); [m.w, Vec3::new(m.w_length, m.length, T::ZERO)] }
                 => nothing;
             hook_faces "Real::faces" |g| T::faces(*g.n, g.a).any() => nothing;
-            hook_toward "Real::toward" |g| { let t = T::toward(*g.n, g.a); [t.n_dot_w, T::cosine(*g.n, &t)] } => nothing;
+            hook_toward "Real::toward" |g| T::faces(*g.n, g.a).any().then(|| {
+                let t = T::toward(*g.n, g.a);
+                [t.n_dot_w, T::cosine(*g.n, &t)]
+            }) => nothing;
             hook_cosine "Real::cosine" |g| T::cosine(*g.n, &T::toward(*g.n, *g.l)) => share;
             hook_whole_power "Real::whole_power" |g| INTEGER.map(|m| g.cosine.whole_power(m)) => nothing;
             hook_halfway_power "Real::halfway_power" |g| T::halfway_power(*g.n, T::measured(g.a), *g.v, g.integer.m) => share;
@@ -143,10 +146,10 @@ macro_rules! for_each_function {
         }
         BYTES: Number {
             to_srgb8 "Rgb::to_srgb8" |g| g.rgb.map(T::single).to_srgb8() => nothing;
-            from_srgb8 "Rgb::from_srgb8" |g| { let [r, g, b, _] = g.bits.to_le_bytes(); Rgb::from_srgb8([r, g, b]) } => share;
+            from_srgb8 "Rgb::from_srgb8" |g| { let [r, g, b, _] = g.bits.to_le_bytes(); Rgb::<T>::from_srgb8([r, g, b]) } => share;
             to_rgb565 "Rgb::to_rgb565" |g| g.rgb.map(T::single).to_rgb565() => nothing;
             from_rgb565 "Rgb::from_rgb565" |g| { let [low, high, ..] = g.bits.to_le_bytes();
-                Rgb::from_rgb565(u16::from_le_bytes([low, high])) }
+                Rgb::<T>::from_rgb565(u16::from_le_bytes([low, high])) }
                 => share;
             to_linear8 "Rgb::to_linear8" |g| g.rgb.map(T::single).to_linear8() => nothing;
         }
@@ -194,7 +197,7 @@ macro_rules! for_each_function {
             normal_from_gradient "normal::from_gradient" |g| normal::from_gradient(g.a) => unit;
             normal_parametric "normal::parametric, of a saddle" |g| normal::parametric(saddle, g.x, g.y) => unit;
             normal_from_tangents "normal::from_tangents" |g| normal::from_tangents(g.a, g.b) => unit;
-            normal_facing "normal::facing" |g| normal::facing(g.n, g.v) => n_or_opposite;
+            normal_facing "normal::facing" |g| normal::facing(g.n, g.v, g.n) => n_or_opposite;
             normal_transformed "normal::transformed" |g| normal::transformed(g.n, [g.p, g.a, g.b]) => unit;
             normal_corner "normal::corner" |g| normal::corner(g.p, g.a, g.b) => at_most_pi_long;
             normal_tangent "normal::tangent" |g| normal::tangent([g.p, g.a, g.b], [[g.x, g.y], [g.cosine, g.x], [g.y, g.cosine]])

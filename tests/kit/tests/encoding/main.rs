@@ -117,8 +117,34 @@ fn each_channel_has_its_own_level() {
 fn constants_are_encoded_by_the_compiler() {
     const BACKGROUND: u16 = Rgb::gray(0.5).to_rgb565();
     const BYTES: [u8; 3] = Rgb::WHITE.to_srgb8();
-    static BRASS: Rgb = Rgb::from_srgb8([0xB5, 0xA6, 0x42]);
+    static BRASS: Rgb = Rgb::const_from_srgb8([0xB5, 0xA6, 0x42]);
     assert_eq!(BACKGROUND, rgb565(23, 46, 23));
     assert_eq!(BYTES, [255; 3]);
     assert_eq!(BRASS.to_srgb8(), [0xB5, 0xA6, 0x42]);
+}
+
+/// Every byte and every color of 16 bits survives in double precision, and a number encodes as the nearest one
+/// in single precision does.
+#[test]
+fn doubles_are_encoded_as_the_nearest_single() {
+    use shading::f64::Rgb as Double;
+    for byte in 0..=255 {
+        let decoded = Double::from_srgb8([byte; 3]);
+        assert_eq!(decoded.to_srgb8(), [byte; 3]);
+        assert_eq!(decoded, Double::const_from_srgb8([byte; 3]));
+        assert_eq!(decoded, Rgb::from_srgb8([byte; 3]).map(f64::from));
+    }
+    for bits in 0..=u16::MAX {
+        let decoded = Double::from_rgb565(bits);
+        assert_eq!(decoded.to_rgb565(), bits);
+        assert_eq!(decoded, Double::const_from_rgb565(bits));
+    }
+    for i in -100..1200 {
+        let double = Double::gray(f64::from(i) / 1000.0);
+        let single = Rgb::gray(i as f32 / 1000.0);
+        assert_eq!(double.to_srgb8(), single.to_srgb8());
+        assert_eq!(double.to_rgb565(), single.to_rgb565());
+        assert_eq!(double.to_linear8(), single.to_linear8());
+    }
+    assert_eq!(Double::new(f64::NAN, 1e300, -1e300).to_srgb8(), [0, 255, 0]);
 }
