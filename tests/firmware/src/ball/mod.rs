@@ -48,11 +48,7 @@ pub fn draw_row(row: i16, pixel: Pixel, mut show: impl FnMut(u8, u16)) {
         let right = i16::from(column) - RADIUS;
         let square = i32::from(right) * i32::from(right) + i32::from(up) * i32::from(up);
         let is_on_ball = square < i32::from(RADIUS) * i32::from(RADIUS);
-        let color = if is_on_ball {
-            pixel(right, up)
-        } else {
-            BEHIND
-        };
+        let color = if is_on_ball { pixel(right, up) } else { BEHIND };
         show(column, color);
     }
 }
