@@ -56,7 +56,7 @@ macro_rules! sums {
 }
 
 fn main() -> ExitCode {
-    let mut races = Races::new(0.2);
+    let mut races = Races::new(0.2, true);
     races.table("Now / then: loops", &WAYS);
     let (colors, triangles) = (KINDS.map(scene::colors), KINDS.map(scene::triangles));
     let (c, t) = (&colors[0], &triangles[0]);

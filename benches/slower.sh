@@ -17,7 +17,6 @@ path = "$PWD/benches/slower.rs"
 [dependencies]
 shading.path = "$PWD"
 before = { package = "shading", git = "file://$(git rev-parse --path-format=absolute --git-common-dir)", rev = "$commit" }
-cpu-time = "1"
 fastrand = "2"
 
 [workspace]

@@ -20,8 +20,8 @@ macro_rules! hand {
             #[derive(Clone, Copy)]
             pub struct Lamp {
                 pub position: V,
-                intensity: V,
-                abc: [$float; 3],
+                pub intensity: V,
+                pub abc: [$float; 3],
             }
 
             pub fn scene(points: &[List<List<f64>>], positions: &[List<f64>]) -> Scene {
@@ -68,9 +68,9 @@ macro_rules! hand {
                 /// Adds a lamp. `share` is how much of its light arrives, from L and q.
                 #[inline(always)]
                 pub fn add(&mut self, lamp: &Lamp, share: impl Fn(V, $float) -> $float) {
-                    let way = lamp.position - self.p;
-                    let q = way.length();
-                    let l = way / q;
+                    let to_light = lamp.position - self.p;
+                    let q = to_light.length();
+                    let l = to_light / q;
                     let n_dot_l = self.n.dot(l);
                     if n_dot_l > 0.0 {
                         let share = share(l, q);
@@ -79,6 +79,20 @@ macro_rules! hand {
                             let reflected = self.reflected(l, n_dot_l) * share;
                             self.sum += lamp.intensity * reflected / (a + b * q + c * q * q);
                         }
+                    }
+                }
+
+                /// Adds a lamp as an expert does: the sign of N·L comes before the root, and each vector is
+                /// divided by one reciprocal.
+                #[inline(always)]
+                pub fn add_as_expert(&mut self, lamp: &Lamp) {
+                    let to_light = lamp.position - self.p;
+                    if self.n.dot(to_light) > 0.0 {
+                        let q = to_light.length();
+                        let l = to_light * (1.0 / q);
+                        let [a, b, c] = lamp.abc;
+                        let reflected = self.reflected(l, self.n.dot(l));
+                        self.sum += lamp.intensity * reflected * (1.0 / (a + b * q + c * q * q));
                     }
                 }
 
@@ -109,8 +123,11 @@ macro_rules! hand {
                 (n * (2.0 * n_dot_l) - l).dot(v).max(0.0)
             }
 
-            /// The sums of Blinn by an even m, an odd m and a real m, and of Phong.
-            pub fn sums<const CALL: bool>((points, lamps): &Scene) -> [Pass<'_>; 4] {
+            /// The sums of Blinn by an even m, an odd m and a real m, and of Phong, as a newcomer or as an
+            /// expert writes them.
+            pub fn sums<const CALL: bool, const EXPERT: bool>(
+                (points, lamps): &Scene,
+            ) -> [Pass<'_>; 4] {
                 macro_rules! sum {
                     ($cosine:ident, $power:ident, $m:expr) => {{
                         let material = material();
@@ -119,7 +136,11 @@ macro_rules! hand {
                             let highlight = |n, v, l, n_dot_l| $cosine(n, v, l, n_dot_l).$power(m);
                             let mut point = Point::new(point, black_box(&material), highlight);
                             for lamp in lamps {
-                                point.add(lamp, |_, _| 1.0);
+                                if EXPERT {
+                                    point.add_as_expert(lamp);
+                                } else {
+                                    point.add(lamp, |_, _| 1.0);
+                                }
                             }
                             <[$float; 3]>::from(point.sum)
                         })

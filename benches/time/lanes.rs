@@ -2,9 +2,9 @@
 
 use crate::race::{Output, Pass, pass};
 use crate::scene::{ATTENUATION, K_A, K_D, K_S, List};
-use cpu_time::ThreadTime;
 use shading::{Lanes, Lobe, Material, PointLight, Rgb, UnitVec3, Vec3, shade};
 use std::hint::black_box;
+use std::time::Instant;
 use wide::f32x8;
 
 type V = [f32x8; 3];
@@ -95,7 +95,7 @@ pub fn in_c(points: &[List<List<f64>>], lamps: &[List<f64>], m: f32) -> Pass<'st
     let material = [(); 13].map(|()| numbers.next().unwrap());
     let mut image = [(); 3].map(|()| vec![0.0_f32; count]);
     Box::new(move |sum| {
-        let start = ThreadTime::now();
+        let start = Instant::now();
         let inputs = inputs.each_mut().map(Vec::as_mut_ptr);
         let channels = image.each_mut().map(Vec::as_mut_ptr);
         // SAFETY: every array has `count` elements, and the inputs are only read.

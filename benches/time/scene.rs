@@ -39,8 +39,8 @@ pub type List<T> = [T; 3];
 /// sphere, row by row, or random ones in a cube, with any N and V.
 pub fn points(data: &str, lights: usize) -> Vec<List<List<f64>>> {
     let mut random = fastrand::Rng::with_seed(7);
-    let side = if lights == 1 { 256 } else { 128 };
-    assert!(side * side * lights >= BRANCHES);
+    // no more than that either: a pass is then too short for a neighbor to interrupt each
+    let side = (BRANCHES / lights).isqrt();
     let point = |i| {
         let pixel = |k: usize| (k as f64 + 0.5) / side as f64 * 2.0 - 1.0;
         let (x, y) = (pixel(i % side), pixel(i / side));
