@@ -93,7 +93,7 @@ pub mod halves {
     pub const fn upper_rounded(a: u32, b: u32) -> u32 {
         let (a_1, a_0, b_1, b_0) = (a >> 16, a & 0xFFFF, b >> 16, b & 0xFFFF);
         // no sum exceeds 32 bits
-        let middle = a_1 * b_0 + (a_0 * b_0 >> 16);
+        let middle = a_1 * b_0 + ((a_0 * b_0) >> 16);
         let other = a_0 * b_1 + (middle & 0xFFFF) + (1 << 15);
         a_1 * b_1 + (middle >> 16) + (other >> 16)
     }
