@@ -1,5 +1,6 @@
 //! The light that arrives at a point.
 
+use core::fmt;
 use core::ops::Mul;
 
 use crate::attenuation::Attenuation;
@@ -9,13 +10,25 @@ use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
-/// The kind of a light. Shaders have no enums with data, and integers of 32 bits alone.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(u32)]
-pub(super) enum Kind {
-    Directional,
-    Point,
-    Spot,
+/// The kind of a light. Not an enum: `Option<IncidentLight>` would take its unused values for a tag, and
+/// rust-gpu cannot copy such an option (“cannot memcpy dynamically sized data”).
+#[derive(Clone, Copy, PartialEq)]
+pub(super) struct Kind(u32);
+
+impl Kind {
+    pub(super) const DIRECTIONAL: Self = Self(0);
+    pub(super) const POINT: Self = Self(1);
+    pub(super) const SPOT: Self = Self(2);
+}
+
+impl fmt::Debug for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(match *self {
+            Self::DIRECTIONAL => "Directional",
+            Self::POINT => "Point",
+            _ => "Spot",
+        })
+    }
 }
 
 /// The light that arrives at a point: a [`Light`](crate::Light), and the vector to it.
@@ -85,7 +98,7 @@ impl<T: Real> IncidentLight<T> {
             attenuation,
             axis: UnitVec3::Z,
             cone: Cone::EVERYWHERE,
-            kind: Kind::Point,
+            kind: Kind::POINT,
         }
     }
 
@@ -115,7 +128,7 @@ impl<T: Real> IncidentLight<T> {
     #[doc(alias("incoming", "irradiance"))]
     #[inline]
     pub fn arrival(&self) -> Arrival<T> {
-        if self.kind == Kind::Directional {
+        if self.kind == Kind::DIRECTIONAL {
             return Arrival {
                 l: UnitVec3::assume_unit(self.to_light),
                 intensity: self.intensity,
@@ -146,7 +159,7 @@ impl<T: Real> IncidentLight<T> {
     #[inline]
     pub fn l(&self) -> UnitVec3<T> {
         match self.kind {
-            Kind::Directional => UnitVec3::assume_unit(self.to_light),
+            Kind::DIRECTIONAL => UnitVec3::assume_unit(self.to_light),
             _ => self.to_light.unit_or(UnitVec3::Z),
         }
     }
@@ -160,7 +173,7 @@ impl<T: Real> IncidentLight<T> {
     #[must_use]
     pub fn distance(&self) -> T {
         match self.kind {
-            Kind::Directional => T::MAX,
+            Kind::DIRECTIONAL => T::MAX,
             _ => self.to_light.length().at_most(T::MAX),
         }
     }
@@ -174,7 +187,7 @@ impl<T: Real> IncidentLight<T> {
     /// What a sum needs: the vector to the light, and the light before N·L.
     #[inline(always)]
     pub(crate) fn toward(&self, n: UnitVec3<T>) -> (Toward<T>, Dimmed<T>) {
-        if self.kind == Kind::Directional {
+        if self.kind == Kind::DIRECTIONAL {
             let measured = Measured {
                 w: self.to_light,
                 w_length: T::ONE,
@@ -200,7 +213,7 @@ impl<T: Real> IncidentLight<T> {
     fn dimmed(&self, measured: &Measured<T>) -> Dimmed<T> {
         let (v, q) = (self.to_light, measured.length);
         let light = self.attenuation.dimmed(self.intensity, v, q);
-        if self.kind == Kind::Spot {
+        if self.kind == Kind::SPOT {
             self.cone.dimmed(light, self.axis, v, measured)
         } else {
             light
@@ -214,7 +227,7 @@ impl<T: Real> IncidentLight<T> {
         let (to_light, intensity) = (self.to_light.map(&mut f), self.intensity.map(&mut f));
         let mut light = IncidentLight::new(to_light, intensity, self.attenuation.cast(&mut f));
         light.kind = self.kind;
-        if self.kind == Kind::Spot {
+        if self.kind == Kind::SPOT {
             (light.axis, light.cone) = (self.axis.cast(&mut f), self.cone.cast(f));
         }
         light
