@@ -4,7 +4,7 @@
 # page's screenshots; DEVICE is the number of the Vulkan device, 0 if nothing is said: Mesa's, where no driver is installed.
 set -euo pipefail
 cd "$(dirname "$0")"
-. ../tests/firmware/toolchain.sh
+. ../.ci/toolchain
 built=${CARGO_TARGET_DIR:-$PWD/target}
 mkdir -p "$built"
 

@@ -1,11 +1,11 @@
 """Plants faults in a copy of the source, each chosen by its number in the environment variable PLANTED.
 
-    plant.py LIST FOLDER        the faults of a list; prints how many there are
-    plant.py every FOLDER       one fault for each operator of the recorded functions; prints them as the lines of a list
+    plant.py LIST FOLDER        prints how many there are
 
 A line of a list: file, function, operator, which one of these in the function, what becomes of it, and claims. An operator is
 one of + - * / < <= > >= == && ||, the unary neg and not, or the name of a method. It becomes another operator, one of its
-operands (left, right; drop for what a method is called on; then, otherwise), or a name. One build has all faults.
+operands (left, right; drop for what a method is called on; then, otherwise), or a name. For the prover, whose rules are more than
+operators, a line is: file ¦ where, with what is replaced in « » ¦ what stands there instead. One build has all faults.
 (pip install tree-sitter tree-sitter-rust)"""
 import pathlib
 import sys
@@ -15,22 +15,15 @@ import tree_sitter_rust
 
 SWITCH = """
 extern crate std;
-/// Whether this fault was chosen. Without a choice, says once that it could have been.
+/// Whether this fault was chosen.
 pub(crate) fn planted(number: usize) -> bool {
-    use std::sync::{OnceLock, atomic::{AtomicBool, Ordering}};
-    static CHOSEN: OnceLock<Option<usize>> = OnceLock::new();
-    static REACHED: [AtomicBool; 2000] = [const { AtomicBool::new(false) }; 2000];
+    static CHOSEN: std::sync::OnceLock<usize> = std::sync::OnceLock::new();
     let chosen = || std::env::var("PLANTED").ok().and_then(|text| text.parse().ok());
-    let chosen = *CHOSEN.get_or_init(chosen);
-    if chosen.is_none() && !REACHED[number].swap(true, Ordering::Relaxed) {
-        std::eprintln!("reached {number}");
-    }
-    chosen == Some(number)
+    *CHOSEN.get_or_init(|| chosen().unwrap_or(usize::MAX)) == number
 }
 """
 PARSER = tree_sitter.Parser(tree_sitter.Language(tree_sitter_rust.language()))
-BINARY = {"+": "left", "-": "+", "*": "left", "/": "left", "<": ">=", "<=": ">", ">": "<=", ">=": "<", "==": "!=", "&&": "left", "||": "left"}
-METHODS = {"at_least": ["drop"], "at_most": ["drop"], "finite": ["drop"], "select": ["then", "otherwise"], "sqrt": ["drop"]}
+BINARY = ["+", "-", "*", "/", "<", "<=", ">", ">=", "==", "&&", "||"]
 
 
 def text(node):
@@ -98,21 +91,22 @@ def rows(path):
     return [line.split(maxsplit=5) for line in lines if line and not line.startswith("#")]
 
 
-def every(folder):
-    """A fault for each operator of the recorded files."""
-    for path in sorted(folder.rglob("*.rs")):
-        file = str(path.relative_to(folder))[:-3]
-        if file.startswith(("features", "encoding", "real/float", "real/power", "lib", "aliases")):
-            continue
-        count = {}
-        for name, function in functions(PARSER.parse(path.read_bytes()).root_node):
-            for _, operator, _ in operators(function):
-                if (name, operator) == ("corner", "*"):
-                    continue # a direction alone is no vector
-                which = count[name, operator] = count.get((name, operator), 0) + 1
-                news = [BINARY[operator]] if operator in BINARY else METHODS.get(operator, ["drop"] if operator in ("neg", "not") else [])
-                for new in news:
-                    yield [file, name, operator, str(which), new]
+def quote(folder, lines):
+    """Plants what lines with ¦ say."""
+    changes = {}
+    for number, line in enumerate(lines):
+        file, where, new = line.split(" ¦ ")
+        changes.setdefault((file, where), []).append((number, new))
+    originals = {file: (folder / f"{file}.rs").read_text() for file, _ in changes}
+    # the longest first, for another may lie within it
+    for (file, where), of_it in sorted(changes.items(), key=lambda change: -len(change[0][1])):
+        before, old, after = where.replace("\\n", "\n").replace("«", "»").split("»")
+        assert originals[file].count(before + old + after) == 1, f"{file} has not exactly one {where}"
+        path = folder / f"{file}.rs"
+        text = path.read_text()
+        start = text.rfind(before + old + after) + len(before)
+        choice = " else ".join(f"if crate::planted({number}) {{ {new} }}" for number, new in of_it)
+        path.write_text(f"{text[:start]}({choice} else {{ {old} }}){text[start + len(old):]}")
 
 
 def plant(folder, faults):
@@ -132,15 +126,19 @@ def plant(folder, faults):
             node = nodes[which - 1]
             at.setdefault((node.start_byte, node.end_byte), []).append((number, new))
         path.write_text(render(root, at))
-    root = folder / "lib.rs"
-    root.write_text(root.read_text() + SWITCH)
 
 
 def main(list_, folder):
     folder = pathlib.Path(folder)
-    faults = list(every(folder)) if list_ == "every" else rows(list_)
-    plant(folder, faults)
-    print("\n".join(" ".join(fault) for fault in faults) if list_ == "every" else len(faults))
+    lines = pathlib.Path(list_).read_text().splitlines()
+    quoted = [line for line in lines if " ¦ " in line and line[0] != "#"]
+    if quoted:
+        quote(folder, quoted)
+    else:
+        plant(folder, rows(list_))
+    root = folder / "lib.rs"
+    root.write_text(root.read_text() + SWITCH)
+    print(len(quoted or rows(list_)))
 
 
 if __name__ == "__main__":

@@ -56,7 +56,7 @@ fn arctangent<T: Real>(t: T) -> T {
         parts(0.037_347_322_168_330_96),
         parts(-0.017_180_029_701_564_188),
     ];
-    // sums of few terms do not wait for each other, as those of Horner's scheme do
+    // these short sums are independent; in Horner's scheme, each step waits for the one before
     let z = t * t;
     let z2 = z * z;
     let z4 = z2 * z2;

@@ -2,6 +2,7 @@
 
 use crate::real::{Dimmed, Mask, Real, Scalar, Select, least};
 use crate::rgb::Rgb;
+use crate::vector::Vec3;
 
 /// The factor by which distance attenuates a light.
 ///
@@ -11,7 +12,9 @@ use crate::rgb::Rgb;
 ///
 /// q ≥ 0 is the **distance**, not its square, in the unit of length of the scene. a, b, c ≥ 0 are
 /// the constant, linear and quadratic coefficients. The factor may exceed 1. It is evaluated as
-/// 1/(a + q(b + cq)), by [`Real::attenuated`], so it never rises, to the bit, as q, a, b or c rises.
+/// 1/(a + q(b + cq)) by [`Real::attenuated`], so it never increases as q, a, b or c increases, not even
+/// by rounding. In fixed point, a factor above 1 may increase by a step, or by 2⁻²³ of itself, as b or c
+/// increases.
 ///
 /// If the denominator is 0, the factor is the largest finite number; if it is negative or NaN, 0.
 ///
@@ -135,8 +138,8 @@ impl<T: Real> Attenuation<T> {
     }
 
     /// The same attenuation, ended by a range as the specification of glTF recommends: as
-    /// [`within`](Attenuation::within), with a window that is not squared. The light is brighter toward
-    /// r and ends there with an edge.
+    /// [`within`](Attenuation::within), with a window that is not squared. The light stays brighter
+    /// toward r and stops there abruptly.
     ///
     /// ```text
     /// w(q) = max(0, 1 − (q/r)⁴)
@@ -241,8 +244,8 @@ impl<T: Real> Attenuation<T> {
     /// w(q) / (a + bq + cq²),  w(q) = max(0, 1 − (q/r)⁴)²
     /// ```
     ///
-    /// Without a range r, w is 1; from r on, the factor is exactly 0. It never rises as q rises, and
-    /// it never exceeds that without a range, to the bit. If the [`attenuation`] is infinite, the
+    /// Without a range r, w is 1; from r on, the factor is exactly 0. It never increases as q increases,
+    /// and a range never makes it larger, not even by rounding. If the [`attenuation`] is infinite, the
     /// result is the largest finite number. At an infinite distance, the result is 0.
     ///
     /// Source: Brian Karis, *Real Shading in Unreal Engine 4*, SIGGRAPH course, 2013, for w; Bevy,
@@ -256,18 +259,20 @@ impl<T: Real> Attenuation<T> {
     #[inline(always)]
     #[must_use]
     pub fn at(self, q: T) -> T {
-        self.dimmed(Rgb::WHITE, q).multiplied().r
+        self.dimmed(Rgb::WHITE, Vec3::new(q, T::ZERO, T::ZERO), q)
+            .multiplied()
+            .r
     }
 
     /// A color of light after the distance q.
     #[inline(always)]
-    pub(crate) fn dimmed(&self, color: Rgb<T>, q: T) -> Dimmed<T> {
+    pub(crate) fn dimmed(&self, color: Rgb<T>, v: Vec3<T>, q: T) -> Dimmed<T> {
         let light = T::attenuated(color, self.coefficients(), q, self.limit);
         let has_range = T::MAX.above(self.range);
         if !has_range.any() {
             return light;
         }
-        let windowed = T::windowed(light, q, self.range, self.squared.above(T::ZERO));
+        let windowed = T::windowed(light, v, q, self.range, self.squared.above(T::ZERO));
         // in lanes, some may have no range
         Dimmed {
             color: Rgb::select(has_range, windowed.color, light.color),

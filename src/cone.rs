@@ -3,9 +3,10 @@
 use core::f64::consts::PI;
 
 use crate::elementary::Elementary;
-use crate::real::{Dimmed, Real, Scalar, Select, constant, epsilon, parts};
+use crate::real::{Dimmed, Measured, Real, Scalar, Select, constant, epsilon, parts};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
+use crate::vector::Vec3;
 
 /// The cone of a spot light, given by its **half**-angle: the angle between the axis and the edge,
 /// as in OpenGL, glTF and three.js. Unity and Blender give twice that angle.
@@ -50,9 +51,11 @@ impl<T: Real> Cone<T> {
     ///
     /// `axis` is the direction in which the spot shines, away from the light, and L the direction
     /// from the surface to the light. inner and outer are the half-angles, and equal for a hard edge.
-    /// [`smoothstep`](Cone::smoothstep) replaces t² with t²(3 − 2t). On the axis, the factor is 1 for
-    /// every cone; if a direction is NaN, too. It never falls, to the bit, as the computed −L·axis rises,
-    /// which rounding may lower by a unit or two as L turns toward the axis.
+    /// [`smoothstep`](Cone::smoothstep) replaces t² with t²(3 − 2t). On the axis, and if a direction is
+    /// NaN, the factor is 1 for every cone.
+    ///
+    /// As the computed −L·axis increases, the factor never decreases, not by a single bit. That product
+    /// itself may decrease by a unit in the last place or two while L turns toward the axis.
     ///
     /// Source: OpenGL 2.1, §2.14.1, with a spot exponent of 0; KHR_lights_punctual (glTF 2.0),
     /// “Inner and Outer Cone Angles”, whose sample code and Filament keep a hard edge slightly
@@ -72,14 +75,26 @@ impl<T: Real> Cone<T> {
             color: Rgb::WHITE,
             factor: T::ONE,
         };
-        self.dimmed(light, (-axis).dot(l)).multiplied().r
+        let (w, one) = (*l, T::ONE);
+        let measured = Measured {
+            w,
+            w_length: one,
+            length: one,
+        };
+        self.dimmed(light, axis, w, &measured).multiplied().r
     }
 
-    /// A light at an angle to the axis of this cosine.
+    /// A light at the end of the vector v, whose direction is measured.
     #[inline(always)]
-    pub(crate) fn dimmed(&self, light: Dimmed<T>, cosine: T) -> Dimmed<T> {
-        let edges = [self.inner, self.outer];
-        T::beamed(light, cosine, edges, self.smooth.above(T::ZERO))
+    pub(crate) fn dimmed(
+        &self,
+        light: Dimmed<T>,
+        axis: UnitVec3<T>,
+        v: Vec3<T>,
+        measured: &Measured<T>,
+    ) -> Dimmed<T> {
+        let (edges, is_smooth) = ([self.inner, self.outer], self.smooth.above(T::ZERO));
+        T::beamed(light, *axis, edges, is_smooth, v, measured)
     }
 
     /// The same cone, with a soft edge that begins as smoothly as it ends: t²(3 − 2t) in place of t².
@@ -177,7 +192,7 @@ impl<T: Real> Cone<T> {
     where
         T: Scalar,
     {
-        // −0 would turn the sign of the width of an edge
+        // −0 would flip the sign of the edge's width
         (T::ONE >= inner && inner >= outer && outer >= T::NEG_ONE)
             .then(|| Self::with_slack(inner + T::ZERO, outer + T::ZERO, T::ZERO))
     }
@@ -264,7 +279,7 @@ macro_rules! constants {
                 } else if cosine > 1.0 - Self::SLACK {
                     1.0 - Self::SLACK
                 } else {
-                    cosine + 0.0 // −0 would turn the sign of the width of an edge
+                    cosine + 0.0 // −0 would flip the sign of the edge's width
                 }
             }
 

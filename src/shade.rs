@@ -73,7 +73,7 @@ use crate::unit::UnitVec3;
 /// The material of a surface: three reflectances, each with three channels, and the shininess.
 ///
 /// A reflectance is 0 or more; at 1, the surface reflects all the light. It is the fraction that the
-/// surface reflects, not a color of light: the light's color is in the light. `M` is the type of the
+/// surface reflects, not a color of light: the color of the light belongs to the light. `M` is the type of the
 /// shininess, an [`Lobe`]; a `u32` is faster than a float.
 ///
 /// ```
@@ -338,11 +338,11 @@ fn sum<T: Real, M>(
     }
     let ambient = term::ambient(material.k_a, i_a);
     if !is_lit {
-        let [diffuse, specular] = [Rgb::BLACK; 2];
+        // as in a lane beside one that is lit: 0 · ∞ is NaN
         return Shaded {
             ambient,
-            diffuse,
-            specular,
+            diffuse: Rgb::<T>::BLACK * material.k_d,
+            specular: Rgb::<T>::BLACK * material.k_s,
         };
     }
     Shaded {

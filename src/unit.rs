@@ -67,7 +67,7 @@ impl<T: Real> Vec3<T> {
         self.unit_or_with_length(fallback).0
     }
 
-    /// [`unit_or`](Vec3::unit_or), and the length, by one root.
+    /// [`unit_or`](Vec3::unit_or) and the length, computed with a single square root.
     #[inline]
     pub(crate) fn unit_or_with_length(self, fallback: UnitVec3<T>) -> (UnitVec3<T>, T) {
         let Measured {
@@ -90,7 +90,7 @@ impl<T: Real> Vec3<T> {
 ///
 /// - [`Vec3::unit`] divides a vector by its length.
 /// - [`UnitVec3::new`] checks known coordinates.
-/// - [`const_normalized`](UnitVec3#method.const_normalized) divides literals by their length, in a constant.
+/// - [`const_normalized`](UnitVec3#method.const_normalized) normalizes a literal vector in a constant.
 /// - [`UnitVec3::assume_unit`] trusts the caller.
 ///
 /// ```
@@ -226,7 +226,7 @@ impl<T> From<UnitVec3<T>> for [T; 3] {
     }
 }
 
-/// The vector of this direction and the given length.
+/// The vector with this direction and the given length.
 impl<T: Real> Mul<T> for UnitVec3<T> {
     type Output = Vec3<T>;
     #[inline]

@@ -43,8 +43,8 @@ impl<T: Real> Vec3<T> {
         T::dot(self, other.into())
     }
 
-    /// The cross product, perpendicular to both vectors and right-handed, with either as for
-    /// [`dot`](Vec3::dot).
+    /// The cross product, perpendicular to both vectors and right-handed; `other` may be a
+    /// [`UnitVec3`](crate::UnitVec3), as in [`dot`](Vec3::dot).
     ///
     /// ```text
     /// a × b = (a.y b.z − a.z b.y, a.z b.x − a.x b.z, a.x b.y − a.y b.x)

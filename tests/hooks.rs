@@ -74,10 +74,12 @@ fn hooks<T: Real>(input: &Input<T>) -> Vec<(&'static str, T)> {
         results.extend([total.r, total.g, total.b].map(|x| (name, x)));
     };
     lights("attenuated", T::attenuated(color, [a, b, k], q, limit));
-    lights("windowed", T::windowed(light, q, range, yes));
-    lights("windowed", T::windowed(light, q, range, no));
-    lights("beamed", T::beamed(light, c, [inner, y], yes));
-    lights("beamed", T::beamed(light, c, [inner, y], no));
+    lights("windowed", T::windowed(light, v, q, range, yes));
+    lights("windowed", T::windowed(light, v, q, range, no));
+    let edges = [inner.at_most(T::ONE), y.at_most(T::ONE)]; // cosines
+    let measured = T::measured(v);
+    lights("beamed", T::beamed(light, n, edges, yes, v, &measured));
+    lights("beamed", T::beamed(light, n, edges, no, v, &measured));
     results
 }
 
@@ -214,15 +216,32 @@ impl Real for Odd {
             factor: b - c + limit,
         }
     }
-    fn windowed(light: Dimmed<Self>, q: Self, range: Self, is_squared: bool) -> Dimmed<Self> {
-        let factor = if is_squared { light.factor + q } else { range };
+    fn windowed(
+        light: Dimmed<Self>,
+        v: Vec3<Self>,
+        q: Self,
+        range: Self,
+        is_squared: bool,
+    ) -> Dimmed<Self> {
+        let factor = if is_squared {
+            light.factor + q + v.x
+        } else {
+            range
+        };
         Dimmed {
             color: light.color,
             factor,
         }
     }
-    fn beamed(light: Dimmed<Self>, c: Self, edges: [Self; 2], is_smooth: bool) -> Dimmed<Self> {
-        let [inner, outer] = edges;
+    fn beamed(
+        light: Dimmed<Self>,
+        axis: Vec3<Self>,
+        [inner, outer]: [Self; 2],
+        is_smooth: bool,
+        v: Vec3<Self>,
+        measured: &Measured<Self>,
+    ) -> Dimmed<Self> {
+        let c = axis.x + v.y + measured.w.z;
         let color = light.color * if is_smooth { c + inner } else { outer };
         Dimmed {
             color,

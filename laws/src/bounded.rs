@@ -11,44 +11,13 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::scene::{Number, Triple};
 
-/// How a renderer computes.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Arithmetic {
-    /// The unit roundoff. An exact constant has 0.
-    pub u: f64,
-    /// Each value is rounded, as in the renderer itself. Otherwise values are those of `f64`.
-    pub rounds: bool,
-}
-
-impl Arithmetic {
-    const EXACT: Self = Self {
-        u: 0.0,
-        rounds: false,
-    };
-
-    fn and(self, other: Self) -> Self {
-        Self {
-            u: self.u.max(other.u),
-            rounds: self.rounds || other.rounds,
-        }
-    }
-
-    /// A number as the renderer holds it.
-    fn holds(self, value: f64) -> f64 {
-        if self.rounds && value.is_finite() {
-            rounded(value, self.u)
-        } else {
-            value
-        }
-    }
-}
-
 /// A value, and how far the renderer's may be from it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Bounded {
     pub value: f64,
     pub error: f64,
-    how: Arithmetic,
+    /// The unit roundoff of the renderer. An exact constant has 0.
+    u: f64,
 }
 
 /// A vector or a color.
@@ -62,61 +31,41 @@ const FUNCTION: f64 = 5.0;
 impl Bounded {
     pub const ZERO: Self = Self::exact(0.0);
     /// The formula has no answer, so any is right.
-    pub const UNKNOWN: Self = Self {
-        value: 0.0,
-        error: f64::INFINITY,
-        how: Arithmetic::EXACT,
-    };
+    pub const UNKNOWN: Self = Self { value: 0.0, error: f64::INFINITY, u: 0.0 };
 
     pub const fn exact(value: f64) -> Self {
-        Self {
-            value,
-            error: 0.0,
-            how: Arithmetic::EXACT,
-        }
+        let (error, u) = (0.0, 0.0);
+        Self { value, error, u }
     }
 
     /// A number that the renderer is given. Its type may not hold the number exactly.
-    pub fn given(value: f64, how: Arithmetic) -> Self {
-        let is_exact = rounded(value, how.u) == value;
-        Self {
-            value: how.holds(value),
-            error: if is_exact { 0.0 } else { how.u * value.abs() },
-            how,
-        }
+    pub fn given(value: f64, u: f64) -> Self {
+        let is_exact = rounded(value, u) == value && value.abs() > underflow(u);
+        let error = if is_exact || value == 0.0 { 0.0 } else { u * value.abs() + underflow(u) };
+        Self { value, error, u }
+    }
+
+    /// A number that a renderer may compute with an error of some units of u.
+    pub fn computed(value: f64, units: f64, u: f64) -> Self {
+        Self::rounded(value, 0.0, units, u)
     }
 
     /// The result of an operation that loses `units` of u. The errors of its operands alone would
     /// make it wrong by `error`.
-    fn rounded(value: f64, error: f64, units: f64, how: Arithmetic) -> Self {
-        let (value, u) = (how.holds(value), how.u);
-        let error = error + units * u * value.abs();
-        // beyond the largest f32 there is infinity, and 0 times that is NaN
-        let largest = if u > f64::EPSILON {
-            f64::from(f32::MAX)
-        } else {
-            f64::MAX
-        };
-        let is_known = value.abs() + error < largest;
-        let error = if is_known { error } else { f64::INFINITY };
-        Self { value, error, how }
-    }
-
-    /// The most that underflow takes away: all below the smallest normal number of `f32`, or of a
-    /// 16-bit float.
-    fn underflow(u: f64) -> f64 {
-        match u {
-            0.0 => 0.0,
-            u if u <= f64::EPSILON / 2.0 => f64::MIN_POSITIVE,
-            // with more digits than half precision, there is a larger exponent, too
-            u if u < (-11_f64).exp2() => f64::from(f32::MIN_POSITIVE),
-            _ => (-14_f64).exp2(),
+    fn rounded(value: f64, error: f64, units: f64, u: f64) -> Self {
+        let mut error = error + units * u * value.abs();
+        if value != 0.0 && value.abs() - error <= underflow(u) {
+            error += underflow(u);
         }
+        // beyond the largest number there is infinity, and 0 times that is NaN
+        let is_known = value.abs() + error < overflow(u);
+        let error = if is_known { error } else { f64::INFINITY };
+        Self { value, error, u }
     }
 
     pub fn cos(self) -> Self {
-        let error = self.error + FUNCTION * self.how.u; // absolute
-        Self::rounded(self.value.cos(), error, 0.0, self.how)
+        let error = self.error + FUNCTION * self.u; // absolute
+        Self::rounded(self.value.cos(), error, 0.0, self.u)
     }
 
     /// Another value with the same error.
@@ -132,41 +81,9 @@ impl Bounded {
         self.if_positive(self, Self::ZERO)
     }
 
-    /// A number that a renderer may compute with an error of some units of u.
-    pub fn computed(value: f64, units: f64, how: Arithmetic) -> Self {
-        Self::rounded(value, 0.0, units, how)
-    }
-
-    /// A number between two.
-    pub fn between(low: f64, high: f64, how: Arithmetic) -> Self {
-        Self {
-            value: f64::midpoint(low, high),
-            error: (high - low) / 2.0,
-            how,
-        }
-    }
-
     /// This with an error larger by `more`.
     pub fn looser(self, more: f64) -> Self {
-        Self {
-            error: self.error + more,
-            ..self
-        }
-    }
-
-    pub fn at_least(self, limit: f64) -> Self {
-        self.with(self.value.max(limit))
-    }
-
-    /// A monotone function of it.
-    pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
-        let [low, value, high] = [-self.error, 0.0, self.error].map(|off| f(self.value + off));
-        let error = (high - value).abs().max((value - low).abs());
-        Self::rounded(value, error, 16.0, self.how)
-    }
-
-    pub fn max(self, other: Self) -> Self {
-        (self - other).if_positive(self, other)
+        Self { error: self.error + more, ..self }
     }
 
     pub fn at_most(self, limit: f64) -> Self {
@@ -176,11 +93,7 @@ impl Bounded {
     /// `then` where this is positive. If the error leaves the sign undecided, the renderer may have
     /// taken either.
     pub fn if_positive(self, then: Self, otherwise: Self) -> Self {
-        let (taken, other) = if self.value > 0.0 {
-            (then, otherwise)
-        } else {
-            (otherwise, then)
-        };
+        let (taken, other) = if self.value > 0.0 { (then, otherwise) } else { (otherwise, then) };
         let gap = if self.value.is_nan() {
             f64::INFINITY
         } else if self.value.abs() <= self.error && self.error > 0.0 {
@@ -188,10 +101,7 @@ impl Bounded {
         } else {
             0.0
         };
-        Self {
-            error: taken.error.max(gap),
-            ..taken
-        }
+        Self { error: taken.error.max(gap), ..taken }
     }
 
     /// cosine^m as a renderer may compute it, exp2(m·log2 cosine): the logarithm loses 3 units in
@@ -204,14 +114,10 @@ impl Bounded {
             let base = if base * self.value < 0.0 { 0.0 } else { base };
             (base.powf(m) - value).abs()
         };
-        let exponent = if self.value == 0.0 {
-            0.0
-        } else {
-            (m * self.value.abs().log2()).abs()
-        };
+        let exponent = if self.value == 0.0 { 0.0 } else { (m * self.value.abs().log2()).abs() };
         let units = 2.0 * (3.0 + 2.0 * exponent) + 2.0 * 4.0 * exponent * std::f64::consts::LN_2;
-        let error = corner(1.0).max(corner(-1.0)) + Self::underflow(self.how.u);
-        Self::rounded(value, error, units, self.how)
+        let error = corner(1.0).max(corner(-1.0));
+        Self::rounded(value, error, units, self.u)
     }
 }
 
@@ -220,12 +126,8 @@ impl Number for Bounded {
         let value = self.value.sqrt();
         // √x − √(x − e) = e/(√x + √(x − e))
         let least = (self.value - self.error).max(0.0).sqrt();
-        let error = if self.error == 0.0 {
-            0.0
-        } else {
-            self.error / (value + least)
-        };
-        Self::rounded(value, error, FUNCTION, self.how)
+        let error = if self.error == 0.0 { 0.0 } else { self.error / (value + least) };
+        Self::rounded(value, error, FUNCTION, self.u)
     }
 }
 
@@ -239,11 +141,11 @@ impl Neg for Bounded {
 impl Add for Bounded {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        let (value, how) = (self.value + other.value, self.how.and(other.how));
+        let (value, u) = (self.value + other.value, self.u.max(other.u));
         // a sum with 0 does not round
         let is_rounded = self.value != 0.0 && other.value != 0.0;
         let units = if is_rounded { SUM_OR_PRODUCT } else { 0.0 };
-        Self::rounded(value, self.error + other.error, units, how)
+        Self::rounded(value, self.error + other.error, units, u)
     }
 }
 
@@ -257,13 +159,10 @@ impl Sub for Bounded {
 impl Mul for Bounded {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let (value, how) = (self.value * other.value, self.how.and(other.how));
+        let (value, u) = (self.value * other.value, self.u.max(other.u));
         let mut error = self.value.abs() * other.error + other.value.abs() * self.error;
         error += self.error * other.error;
-        if value != 0.0 {
-            error += Self::underflow(how.u);
-        }
-        Self::rounded(value, error, SUM_OR_PRODUCT, how)
+        Self::rounded(value, error, SUM_OR_PRODUCT, u)
     }
 }
 
@@ -274,9 +173,31 @@ impl Div for Bounded {
         let least = (other.value.abs() - other.error).max(0.0);
         let error = self.error + value.abs() * other.error;
         let error = if error == 0.0 { 0.0 } else { error / least };
-        Self::rounded(value, error, FUNCTION, self.how.and(other.how))
+        Self::rounded(value, error, FUNCTION, self.u.max(other.u))
     }
 }
+
+/// The most that underflow takes away: all below the smallest normal number of the type.
+fn underflow(u: f64) -> f64 {
+    match u {
+        0.0 => 0.0,
+        u if u <= f64::EPSILON => f64::MIN_POSITIVE,
+        u if u < HALF => f64::from(f32::MIN_POSITIVE),
+        _ => 1.0 / 16384.0,
+    }
+}
+
+/// What no number of the type reaches.
+fn overflow(u: f64) -> f64 {
+    match u {
+        u if u <= f64::EPSILON => f64::MAX,
+        u if u < HALF => f64::from(f32::MAX),
+        _ => 65504.0,
+    }
+}
+
+/// The unit roundoff of half precision. With more digits than that, there is a larger exponent, too.
+pub const HALF: f64 = 1.0 / 2048.0;
 
 /// x with so few bits that their unit roundoff is u.
 ///
@@ -288,6 +209,6 @@ pub fn rounded(x: f64, u: f64) -> f64 {
     away - (away - x)
 }
 
-pub fn given3(v: Triple, how: Arithmetic) -> Bounded3 {
-    v.map(|c| Bounded::given(c, how))
+pub fn given3(v: Triple, u: f64) -> Bounded3 {
+    v.map(|c| Bounded::given(c, u))
 }

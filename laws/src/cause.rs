@@ -1,84 +1,131 @@
-//! Which mistakes explain the colors of a run.
+//! What explains the colors of a run: mistakes of the table, or a form of the reply that the profile does not say.
+
+use std::cmp::Reverse;
 
 use serde::Serialize;
 
-use crate::bounded::Bounded;
+use crate::bounded::{Bounded, rounded};
 use crate::formula::Formula;
-use crate::law::LAWS;
-use crate::mistakes::{Fault, SCOPES};
+use crate::mistakes::{Fault, SCOPES, formula};
 use crate::profile::Profile;
 use crate::random::Random;
 use crate::scene::{Scene, Triple};
 
-/// The most scenes that are kept, wrong ones and right ones, of all laws together.
-const WRONG: usize = 600;
-const RIGHT: usize = 300;
+/// The most colors that are kept, wrong ones and right ones.
+const MOST: [usize; 2] = [600, 600];
 
 /// A share of the wrong colors that is nearly all.
 const NEARLY_ALL: f64 = 0.9;
 
+/// A scene, and the color that the renderer gave it.
+type Sample = (Scene, Triple);
+
+/// A form of colors in words, the member of the profile that declares it, if it is no departure, and what that changes.
+type Form = (&'static str, &'static str, fn(&mut Profile));
+
+/// The forms in which renderers give colors that are not linear light.
+const FORMS: &[Form] = &[
+    ("clamped to [0, 1]", "\"clamps\":[0,1]", |p| p.clamps = p.clamps.or(Some([0.0, 1.0]))),
+    ("encoded as sRGB", "\"srgb\":true", |p| p.srgb = true),
+    ("rounded to 8 bits", "\"bits\":8", |p| p.bits = Some(8)),
+    ("rounded to 16 bits", "\"bits\":16", |p| p.bits = Some(16)),
+    ("rounded to 5 bits", "\"bits\":5", |p| p.bits = Some(5)),
+    ("from 0 to 255, not to 1", "\"white\":255", |p| p.white = 255.0),
+    ("raised to the power of 1/2.2", "", |p| p.departs.push("Gamma=2.2".into())),
+    ("cut to levels, not rounded", "", |p| p.departs.push("LevelsTruncated".into())),
+];
+
 /// What may have caused the wrong colors of a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Cause {
-    /// The mistake, or the mistakes that are made together.
+    /// The mistake, or the mistakes that are made together; none if the colors are only given in another form.
     pub mistakes: Vec<Fault>,
-    /// The number of wrong colors that the mistakes give.
+    /// In words.
+    pub says: String,
+    /// The members of the profile that say so, if it is on purpose.
+    pub declare: Option<String>,
+    /// The number of wrong colors that this explains.
     pub explained: usize,
     /// The number of wrong colors that were compared. It is 0 for a cause that another experiment showed.
     pub of: usize,
     /// Other mistakes that give the same colors.
     pub alternatives: Vec<Vec<Fault>>,
-    /// The number of colors, wrong or right, that the mistakes do not give.
+    /// The number of colors, wrong or right, that this does not give.
     #[serde(skip)]
-    pub(crate) errors: usize,
+    errors: usize,
 }
 
 impl Cause {
+    /// Mistakes, in the form in which the profile names them.
+    fn of(mistakes: Vec<Fault>) -> Self {
+        let words: Vec<String> = mistakes.iter().map(ToString::to_string).collect();
+        let never = ["Leak", "NotRepeatable", "HalfVectorUnguarded"];
+        let is_never = |fault: &Fault| never.contains(&fault.id());
+        let declare = match &mistakes[..] {
+            faults if faults.iter().any(is_never) => None,
+            [rough] if rough.mistake.is_rough() => {
+                Some(format!("\"roundoff\":{:e}", (-rough.value).exp2()))
+            }
+            faults => {
+                let names: Vec<String> =
+                    faults.iter().map(|fault| format!("\"{}\"", fault.name())).collect();
+                Some(format!("\"departs\":[{}]", names.join(",")))
+            }
+        };
+        Self {
+            says: words.join("; and "),
+            mistakes,
+            declare,
+            explained: 0,
+            of: 0,
+            alternatives: Vec::new(),
+            errors: 0,
+        }
+    }
+
+    /// That colors depend on what was asked before.
+    pub(crate) fn state() -> Self {
+        let named = |id| Fault::named(id).into_iter().collect();
+        Self { alternatives: vec![named("NotRepeatable")], ..Self::of(named("Leak")) }
+    }
+
     /// Whether it explains nearly all wrong colors.
     #[must_use]
     pub fn is_nearly_all(&self) -> bool {
         self.explained * 10 >= self.of * 9
     }
-}
 
-/// A color, and the law that asked for it.
-struct Sample {
-    law: usize,
-    scene: Scene,
-    reply: Triple,
+    /// What to compare causes by: the fewest errors, and then the simplest.
+    fn rank(&self) -> (usize, usize, usize) {
+        let scoped = self.mistakes.iter().filter(|fault| fault.of.id != "All").count();
+        (self.errors, self.mistakes.len(), scoped)
+    }
 }
 
 /// What a renderer answered, and a sample of it, of a size that does not grow with the run.
 #[derive(Default)]
 pub struct Evidence {
-    all: [Vec<Sample>; 2],
     wrong: Vec<Sample>,
     right: Vec<Sample>,
 }
 
 impl Evidence {
-    /// Notes a color of a law.
-    pub fn note(&mut self, law: usize, is_right: bool, scene: &Scene, reply: Triple) {
-        let scene = scene.clone();
-        self.all[usize::from(is_right)].push(Sample { law, scene, reply });
+    /// Notes a color.
+    pub fn note(&mut self, is_right: bool, scene: &Scene, reply: Triple) {
+        let samples = if is_right { &mut self.right } else { &mut self.wrong };
+        samples.push((scene.clone(), reply));
     }
 
-    /// Takes some colors of each of so many laws, in random order, so that the first ones are like all.
-    pub fn sample(&mut self, laws: usize) {
+    /// Keeps some colors, in random order, so that the first ones are like all.
+    pub fn sample(&mut self) {
         let mut random = Random::new(0, "evidence");
-        let [wrong, right] = std::mem::take(&mut self.all);
-        [self.wrong, self.right] = [(wrong, WRONG), (right, RIGHT)].map(|(mut samples, most)| {
-            random.shuffle(&mut samples);
-            let mut counts = [0; LAWS.len()];
-            samples.retain(|sample| {
-                counts[sample.law] += 1;
-                counts[sample.law] <= most.div_ceil(laws)
-            });
-            samples
-        });
+        for (samples, most) in [&mut self.wrong, &mut self.right].into_iter().zip(MOST) {
+            random.shuffle(samples);
+            samples.truncate(most);
+        }
     }
 
-    /// The causes that explain nearly all wrong colors and no right one away, the best first; else what explains half.
+    /// What explains nearly all wrong colors and no right one away, the simplest first; else what explains half.
     pub fn cause(&self, profile: &Profile) -> Option<Cause> {
         if self.wrong.is_empty() {
             return None;
@@ -86,32 +133,25 @@ impl Evidence {
         let (rough, exact): (Vec<Fault>, Vec<Fault>) =
             Fault::all().partition(|fault| fault.mistake.is_rough());
         let alone = |least| self.best(profile, exact.iter().map(|fault| vec![*fault]), least);
-        let single = alone(NEARLY_ALL);
-        // of some lights or models alone
-        let scoped = exact.iter().flat_map(|fault| {
-            let of_some = SCOPES[1..].iter();
-            of_some.map(|of| vec![Fault { of, ..*fault }])
-        });
-        // what is not known of some colors, no mistake explains
-        let is_exact = |cause: &Cause| cause.errors + cause.of == self.wrong.len();
-        let is_clear = single.as_ref().is_some_and(is_exact);
-        let scoped = (!is_clear).then(|| self.best(profile, scoped, NEARLY_ALL));
-        let singles = single.into_iter().chain(scoped.flatten());
-        if let Some(cause) = singles.min_by_key(|cause| cause.errors) {
-            // what one mistake does not explain, another may
-            let is_all = cause.explained * 100 >= cause.of * 97;
-            let pair = (!is_all).then(|| self.pair(profile, &exact)).flatten();
-            let left = |cause: &Cause| cause.of - cause.explained;
-            return pair
-                .filter(|pair| left(pair) * 2 < left(&cause))
-                .or(Some(cause));
+        let mut singles = vec![self.form(profile), alone(NEARLY_ALL)];
+        let is_exact = |cause: &Cause| cause.explained == cause.of;
+        if !singles.iter().flatten().any(is_exact) {
+            // of some lights or models alone
+            let scoped = exact
+                .iter()
+                .flat_map(|fault| SCOPES[1..].iter().map(|of| vec![Fault { of, ..*fault }]));
+            singles.push(self.best(profile, scoped, NEARLY_ALL));
         }
-        let rough = rough
-            .iter()
-            .find_map(|fault| self.roughness(profile, *fault));
-        rough
-            .or_else(|| self.pair(profile, &exact))
-            .or_else(|| alone(0.5))
+        let single = singles.into_iter().flatten().min_by_key(Cause::rank);
+        if let Some(cause) = single {
+            // what one mistake does not explain, another may
+            let left = |cause: &Cause| cause.of - cause.explained;
+            let is_all = left(&cause) * 33 <= cause.of;
+            let pair = (!is_all).then(|| self.pair(profile, &exact)).flatten();
+            return pair.filter(|pair| left(pair) * 2 < left(&cause)).or(Some(cause));
+        }
+        let rough = rough.iter().find_map(|fault| self.roughness(profile, *fault));
+        rough.or_else(|| self.pair(profile, &exact)).or_else(|| alone(0.5))
     }
 
     /// The best of the candidates.
@@ -121,119 +161,151 @@ impl Evidence {
         candidates: impl Iterator<Item = Vec<Fault>>,
         least: f64,
     ) -> Option<Cause> {
-        let scored = candidates.filter_map(|faults| self.score(profile, faults, least));
+        let scored = candidates.filter_map(|faults| {
+            let score = self.score(&formula(profile, &faults), least)?;
+            Some(Cause { mistakes: faults, ..score })
+        });
         let mut ranked: Vec<Cause> = scored.collect();
-        ranked.sort_by_key(|cause| cause.errors);
-        let mut best = ranked.first()?.clone();
+        ranked.sort_by_key(Cause::rank);
+        let best = ranked.first()?.clone();
         let others = ranked.into_iter().skip(1);
-        let alike = others.take_while(|cause| cause.errors == best.errors);
-        best.alternatives = alike.map(|cause| cause.mistakes).collect();
-        Some(best)
+        let alike = others.take_while(|cause| cause.rank() == best.rank());
+        Some(Cause {
+            alternatives: alike.map(|cause| cause.mistakes).collect(),
+            explained: best.explained,
+            of: best.of,
+            errors: best.errors,
+            ..Cause::of(best.mistakes)
+        })
     }
 
-    /// The mistakes as a cause, if they give at least this share of the wrong colors and contradict nearly no right one.
-    fn score(&self, profile: &Profile, faults: Vec<Fault>, least: f64) -> Option<Cause> {
-        let formula = Formula::new(profile, &faults);
+    /// How well formulas explain the colors, if they give at least this share of the wrong ones and contradict nearly no
+    /// right one.
+    fn score(&self, formula: &Formula, least: f64) -> Option<Cause> {
         #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)]
         #[allow(clippy::cast_sign_loss)] // a part of a small count
-        let misses = |count: usize, share: f64| (count as f64 * share) as usize;
-        let most = misses(self.wrong.len(), 1.0 - least);
+        let part = |count: usize, share: f64| (count as f64 * share) as usize;
         let (mut unexplained, mut unknown) = (0, 0);
-        for (i, sample) in self.wrong.iter().enumerate() {
-            match formula.fits(&sample.scene, sample.reply) {
+        for (i, (scene, reply)) in self.wrong.iter().enumerate() {
+            match formula.fits(scene, *reply) {
                 Some(true) => {}
                 Some(false) => unexplained += 1,
                 None => unknown += 1, // such as that of the eye in the surface, which has no direction
             }
             // what fails so often at the beginning hardly ever explains enough in the end
-            let most_so_far = misses(i, 2.0 * (1.0 - least)) + 3;
-            if unexplained > most.min(most_so_far) || unknown * 4 > self.wrong.len() * 3 {
+            if unexplained > part(i, 2.0 * (1.0 - least)) + 3 {
                 return None;
             }
         }
-        let is_contradicted =
-            |sample: &&Sample| formula.fits(&sample.scene, sample.reply) == Some(false);
-        let most = misses(self.right.len(), 0.02);
-        let contradicted = self.right.iter().filter(is_contradicted).take(most + 1);
-        let contradicted = contradicted.count();
         let of = self.wrong.len() - unknown;
-        #[allow(clippy::cast_precision_loss)]
-        let is_enough = (of - unexplained) as f64 >= least * of as f64;
-        (contradicted <= most && is_enough).then(|| Cause {
+        let is_contradicted = |(scene, reply): &&Sample| formula.fits(scene, *reply) == Some(false);
+        // a right color that is wrong with the mistake shows that it is not made there; rounding may decide of few
+        let contradicted = self.right.iter().filter(is_contradicted).take(3).count();
+        let is_enough = unexplained <= part(of, 1.0 - least) && of * 4 >= self.wrong.len();
+        (is_enough && contradicted <= 2).then(|| Cause {
+            mistakes: Vec::new(),
+            says: String::new(),
+            declare: None,
             explained: of - unexplained,
             of,
             alternatives: Vec::new(),
             errors: unexplained + unknown + contradicted,
-            mistakes: faults,
         })
+    }
+
+    /// The form in which the renderer gives its colors, if the profile does not say it.
+    fn form(&self, profile: &Profile) -> Option<Cause> {
+        let causes = (1..1 << FORMS.len()).filter_map(|set: usize| {
+            let mut form = profile.clone();
+            let chosen = FORMS.iter().enumerate().filter(|(i, _)| set >> i & 1 == 1);
+            let chosen: Vec<&Form> = chosen.map(|(_, form)| form).collect();
+            for (.., declare) in &chosen {
+                let before = form.clone();
+                declare(&mut form);
+                if form == before || before.bits.is_some_and(|bits| form.bits != Some(bits)) {
+                    return None; // it is declared already, or another number of bits is
+                }
+            }
+            let ratio = profile.white / form.white;
+            let as_form = |samples: &[Sample]| -> Vec<Sample> {
+                let samples = samples.iter();
+                samples.map(|(scene, reply)| (scene.clone(), reply.map(|c| c * ratio))).collect()
+            };
+            let mut replies = self.wrong.iter().chain(&self.right).flat_map(|(_, reply)| reply);
+            if replies.any(|c| form.is_not_as_said(c * ratio).is_some()) {
+                return None;
+            }
+            let evidence = Self { wrong: as_form(&self.wrong), right: as_form(&self.right) };
+            let words: Vec<&str> = chosen.iter().map(|(words, ..)| *words).collect();
+            let mut members: Vec<String> =
+                chosen.iter().map(|(_, member, _)| (*member).into()).collect();
+            members.retain(|member| !member.is_empty());
+            if form.departs != profile.departs {
+                members.push(format!("\"departs\":{:?}", form.departs));
+            }
+            let says = format!("colors are {}, which the profile does not say", words.join(", "));
+            let score = evidence.score(&formula(&form, &[]), 0.97)?;
+            Some(Cause { says, declare: Some(members.join(",")), ..score })
+        });
+        causes.min_by_key(|cause| (cause.errors, Reverse(cause.explained)))
     }
 
     /// The cause if the colors are as if they were rounded so: nearly all of them, and, where not each of them shows it,
     /// some too bright and some too dark.
     fn roughness(&self, profile: &Profile, fault: Fault) -> Option<Cause> {
-        let (mistakes, right) = (vec![fault], Formula::new(profile, &[]));
-        let rough = Formula::new(profile, &mistakes);
+        let [right, rough] = [formula(profile, &[]), formula(profile, &[fault])];
+        let u = (-fault.value).exp2();
+        let is_in_bits = fault.id() == "InBits";
+        // a decimal fraction may be cut off
+        let is_short =
+            |c: &f64| !c.is_finite() || (rounded(*c, u) - c).abs() <= profile.roundoff * c.abs();
         let (mut explained, mut of, mut brighter) = (0, 0, 0);
-        for Sample { scene, reply, .. } in &self.wrong {
+        for (scene, reply) in &self.wrong {
             // with so few bits, hardly anything is known of some colors
             let is_vague = |c: &Bounded| c.error * 2.0 > c.value;
-            match rough.fits(scene, *reply) {
+            let fits = rough.fits(scene, *reply);
+            match fits.map(|fits| fits && (!is_in_bits || reply.iter().all(is_short))) {
                 Some(true) if !rough.linear(scene).iter().all(is_vague) => explained += 1,
                 Some(false) => {}
                 _ => continue,
             }
             of += 1;
             let mut channels = right.linear(scene).into_iter().zip(reply);
-            let is_above = |[_, high]: [f64; 2], c: f64| c > high;
             let is_brighter =
-                channels.any(|(c, reply)| right.ends(c).is_some_and(|it| is_above(it, *reply)));
+                channels.any(|(c, reply)| right.ends(c).is_some_and(|[_, high]| *reply > high));
             brighter += usize::from(is_brighter);
         }
         let is_balanced = brighter.min(of - brighter) * 8 >= of;
         let is_so = explained * 50 >= of * 49 && of * 2 >= self.wrong.len();
-        (is_so && (fault.mistake.id == "InBits" || is_balanced)).then(|| Cause {
-            mistakes,
+        (is_so && (is_in_bits || is_balanced)).then(|| Cause {
             explained,
             of,
-            alternatives: Vec::new(),
-            errors: 0,
+            ..Cause::of(vec![fault])
         })
     }
 
-    /// Two mistakes together, each of which gives some of the wrong colors alone.
+    /// Two mistakes together, one of which gives some of the wrong colors alone.
     fn pair(&self, profile: &Profile, faults: &[Fault]) -> Option<Cause> {
         let first = &self.wrong[..self.wrong.len().min(160)];
-        let gives_some = |fault: &&Fault| {
-            let formula = Formula::new(profile, std::slice::from_ref(*fault));
-            let gives = |sample: &&Sample| formula.fits(&sample.scene, sample.reply) == Some(true);
+        let gives = |fault: &Fault| {
+            let formula = formula(profile, std::slice::from_ref(fault));
+            let gives = |(scene, reply): &&Sample| formula.fits(scene, *reply) == Some(true);
             let (few, others) = first.split_at(first.len() / 2);
             // what gives none of the first few hardly ever gives enough
-            let of_few = few.iter().filter(gives).count();
-            let is_some = || (of_few + others.iter().filter(gives).count()) * 40 >= first.len();
-            !fault.mistake.is_loose() && (of_few > 0 || few.len() < 40) && is_some()
+            match few.iter().filter(gives).count() {
+                0 => 0,
+                of_few => of_few + others.iter().filter(gives).count(),
+            }
         };
-        let some: Vec<Fault> = faults.iter().filter(gives_some).copied().collect();
-        let pairs = some.iter().enumerate().flat_map(|(i, a)| {
-            let others = some[..i].iter().filter(|b| b.mistake.id != a.mistake.id);
-            others.map(move |b| vec![*b, *a])
+        let mut some: Vec<(usize, Fault)> =
+            faults.iter().map(|fault| (gives(fault), *fault)).collect();
+        some.retain(|(count, _)| count * 40 >= first.len());
+        some.sort_by_key(|(count, _)| Reverse(*count));
+        some.truncate(8);
+        let pairs = some.iter().flat_map(|(_, a)| {
+            let others = faults.iter().filter(|b| b.id() != a.id());
+            others.map(move |b| vec![*a, *b])
         });
         self.best(profile, pairs, 0.97)
-    }
-
-    /// Keeps the wrong colors that these mistakes do not give, and returns the law of each.
-    pub fn leave(&mut self, profile: &Profile, faults: &[Fault]) -> Vec<usize> {
-        let formula = Formula::new(profile, faults);
-        let is_left = |it: &Sample| formula.fits(&it.scene, it.reply) == Some(false);
-        self.wrong.retain(is_left);
-        self.wrong.iter().map(|sample| sample.law).collect()
-    }
-
-    /// Whether mistakes give nearly all wrong colors of a law.
-    pub fn explains(&self, profile: &Profile, faults: &[Fault], law: usize) -> bool {
-        let formula = Formula::new(profile, faults);
-        let of_law = self.wrong.iter().filter(|sample| sample.law == law);
-        let fits = |it: &&Sample| formula.fits(&it.scene, it.reply) == Some(true);
-        let explained = of_law.clone().filter(fits).count();
-        explained * 10 >= of_law.count() * 8
     }
 }

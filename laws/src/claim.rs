@@ -4,20 +4,11 @@ use serde::Serialize;
 
 use crate::bounded::Bounded3;
 use crate::profile::Profile;
-use crate::scene::{Scene, Triple};
+use crate::scene::Triple;
 
-/// A few scenes, and what must hold between their colors.
-#[derive(Clone, Debug)]
-pub struct Group {
-    pub scenes: Vec<Scene>,
-    pub claim: Claim,
-}
-
-/// A sum of colors is 0, or at least not negative, in each channel.
+/// What must hold between the colors of a few scenes: a sum of them is 0, or at least not negative, in each channel.
 #[derive(Clone, Debug)]
 pub struct Claim {
-    /// The claim in words, for the report.
-    pub says: &'static str,
     /// The weight of the color of each scene.
     pub weights: Vec<f64>,
     pub constant: Triple,
@@ -40,28 +31,6 @@ pub enum Relation {
     Finite,
     /// The colors themselves are within the range, and levels if they should be.
     AsSaid,
-}
-
-impl Claim {
-    pub fn new(says: &'static str, relation: Relation, weights: &[f64]) -> Self {
-        Self {
-            says,
-            weights: weights.to_vec(),
-            constant: [0.0; 3],
-            slack: [0.0; 3],
-            relation,
-            first_channel: 0,
-        }
-    }
-
-    /// The same about these scenes.
-    #[allow(clippy::unnecessary_wraps)] // a law may say nothing
-    pub fn of<const N: usize>(self, scenes: [Scene; N]) -> Option<Group> {
-        Some(Group {
-            scenes: scenes.into(),
-            claim: self,
-        })
-    }
 }
 
 /// A color that a renderer gave, and what is known about it.
@@ -99,20 +68,14 @@ impl Seen {
             let size = most[i].max(meant[i][0].abs());
             (share * size).max(2.0 * error[i])
         });
-        Self {
-            reply,
-            meant,
-            right: linear.map(|c| c.value),
-            error,
-            spread,
-        }
+        Self { reply, meant, right: linear.map(|c| c.value), error, spread }
     }
 }
 
-/// How a claim does not hold.
+/// How a law does not hold.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Broken {
-    /// The channel in which the claim does not hold: 0 for red, 1 for green, 2 for blue.
+    /// The channel in which it does not: 0 for red, 1 for green, 2 for blue.
     pub channel: usize,
     /// How far the channel is off.
     pub off: f64,
@@ -120,16 +83,29 @@ pub struct Broken {
     pub allowed: f64,
 }
 
+impl Broken {
+    /// Whether nobody would take it for rounding.
+    pub(crate) fn is_clear(&self) -> bool {
+        !self.off.is_finite() || self.off.abs() > 2.0 * self.allowed
+    }
+}
+
 impl Claim {
+    pub fn new(relation: Relation, weights: &[f64]) -> Self {
+        Self {
+            weights: weights.to_vec(),
+            constant: [0.0; 3],
+            slack: [0.0; 3],
+            relation,
+            first_channel: 0,
+        }
+    }
+
     /// How the claim does not hold, if it does not.
     pub fn broken(&self, profile: &Profile, seen: &[Seen]) -> Option<Broken> {
         (self.first_channel..3).find_map(|channel| {
             let (off, allowed) = self.excess(profile, seen, channel)?;
-            Some(Broken {
-                channel,
-                off,
-                allowed,
-            })
+            Some(Broken { channel, off, allowed })
         })
     }
 
@@ -138,7 +114,13 @@ impl Claim {
         let mut replies = seen.iter().map(|color| color.reply[channel]);
         let (mut constant, mut allowed) = (self.constant[channel], self.slack[channel]);
         match self.relation {
-            Relation::Finite => return replies.find(|c| !c.is_finite()).map(|c| (c, 0.0)),
+            Relation::Finite => {
+                // a power of what cancels may have no end, but it is a number
+                let is_open = seen[0].error[channel].is_infinite();
+                return replies
+                    .find(|c| c.is_nan() || c.is_infinite() && !is_open)
+                    .map(|c| (c, 0.0));
+            }
             Relation::AsSaid => return replies.find_map(|c| profile.is_not_as_said(c)),
             Relation::Right => {
                 constant = -seen[0].right[channel];
@@ -160,11 +142,6 @@ impl Claim {
             let error = if is_alone { color.error } else { color.spread };
             allowed += weight.abs() * error[channel];
             sum += weight * f64::midpoint(least, if most.is_finite() { most } else { least });
-        }
-        if let (Relation::Zero, [weight]) = (self.relation, &self.weights[..]) {
-            // where the formulas leave it open, such as the highlight where L = -V, the right color is one of many
-            let open = (weight * seen[0].right[channel] + constant).abs();
-            allowed += if open.is_finite() { open } else { 0.0 };
         }
         let is_broken = match self.relation {
             Relation::NotNegative => high < -allowed,

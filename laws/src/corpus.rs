@@ -1,8 +1,5 @@
 //! The edges that are known: fixed scenes, which each law tries before any random one.
 
-use std::array::from_fn;
-
-use crate::generator::Case;
 use crate::profile::Profile;
 use crate::scene::{Kind, Light, Model, Scene, Triple, add, scale};
 
@@ -10,24 +7,19 @@ const BLACK: Triple = [0.0; 3];
 const UP: Triple = [0.0, 0.0, 1.0];
 
 /// The edges that a renderer has.
-pub fn edges(profile: &Profile) -> Vec<Case> {
-    let mut corpus = Corpus {
-        profile,
-        cases: Vec::new(),
-        turn: 0,
-    };
+pub fn edges(profile: &Profile) -> Vec<Scene> {
+    let mut corpus = Corpus { profile, scenes: Vec::new(), turn: 0 };
     corpus.directions();
     corpus.lamps();
     corpus.spots();
     corpus.shininess();
-    corpus.colors();
     corpus.many_lights();
-    corpus.cases
+    corpus.scenes
 }
 
 struct Corpus<'a> {
     profile: &'a Profile,
-    cases: Vec<Case>,
+    scenes: Vec<Scene>,
     /// The kinds of light that were taken in turn.
     turn: usize,
 }
@@ -43,17 +35,9 @@ impl Corpus<'_> {
             v: self.profile.direction(v),
             k_a: [0.25, 0.5, 0.125],
             k_d: [0.5, 0.25, 0.75],
-            k_s: if self.profile.gray_highlight {
-                [0.5; 3]
-            } else {
-                k_s
-            },
+            k_s: if self.profile.gray_highlight { [0.5; 3] } else { k_s },
             m: 8.0_f64.min(self.profile.most_shiny),
-            i_a: if self.profile.ambient {
-                [0.25, 0.125, 0.5]
-            } else {
-                BLACK
-            },
+            i_a: if self.profile.ambient { [0.25, 0.125, 0.5] } else { BLACK },
             lights,
         }
     }
@@ -66,44 +50,19 @@ impl Corpus<'_> {
     }
 
     fn add_as(&mut self, model: Model, scene: &Scene) {
-        let k = self.cases.len();
-        let is_lost = |light| scene.has_lamp_at_the_point(light, self.profile.roundoff);
-        if scene.lights.len() > self.profile.most_lights || scene.lights.iter().any(is_lost) {
-            return;
+        let scene = Scene { model, ..scene.clone() };
+        if self.profile.lacks(&scene).is_none() {
+            self.scenes.push(scene);
         }
-        let ways: [Triple; 6] = [
-            [1.0, 0.0, 1.0],
-            [0.0, 1.0, 1.5],
-            [1.0, 0.5, 0.25],
-            [0.0, 0.0, 1.0],
-            [-1.0, 0.75, 1.0],
-            [0.5, -1.0, 0.5],
-        ];
-        #[allow(clippy::cast_precision_loss)] // 1 to 8
-        let factor = |i: usize| ((k * 3 + i * 5) % 8 + 1) as f64;
-        self.cases.push(Case {
-            scene: Scene {
-                model,
-                ..scene.clone()
-            },
-            ways: from_fn(|i| ways[(k + 2 * i) % 6]),
-            factors: from_fn(factor),
-        });
     }
 
     /// A light from there, of the kind.
     fn light(&self, kind: Kind, way: Triple, intensity: Triple) -> Light {
-        let attenuation = if self.profile.unattenuated {
-            [1.0, 0.0, 0.0]
-        } else {
-            [0.5, 0.25, 0.25]
-        };
+        let attenuation =
+            if self.profile.unattenuated { [1.0, 0.0, 0.0] } else { [0.5, 0.25, 0.25] };
         let point = Light::point(intensity, way, attenuation);
         match kind {
-            Kind::Directional => Light::Directional {
-                intensity,
-                l: self.profile.unit(way),
-            },
+            Kind::Directional => Light::Directional { intensity, l: self.profile.unit(way) },
             Kind::Point => point,
             Kind::Spot => {
                 let axis = self.profile.unit(scale(way, -1.0));
@@ -130,7 +89,8 @@ impl Corpus<'_> {
     /// A scene with the kinds of light in turn.
     fn in_turn(&mut self, n: Triple, v: Triple, l: Triple, m: Option<f64>) {
         let kinds = self.kinds(l, [1.0, 0.75, 0.5]);
-        let mut scene = self.scene(n, v, vec![kinds[self.turn % kinds.len()]]);
+        let mut scene =
+            self.scene(n, v, vec![kinds[(self.turn + self.turn / kinds.len()) % kinds.len()]]);
         self.turn += 1;
         scene.m = m.unwrap_or(scene.m);
         self.add(&scene);
@@ -183,13 +143,7 @@ impl Corpus<'_> {
             self.in_turn(UP, v, [1.0, 0.0, height], None);
         }
         // N and V of other lengths than 1
-        for (n, v) in [
-            (0.25, 1.0),
-            (3.0, 1.0),
-            (1.0, 0.125),
-            (1.0, 20.0),
-            (0.001, 100.0),
-        ] {
+        for (n, v) in [(0.25, 1.0), (3.0, 1.0), (1.0, 0.125), (1.0, 20.0), (0.001, 100.0)] {
             let n = self.long(scale([0.6, 0.0, 0.8], n));
             let v = self.long(scale([0.0, 0.28, 0.96], v));
             self.each_kind(n, v, [0.5, 0.25, 1.0], None);
@@ -208,9 +162,7 @@ impl Corpus<'_> {
 
     /// Lamps near and far, attenuated by one coefficient alone, at a point away from the origin.
     fn lamps(&mut self) {
-        let kinds = [Kind::Point, Kind::Spot]
-            .into_iter()
-            .filter(|kind| self.profile.has(*kind));
+        let kinds = [Kind::Point, Kind::Spot].into_iter().filter(|kind| self.profile.has(*kind));
         let kinds: Vec<Kind> = kinds.collect();
         let distances = [
             0.00002, 0.0001, 0.001, 0.005, 0.05, 0.5, 1.0, 2.0, 8.0, 40.0, 300.0, 1500.0, 12000.0,
@@ -270,7 +222,7 @@ impl Corpus<'_> {
                     let light = self.light(Kind::Spot, UP, [1.0, 0.75, 0.5]);
                     let light = light.with_cone(axis, angle.min(std::f64::consts::FRAC_PI_2));
                     let scene = self.scene(UP, UP, vec![light]);
-                    self.add_as(self.model(self.cases.len()), &scene);
+                    self.add_as(self.model(self.scenes.len()), &scene);
                 }
             }
         }
@@ -308,31 +260,6 @@ impl Corpus<'_> {
         self.each_kind(UP, UP, UP, Some(most));
     }
 
-    /// Colors with many digits, dark ones, and sums above 1 of which no light alone is.
-    fn colors(&mut self) {
-        for (k, i) in [
-            ([0.1, 0.3, 0.7], [0.9, 1.0 / 3.0, 0.55]),
-            ([0.01, 0.004, 0.999], [0.05, 0.4, 0.123]),
-            ([0.2, 0.0031, 0.06], [0.8, 0.9, 0.0011]),
-        ] {
-            for light in self.kinds([0.3, 0.2, 1.0], self.long(i)) {
-                let mut scene = self.scene(UP, [-0.2, 0.1, 1.0], vec![light]);
-                let k = self.long(k);
-                (scene.k_a, scene.k_d) = ([k[1], k[2], k[0]], k);
-                if !self.profile.gray_highlight {
-                    scene.k_s = [k[2], k[0], k[1]];
-                }
-                if self.profile.ambient {
-                    scene.i_a = self.long([0.31, 0.77, 0.15]);
-                }
-                self.add(&scene);
-            }
-        }
-        for intensity in [[0.7; 3], [2.0; 3]] {
-            self.add(&self.scene(UP, UP, self.kinds([0.0, 0.5, 1.0], intensity)));
-        }
-    }
-
     /// As many lights as it has: all alike, and each in turn the brightest.
     #[allow(clippy::cast_precision_loss)] // the count of lights
     fn many_lights(&mut self) {
@@ -345,11 +272,7 @@ impl Corpus<'_> {
             for brightest in [0, count / 2, count - 1] {
                 let lights = (0..count).map(|i| {
                     let [x, y, z] = [i % 3, i % 5, i % 2].map(|step| step as f64);
-                    let share = if i == brightest {
-                        0.5
-                    } else {
-                        0.25 / count as f64
-                    };
+                    let share = if i == brightest { 0.5 } else { 0.25 / count as f64 };
                     let color = self.long(scale([1.0, 0.5, 1.0], share));
                     let way = [0.5 - x / 2.0, y / 4.0 - 0.5, 1.0 + z / 2.0];
                     let kinds = self.kinds(way, color);

@@ -7,21 +7,9 @@
 use std::array::from_fn;
 use std::f64::consts::FRAC_PI_2;
 
-use serde::{Deserialize, Serialize};
-
 use crate::profile::Profile;
 use crate::random::Random;
 use crate::scene::{Kind, Light, Scene, Triple, add, dot, length, scale, size, sub, unit};
-
-/// A scene, and what the laws vary it by.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Case {
-    pub scene: Scene,
-    /// Three vectors like those to the lights, each short enough to be added to another.
-    pub ways: [Triple; 3],
-    /// Three factors of 1, 2, … 8.
-    pub factors: [f64; 3],
-}
 
 /// A vector of small whole numbers, with its largest component from 1 to 2 by a power of two.
 fn vector(v: Triple) -> Triple {
@@ -29,8 +17,8 @@ fn vector(v: Triple) -> Triple {
 }
 
 /// A random scene.
-pub fn case(profile: &Profile, random: &mut Random) -> Case {
-    Generator { profile, random }.case()
+pub fn scene(profile: &Profile, random: &mut Random) -> Scene {
+    Generator { profile, random }.scene()
 }
 
 struct Generator<'a> {
@@ -39,7 +27,7 @@ struct Generator<'a> {
 }
 
 impl Generator<'_> {
-    fn case(&mut self) -> Case {
+    fn scene(&mut self) -> Scene {
         // which numbers of the scene are long
         let is_long = self.random.once_in(2);
         let (profile, n) = (self.profile, self.integers());
@@ -85,11 +73,7 @@ impl Generator<'_> {
         };
         lights.retain(|light| !scene.has_lamp_at_the_point(light, profile.roundoff));
         scene.lights = lights;
-        Case {
-            scene,
-            ways: [(); 3].map(|()| vector(self.way(n))),
-            factors: [(); 3].map(|()| self.random.integer(1, 8)),
-        }
+        scene
     }
 
     /// A vector of small whole numbers that is not 0.
@@ -150,11 +134,7 @@ impl Generator<'_> {
 
     fn color(&mut self, most: f64, is_long: bool) -> Triple {
         // dark colors have other digits of sRGB
-        let most = if is_long && self.random.once_in(8) {
-            most / 64.0
-        } else {
-            most
-        };
+        let most = if is_long && self.random.once_in(8) { most / 64.0 } else { most };
         [(); 3].map(|()| self.amount(most, is_long))
     }
 
@@ -186,11 +166,8 @@ impl Generator<'_> {
         };
         let position = add(p, scale(way, distance));
         let position = position.map(|c| if is_long { profile.rounded(c) } else { c });
-        let (position, distance) = if position == p {
-            (add(p, scale(way, short)), short)
-        } else {
-            (position, distance)
-        };
+        let (position, distance) =
+            if position == p { (add(p, scale(way, short)), short) } else { (position, distance) };
         let attenuation = self.attenuation(distance * length(way), is_long);
         // a lamp that the attenuation brightens is dim
         let q = distance * length(way);
@@ -203,10 +180,7 @@ impl Generator<'_> {
         };
         let point = Light::point(intensity, position, attenuation);
         match kind {
-            Kind::Directional => Light::Directional {
-                intensity,
-                l: profile.unit(way),
-            },
+            Kind::Directional => Light::Directional { intensity, l: profile.unit(way) },
             Kind::Point => point,
             Kind::Spot => {
                 let (axis, half_angle) = self.spot(way, is_long);

@@ -3,14 +3,19 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 #![allow(clippy::float_cmp)] // special cases are exact
+#![allow(clippy::test_attr_in_doctest)] // the page shows a whole file of tests
+
+// Each file uses only those above it.
+
+// a scene, and numbers that know their error
+mod bounded;
+mod scene;
 
 // a renderer
 mod profile;
 mod renderer;
-mod scene;
 
 // the right color, how far a renderer may be from it, and the colors of mistakes
-mod bounded;
 mod formula;
 mod mistakes;
 
@@ -21,26 +26,25 @@ mod edit;
 mod generator;
 mod law;
 mod random;
-mod shrink;
 
-// a run: what it saw, what it may conclude, and what it says
+// a run: what it tries, what it may conclude, and what it says
 mod cause;
+mod options;
 mod place;
 mod plan;
 mod report;
 mod run;
-
-#[cfg(test)]
-mod tests;
+mod shrink;
 
 pub use cause::Cause;
 pub use claim::Broken;
 pub use mistakes::Fault;
+pub use options::Laws;
 pub use place::Place;
 pub use profile::Profile;
-pub use renderer::{Renderer, from_fn};
+pub use renderer::{Progress, Renderer, from_fn};
 pub use report::{Counterexample, Finding, LawReport, Report, Verdict};
-pub use run::{Laws, check};
+pub use run::check;
 pub use scene::{Kind, Light, Model, Scene, Triple};
 
 /// The format that the program `shading-laws` and a renderer speak.

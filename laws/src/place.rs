@@ -2,10 +2,9 @@
 
 use serde::Serialize;
 
-use crate::edit::KNOBS;
-use crate::plan::Tried;
+use crate::edit::{EDITS, Edit};
 use crate::profile::Profile;
-use crate::shrink::is_valid;
+use crate::scene::Scene;
 
 /// What wrong colors follow.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -16,74 +15,172 @@ pub struct Place {
     pub also_without: Vec<&'static str>,
 }
 
+/// Parts that make up one thing, and what else may be told of either: where both are wrong, the highlight, the lamps, the
+/// lights, or everything is.
+const PARTS: [([&str; 2], &[&str]); 5] = [
+    (["Phong", "Blinn"], &["highlight", "lights", "several lights"]),
+    (["spot", "point"], &["cone", "lamps", "lights", "several lights"]),
+    (["lamps", "directional"], &["lights", "several lights"]),
+    (["diffuse", "highlight"], &["lights", "several lights"]),
+    (["ambient", "lights"], &["several lights"]),
+];
+
+/// What may be two things.
+const GENERAL: [&str; 3] = ["highlight", "lamps", "lights"];
+
+/// What is wrong without a whole term is not wrong only with it; other edits may change a case in more ways than one.
+const TERMS: [&str; 4] = ["highlight", "diffuse", "ambient", "lights"];
+
+/// The most broken cases of an experiment: a bit each.
+pub const MOST: usize = 60;
+
+/// Asks whether cases are still broken: the number of each and its edited scene. A scene of which the law says nothing has no
+/// answer, and none has one if the renderer does not answer.
+pub type Ask<'a> = dyn FnMut(&[(usize, Scene)]) -> Option<Vec<Option<bool>>> + 'a;
+
 /// Broken cases without one thing each.
-pub struct Edits {
-    /// The number of broken cases.
+struct Experiment {
     count: usize,
-    pub cases: Vec<Tried>,
-    /// For each the edit, the broken case, and whether it is still broken.
-    of: Vec<(usize, usize, bool)>,
+    /// For each edit the cases that it repairs, and those that it leaves broken.
+    repaired: Vec<u64>,
+    broken: Vec<u64>,
 }
 
-impl Edits {
-    /// Takes things out of cases, and asks which ones are still broken, if anything answers.
-    pub fn new(
-        broken: &[Tried],
-        profile: &Profile,
-        ask: &mut impl FnMut(&[Tried]) -> Option<Vec<bool>>,
-    ) -> Option<Self> {
-        let (mut cases, mut of) = (Vec::new(), Vec::new());
-        for (k, knob) in KNOBS.iter().enumerate() {
-            for (i, tried) in broken.iter().enumerate() {
-                let mut case = tried.case.clone();
-                (knob.edit)(&mut case.scene, profile);
-                if case != tried.case && is_valid(&case, profile) {
-                    if let Some(tried) = Tried::new(tried.law, case, profile) {
-                        cases.push(tried);
-                        of.push((k, i));
-                    }
+/// A scene without what an edit takes out, if such a renderer can be given it.
+pub fn edited(edit: &Edit, scene: &Scene, profile: &Profile) -> Option<Scene> {
+    let mut edited = edit.of(scene, profile);
+    edited.lights.retain(|light| profile.has(light.kind()));
+    (edited != *scene && profile.lacks(&edited).is_none()).then_some(edited)
+}
+
+/// Whether something is nearly all of a count.
+fn is_nearly_all(cases: u64, count: u32, id: &str) -> bool {
+    let of = if TERMS.contains(&id) { [33, 32] } else { [10, 9] };
+    count > 0 && cases.count_ones() * of[0] >= count * of[1]
+}
+
+/// Where cases are broken: one place, or several where several things are wrong.
+pub fn places(cases: &[(usize, Scene)], profile: &Profile, ask: &mut Ask) -> Option<Vec<Place>> {
+    places_of(cases, profile, ask, 2)
+}
+
+fn places_of(
+    cases: &[(usize, Scene)],
+    profile: &Profile,
+    ask: &mut Ask,
+    depth: u32,
+) -> Option<Vec<Place>> {
+    let experiment = Experiment::new(cases, profile, ask)?;
+    let whole = experiment.place(experiment.all());
+    let is_general = whole.only_with.iter().all(|id| GENERAL.contains(id));
+    if depth == 0 || !is_general {
+        return Some(vec![whole]);
+    }
+    let mut found = Vec::new();
+    // what is left without one thing is wrong for another reason
+    for k in experiment.parts() {
+        let is_left = |i: &usize| experiment.broken[k] >> i & 1 == 1;
+        let left = (0..experiment.count).filter(is_left).filter_map(|i| {
+            let (number, scene) = &cases[i];
+            Some((*number, edited(&EDITS[k], scene, profile)?))
+        });
+        let left: Vec<(usize, Scene)> = left.collect();
+        let mut all = vec![experiment.place(experiment.repaired[k])];
+        for other in places_of(&left, profile, ask, depth - 1)? {
+            if all.iter().all(|place| place.only_with != other.only_with) {
+                all.push(other);
+            }
+        }
+        merge(&mut all);
+        let is_told =
+            |place: &Place| place.only_with.iter().any(|id| !whole.only_with.contains(id));
+        if all.len() > 1 && all.iter().all(is_told) {
+            found.push(all);
+        }
+    }
+    // few places, and particular ones
+    let first =
+        |place: &Place| EDITS.iter().position(|edit| place.only_with.first() == Some(&edit.id));
+    found.sort_by_key(|all| (all.len(), all.iter().filter_map(first).sum::<usize>()));
+    Some(found.into_iter().next().unwrap_or(vec![whole]))
+}
+
+/// Makes one place of two that are the parts of one thing, which is wrong as a whole.
+fn merge(places: &mut Vec<Place>) {
+    'merged: loop {
+        for (parts, too) in PARTS {
+            let of_part = |part| places.iter().position(|place| place.only_with.contains(&part));
+            let [Some(a), Some(b)] = parts.map(of_part) else {
+                continue;
+            };
+            let others = |place: &Place| -> Vec<&str> {
+                let others = place.only_with.iter().copied();
+                others.filter(|id| !parts.contains(id) && !too.contains(id)).collect()
+            };
+            if a != b && others(&places[a]) == others(&places[b]) {
+                let other = places[b].clone();
+                places[a].only_with.retain(|id| other.only_with.contains(id));
+                places.remove(b);
+                continue 'merged;
+            }
+        }
+        return;
+    }
+}
+
+impl Experiment {
+    /// Takes things out of the scenes of broken cases, and asks for each again, if anything answers.
+    fn new(cases: &[(usize, Scene)], profile: &Profile, ask: &mut Ask) -> Option<Self> {
+        let count = cases.len().min(MOST);
+        let (mut asked, mut of) = (Vec::new(), Vec::new());
+        for (k, edit) in EDITS.iter().enumerate().filter(|(_, edit)| !edit.id.is_empty()) {
+            for (i, (number, scene)) in cases[..count].iter().enumerate() {
+                if let Some(edited) = edited(edit, scene, profile) {
+                    asked.push((*number, edited));
+                    of.push((k, i));
                 }
             }
         }
-        let is_broken = ask(&cases)?;
-        let of = of.into_iter().zip(is_broken);
-        Some(Self {
-            count: broken.len(),
-            of: of.map(|((knob, case), is)| (knob, case, is)).collect(),
-            cases,
-        })
+        let [repaired, broken] = [(); 2].map(|()| vec![0; EDITS.len()]);
+        let mut experiment = Self { count, repaired, broken };
+        for ((k, i), is_broken) in of.into_iter().zip(ask(&asked)?) {
+            match is_broken {
+                Some(true) => experiment.broken[k] |= 1 << i,
+                Some(false) => experiment.repaired[k] |= 1 << i,
+                None => {}
+            }
+        }
+        Some(experiment)
     }
 
-    fn count(&self, knob: usize, is_broken: bool, is_meant: impl Fn(usize) -> bool) -> usize {
-        let edits = self.of.iter();
-        let meant = edits.filter(|(k, i, is)| (*k, *is) == (knob, is_broken) && is_meant(*i));
-        meant.count()
+    /// Every case.
+    fn all(&self) -> u64 {
+        u64::MAX >> (64 - self.count.clamp(1, 64))
     }
 
-    /// The place of some of the broken cases.
-    pub fn place(&self, is_meant: impl Fn(usize) -> bool) -> Place {
+    /// The place of some of the cases.
+    fn place(&self, of: u64) -> Place {
         let mut place = Place::default();
-        let meant = (0..self.count).filter(|case| is_meant(*case)).count();
-        for (k, knob) in KNOBS.iter().enumerate() {
-            let repaired = self.count(k, false, &is_meant);
-            if repaired > 0 && repaired * 10 >= meant * 9 {
-                place.only_with.push(knob.id);
-            } else if self.count(k, true, &is_meant) > repaired {
-                place.also_without.push(knob.id);
+        for (k, edit) in EDITS.iter().enumerate() {
+            let (repaired, broken) = (self.repaired[k] & of, self.broken[k] & of);
+            if is_nearly_all(repaired, of.count_ones(), edit.id) {
+                place.only_with.push(edit.id);
+            } else if broken.count_ones() > repaired.count_ones() {
+                place.also_without.push(edit.id);
             }
         }
         place
     }
 
-    /// The cases that the most helpful edit repairs, and the others after it: two things may be wrong.
-    pub fn split(&self) -> Option<(Vec<usize>, Vec<Tried>)> {
-        let knobs = (0..KNOBS.len()).rev();
-        let best = knobs.max_by_key(|k| self.count(*k, false, |_| true))?;
-        let of_best = self.of.iter().zip(&self.cases);
-        let of_best = of_best.filter(|((k, ..), _)| *k == best);
-        let (left, repaired): (Vec<_>, Vec<_>) = of_best.partition(|((.., is), _)| *is);
-        let repaired: Vec<usize> = repaired.iter().map(|((_, i, _), _)| *i).collect();
-        let left = left.into_iter().map(|(_, tried)| tried.clone()).collect();
-        (repaired.len() * 5 >= self.count).then_some((repaired, left))
+    /// The edits that repair some of the cases and leave others, the most helpful ones first.
+    fn parts(&self) -> Vec<usize> {
+        let few = (self.count / 10).max(3);
+        let counts =
+            |k: usize| [self.repaired[k], self.broken[k]].map(|cases| cases.count_ones() as usize);
+        let is_part = |k: &usize| counts(*k).iter().all(|count| *count >= few);
+        let mut parts: Vec<usize> = (0..EDITS.len()).filter(is_part).collect();
+        parts.sort_by_key(|k| std::cmp::Reverse(counts(*k)[0]));
+        parts.truncate(5);
+        parts
     }
 }

@@ -3,9 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::bounded;
-use crate::scene::{Kind, Model, Triple, unit};
+use crate::scene::{Kind, Light, Model, Scene, Triple, length, sub, unit};
 
-/// What a renderer says of itself: how precise it is, what it has, and where it departs from the
+/// What a renderer says of itself: how precise it is, what it has, what its replies mean, and where it departs from the
 /// formulas on purpose. A law that needs something the renderer lacks is not tried.
 ///
 /// The default is a renderer in `f32` that has everything, gives linear light without a limit and
@@ -20,6 +20,7 @@ use crate::scene::{Kind, Model, Triple, unit};
 ///     clamps: Some([0.0, 1.0]),
 ///     srgb: true,
 ///     bits: Some(8),
+///     departs: vec!["HighlightNotGated".into()],
 ///     ..Profile::default()
 /// };
 /// assert_eq!(shader.roundoff, f64::from(f32::EPSILON) / 2.0);
@@ -43,10 +44,12 @@ pub struct Profile {
     pub most_lights: usize,
     /// The largest shininess, up to 65536.
     pub most_shiny: f64,
-    /// Its shininess is an integer.
-    pub integer_shininess: bool,
     /// It needs N and V at length 1. Otherwise they have any length, as where a shader gets them.
     pub unit_vectors: bool,
+    /// It has no attenuation: in each scene, a is 1, and b and c are 0.
+    pub unattenuated: bool,
+    /// The highlight has no color of its own: in each scene, k_s is gray.
+    pub gray_highlight: bool,
 
     /// The range to which it clamps its colors, if it does.
     pub clamps: Option<[f64; 2]>,
@@ -55,32 +58,12 @@ pub struct Profile {
     /// The bits of each channel, if its colors are levels from 0 to 2^bits − 1, divided by the
     /// largest.
     pub bits: Option<u32>,
+    /// The number that it gives for a channel of light 1: 255 if its colors are integers from 0 to 255.
+    pub white: f64,
 
-    /// The angle of a spot is that from edge to edge, not the half of it: `half_angle` is doubled
-    /// in each scene.
-    pub whole_angle: bool,
-    /// Each light brings the ambient light along, attenuated like its own: the ambient term is
-    /// k_a I_a Σ 1/(a + bq + cq²).
-    pub attenuated_ambient: bool,
-    /// The highlight is not attenuated.
-    pub unattenuated_highlight: bool,
-    /// A light behind the surface has a highlight.
-    pub highlight_on_the_dark_side: bool,
-    /// N is turned toward the eye: where N·V < 0, it is −N.
-    pub normal_faces_eye: bool,
-    /// Without lights, the color is black.
-    pub black_without_lights: bool,
-    /// Without lights, it shows the surface unlit: k_d is added to the ambient term.
-    pub unlit_without_lights: bool,
-    /// It has no attenuation: in each scene, a is 1, and b and c are 0.
-    pub unattenuated: bool,
-    /// The highlight has no color of its own: in each scene, k_s is gray.
-    pub gray_highlight: bool,
-    /// The light of a spot falls off within its cone, as the cosine of the angle to its axis to the
-    /// power of this number, 0 or more.
-    pub spot_exponent: f64,
-    /// The ambient term is multiplied by k_d: it is k_a k_d I_a.
-    pub ambient_times_diffuse: bool,
+    /// Where it departs from the formulas on purpose: the names that a report gives, such as `HighlightNotGated` or, with
+    /// a number and for some lights only, `ConeExponent=2` and `HighlightNotGated@Spots`.
+    pub departs: Vec<String>,
 }
 
 impl Default for Profile {
@@ -93,22 +76,14 @@ impl Default for Profile {
             lights: Kind::ALL.into(),
             most_lights: 8,
             most_shiny: 128.0,
-            integer_shininess: false,
             unit_vectors: false,
+            unattenuated: false,
+            gray_highlight: false,
             clamps: None,
             srgb: false,
             bits: None,
-            whole_angle: false,
-            attenuated_ambient: false,
-            unattenuated_highlight: false,
-            highlight_on_the_dark_side: false,
-            normal_faces_eye: false,
-            black_without_lights: false,
-            unlit_without_lights: false,
-            unattenuated: false,
-            gray_highlight: false,
-            spot_exponent: 0.0,
-            ambient_times_diffuse: false,
+            white: 1.0,
+            departs: Vec::new(),
         }
     }
 }
@@ -138,21 +113,15 @@ impl Profile {
         let is = |is_wrong: bool, what: &str| is_wrong.then(|| what.to_owned());
         let [low, high] = self.clamps.unwrap_or([0.0, 1.0]);
         let is_clamped = low <= 0.0 && high >= 0.5 && high - low < f64::INFINITY;
-        let is_other = self.black_without_lights || self.attenuated_ambient;
-        let is_two = self.unlit_without_lights && is_other;
         let complaints = [
             outside("roundoff", self.roundoff, [1e-40, 0.01]),
             outside("most_lights", self.most_lights as f64, [1.0, 1024.0]),
             outside("most_shiny", self.most_shiny, [1.0, 65536.0]),
-            outside("spot_exponent", self.spot_exponent, [0.0, 128.0]),
+            outside("white", self.white, [1e-3, 1e10]),
             outside("bits", self.bits.unwrap_or(8).into(), [4.0, 32.0]),
             is(self.models.is_empty(), "models is empty"),
             is(self.lights.is_empty(), "lights is empty"),
             is(!is_clamped, "clamps leaves out colors from 0 to 0.5"),
-            is(
-                is_two,
-                "without lights, it cannot be unlit and something else",
-            ),
         ];
         complaints.into_iter().flatten().next()
     }
@@ -161,18 +130,9 @@ impl Profile {
         self.lights.contains(&kind)
     }
 
-    pub(crate) fn has_highlights(&self) -> bool {
-        self.models.iter().any(|model| *model != Model::Lambert)
-    }
-
     /// The shininess of the renderer that is nearest to m.
     pub(crate) fn shininess(&self, m: f64) -> f64 {
-        let m = if self.integer_shininess {
-            m.floor()
-        } else {
-            self.rounded(m)
-        };
-        m.min(self.most_shiny).max(1.0)
+        self.rounded(m).min(self.most_shiny).max(1.0)
     }
 
     /// The number of the renderer that is nearest to x.
@@ -245,25 +205,80 @@ impl Profile {
         let off = (reply - (reply / level).round() * level).abs();
         (off > 0.01 * level).then_some((off, 0.01 * level))
     }
+
+    /// What the renderer lacks for a scene, or what the format does not allow of it.
+    pub(crate) fn lacks(&self, scene: &Scene) -> Option<&'static str> {
+        let is_unit = |v: Triple| (length(v) - 1.0).abs() < 8.0 * self.roundoff;
+        let lacks_kind = |light: &Light| match light.kind() {
+            kind if self.has(kind) => None,
+            Kind::Directional => Some("it has no directional lights"),
+            Kind::Point => Some("it has no point lights"),
+            Kind::Spot => Some("it has no spots"),
+        };
+        let lacks_light = |light: &Light| {
+            let is_attenuated = light.lamp().is_none_or(|(position, abc)| {
+                abc.iter().sum::<f64>() > 0.0
+                    && abc.iter().all(|c| (0.0..=1e12).contains(c))
+                    && position != [0.0; 3] // a lamp at the origin divides by 0 where p is forgotten
+            });
+            let is_aimed = match *light {
+                Light::Directional { l: axis, .. } | Light::Spot { axis, .. } => axis != [0.0; 3],
+                Light::Point { .. } => true,
+            };
+            let is_lost = scene.has_lamp_at_the_point(light, self.roundoff);
+            let is_unattenuated = light.lamp().is_none_or(|(_, abc)| abc == [1.0, 0.0, 0.0]);
+            let is = |is_wrong: bool, why| is_wrong.then_some(why);
+            lacks_kind(light)
+                .or(is(!is_attenuated || !is_aimed || is_lost, "the format has no such lights"))
+                .or(is(self.unattenuated && !is_unattenuated, "it has no attenuation"))
+        };
+        let intensities = scene.lights.iter().map(|light| light.intensity());
+        let mut colors =
+            [scene.k_a, scene.k_d, scene.k_s, scene.i_a].into_iter().chain(intensities).flatten();
+        let has_directions = scene.n != [0.0; 3] && scene.v != [0.0; 3];
+        let k_s = scene.k_s;
+        // in half precision, the squares of other lengths have no digits, or no end
+        let is_short = self.roundoff >= bounded::HALF;
+        let is_out_of_reach = |v: Triple| is_short && !(1.0 / 32.0..=64.0).contains(&length(v));
+        let is_lamp_out_of_reach = |light: &Light| {
+            light.lamp().is_some_and(|(position, abc)| {
+                is_out_of_reach(sub(position, scene.p))
+                    || is_short && abc.iter().any(|c| *c > 4096.0)
+            })
+        };
+        let is_far = [scene.n, scene.v].into_iter().any(is_out_of_reach);
+        let complaints = [
+            (
+                is_far || scene.lights.iter().any(is_lamp_out_of_reach),
+                "its numbers do not reach so far",
+            ),
+            (scene.lights.len() > 1 && self.most_lights == 1, "it has one light at a time"),
+            (scene.lights.len() > self.most_lights, "it has fewer lights"),
+            (!self.models.contains(&scene.model), "it lacks the model"),
+            (!(1.0..=self.most_shiny).contains(&scene.m), "its shininess has other limits"),
+            (!self.ambient && scene.i_a != [0.0; 3], "it has no ambient light of its own"),
+            (
+                !has_directions || !colors.all(|c| (0.0..=16.0).contains(&c)),
+                "the format has no such scenes",
+            ),
+            (self.gray_highlight && k_s != [k_s[0]; 3], "its highlights are gray"),
+            (self.unit_vectors && !(is_unit(scene.n) && is_unit(scene.v)), "it needs unit vectors"),
+        ];
+        let complaint = complaints.into_iter().find(|(is_wrong, _)| *is_wrong);
+        complaint.map(|(_, why)| why).or_else(|| scene.lights.iter().find_map(lacks_light))
+    }
 }
 
 /// The encoding of sRGB (IEC 61966-2-1), odd about 0.
 pub fn to_srgb(x: f64) -> f64 {
     let size = x.abs();
-    let encoded = if size <= 0.003_130_8 {
-        12.92 * size
-    } else {
-        1.055 * size.powf(1.0 / 2.4) - 0.055
-    };
+    let encoded =
+        if size <= 0.003_130_8 { 12.92 * size } else { 1.055 * size.powf(1.0 / 2.4) - 0.055 };
     encoded.copysign(x)
 }
 
 pub fn from_srgb(y: f64) -> f64 {
     let size = y.abs();
-    let decoded = if size <= 0.040_45 {
-        size / 12.92
-    } else {
-        ((size + 0.055) / 1.055).powf(2.4)
-    };
+    let decoded = if size <= 0.040_45 { size / 12.92 } else { ((size + 0.055) / 1.055).powf(2.4) };
     decoded.copysign(y)
 }

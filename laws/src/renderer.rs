@@ -26,13 +26,31 @@ pub trait Renderer {
         Profile::default()
     }
 
-    /// The color of each scene, in the same order. A batch is one law's scenes, thousands of them,
+    /// The color of each scene, in the same order. A batch is one law's scenes, hundreds of them,
     /// or the few of one case while a failure is made smaller.
     ///
     /// # Errors
     ///
     /// What prevents an answer, in one line. It ends the run.
     fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String>;
+
+    /// Hears before each batch how far the run is, and says whether it goes on. If it does not, the report has what was
+    /// found until then.
+    fn goes_on(&mut self, progress: &Progress) -> bool {
+        let _ = progress;
+        true
+    }
+}
+
+/// How far a run is.
+#[derive(Clone, Copy, Debug)]
+pub struct Progress {
+    /// The number of scenes that were asked for.
+    pub asked: usize,
+    /// The scenes of the whole run, but for those that tell where something is wrong.
+    pub of: usize,
+    /// The number of broken laws.
+    pub broken: usize,
 }
 
 /// Makes a renderer of a function that gives the color of one scene.

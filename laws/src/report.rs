@@ -2,16 +2,15 @@
 
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use crate::cause::Cause;
 use crate::claim::Broken;
-use crate::generator::Case;
 use crate::mistakes::Fault;
 use crate::place::Place;
+use crate::plan::Saved;
 use crate::profile::Profile;
 use crate::scene::{Scene, Triple};
-use crate::shrink::cost;
 
 /// What a run found. Its text begins with the findings.
 #[derive(Clone, Debug, Serialize)]
@@ -37,7 +36,7 @@ pub struct Report {
 pub struct Finding {
     /// What explains the colors.
     pub cause: Option<Cause>,
-    /// What the wrong colors follow; two places where two things are wrong.
+    /// What the wrong colors follow; several places where several things are wrong.
     pub places: Vec<Place>,
     /// The names of the laws.
     pub laws: Vec<&'static str>,
@@ -81,34 +80,27 @@ pub enum Verdict {
         /// What it lacks.
         because: &'static str,
     },
-    /// The run ended before.
-    NotReached,
+    /// It holds in every case that was tried, but the run ended before all were.
+    CutShort {
+        /// The number of cases that were tried.
+        cases: usize,
+        /// The number of cases that there are.
+        of: usize,
+    },
 }
 
 /// A case in which a law does not hold.
 #[derive(Clone, Debug, Serialize)]
 pub struct Counterexample {
-    /// What should hold between the colors.
-    pub claim: &'static str,
     /// The scenes, as the renderer got them.
     pub scenes: Vec<Scene>,
     /// The color of each.
     pub colors: Vec<Triple>,
     /// The color that the formulas give each.
     pub right: Vec<Triple>,
-    /// How the claim does not hold.
+    /// How the law does not hold.
     #[serde(flatten)]
     pub broken: Broken,
-    #[serde(skip)]
-    pub(crate) case: Case,
-}
-
-/// A case of a law, as a file holds it.
-#[derive(Serialize, Deserialize)]
-pub(crate) struct Saved {
-    pub law: String,
-    #[serde(flatten)]
-    pub case: Case,
 }
 
 impl LawReport {
@@ -131,10 +123,8 @@ impl LawReport {
     fn failure(&self) -> Option<&'static str> {
         match self.verdict {
             Verdict::Broken { .. } => (!self.is_known).then_some(self.says),
-            Verdict::NotReached => Some("it was not reached"),
-            _ => self
-                .is_known
-                .then_some("it is not broken, but is known as broken"),
+            Verdict::CutShort { .. } => Some("the run ended before all of its cases were tried"),
+            _ => self.is_known.then_some("it is not broken, but is known as broken"),
         }
     }
 }
@@ -146,7 +136,13 @@ impl Report {
         self.laws.iter().any(LawReport::is_broken)
     }
 
-    /// Whether all is well: no law is broken but those that are known to be, and those are.
+    /// Whether the run ended before all cases of a law were tried.
+    #[must_use]
+    pub fn is_cut_short(&self) -> bool {
+        self.laws.iter().any(|law| matches!(law.verdict, Verdict::CutShort { .. }))
+    }
+
+    /// Whether all is well: no law is broken but those that are known to be, and those are; and all cases were tried.
     #[must_use]
     pub fn passes(&self) -> bool {
         self.error.is_none() && self.laws.iter().all(|law| law.failure().is_none())
@@ -157,10 +153,8 @@ impl Report {
     #[must_use]
     pub fn cases(&self) -> String {
         let line = |law: &LawReport| {
-            let saved = Saved {
-                law: law.law.into(),
-                case: law.smallest()?.case.clone(),
-            };
+            let saved =
+                Saved { law: law.law.into(), scene: law.smallest()?.scenes.first()?.clone() };
             Some(json(&saved) + "\n")
         };
         self.laws.iter().filter_map(line).collect()
@@ -173,7 +167,7 @@ impl Report {
     ///
     /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
     /// let json = Laws::default().run(&mut black).unwrap().to_json();
-    /// assert!(json.starts_with(r#"{"passes":false,"version":4,"seed":0,"#));
+    /// assert!(json.starts_with(r#"{"passes":false,"version":5,"seed":0,"#));
     /// ```
     #[must_use]
     pub fn to_json(&self) -> String {
@@ -252,12 +246,15 @@ impl Report {
             Some(cause) => {
                 let Cause { explained, of, .. } = cause;
                 let part = whole.map_or("part of it: ", |_| "");
-                writeln!(f, "{part}{}", words(&cause.mistakes))?;
+                writeln!(f, "{part}{}", cause.says)?;
                 for other in cause.alternatives.iter().take(3) {
                     writeln!(f, "  or, with the same colors: {}", words(other))?;
                 }
                 if *of > 0 {
                     writeln!(f, "  This explains {explained} of {of} wrong colors.")?;
+                }
+                if let Some(declare) = cause.declare.as_ref().filter(|_| whole.is_some()) {
+                    writeln!(f, "  If it is on purpose, add to the profile: {declare}")?;
                 }
             }
             None => writeln!(f, "no known mistake gives these colors")?,
@@ -268,8 +265,10 @@ impl Report {
                 all if all.is_empty() => writeln!(f, "  {other} in all kinds of scenes alike.")?,
                 with => writeln!(f, "  {other} only with: {with}.")?,
             }
-            if !place.also_without.is_empty() {
-                writeln!(f, "  Also without: {}.", place.also_without.join(", "))?;
+            let (few, more) = place.also_without.split_at(place.also_without.len().min(6));
+            let dots = if more.is_empty() { "." } else { ", …" };
+            if !few.is_empty() {
+                writeln!(f, "  Also without: {}{dots}", few.join(", "))?;
             }
         }
         if whole.is_some() {
@@ -281,13 +280,11 @@ impl Report {
                 writeln!(f, "  Broken: {says} ({law})")?;
             }
         }
-        let of = self
-            .laws
-            .iter()
-            .filter(|law| finding.laws.contains(&law.law));
+        let of = self.laws.iter().filter(|law| finding.laws.contains(&law.law));
         let smallest = of.filter_map(|law| Some((law, law.smallest()?)));
-        let size = |it: &Counterexample| (it.scenes.len(), cost(&it.case));
-        if let Some((law, smallest)) = smallest.min_by_key(|(_, smallest)| size(smallest)) {
+        // one that rounding does not explain, of few scenes
+        let rank = |it: &Counterexample| (!it.broken.is_clear(), it.scenes.len());
+        if let Some((law, smallest)) = smallest.min_by_key(|(_, smallest)| rank(smallest)) {
             write!(f, "\n  {}: {}\n{smallest}", law.law, law.says)?;
             let again = self.reproduction(&smallest.scenes);
             writeln!(f, "  To reproduce it:\n{again}")?;
@@ -316,10 +313,15 @@ impl fmt::Display for Report {
                 }
                 Verdict::Holds { .. } => "holds".into(),
                 Verdict::NotTried { because } => format!("is not tried: {because}"),
-                Verdict::NotReached => "is NOT REACHED, so this is no pass".into(),
-                Verdict::Broken {
-                    cases, failures, ..
-                } => format!("is BROKEN in {failures} of {cases} cases"),
+                Verdict::CutShort { cases, of } => {
+                    format!(
+                        "holds in {cases} cases, but the run ended before the other {}",
+                        of - cases
+                    )
+                }
+                Verdict::Broken { cases, failures, .. } => {
+                    format!("is BROKEN in {failures} of {cases} cases")
+                }
             };
             let known = match law.is_known {
                 true if law.is_broken() => ", as is known",
@@ -341,22 +343,14 @@ impl fmt::Display for Report {
 
 impl fmt::Display for Counterexample {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Broken {
-            channel,
-            off,
-            allowed,
-        } = self.broken;
+        let Broken { channel, off, allowed } = self.broken;
         let channel = ["red", "green", "blue"][channel];
-        writeln!(f, "  expected: {}", self.claim)?;
         for (i, (color, right)) in self.colors.iter().zip(&self.right).enumerate() {
             let i = i + 1;
             writeln!(f, "  color {i}: {color:?}; the formula gives {right:?}")?;
         }
         if off.is_finite() {
-            writeln!(
-                f,
-                "  {channel} is off by {off:.3e}; rounding explains {allowed:.1e}"
-            )
+            writeln!(f, "  {channel} is off by {off:.3e}; rounding explains {allowed:.1e}")
         } else {
             writeln!(f, "  {channel} is {off}")
         }

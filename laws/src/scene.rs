@@ -122,24 +122,14 @@ impl Kind {
 
 impl Light {
     pub(crate) fn point(intensity: Triple, position: Triple, attenuation: Triple) -> Self {
-        Self::Point {
-            intensity,
-            position,
-            attenuation,
-        }
+        Self::Point { intensity, position, attenuation }
     }
 
     /// A spot in the place of a point light; nothing else is one.
     pub(crate) fn with_cone(self, axis: Triple, half_angle: f64) -> Self {
         let (position, attenuation) = self.lamp().unwrap_or_default();
         let intensity = self.intensity();
-        Self::Spot {
-            intensity,
-            position,
-            attenuation,
-            axis,
-            half_angle,
-        }
+        Self::Spot { intensity, position, attenuation, axis, half_angle }
     }
 
     /// A lamp without its cone.
@@ -185,17 +175,23 @@ impl Light {
     pub fn lamp_mut(&mut self) -> Option<(&mut Triple, &mut Triple)> {
         match self {
             Self::Directional { .. } => None,
-            Self::Point {
-                position,
-                attenuation,
-                ..
-            }
-            | Self::Spot {
-                position,
-                attenuation,
-                ..
-            } => Some((position, attenuation)),
+            Self::Point { position, attenuation, .. }
+            | Self::Spot { position, attenuation, .. } => Some((position, attenuation)),
         }
+    }
+
+    /// The direction in which it is from a point, and the light that arrives there.
+    pub(crate) fn arriving(self, p: Triple) -> (Triple, Triple) {
+        let l = match self {
+            Self::Directional { l, .. } => l,
+            Self::Point { position, .. } | Self::Spot { position, .. } => unit(sub(position, p)),
+        };
+        let is_dark = match self {
+            Self::Spot { axis, half_angle, .. } => -dot(axis, l) < half_angle.cos(),
+            _ => false,
+        };
+        let left = if is_dark { 0.0 } else { self.falloff(p) };
+        (l, scale(self.intensity(), left))
     }
 
     /// What the attenuation leaves of it at a point.

@@ -3,8 +3,10 @@
 #![cfg(feature = "cli")]
 #![allow(missing_docs)]
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::process::Command;
+use std::thread;
 
 use serde_json::Value;
 use tempfile::TempDir;
@@ -23,11 +25,7 @@ fn temporary() -> TempDir {
 fn run(command: &mut Command) -> (Option<i32>, String, String) {
     let output = command.output().expect("the program starts");
     let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
-    (
-        output.status.code(),
-        text(output.stdout),
-        text(output.stderr),
-    )
+    (output.status.code(), text(output.stdout), text(output.stderr))
 }
 
 /// Runs a line of a shell, in which the program is `$laws` and a script `$script`, and which must end with this status.
@@ -71,7 +69,8 @@ fn refused(command: &mut Command, parts: &[&str]) {
     assert_eq!(stdout, "");
     // the others are the renderer's own; one that is killed may leave half a line before this one
     let lines = stderr.lines();
-    let lines = lines.filter(|line| line.contains("shading-laws: "));
+    let lines =
+        lines.filter(|line| line.contains("shading-laws: ") && !line.contains(" scenes after "));
     assert_eq!(lines.count(), 1, "{stderr}");
     for part in parts {
         assert!(stderr.contains(part), "no {part:?} in: {stderr}");
@@ -84,72 +83,97 @@ fn examples_keep_all_laws() {
     let folder = temporary();
     for (language, build, command) in [
         ("python", "true", "python3 file.python"),
+        ("javascript", "true", "node file.javascript"),
         ("c", "cc -x c -O2 file.c -o by_c -lm", "./by_c"),
-        (
-            "rust",
-            "rustc -O --edition 2021 file.rust -o by_rust",
-            "./by_rust",
-        ),
+        ("rust", "rustc -O --edition 2021 file.rust -o by_rust", "./by_rust"),
     ] {
+        // JavaScript's engine is not on every machine
+        let is_there = Command::new("node").arg("--version").output().is_ok();
+        if language == "javascript" && !is_there {
+            continue;
+        }
         let line =
             format!("$laws example {language} >file.{language} && {build} && $laws {command}");
         let report = shell(&folder, "", &line, 0);
-        assert!(report.contains("0 of 22 laws broken"), "{report}");
+        assert!(report.contains("0 of 20 laws broken"), "{report}");
     }
 }
 
-/// Forty mistakes in the example, written against another program than this: the old text, the new text, the mistakes that
-/// are named and what they are placed by.
+/// The mistakes of a table, made in another program than this: each is found, nearly all have exactly the place that stands
+/// there, and none has another.
+fn mistakes_are_found_and_placed(step: usize) {
+    let rows = include_str!("mistakes.txt").lines();
+    let rows: Vec<&str> = rows.filter(|row| !row.starts_with('#')).step_by(step).collect();
+    let some = |part: usize| -> Vec<_> {
+        let of_part = rows.iter().skip(part).step_by(2);
+        of_part.filter_map(|row| misplaced(row)).collect()
+    };
+    let inexact: Vec<String> = thread::scope(|scope| {
+        let threads = [0, 1].map(|part| scope.spawn(move || some(part)));
+        threads.into_iter().flat_map(|thread| thread.join().expect("no panic")).collect()
+    });
+    println!("{} rows, not exact: {inexact:#?}", rows.len());
+    assert!(inexact.len() * 20 <= rows.len().max(20));
+}
+
 #[test]
-fn edits_of_the_example_are_found_named_and_placed() {
-    let folder = temporary();
-    let (mut unnamed, mut astray) = (Vec::new(), Vec::new());
-    let rows: Vec<&str> = include_str!("edits.txt").lines().collect();
-    // a few laws, so that forty runs take seconds
-    let options = "--law formula --law cone --cases 32 --shrink 0 --json";
-    for row in &rows {
-        let [old, new, names, places] = row.split(" => ").collect::<Vec<_>>()[..] else {
-            panic!("{row}");
-        };
+fn some_mistakes_in_the_example_are_found_and_placed() {
+    mistakes_are_found_and_placed(6);
+}
+
+#[test]
+#[ignore = "it takes half a minute"]
+fn all_mistakes_in_the_example_are_found_and_placed() {
+    mistakes_are_found_and_placed(1);
+}
+
+/// Makes the mistakes of a row, and says what is told if it is not exactly the place of the row. Nothing may be told that is
+/// neither a part of it nor more than it.
+fn misplaced(row: &str) -> Option<String> {
+    let fields: Vec<&str> = row.rsplitn(3, " => ").collect();
+    let [expected, names, edits] = fields[..] else {
+        panic!("{row}");
+    };
+    let mut script = PYTHON.to_owned();
+    for edit in edits.split(" && ") {
+        let (old, new) = edit.split_once(" => ").expect(row);
         let [old, new] = [old, new].map(|text| text.replace('⏎', "\n"));
-        assert!(PYTHON.contains(&old), "{old}");
-        let edited = PYTHON.replacen(&old, &new, 1);
-        let line = format!(r#"$laws {options} python3 -c "$script""#);
-        let report = shell(&folder, &edited, &line, 1);
-        let report: Value = serde_json::from_str(&report).expect("JSON");
-        let findings = report["findings"].as_array().expect("findings");
-        let all = |of: &dyn Fn(&Value) -> Vec<String>| findings.iter().flat_map(of).collect();
-        let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
-        let list = |value: &Value| value.as_array().cloned().unwrap_or_default();
-        let name = |one: Value| text(&one["id"]) + &text(&one["of"]);
-        let named: Vec<String> = all(&|finding| {
-            let mistakes = list(&finding["cause"]["mistakes"]).into_iter();
-            mistakes.map(name).collect()
-        });
-        let found: Vec<String> = all(&|finding| {
-            let places = list(&finding["places"]).into_iter();
-            let knobs = places.flat_map(|place| list(&place["only_with"]));
-            knobs.map(|knob| text(&knob)).collect()
-        });
-        let has = |name: &str| named.iter().any(|id| id.starts_with(name));
-        if !names.split(", ").all(has) {
-            unnamed.push((row, named));
-        }
-        if !places
-            .split(", ")
-            .all(|place| found.contains(&place.into()))
-        {
-            astray.push((row, found));
-        }
+        assert!(script.contains(&old), "{old}");
+        script = script.replacen(&old, &new, 1);
     }
-    println!("{} unnamed: {unnamed:#?}", unnamed.len());
-    assert!(unnamed.len() * 10 <= rows.len(), "{unnamed:#?}");
-    assert!(astray.is_empty(), "{astray:#?}");
+    // few laws and cases, so that ninety runs take seconds
+    let line = r#"$laws --law formula --law finite --cases 8 --shrink 0 --json python3 -c "$script" 2>/dev/null"#;
+    let report = shell(&temporary(), &script, line, 1);
+    for name in names.split(", ").filter(|name| *name != "-") {
+        let (id, rest) = name.split_once(['=', '@']).unwrap_or((name, ""));
+        let is_named = report.contains(&format!("\"id\":\"{id}\"")) && report.contains(rest);
+        let is_named = is_named || report.contains(name);
+        assert!(is_named, "{row}: not named {name}: {report}");
+    }
+    let report: Value = serde_json::from_str(&report).expect("JSON");
+    let list = |value: &Value| value.as_array().cloned().unwrap_or_default();
+    let findings = list(&report["findings"]);
+    let places = findings.iter().flat_map(|finding| list(&finding["places"]));
+    let knobs = |place: Value| -> BTreeSet<String> {
+        let knobs = list(&place["only_with"]).into_iter();
+        knobs.map(|knob| knob.as_str().unwrap_or_default().to_owned()).collect()
+    };
+    let told: BTreeSet<BTreeSet<String>> = places.map(knobs).collect();
+    let expected = expected.split(" + ").map(|place| {
+        let knobs = place.split(", ").filter(|knob| *knob != "all");
+        knobs.map(str::to_owned).collect()
+    });
+    let expected: BTreeSet<BTreeSet<String>> = expected.collect();
+    for place in &told {
+        let is_like = |other: &BTreeSet<String>| place.is_subset(other) || other.is_subset(place);
+        assert!(expected.iter().any(is_like), "{row}: {told:?}");
+    }
+    (told != expected).then(|| format!("{row}: {told:?}"))
 }
 
 #[test]
 fn nan_breaks_a_law_and_the_report_names_the_scene() {
-    for nan in ["NaN", "nan", "1e999", "-Infinity"] {
+    for nan in ["NaN", "null", "1e999", "-nan(ind)"] {
         let script = python(&format!("if is_scene: say('[0,{nan},0]'); continue"));
         let line = r#"$laws --law finite --cases 8 python3 -c "$script""#;
         let report = shell(&temporary(), &script, line, 1);
@@ -205,9 +229,9 @@ fn nonsense_is_refused() {
         (r#"echo '{"models":[]}'"#, "models is empty"),
         ("cat /dev/zero", endless),
         (r"printf '\377\n'", "not UTF-8"),
-        ("exec sleep 1000", "no line within 2s"),
+        ("exec sleep 1000", "no line within 5s"),
         ("exec >&-; exec sleep 1000", "it closed its output"),
-        ("echo '{}'; exec sleep 1000", "scene 1: no answer within 2s"),
+        ("echo '{}'; exec sleep 1000", "scene 1: no answer within 5s"),
     ];
     let answers = [
         ("sys.exit(3)", "it ended (exit status: 3)"),
@@ -217,14 +241,10 @@ fn nonsense_is_refused() {
         ("say('[1,2]')", "expected 3 numbers, found 2"),
         ("say('[1,2,3,4]')", "expected 3 numbers, found 4"),
         ("say('[1,2,red]')", "\"red\" is no number"),
-        ("say('[null,null,null]')", "JavaScript"),
         ("say('[' + '1' * 10**6)", endless),
         ("os.write(1, b'[\\xff,0,0]\\n')", "is not UTF-8"),
-        (
-            "os.write(1, b'[0.'); sys.exit(3)",
-            "3) in the middle of the line \"[0.\"",
-        ),
-        ("pass", "no answer within 2s"),
+        ("os.write(1, b'[0.'); sys.exit(3)", "3) in the middle of the line \"[0.\""),
+        ("pass", "no answer within 5s"),
     ];
     let hint = "the empty line has no answer";
     let lines = [
@@ -238,11 +258,7 @@ fn nonsense_is_refused() {
     all.extend(starts.map(|(script, part)| ("sh", script.into(), vec![part])));
     all.extend(answers.map(|(body, part)| {
         // what is not answered is missed at the end of the batch
-        let of_scene = if body.ends_with("pass") {
-            "scene "
-        } else {
-            "scene 3: "
-        };
+        let of_scene = if body.ends_with("pass") { "scene " } else { "scene 3: " };
         let scene = r#"the scene: {"model":""#;
         let body = format!("if is_scene and n == 3:\n    {body}\n    continue");
         ("python3", python(&body), vec![of_scene, part, scene])
@@ -252,8 +268,8 @@ fn nonsense_is_refused() {
         std::thread::scope(|scope| {
             for (interpreter, script, parts) in some {
                 scope.spawn(move || {
-                    let is_late = parts.iter().any(|part| part.contains("within 2s"));
-                    let timeout = if is_late { "2" } else { "60" };
+                    let is_late = parts.iter().any(|part| part.contains("within 5s"));
+                    let timeout = if is_late { "5" } else { "60" };
                     let mut command = program();
                     command.args(["--cases", "4", "--law", "finite", "--timeout", timeout]);
                     refused(command.args([interpreter, "-c", script]), parts);
@@ -261,6 +277,28 @@ fn nonsense_is_refused() {
             }
         });
     }
+}
+
+/// A pass that did not try every case is no pass; a slow renderer tries each law, and what it is about is told meanwhile.
+#[test]
+fn a_run_that_is_cut_short_does_not_pass() {
+    let slow = PYTHON.replace(
+        "        if line.strip():",
+        "        if line.strip():\n            import time; time.sleep(0.02)",
+    );
+    assert_ne!(slow, PYTHON);
+    let line = r#"$laws --time 1 python3 -c "$script""#;
+    let report = shell(&temporary(), &slow, line, 3);
+    assert!(
+        report.contains("0 of 20 laws broken") && report.contains("formula holds in"),
+        "{report}"
+    );
+    assert!(!report.contains("holds in 0 cases"), "{report}");
+    // Ctrl-C tells what was found
+    let interrupt = r#"$laws python3 -c "$script" & sleep 4; kill -INT $!; wait $!"#;
+    let report = shell(&temporary(), &slow, interrupt, 3);
+    assert!(report.contains(" s; broken laws: 0"), "{report}");
+    assert!(report.contains("but the run ended before the other"), "{report}");
 }
 
 /// A renderer that does not end by itself is ended.
@@ -307,7 +345,6 @@ fn a_file_of_colors_is_judged() {
     shell(&folder, PYTHON, &answer, 0);
     let black = format!("sed 's/.*/[0,0,0]/' colors >black; $laws judge {options} black");
     let report = shell(&folder, "", &black, 1);
-    assert!(report.contains("Finding 1 of 1: all colors are black\n"));
     assert!(!report.contains("the run ended early"), "{report}");
     let few = format!("head -1 colors >few; $laws judge {options} few");
     let report = shell(&folder, "", &few, 2);
@@ -326,37 +363,12 @@ fn known_failures_and_stored_cases() {
     };
     let broken = "ambient_alone is BROKEN in";
     go("", "--save cases", 1, broken);
-    go(
-        "grep -q '^{\"law\":\"ambient' cases &&",
-        "--replay cases",
-        1,
-        broken,
-    );
+    go("grep -q '^{\"law\":\"ambient' cases &&", "--replay cases", 1, broken);
     let known = "--known known";
-    go(
-        "echo 'ambient_alone # black' >known;",
-        known,
-        0,
-        "as is known",
-    );
-    go(
-        "echo eye >>known;",
-        known,
-        1,
-        "eye holds, but is known as broken",
-    );
-    go(
-        "echo gravity >>known;",
-        known,
-        2,
-        "known: line 3: there is no law gravity",
-    );
-    go(
-        "echo {} >cases;",
-        "--replay cases",
-        2,
-        "replayed case 1: missing field",
-    );
+    go("echo 'ambient_alone # black' >known;", known, 0, "as is known");
+    go("echo eye >>known;", known, 1, "eye holds, but is known as broken");
+    go("echo gravity >>known;", known, 2, "known: line 3: there is no law gravity");
+    go("echo {} >cases;", "--replay cases", 2, "replayed case 1: missing field");
 }
 
 /// Another program's parser reads the XML and finds what the report has; control characters of a name are escaped.
@@ -379,5 +391,5 @@ print(root.get('tests'), of('testcase'), root.get('failures'), of('failure'), of
     let read = shell(&folder, count, r#"python3 -c "$script""#, 0);
     assert_eq!(read.trim(), r"3 3 1 1 1 <&\u{7}>, seed 0");
     let xml = fs::read_to_string(folder.path().join("junit.xml")).expect("a file");
-    assert!(xml.contains("the color is k_a I_a"), "{xml}");
+    assert!(xml.contains("without lights there is k_a I_a"), "{xml}");
 }

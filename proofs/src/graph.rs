@@ -145,6 +145,7 @@ impl Graph {
         sampler.map_or(f64::NAN, |sampler| sampler(range, &[0.0]))
     }
 
+    #[allow(clippy::match_same_arms)] // one has no value yet, and of the other nothing is known
     fn value(&mut self, node: Node) -> f64 {
         if let (Node::Var(index), Some(sampler)) = (node, &mut self.sampler) {
             return sampler(self.names[index as usize].1, &self.values);

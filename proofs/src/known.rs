@@ -53,9 +53,8 @@ impl Known {
     /// The node of which this one has the bits, because it adds 0 to it, multiplies it by 1 or selects it.
     fn reduced(&mut self, g: &Graph, id: u32) -> u32 {
         let id = self.resolved(g, id);
-        let (x, y) = match g.nodes[id as usize] {
-            Node::Add(x, y) | Node::Mul(x, y) => (x, y),
-            _ => return id,
+        let (Node::Add(x, y) | Node::Mul(x, y)) = g.nodes[id as usize] else {
+            return id;
         };
         for (x, y) in [(x, y), (y, x)] {
             let has_its_bits = match g.nodes[id as usize] {

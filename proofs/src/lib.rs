@@ -203,13 +203,6 @@ fn derive(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Derived {
     derived
 }
 
-/// Whether the rules prove a claim, which may say nothing.
-#[doc(hidden)]
-pub fn is_derived(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> bool {
-    let Derived { open, empty, .. } = derive(format, claim);
-    open.is_none() && empty.is_none()
-}
-
 /// Tries to prove a claim, then to refute it with `runs` inputs, which also must show that it says something.
 pub fn judge(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Verdict {
     let Derived { open, empty, cases } = derive(format, &claim);

@@ -8,10 +8,10 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use claims::{By, CLAIMS, Claim};
-use shading_proofs::{Format, Verdict, is_derived, judge, smt, witness};
+use shading_proofs::{Format, Verdict, judge, smt, witness};
 
 const USAGE: &str =
-    "claims | inputs | prove [CLAIM]… | broken | queries FOLDER [CLAIM]… | bounds FOLDER [SHARE]";
+    "claims | inputs | prove [CLAIM]… | queries FOLDER [CLAIM]… | bounds FOLDER [SHARE]";
 const FORMATS: [Format; 2] = [Format::F32, Format::F64];
 
 fn main() -> ExitCode {
@@ -21,7 +21,6 @@ fn main() -> ExitCode {
         ["claims"] => claims(),
         ["inputs"] => inputs(),
         ["prove", ref names @ ..] => prove(names),
-        ["broken"] => broken(),
         ["queries", folder, ref names @ ..] => queries(Path::new(folder), names).is_ok(),
         ["bounds", folder] => gappa::write(Path::new(folder), 1.0).is_ok(),
         ["bounds", folder, share] => share
@@ -88,15 +87,6 @@ fn prove(names: &[&str]) -> bool {
     }
     println!("{proved} proved by the rules, {left} left to Bitwuzla and Gappa, {wrong} wrong");
     wrong == 0
-}
-
-/// Prints the first claim that the rules no longer prove in single precision, if there is one.
-fn broken() -> bool {
-    let is_broken =
-        |claim: &&Claim| claim.by == By::Rules && !is_derived(Format::F32, claim.formula);
-    let broken = CLAIMS.iter().find(is_broken);
-    println!("{}", broken.map_or("-", |claim| claim.name));
-    broken.is_none()
 }
 
 /// Writes the queries of these claims, or of all, each to a file of its own.

@@ -218,25 +218,36 @@ impl<T: Real> Real for Dual<T> {
     #[inline(always)]
     fn windowed(
         light: Dimmed<Self>,
+        v: Vec3<Self>,
         q: Self,
         range: Self,
         is_squared: Where<T::Mask>,
     ) -> Dimmed<Self> {
         let factor = falloff::window(q, range, is_squared);
-        let windowed = T::windowed(light.values(), q.value, range.value, is_squared.0);
+        let windowed = T::windowed(
+            light.values(),
+            values(v),
+            q.value,
+            range.value,
+            is_squared.0,
+        );
         light.times(factor, windowed)
     }
 
     #[inline(always)]
     fn beamed(
         light: Dimmed<Self>,
-        cosine: Self,
+        axis: Vec3<Self>,
         [inner, outer]: [Self; 2],
         is_smooth: Where<T::Mask>,
+        v: Vec3<Self>,
+        measured: &Measured<Self>,
     ) -> Dimmed<Self> {
+        let cosine = Self::dot(-axis, measured.w) / measured.w_length;
         let factor = falloff::beam(cosine, [inner, outer], is_smooth);
         let edges = [inner.value, outer.value];
-        let beamed = T::beamed(light.values(), cosine.value, edges, is_smooth.0);
+        let (axis, v, measured) = (values(axis), values(v), measured.values());
+        let beamed = T::beamed(light.values(), axis, edges, is_smooth.0, v, &measured);
         light.times(factor, beamed)
     }
 }
@@ -254,6 +265,12 @@ impl<T: Real, M: Lobe<Dual<T>>> Lobe<T> for OfValue<M> {
     #[inline]
     fn raise_root(self, square: T) -> T {
         self.0.raise_root(Dual::constant(square)).value
+    }
+
+    #[inline]
+    fn raise_quotient(self, square: T, of: T) -> T {
+        let (square, of) = (Dual::constant(square), Dual::constant(of));
+        self.0.raise_quotient(square, of).value
     }
 }
 

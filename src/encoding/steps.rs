@@ -6,6 +6,8 @@
 //! step. Adding the place within the interval carries into the level from the step on.
 
 use super::edges::next_edges;
+#[cfg(feature = "fixed")]
+use super::edges::next_fixed_edges;
 
 /// The intervals of the levels of an encoding. `SHIFT` low bits of a number are the place within its
 /// interval.
@@ -18,44 +20,116 @@ static FIVE_BITS: Steps<256, 19> = Steps::of(next_edges::<32>());
 /// Whether flash is scarce: on the processors of microcontrollers.
 const CHIP: bool = cfg!(any(target_arch = "arm", target_arch = "riscv32"));
 
-/// Where the level after each begins.
-pub(crate) struct Edges<T, const N: usize>([T; N]);
+/// Whether it has an FPU, beside which a search would take a third of a pixel's time.
+const FPU_CHIP: bool = cfg!(all(target_arch = "arm", target_abi = "eabihf"));
 
-macro_rules! edges {
-    ($bits:ident) => {
-        impl<const N: usize> Edges<$bits, N> {
-            /// The last level that begins at or below a number, one bit of it after the other.
-            #[inline(never)]
-            pub(crate) const fn level(&self, bits: $bits) -> u32 {
-                let (mut level, mut step) = (0, N / 2);
-                while step > 0 {
-                    if bits >= self.0[(level + step - 1) % N] {
-                        level += step;
-                    }
-                    step /= 2;
-                }
-                level as u32
-            }
-        }
-    };
+/// Levels of at most 64, by one comparison: the level at the beginning of each 32nd of an octave, in which at most one level
+/// begins, and where the level after each begins. RGB565 takes 1 KB.
+struct Near<const N: usize> {
+    first: [u8; 352],
+    next_edges: [u32; N],
 }
 
-edges!(u32);
+impl<const N: usize> Near<N> {
+    const fn new() -> Self {
+        let next_edges = next_edges::<N>();
+        let (mut first, mut level, mut i) = ([0; 352], 0, 0);
+        while i < 352 {
+            let begin = LEVEL_1_OF_64.to_bits() + ((i as u32) << 18);
+            while next_edges[level] <= begin {
+                level += 1;
+            }
+            first[i] = level as u8;
+            assert!(
+                N > 64 || level + 1 >= N || next_edges[level + 1] >= begin + (1 << 18),
+                "two levels in an interval"
+            );
+            i += 1;
+        }
+        Self { first, next_edges }
+    }
+
+    #[inline]
+    const fn level(&self, bits: u32) -> u32 {
+        let level = self.first[((bits - LEVEL_1_OF_64.to_bits()) >> 18) as usize % 352] as usize;
+        (level + (bits >= self.next_edges[level % N]) as usize) as u32
+    }
+}
+
+/// Where the 11 octaves begin in which level 1 of 64 and all above begin.
+const LEVEL_1_OF_64: f32 = 1.0 / 2048.0;
+
+/// Where the level after each begins, for a search: it takes no room beside the edges.
+struct Edges<const N: usize>([u32; N]);
+
+impl<const N: usize> Edges<N> {
+    /// The last level that begins at or below a number, one bit of it after the other.
+    #[inline(never)]
+    const fn level(&self, bits: u32) -> u32 {
+        let (mut level, mut step) = (0, N / 2);
+        while step > 0 {
+            if bits >= self.0[(level + step - 1) % N] {
+                level += step;
+            }
+            step /= 2;
+        }
+        level as u32
+    }
+}
+
+/// The levels of fixed-point numbers below 1 with 16 bits after the point: the level at the beginning of each 64th, from which
+/// a few comparisons lead to that of the number.
 #[cfg(feature = "fixed")]
-edges!(u16);
+pub(crate) struct Climb<const N: usize> {
+    first: [u8; 64],
+    next_edges: [u16; N],
+}
+
+#[cfg(feature = "fixed")]
+impl<const N: usize> Climb<N> {
+    const fn new() -> Self {
+        let next_edges = next_fixed_edges::<N>();
+        let (mut first, mut level, mut i) = ([0; 64], 0, 0);
+        while i < 64 {
+            while next_edges[level] <= (i as u16) << 10 {
+                level += 1;
+            }
+            first[i] = level as u8;
+            i += 1;
+        }
+        Self { first, next_edges }
+    }
+
+    /// The level of a number, which is below the largest of 16 bits: the last edge ends the climb.
+    #[inline]
+    pub(crate) const fn level(&self, bits: u16) -> u32 {
+        let mut level = self.first[bits as usize >> 10] as usize;
+        while bits >= self.next_edges[level % N] {
+            level += 1;
+        }
+        level as u32
+    }
+}
 
 macro_rules! levels {
     ($($name:ident $steps:ident $levels:literal $fixed:ident)*) => {$(
         /// The level of a channel.
         #[inline]
         pub(super) const fn $name(channel: f32) -> u32 {
-            static EDGES: Edges<u32, $levels> = Edges(next_edges());
-            if CHIP { EDGES.level(clamped(channel, DARKEST, BRIGHTEST)) } else { $steps.level(channel) }
+            static EDGES: Edges<$levels> = Edges(next_edges());
+            static NEAR: Near<$levels> = Near::new();
+            if FPU_CHIP && $levels <= 64 {
+                NEAR.level(clamped(channel, LEVEL_1_OF_64, BRIGHTEST))
+            } else if CHIP {
+                EDGES.level(clamped(channel, DARKEST, BRIGHTEST))
+            } else {
+                $steps.level(channel)
+            }
         }
 
         /// For a fixed-point number with 16 bits after the point.
         #[cfg(feature = "fixed")]
-        pub(crate) static $fixed: Edges<u16, $levels> = Edges(super::edges::next_fixed_edges());
+        pub(crate) static $fixed: Climb<$levels> = Climb::new();
     )*};
 }
 

@@ -20,9 +20,9 @@ pub(super) enum Kind {
 
 /// The light that arrives at a point: a [`Light`](crate::Light), and the vector to it.
 ///
-/// The method `at` of every light returns it for a point. The direction, the distance and the
+/// Each light's `at` returns one for a given point. The direction, the distance and the
 /// intensity are computed when you ask for them, so a light behind the surface costs a sum almost
-/// nothing. [`arrival`](IncidentLight::arrival) computes all three by one root.
+/// nothing. [`arrival`](IncidentLight::arrival) computes all three with a single root.
 ///
 /// Multiply it to change what arrives. A falloff, a beam or a filter of your own is a `map`:
 ///
@@ -76,7 +76,7 @@ pub struct Arrival<T = f32> {
 }
 
 impl<T: Real> IncidentLight<T> {
-    /// Of a lamp: it has a cone that nobody looks at.
+    /// For a point light. Its cone is never read.
     #[inline(always)]
     pub(super) fn new(to_light: Vec3<T>, intensity: Rgb<T>, attenuation: Attenuation<T>) -> Self {
         Self {
@@ -197,11 +197,11 @@ impl<T: Real> IncidentLight<T> {
 
     /// The light after the distance and the cone.
     #[inline(always)]
-    fn dimmed(&self, to_light: &Measured<T>) -> Dimmed<T> {
-        let light = self.attenuation.dimmed(self.intensity, to_light.length);
+    fn dimmed(&self, measured: &Measured<T>) -> Dimmed<T> {
+        let (v, q) = (self.to_light, measured.length);
+        let light = self.attenuation.dimmed(self.intensity, v, q);
         if self.kind == Kind::Spot {
-            let cosine = (-self.axis).dot(to_light.w) / to_light.w_length;
-            self.cone.dimmed(light, cosine)
+            self.cone.dimmed(light, self.axis, v, measured)
         } else {
             light
         }
@@ -221,7 +221,7 @@ impl<T: Real> IncidentLight<T> {
     }
 }
 
-/// What arrives, dimmed or brightened.
+/// Scales the light that arrives.
 impl<T: Real> Mul<T> for IncidentLight<T> {
     type Output = Self;
     #[inline]

@@ -26,7 +26,7 @@ pub(crate) fn beam<T: Real>(cosine: T, [inner, outer]: [T; 2], is_smooth: T::Mas
     if !is_soft.any() {
         return within(inner, T::ZERO);
     }
-    // counted from the outer edge, a faint light keeps its digits
+    // measured from the outer edge, so that small t keep their precision
     let t = (cosine - outer) / (inner - outer);
     let t = t.at_least(T::ZERO).at_most(T::ONE);
     let smoothstep = (t * t * (T::ONE + T::ONE + T::ONE - (t + t))).at_most(T::ONE);

@@ -64,7 +64,21 @@ fn plain<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
     }
 }
 
-#[inline(always)]
+// Without an FPU a call: inline, the compiler computes it for every vector, beside the other, and chooses.
+#[cfg_attr(
+    any(
+        all(target_arch = "arm", not(target_abi = "eabihf")),
+        target_arch = "riscv32"
+    ),
+    inline(never)
+)]
+#[cfg_attr(
+    not(any(
+        all(target_arch = "arm", not(target_abi = "eabihf")),
+        target_arch = "riscv32"
+    )),
+    inline(always)
+)]
 fn rescued<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
     let (w, power) = tamed_by(v, Vec3::new(T::ZERO, T::ZERO, T::ZERO), square);
     let square = T::dot(w, w);

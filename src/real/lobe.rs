@@ -44,7 +44,7 @@ use super::{Real, Select};
 pub trait Lobe<T: Real>: Copy {
     /// cosineᵐ, within [0, 1], for a cosine within [0, 1].
     ///
-    /// The terms and the sums call it with no other cosine: a highlight of your own need not think of
+    /// The terms and the sums call it with no other cosine: your own highlight never has to handle
     /// light from behind. They do not use the result for a cosine of 0; the factor is then 0 for
     /// **every** m. Above 0, the power with m = 0 is 1. A negative or NaN m counts as 0. 1 to any power
     /// is 1, even if m is infinite.

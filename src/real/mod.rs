@@ -44,7 +44,7 @@ pub(crate) use root::const_sqrt;
 /// - No operation may panic. A division by zero may give any number.
 /// - If the operations round correctly, results have the same bits on every machine, and the error
 ///   bounds of [`guide::precision`](mod@crate::guide::precision) hold in units of the type's
-///   roundoff. If they do not, nothing else is lost.
+///   roundoff. Otherwise, everything but these two guarantees still holds.
 ///
 /// The methods from [`of_f32`](Real::of_f32) to [`finite`](Real::finite) are derived; override one if a
 /// processor has a better way to the same result. Those from [`dot`](Real::dot) on are **hooks**: each
@@ -87,7 +87,7 @@ pub trait Real:
     /// `f32` p is 2¹⁰⁰ and for `f64` 2⁷²⁰.
     const EXTREME: Self;
 
-    /// The number nearest to a literal, an `f64`, so that users of `f64` lose nothing.
+    /// Converts an `f64` literal to the nearest number.
     #[must_use]
     fn of(literal: f64) -> Self;
 
@@ -224,7 +224,8 @@ pub trait Real:
         Dimmed { color, factor }
     }
 
-    /// A light times the window of a range r, which ends it at r.
+    /// A light times the window of a range r, which ends it at r. The light is at the end of the vector v, of
+    /// length q.
     ///
     /// ```text
     /// light · max(0, 1 − (q/r)⁴)², or not squared
@@ -233,6 +234,7 @@ pub trait Real:
     #[must_use]
     fn windowed(
         Dimmed { color, factor }: Dimmed<Self>,
+        _v: Vec3<Self>,
         q: Self,
         range: Self,
         is_squared: Self::Mask,
@@ -241,21 +243,24 @@ pub trait Real:
         Dimmed { color, factor }
     }
 
-    /// A light times the factor of a cone, given the cosine of the angle to its axis, and those of its
-    /// half-angles, inner ≥ outer. They are equal for a hard edge.
+    /// A light times the factor of a cone, given its axis, the cosines of its half-angles, inner ≥ outer, which
+    /// are equal for a hard edge, and the vector v to the light, of the direction w.
     ///
     /// ```text
     /// light · t², or light · t²(3 − 2t) if it is smooth,
-    /// t = (cosine − outer)/(inner − outer) within [0, 1]
+    /// t = (−axis·w/|w| − outer)/(inner − outer) within [0, 1]
     /// ```
     #[inline(always)]
     #[must_use]
     fn beamed(
         Dimmed { color, factor }: Dimmed<Self>,
-        cosine: Self,
+        axis: Vec3<Self>,
         inner_and_outer: [Self; 2],
         is_smooth: Self::Mask,
+        _v: Vec3<Self>,
+        Measured { w, w_length, .. }: &Measured<Self>,
     ) -> Dimmed<Self> {
+        let cosine = Self::dot(-axis, *w) / *w_length;
         let factor = factor * falloff::beam(cosine, inner_and_outer, is_smooth);
         Dimmed { color, factor }
     }

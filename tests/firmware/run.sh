@@ -3,7 +3,7 @@
 # digest differs or a budget is exceeded. `run.sh renew` writes flash.txt. Installs what it needs.
 set -euo pipefail
 cd "$(dirname "$0")"
-. ./toolchain.sh
+. ../../.ci/toolchain
 
 m0=thumbv6m-none-eabi m3=thumbv7m-none-eabi m4f=thumbv7em-none-eabihf riscv=riscv32imac-unknown-none-elf
 chips="$m0 $m3 $m4f $riscv"
@@ -93,7 +93,7 @@ for target in $chips; do
 done
 
 echo "== instructions of a point light: integer m, real m, fixed point; at opt-level 3, then s"
-declare -A budget=([$m4f]="189 200 560" [$m0]="8328 10867 1870" [$m3]="4739 6313 586" [$riscv]="4289 5685 770")
+declare -A budget=([$m4f]="160 180 376" [$m0]="7000 9960 1280" [$m3]="3950 5690 396" [$riscv]="3625 5190 570")
 for target in $chips; do
     icount="-icount shift=10" # the emulator's clock counts instructions
     [ "$target" != $riscv ] || icount="-icount shift=0"
@@ -104,6 +104,48 @@ for target in $chips; do
     read -ra counts <<<"$counts"
     read -ra budgets <<<"${budget[$target]}"
     for i in "${!counts[@]}"; do within "$target instructions" "${counts[i]}" "${budgets[i]}"; done
+done
+
+echo "== the ball, by the crate and by hand: bytes of flash, millions of instructions, pixels that differ from the exact picture"
+# ball TARGET PROGRAM: prints the bytes, the instructions and the digest of the picture
+ball() {
+    local program icount="-icount shift=7"
+    export BALL=$2
+    [ "$1" != $riscv ] || icount="-icount shift=0"
+    program=$(build "$1" ball ball) || return
+    # shellcheck disable=SC2086 # two words
+    echo "$(readelf --section-headers --wide "$program" |
+        awk '{ sub(/^ *\[ *[0-9]+\]/, "") } $1 ~ /^\.(text|rodata)$/ { bytes += strtonum("0x" $5) } END { print bytes }')" \
+        "$(run "$1" ball frame $icount)"
+}
+pictures=$(cargo run --quiet --profile ball --bin frame)
+# bytes and thousands of instructions
+declare -A limit=(
+    [$m4f fixed]="3450 22000" [$m0 fixed]="5000 75000" [$riscv fixed]="4800 33000"
+    [$m4f f32]="2660 12800" [$m0 f32]="5650 385000" [$riscv f32]="7200 200000"
+)
+declare -A bytes thousands
+for target in $m4f $m0 $riscv; do
+    for program in f32 f32_by_hand f32_by_micromath fixed fixed_by_hand; do
+        read -r bytes[$program] instructions digest <<<"$(ball "$target" $program)"
+        thousands[$program]=$((instructions / 1000))
+        read -r _ expected levels wrong <<<"$(grep "^$program " <<<"$pictures")"
+        echo "$target $program: ${bytes[$program]} bytes, ${thousands[$program]} thousand; $wrong pixels by up to $levels levels"
+        [ "$digest" = "$expected" ] || complain "$target $program: the picture is not the host's"
+        [ $program = f32_by_micromath ] || within "$target $program: levels" "$levels" 1
+    done
+    for program in f32 fixed; do
+        read -r most_bytes most_thousands <<<"${limit[$target $program]}"
+        within "$target $program: bytes of the ball" "${bytes[$program]}" "$most_bytes"
+        within "$target $program: thousands of instructions" "${thousands[$program]}" "$most_thousands"
+    done
+    within "$target: hundredths of the instructions by hand" $((100 * thousands[fixed] / thousands[fixed_by_hand])) \
+        $([ "$target" = $riscv ] && echo 55 || echo 50)
+    BALL=fixed program=$(build "$target" ball ball)
+    ! readelf --symbols --wide "$program" | grep -E ' (__aeabi_(c?[df][a-z]+|[a-z]+2[df]|[df]2[a-z]+)|__[a-z]*[sd]f[a-z]*[0-9]?)$' ||
+        complain "$target: a program in fixed point computes in floating point"
+    ! readelf --symbols --wide "$program" | grep -E ' (__aeabi_u?ldivmod|__u?divdi3)$' ||
+        complain "$target: a program in fixed point divides 64 bits"
 done
 
 echo "== stack below the caller: Lambert, Phong, Blinn–Phong, the last two with a real m; in fixed point the first three"

@@ -144,3 +144,74 @@ fn light_is_not_brighter_with_distance_by_more_than_a_level() {
         }
     }
 }
+
+/// Where a range or a soft edge ends, a factor near 0 meets a light that is still large.
+#[test]
+fn faint_ends_of_bright_lights_are_within_a_level() {
+    use shading::fixed::{Cone, IncidentLight, SpotLight, UnitVec3};
+    use shading::{Material, shade};
+
+    let levels = |light: f64| {
+        255.0
+            * if light <= 0.003_130_8 {
+                12.92 * light
+            } else {
+                1.055 * light.min(1.0).powf(1.0 / 2.4) - 0.055
+            }
+    };
+    let white = Material {
+        k_a: Rgb::BLACK,
+        k_d: Rgb::WHITE,
+        k_s: Rgb::BLACK,
+        m: 1,
+    };
+    let error = |light: IncidentLight, exactly: shading::f64::IncidentLight| {
+        let n = UnitVec3::Z;
+        let fixed = shade::lambert(n, &white, Rgb::BLACK, [light]).diffuse.r;
+        let white = white.cast(exact);
+        let double = shade::lambert(n.cast(exact), &white, shading::Rgb::BLACK, [exactly]);
+        (levels(exact(fixed)) - levels(double.diffuse.r)).abs()
+    };
+    let mut worst = 0.0_f64;
+    for intensity in [64, 256, 1024, 4096] {
+        let mut point = PointLight {
+            position: Vec3::new(x(0.0), x(0.0), x(2.0)),
+            intensity: Rgb::gray(Fixed::from(intensity)),
+            attenuation: Attenuation::NONE,
+        };
+        // every step along the last quarter of the radius, where the light ends at 1.5 and at cosines of 0.75
+        for p in (70_000..120_000).map(|steps| Vec3::new(Fixed::from_bits(steps), x(0.0), x(0.0))) {
+            let ranged = Attenuation::NONE.within(x(2.5)).unwrap();
+            for attenuation in [ranged, Attenuation::NONE.within_gltf(x(2.5)).unwrap()] {
+                point.attenuation = attenuation;
+                let wide = point.cast(exact).at(p.map(exact));
+                worst = worst.max(error(point.at(p), wide));
+            }
+            point.attenuation = Attenuation::NONE;
+            let cone = Cone::from_cosines(x(0.9), x(0.75)).unwrap();
+            for cone in [cone, cone.smoothstep()] {
+                let axis = UnitVec3::NEG_Z;
+                let spot = SpotLight { point, axis, cone };
+                let wide = spot.cast(exact).at(p.map(exact));
+                worst = worst.max(error(spot.at(p), wide));
+            }
+        }
+    }
+    println!("{worst:.3} levels");
+    assert!(worst <= 1.0, "{worst} levels");
+}
+
+/// min(1, 1/d) is 1/d for d above the largest number, too.
+#[test]
+fn a_limit_of_1_leaves_darker_light_alone() {
+    let [a, b, c] = [x(0.0), x(0.0), x(30.0)];
+    let lamp = Attenuation::new(a, b, c).unwrap();
+    let point = |attenuation| PointLight {
+        position: Vec3::new(x(40.0), x(0.0), x(0.0)),
+        intensity: Rgb::gray(x(1000.0)),
+        attenuation,
+    };
+    let light = point(lamp).at(Vec3::ZERO).intensity();
+    assert_eq!(point(lamp.clamped()).at(Vec3::ZERO).intensity(), light);
+    assert!((exact(light.r) - 1000.0 / 48_000.0).abs() < 1.0 / 65536.0);
+}

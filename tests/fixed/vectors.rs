@@ -1,7 +1,7 @@
 //! Directions, lengths and cosines of vectors of any size.
 
+use shading::Real;
 use shading::fixed::{Fixed, UnitVec3, Vec3};
-use shading::{Measured, Real};
 
 use crate::{Random, edges, exact, steps};
 
@@ -46,28 +46,54 @@ fn directions_and_lengths_are_near_the_exact_ones() {
     assert_eq!(Vec3::ZERO.unit_or(UnitVec3::X), UnitVec3::X);
 }
 
-/// The vector halfway to no other is v itself.
-fn power_of_cosine(n: Vec3, v: Vec3, m: u32) -> Fixed {
-    let (w_length, length) = (Fixed::ONE, Fixed::ONE);
-    let measured = Measured {
-        w: v,
-        w_length,
-        length,
-    };
-    Fixed::halfway_power(n, measured, Vec3::ZERO, m)
-}
-
 /// n is off by nothing, as both computations are given the same one.
 #[test]
 fn cosines_are_near_the_exact_ones() {
     let mut directions = vectors().filter_map(|v| Vec3::from(v).unit());
     let mut others = vectors().skip(1);
     while let (Some(n), Some(v)) = (directions.next(), others.next()) {
-        let wide = shading::f64::Vec3::from(v.map(exact)).unit();
-        let expected = wide.map_or(0.0, |wide| n.cast(exact).dot(wide));
-        let actual = power_of_cosine(*n, v.into(), 1);
+        let Some(wide) = shading::f64::Vec3::from(v.map(exact)).unit() else {
+            continue;
+        };
+        let expected = n.cast(exact).dot(wide);
+        let actual = Fixed::cosine(*n, &Fixed::toward(*n, v.into()));
         let error = steps(actual) - 65536.0 * expected.clamp(0.0, 1.0);
         assert!(error.abs() <= 0.52, "{n:?} {v:?}: {error} steps");
+    }
+}
+
+/// The direction halfway is computed with 24 bits: beside the rounding of the result, that is 2⁻²² of |h|⁻² at most.
+#[test]
+fn halfway_cosines_are_near_the_exact_ones() {
+    let directions = || vectors().filter_map(|v| Vec3::from(v).unit());
+    let (mut normals, mut others) = (directions(), directions().skip(1));
+    let mut lights = directions().skip(2);
+    while let (Some(n), Some(l), Some(v)) = (normals.next(), lights.next(), others.next()) {
+        let measured = Fixed::measured(*l);
+        let h = measured.w.map(exact) + *v.cast(exact);
+        let Some(wide) = h.unit() else {
+            assert_eq!(Fixed::halfway_power(*n, measured, *v, 1), Fixed::ZERO);
+            continue;
+        };
+        let expected = n.cast(exact).dot(wide);
+        let actual = Fixed::halfway_power(*n, measured, *v, 1);
+        let error = steps(actual) - 65536.0 * expected.clamp(0.0, 1.0);
+        let bound = 0.52 + 0.016 / h.dot(h).min(1.0);
+        assert!(error.abs() <= bound, "{n:?} {l:?} {v:?}: {error} steps");
+    }
+}
+
+/// A vector and its negative are as long, whatever the bits of a negative number are.
+#[test]
+fn lengths_do_not_depend_on_the_sign() {
+    for v in vectors() {
+        let length = Vec3::from(v).length();
+        for signs in 1..8 {
+            let signed = [0, 1, 2].map(|i| if signs >> i & 1 == 1 { -v[i] } else { v[i] });
+            if v.iter().all(|x| *x > Fixed::MIN) {
+                assert_eq!(Vec3::from(signed).length(), length, "{v:?} {signed:?}");
+            }
+        }
     }
 }
 
@@ -77,7 +103,8 @@ fn anything_has_a_result() {
     let (mut n, mut others) = (vectors(), vectors().skip(2));
     while let (Some(n), Some(v)) = (n.next(), others.next()) {
         let _ = <Fixed as Real>::dot(n.into(), v.into());
-        let power = power_of_cosine(n.into(), v.into(), 128);
+        let measured = Fixed::measured(v.into());
+        let power = Fixed::halfway_power(n.into(), measured, v.into(), 128);
         assert!(Fixed::ZERO <= power && power <= Fixed::ONE);
         let [a, b, c] = n;
         let [q, limit, color] = v;

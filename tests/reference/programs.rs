@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_1_PI;
 
-use kit::invariants::Tracked;
+use properties::Tracked;
 use shading::{
     Attenuation, Cone, Material, PointLight, Real, Rgb, SpotLight, UnitVec3, Vec3, shade,
 };

@@ -17,10 +17,9 @@ PROFILE = {
     "name": "POV-Ray",
     "clamps": [0, 1],
     "bits": 16,
-    "normal_faces_eye": True,
+    "departs": ["NormalTowardEye", "AmbientTimesDiffuse"],
     "unattenuated": True,
     "gray_highlight": True,
-    "ambient_times_diffuse": True,
 }
 
 

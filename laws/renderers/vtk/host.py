@@ -16,7 +16,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
 SIDE = 16
-PROFILE = {"name": "VTK", "models": ["lambert", "phong"], "unlit_without_lights": True}
+PROFILE = {"name": "VTK", "models": ["lambert", "phong"], "departs": ["UnlitWithoutLights"]}
 
 
 def add(a, b):

@@ -1,20 +1,17 @@
-//! The mistakes that renderers make: one table, from which they are named, planted and listed.
+//! The mistakes that renderers often make: one table, whose rows name what is wrong, and which a renderer names to say
+//! where it departs from the formulas on purpose.
 
-#[rustfmt::skip] // a table
 mod table;
 
 use std::f64::consts::{FRAC_1_PI, PI};
 use std::fmt;
-use std::sync::LazyLock;
+use std::str::FromStr;
 
 use serde::{Serialize, Serializer};
-pub use table::SCOPES;
-use table::{OPERATIONS, ROWS};
+pub use table::{MISTAKES, SCOPES};
 
-use crate::bounded::{Bounded, Bounded3, rounded};
-use crate::formula::{At, Change, ONE, Part, ZERO};
+use crate::formula::{Applied, At, Change, Formula, Part};
 use crate::profile::Profile;
-use crate::scene::{Light, dot, length, scale, zip};
 
 /// A known mistake: what it changes in the formulas.
 pub struct Mistake {
@@ -47,11 +44,6 @@ impl Mistake {
     pub fn is_rough(&self) -> bool {
         ["InBits", "Imprecise"].contains(&&*self.id)
     }
-
-    /// Whether it explains any color that is off by little, so that others beside it explain no more.
-    pub fn is_loose(&self) -> bool {
-        self.is_rough() || self.id == "ExpandedSquares"
-    }
 }
 
 impl Fault {
@@ -61,33 +53,56 @@ impl Fault {
         &self.mistake.id
     }
 
-    pub(crate) fn new(mistake: &'static Mistake, value: f64) -> Self {
-        let of = &SCOPES[0];
-        Self { mistake, value, of }
+    /// The mistake as a profile names it in `departs`: `ConeExponent=2`, `HighlightNotGated@Spots`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        let value = match self.mistake.values {
+            [] => String::new(),
+            _ => format!("={}", self.value),
+        };
+        let of = match self.of.id {
+            "All" => String::new(),
+            some => format!("@{some}"),
+        };
+        format!("{}{value}{of}", self.id())
     }
 
     /// The mistake of this name, with the first of its numbers.
-    pub(crate) fn named(id: &str) -> Self {
-        let mut all = Self::all();
-        all.find(|fault| fault.mistake.id == id).expect("a mistake")
+    pub(crate) fn named(id: &str) -> Option<Self> {
+        Self::all().find(|fault| fault.mistake.id == id)
     }
 
     /// Every mistake with every number that is tried for it.
     pub(crate) fn all() -> impl Iterator<Item = Self> {
         MISTAKES.iter().flat_map(|mistake| {
-            let values = match mistake.values {
-                [] => &[0.0],
-                values => values,
-            };
-            values.iter().map(move |&value| Self::new(mistake, value))
+            let values = if mistake.values.is_empty() { &[0.0] } else { mistake.values };
+            let of = &SCOPES[0];
+            values.iter().map(move |&value| Self { mistake, value, of })
         })
+    }
+}
+
+impl FromStr for Fault {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        let (rest, of) = name.split_once('@').unwrap_or((name, "All"));
+        let (id, value) = rest.split_once('=').map_or((rest, None), |(id, x)| (id, Some(x)));
+        let fault = Self::named(id).filter(|fault| !fault.mistake.is_rough());
+        let mut fault = fault.ok_or(format!("there is no departure {id}"))?;
+        let scope = SCOPES.iter().find(|scope| scope.id == of);
+        fault.of = scope.ok_or(format!("{name}: there are no {of}"))?;
+        if let Some(value) = value {
+            let number = value.parse().ok().filter(|x: &f64| x.is_finite());
+            fault.value = number.ok_or(format!("{name}: {value} is no number"))?;
+        }
+        Ok(fault)
     }
 }
 
 impl PartialEq for Fault {
     fn eq(&self, other: &Self) -> bool {
-        let of = |fault: &Self| (&fault.mistake.id, fault.of.id);
-        of(self) == of(other) && self.value == other.value
+        self.id() == other.id() && self.of.id == other.of.id && self.value == other.value
     }
 }
 
@@ -102,7 +117,7 @@ impl Serialize for Fault {
 
 impl fmt::Debug for Fault {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{} {} {}", self.mistake.id, self.value, self.of.id)
+        f.write_str(&self.name())
     }
 }
 
@@ -116,159 +131,24 @@ impl fmt::Display for Fault {
     }
 }
 
-impl Profile {
-    /// What the renderer departs from on purpose.
-    pub(crate) fn departures(&self) -> Vec<Fault> {
-        let table = [
-            (self.attenuated_ambient, "AmbientAttenuated"),
-            (self.unattenuated_highlight, "HighlightNotAttenuated"),
-            (self.highlight_on_the_dark_side, "HighlightNotGated"),
-            (self.normal_faces_eye, "NormalTowardEye"),
-            (self.black_without_lights, "BlackWithoutLights"),
-            (self.unlit_without_lights, "UnlitWithoutLights"),
-            (self.spot_exponent > 0.0, "ConeExponent"),
-            (self.ambient_times_diffuse, "AmbientTimesDiffuse"),
-        ];
-        let made = table.into_iter().filter(|(is_made, _)| *is_made);
-        made.map(|(_, id)| Fault {
-            value: self.spot_exponent,
-            ..Fault::named(id)
-        })
-        .collect()
-    }
+/// What a renderer departs from on purpose.
+pub fn departures(profile: &Profile) -> Result<Vec<Fault>, String> {
+    profile.departs.iter().map(|name| name.parse()).collect()
 }
 
-fn one(x: Bounded) -> Bounded3 {
-    [x; 3]
-}
-
-fn exact(x: f64) -> Bounded {
-    Bounded::exact(x)
-}
-
-fn minus(x: Bounded3) -> Bounded3 {
-    x.map(|c| -c)
-}
-
-/// 1 where a vector is on the side of another, −1 where it is not; either where they are perpendicular.
-fn side(of: Bounded3, v: Bounded3) -> Bounded {
-    let cosine = dot(of, v);
-    if cosine.value == 0.0 {
-        return ONE.looser(2.0);
-    }
-    cosine.if_positive(ONE, -ONE)
-}
-
-fn mean([r, g, b]: Bounded3) -> Bounded3 {
-    one((r + g + b) / exact(3.0))
-}
-
-fn max(a: Bounded3, b: Bounded3) -> Bounded3 {
-    zip(a, b, Bounded::max)
-}
-
-/// Colors and directions as they are stored, each rounded by `f`.
-fn stored(x: Bounded3, at: &At, f: impl Fn(f64) -> f64) -> Bounded3 {
-    x.map(|c| at.given(f(c.value)).looser(c.error))
-}
-
-fn in_steps(x: Bounded3, at: &At) -> Bounded3 {
-    stored(x, at, |c| (c * at.value).round() / at.value)
-}
-
-fn in_half(x: Bounded3, at: &At) -> Bounded3 {
-    stored(x, at, |c| rounded(c, (-11_f64).exp2()))
-}
-
-fn times(x: Bounded3, at: &At) -> Bounded3 {
-    scale(x, at.number())
-}
-
-/// A factor that follows from the shininess.
-fn normalized(x: Bounded3, at: &At, by: impl Fn(f64) -> f64) -> Bounded3 {
-    scale(x, Bounded::computed(by(at.m), 16.0, at.how))
-}
-
-/// k_s with Schlick's approximation of the Fresnel term.
-fn fresnel(k_s: Bounded3, cosine: Bounded) -> Bounded3 {
-    let grazing = (ONE - cosine.at_most(1.0)).at_least_zero().power(5.0);
-    k_s.map(|c| c + (ONE - c) * grazing)
-}
-
-fn unit_by(v: Bounded3, by: impl Fn(Bounded) -> Bounded) -> Bounded3 {
-    let length = by(length(v));
-    v.map(|c| c / length)
-}
-
-/// L of a lamp, where the renderer may divide by the distance, which it needs in any case; a sun's is not normalized.
-fn lamp_by(x: Bounded3, at: &At, by: impl Fn(Bounded) -> Bounded) -> Bounded3 {
-    if matches!(at.light, Some(Light::Directional { .. })) {
-        return x;
-    }
-    let l = unit_by(at.way, by);
-    [0, 1, 2].map(|i| l[i].looser((l[i].value - x[i].value).abs()))
-}
-
-/// The edge of a cone at a whole number of degrees.
-fn edge_in_degrees(at: &At, cut: bool) -> Bounded3 {
-    let degrees = at.spot().1.to_degrees();
-    let whole = degrees.round();
-    let cosine = |degrees: f64| degrees.to_radians().cos();
-    if cut && (degrees - whole).abs() < 1e3 * at.how.u * degrees && !at.how.rounds {
-        // rounding decides to which side a whole number of degrees is cut
-        return one(Bounded::between(cosine(whole), cosine(whole - 1.0), at.how));
-    }
-    let degrees = if cut { degrees.floor() } else { whole };
-    one(at.given(degrees.to_radians()).cos())
-}
-
-/// From 0 at the edge of a cone to 1 on its axis.
-fn within(at: &At) -> Bounded {
-    ((at.against - at.edge) / (ONE - at.edge)).at_least_zero()
-}
-
-/// x where a number is positive, black elsewhere.
-fn if_positive(number: Bounded, x: Bounded3) -> Bounded3 {
-    x.map(|c| number.if_positive(c, ZERO))
-}
-
-/// What linear light is encoded as.
-fn gamma(at: &At, gamma: f64) -> Bounded3 {
-    one(exact(at.linear.max(0.0).powf(1.0 / gamma)))
-}
-
-fn of_linear(at: &At, f: impl Fn(f64) -> f64) -> Bounded3 {
-    one(exact(f(at.linear)))
-}
-
-/// A level of the color that is told, of so many.
-fn level(at: &At, f: impl Fn(f64, f64) -> f64) -> Bounded3 {
-    let most = 1.0 / at.level.unwrap_or(1.0);
-    of_linear(at, |x| f(x, most) / most)
-}
-
-/// Every known mistake.
-pub static MISTAKES: LazyLock<Vec<Mistake>> = LazyLock::new(|| {
-    let rows = ROWS.iter().map(|(id, says, values, changes)| Mistake {
-        id: (*id).into(),
-        says: (*says).into(),
-        values,
-        changes: changes.to_vec(),
+/// The formulas as a renderer has them, with what it departs from on purpose and with these mistakes.
+pub fn formula<'a>(profile: &'a Profile, faults: &[Fault]) -> Formula<'a> {
+    let departures = departures(profile).unwrap_or_default().into_iter();
+    let is_made = |on_purpose: &Fault| faults.iter().any(|fault| fault.id() == on_purpose.id());
+    let faults_and_departures = faults.iter().copied().chain(departures.filter(|it| !is_made(it)));
+    let changes = faults_and_departures.flat_map(|fault| {
+        let Fault { mistake, value, of } = fault;
+        let changes = mistake.changes.iter();
+        changes.map(move |&(part, change)| Applied { part, change, value, has: of.has })
     });
-    let mut all: Vec<Mistake> = rows.collect();
-    for (does, says, values, change, ingredients) in OPERATIONS {
-        all.extend(
-            ingredients
-                .iter()
-                .copied()
-                .flatten()
-                .map(|(id, name, parts)| Mistake {
-                    id: format!("{id}{does}"),
-                    says: format!("{name} {says}").replace(" ,", ","),
-                    values,
-                    changes: parts.iter().map(|part| (*part, *change)).collect(),
-                }),
-        );
+    let formula = Formula::new(profile, changes.collect(), !faults.is_empty());
+    match faults.iter().find(|fault| fault.mistake.is_rough()) {
+        Some(rough) => formula.in_precision((-rough.value).exp2()),
+        None => formula,
     }
-    all
-});
+}

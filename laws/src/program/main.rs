@@ -1,5 +1,6 @@
 //! Tries a renderer in any language by the laws of local illumination.
 
+mod color;
 mod piped;
 
 use std::ffi::OsString;
@@ -18,14 +19,10 @@ use piped::Piped;
 ///
 /// The renderer reads scenes from its standard input and writes colors to its standard output.
 #[derive(Parser)]
+#[command(version, args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
 #[command(
-    version,
-    args_conflicts_with_subcommands = true,
-    disable_help_subcommand = true
-)]
-#[command(
-    after_help = "The exit status is 0 if all laws hold, 1 if not, and 2 if nothing was found before the renderer ended \
-    or answered with nonsense."
+    after_help = "The exit status is 0 if all laws hold, 1 if one is broken, 2 if nothing was found before the renderer \
+    ended or answered with nonsense, and 3 if nothing was found before the time was up or Ctrl-C was pressed."
 )]
 struct Arguments {
     /// The renderer: a program and its arguments
@@ -49,8 +46,8 @@ struct Options {
     /// Try other scenes: the seed from which they are generated
     #[arg(long, default_value = "0")]
     seed: u64,
-    /// The number of random cases of each law
-    #[arg(long, default_value = "256")]
+    /// The number of random cases of each law; the laws of one scene share 16 times as many
+    #[arg(long, default_value = "64")]
     cases: usize,
     /// Try this law alone; may be repeated
     #[arg(long = "law", value_name = "NAME", hide_possible_values = true)]
@@ -74,7 +71,7 @@ struct Options {
     /// The most batches in which the smallest case of a broken law is looked for
     #[arg(long, value_name = "N", default_value = "200")]
     shrink: usize,
-    /// The longest time of the run; a law that is not tried by then is no pass
+    /// The longest time of the run; a law of which not all cases are tried by then is no pass
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     time: Option<Duration>,
 }
@@ -104,7 +101,7 @@ impl Filed {
 enum Other {
     /// Print a small renderer to copy from
     Example {
-        #[arg(value_parser = ["python", "c", "rust"])]
+        #[arg(value_parser = ["python", "javascript", "c", "rust"])]
         language: String,
     },
     /// Print the scenes, one a line, for a renderer that cannot be piped
@@ -127,32 +124,26 @@ fn seconds(text: &str) -> Result<Duration, String> {
     Ok(duration)
 }
 
-/// What to print, and whether all is well.
-type Outcome = Result<(String, bool), String>;
+/// What to print, and the exit status.
+type Outcome = Result<(String, u8), String>;
+
+/// What was found before the time was up is no pass.
+const CUT_SHORT: u8 = 3;
 
 fn main() -> ExitCode {
-    let (text, status, complaint) = match run(&Arguments::parse()) {
-        Ok((text, passes)) => (text, u8::from(!passes), None),
-        Err(why) => (String::new(), 2, Some(why)),
-    };
-    let mut stdout = io::stdout();
-    let written = stdout
-        .write_all(text.as_bytes())
-        .and_then(|()| stdout.flush());
-    let complaint = match written {
-        // whoever no longer reads has read enough
+    let arguments = Arguments::parse();
+    let (text, mut status) = run(&arguments).unwrap_or_else(|why| {
+        let _ = writeln!(io::stderr(), "shading-laws: {why}");
+        (String::new(), 2)
+    });
+    match io::stdout().write_all(text.as_bytes()) {
         Err(why) if why.kind() != io::ErrorKind::BrokenPipe => {
-            Some(format!("cannot write the report: {why}"))
+            let _ = writeln!(io::stderr(), "shading-laws: cannot write the report: {why}");
+            status = 2;
         }
-        _ => complaint,
-    };
-    match complaint {
-        Some(why) => {
-            let _ = writeln!(io::stderr(), "shading-laws: {why}");
-            ExitCode::from(2)
-        }
-        None => ExitCode::from(status),
+        _ => {}
     }
+    ExitCode::from(status)
 }
 
 fn run(arguments: &Arguments) -> Outcome {
@@ -160,22 +151,23 @@ fn run(arguments: &Arguments) -> Outcome {
         Some(Other::Example { language }) => {
             let text = match language.as_str() {
                 "python" => include_str!("../../examples/renderer.py"),
+                "javascript" => include_str!("../../examples/renderer.js"),
                 "c" => include_str!("../../examples/renderer.c"),
                 _ => include_str!("../../examples/renderer.rs"),
             };
-            Ok((text.into(), true))
+            Ok((text.into(), 0))
         }
         Some(Other::Scenes(run)) => {
             let (_, _, scenes) = run.planned()?;
             let lines = scenes.iter().map(|scene| scene.to_json() + "\n");
-            Ok((lines.collect(), true))
+            Ok((lines.collect(), 0))
         }
         Some(Other::Judge { run, colors }) => {
             let (profile, laws, scenes) = run.planned()?;
             let text = read(colors)?;
             let lines = text.lines().enumerate();
             let color =
-                |(i, line)| piped::color(line).map_err(|why| format!("line {}: {why}", i + 1));
+                |(i, line)| color::color(line).map_err(|why| format!("line {}: {why}", i + 1));
             let colors: Vec<Triple> = lines.map(color).collect::<Result<_, _>>()?;
             if colors.len() != scenes.len() {
                 return Err(format!(
@@ -190,13 +182,14 @@ fn run(arguments: &Arguments) -> Outcome {
         }
         None if arguments.list => {
             let lines = Laws::names().map(|(name, says)| format!("{name:17}  {says}\n"));
-            Ok((lines.collect(), true))
+            Ok((lines.collect(), 0))
         }
         None => {
             let laws = laws(&arguments.options)?;
+            piped::listen_to_interrupts();
             let mut renderer = Piped::start(&arguments.command, arguments.timeout)?;
             let mut report = laws.run(&mut renderer)?;
-            if report.error.is_none() {
+            if report.error.is_none() && !report.is_cut_short() {
                 report.error = renderer.finish().err();
             }
             let words = arguments.command.iter();
@@ -207,7 +200,7 @@ fn run(arguments: &Arguments) -> Outcome {
     }
 }
 
-/// The report in the form that was asked for, and whether all is well.
+/// The report in the form that was asked for, and the exit status.
 fn told(report: &Report, options: &Options) -> Outcome {
     let write = |file: &Option<PathBuf>, text: &dyn Fn() -> String| match file {
         Some(file) => std::fs::write(file, text())
@@ -219,12 +212,14 @@ fn told(report: &Report, options: &Options) -> Outcome {
     if let Some(why) = report.error.as_ref().filter(|_| !report.is_broken()) {
         return Err(why.clone());
     }
-    let text = if options.json {
-        report.to_json() + "\n"
-    } else {
-        report.to_string()
+    let text = if options.json { report.to_json() + "\n" } else { report.to_string() };
+    let is_found = report.laws.iter().any(|law| law.is_broken() && !law.is_known);
+    let status = match () {
+        () if report.passes() => 0,
+        () if report.is_cut_short() && !is_found => CUT_SHORT,
+        () => 1,
     };
-    Ok((text, report.passes()))
+    Ok((text, status))
 }
 
 /// A word for a shell.

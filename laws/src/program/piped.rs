@@ -3,11 +3,14 @@
 use std::ffi::OsString;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::{Child, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use shading_laws::{Profile, Renderer, Scene, Triple};
+use shading_laws::{Profile, Progress, Renderer, Scene, Triple};
+
+use crate::color::{color, quoted};
 
 /// What the program says first.
 const VERSION: &str = r#"{"shading-laws":1}"#;
@@ -17,6 +20,15 @@ const LONGEST: u64 = 65_536;
 
 /// How long a process may take to end, on a machine that is busy, too.
 const GRACE: Duration = Duration::from_secs(5);
+
+/// How often a run that takes long says how far it is.
+const TOLD: Duration = Duration::from_secs(3);
+
+/// How often a wait looks for Ctrl-C.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// Whether Ctrl-C was pressed.
+static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
 /// A program that speaks the format. Two threads write and read, because a process that waits for its output to be read
 /// does not read its input.
@@ -31,6 +43,9 @@ pub struct Piped {
     timeout: Duration,
     scenes: usize,
     batches: usize,
+    progress: Option<Progress>,
+    start: Instant,
+    told: Instant,
 }
 
 impl Piped {
@@ -40,6 +55,9 @@ impl Piped {
         let mut to_start = Command::new(program);
         to_start.args(arguments);
         to_start.stdin(Stdio::piped()).stdout(Stdio::piped());
+        // in a group of its own, it does not end at Ctrl-C, and what was found is told
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut to_start, 0);
         let mut child = to_start.spawn().map_err(|error| {
             let name = program.to_string_lossy();
             let hint = match error.kind() {
@@ -66,6 +84,9 @@ impl Piped {
             timeout,
             scenes: 0,
             batches: 0,
+            progress: None,
+            start: Instant::now(),
+            told: Instant::now(),
         };
         piped.write(format!("{VERSION}\n"));
         let profile = piped.profile_line();
@@ -78,10 +99,7 @@ impl Piped {
     }
 
     fn profile_line(&mut self) -> Result<Profile, String> {
-        let late = format!(
-            "no line within {:?}; does it flush its output?",
-            self.timeout
-        );
+        let late = format!("no line within {:?}; does it flush its output?", self.timeout);
         let line = self.line(self.timeout)?.ok_or(late)?;
         Profile::from_json(&line).map_err(|why| format!("{why}, in {}", quoted(&line)))
     }
@@ -125,10 +143,18 @@ impl Piped {
 
     /// The next line that it writes, without its end; nothing if none came in time.
     fn line(&mut self, patience: Duration) -> Result<Option<String>, String> {
-        let line = match self.lines.recv_timeout(patience) {
-            Ok(line) => line,
-            Err(RecvTimeoutError::Timeout) => return Ok(None),
-            Err(RecvTimeoutError::Disconnected) => return Err(self.end()),
+        let end = Instant::now() + patience;
+        let line = loop {
+            let left = end.saturating_duration_since(Instant::now());
+            match self.lines.recv_timeout(left.min(LOOK)) {
+                Ok(line) => break line,
+                Err(RecvTimeoutError::Disconnected) => return Err(self.end()),
+                Err(RecvTimeoutError::Timeout) if IS_INTERRUPTED.load(Ordering::Relaxed) => {
+                    return Err("interrupted".into());
+                }
+                Err(RecvTimeoutError::Timeout) if left <= LOOK => return Ok(None),
+                Err(RecvTimeoutError::Timeout) => self.tell(),
+            }
         };
         let text = String::from_utf8_lossy(&line);
         let start = quoted(text.trim_end_matches('\n'));
@@ -141,6 +167,21 @@ impl Piped {
             }
             None => Err(format!("{} in the middle of the line {start}", self.end())),
         }
+    }
+
+    /// Says how far a run is that takes long.
+    fn tell(&mut self) {
+        let Some(Progress { asked, of, broken }) = self.progress else {
+            return;
+        };
+        if self.told.elapsed() < TOLD {
+            return;
+        }
+        self.told = Instant::now();
+        let seconds = self.start.elapsed().as_secs();
+        let done = if asked > of { "all" } else { &asked.to_string() };
+        let line = format!("{done} of {of} scenes after {seconds} s; broken laws: {broken}");
+        let _ = writeln!(io::stderr(), "shading-laws: {line}");
     }
 
     /// How it ended, after it has closed its output.
@@ -196,9 +237,32 @@ impl Renderer for Piped {
             let color = answer.and_then(|answer| color(&answer));
             let number = self.scenes;
             colors.push(color.map_err(|why| format!("scene {number}: {why}; the scene: {line}"))?);
+            if IS_INTERRUPTED.load(Ordering::Relaxed) {
+                return Err("interrupted".into());
+            }
+            if let Some(progress) = &mut self.progress {
+                progress.asked += 1;
+            }
+            self.tell();
         }
         Ok(colors)
     }
+
+    fn goes_on(&mut self, progress: &Progress) -> bool {
+        self.progress = Some(*progress);
+        self.tell();
+        !IS_INTERRUPTED.load(Ordering::Relaxed)
+    }
+}
+
+/// Lets Ctrl-C end the run, and a second one the program.
+pub fn listen_to_interrupts() {
+    let listen = || {
+        if IS_INTERRUPTED.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    };
+    let _ = ctrlc::set_handler(listen); // without it, Ctrl-C ends the program
 }
 
 impl Drop for Piped {
@@ -210,9 +274,7 @@ impl Drop for Piped {
 }
 
 fn write(mut stdin: ChildStdin, texts: &Receiver<String>) -> Option<()> {
-    texts
-        .iter()
-        .try_for_each(|text| stdin.write_all(text.as_bytes()).ok())
+    texts.iter().try_for_each(|text| stdin.write_all(text.as_bytes()).ok())
 }
 
 /// Hands on each line, with its end, and the beginning of one that is too long or has no end.
@@ -224,31 +286,5 @@ fn read_lines(stdout: ChildStdout, lines: &SyncSender<Vec<u8>>) -> Option<()> {
         limited.read_until(b'\n', &mut line).ok()?;
         let is_whole = line.last()? == &b'\n';
         lines.send(line).ok().filter(|()| is_whole)?;
-    }
-}
-
-/// A color; also with the numbers that JSON lacks.
-pub fn color(line: &str) -> Result<Triple, String> {
-    let list = line.trim().strip_prefix('[');
-    let list = list.and_then(|list| list.strip_suffix(']'));
-    let list = list.ok_or_else(|| format!("expected [red,green,blue], found {}", quoted(line)))?;
-    let number = |text: &str| match text.trim() {
-        "null" => Err("null is no number; JavaScript writes it for NaN and Infinity".into()),
-        text => text
-            .parse()
-            .map_err(|_| format!("{} is no number in {}", quoted(text), quoted(line))),
-    };
-    let numbers: Vec<f64> = list.split(',').map(number).collect::<Result<_, String>>()?;
-    let count = numbers.len();
-    Triple::try_from(numbers)
-        .map_err(|_| format!("expected 3 numbers, found {count} in {}", quoted(line)))
-}
-
-/// The beginning of a text, in quotation marks and with its control characters escaped.
-fn quoted(text: &str) -> String {
-    const MOST: usize = 80;
-    match text.char_indices().nth(MOST) {
-        Some((end, _)) => format!("{:?}…", &text[..end]),
-        None => format!("{text:?}"),
     }
 }

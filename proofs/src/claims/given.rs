@@ -40,6 +40,12 @@ pub fn checked(given: Given, name: &str) -> Term {
     given.number(name, Range::unsigned(0.0, given.format().max()))
 }
 
+pub fn checked_rgb(given: Given, name: &str) -> Rgb<Term> {
+    ["r", "g", "b"]
+        .map(|channel| checked(given, &format!("{name}.{channel}")))
+        .into()
+}
+
 /// Below 0, infinite or NaN.
 pub fn invalid(given: Given, name: &str) -> Term {
     let below = Range::within(-INF, -given.format().tiny());
@@ -234,9 +240,9 @@ pub struct Scene {
 pub fn any_scene(given: Given) -> Scene {
     let [n, v] = ["n", "v"].map(|name| any_direction(given, name));
     let material = Material {
-        k_a: given.rgb("k_a"),
-        k_d: given.rgb("k_d"),
-        k_s: given.rgb("k_s"),
+        k_a: checked_rgb(given, "k_a"),
+        k_d: checked_rgb(given, "k_d"),
+        k_s: checked_rgb(given, "k_s"),
         m: given.any("m"),
     };
     let i_a = given.rgb("I_a");
@@ -260,5 +266,52 @@ impl Scene {
             "phong" => shade::phong(self.n, self.v, material, self.i_a, lights),
             _ => shade::blinn_phong(self.n, self.v, material, self.i_a, lights),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{EDGES, LIMITS, MODELS, WINDOWS};
+
+    /// The names of the public functions of a file, with this indentation, that return one of these.
+    fn made(source: &'static str, indentation: &str, results: &[&str]) -> Vec<&'static str> {
+        let begins = format!("\n{indentation}pub ");
+        let items = source.split(&begins);
+        let functions = items.filter_map(|item| {
+            let function = item
+                .strip_prefix("fn ")
+                .or(item.strip_prefix("const fn "))?;
+            let (name, _) = function.split_once(['(', '<'])?;
+            let (head, _) = function.split_once('{')?;
+            let is_made = results
+                .iter()
+                .any(|result| head.contains(&format!("-> {result}")));
+            is_made.then_some(name)
+        });
+        sorted(functions.collect())
+    }
+
+    fn sorted(mut names: Vec<&str>) -> Vec<&str> {
+        names.sort_unstable();
+        names.dedup();
+        names
+    }
+
+    #[test]
+    fn any_means_all_that_constructors_make() {
+        let own = ["Self", "Option<Self>"];
+        let attenuations = LIMITS
+            .iter()
+            .chain(&WINDOWS)
+            .map(|(name, _)| *name)
+            .collect();
+        let source = include_str!("../../../src/attenuation.rs");
+        assert_eq!(sorted(attenuations), made(source, "    ", &own));
+        let apart = ["from_cosine", "from_half_angle", "from_half_angles"]; // in claims of their own
+        let cones = EDGES.iter().map(|(name, _)| *name).chain(apart).collect();
+        let source = include_str!("../../../src/cone.rs");
+        assert_eq!(sorted(cones), made(source, "    ", &own));
+        let source = include_str!("../../../src/shade.rs");
+        assert_eq!(sorted(MODELS.to_vec()), made(source, "", &["Shaded<T>"]));
     }
 }

@@ -102,6 +102,7 @@ pub const CLAIMS: &[Claim] = claims! {
     terms::highlights_in_the_dark Rules "`term::phong` and `term::blinn` by an integer are 0 for a cosine that is not above 0 or is NaN"
     terms::highlights_of_one Rules "`term::phong` and `term::blinn` by an integer are 1 for a cosine of 1 or above, and by 0 for every cosine above 0"
     terms::powers_in_their_range Rules "`Lobe::raise` and `Lobe::raise_root` of [0, 1] by an integer are in [0, 1]"
+    terms::one_squaring Rules "the square of a number in [0, 1], and its product with another, are in [0, 1]"
     terms::phong_normalization Rules "`term::phong_normalization` of any bits is in [0.3, MAX]"
     terms::blinn_normalization Rules "`term::blinn_normalization` of any bits is in [0.02, MAX], given what a real power promises"
     terms::dual_values Rules "+ − × ÷ √ and `powi` of `Dual` have the value of the same number without a gradient, to the bit, any bits"

@@ -141,14 +141,10 @@ pub fn reflected_of_one(given: Given) -> Vec<Goal> {
 /// A lamp straight above a surface, seen from there, with an integer shininess.
 pub fn head_on(given: Given) -> Vec<Goal> {
     let (n, q) = straight(given);
-    let color = |name: &str| {
-        let channel = |channel| checked(given, &format!("{name}.{channel}"));
-        Rgb::from(["r", "g", "b"].map(channel))
-    };
     let material = Material {
         k_a: Rgb::BLACK,
-        k_d: color("k_d"),
-        k_s: color("k_s"),
+        k_d: checked_rgb(given, "k_d"),
+        k_s: checked_rgb(given, "k_s"),
         m: SHININESS[given.one_of(9) as usize],
     };
     let Some(attenuation) = any_attenuation(given) else {
@@ -156,7 +152,7 @@ pub fn head_on(given: Given) -> Vec<Goal> {
     };
     let lamp = PointLight {
         position: n * q,
-        intensity: color("I"),
+        intensity: checked_rgb(given, "I"),
         attenuation,
     };
     let light = lamp.at(Vec3::ZERO);

@@ -71,6 +71,12 @@ pub fn powers_in_their_range(given: Given) -> Vec<Goal> {
     within([m.raise(cosine), m.raise_root(cosine)], share())
 }
 
+/// One step of a power by squaring: of the base, and of the power so far.
+pub fn one_squaring(given: Given) -> Vec<Goal> {
+    let [base, power] = ["base", "power"].map(|name| given.number(name, share()));
+    within([base * base, power * base], share())
+}
+
 pub fn phong_normalization(given: Given) -> Vec<Goal> {
     let range = Range::within(0.3, given.format().max());
     within([term::phong_normalization(given.any("m"))], range)

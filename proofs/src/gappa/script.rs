@@ -77,10 +77,12 @@ impl<'a> Script<'a> {
                 .extend([x, y, z].map(|x| format!("{x} in [-1.000001,1.000001]")));
             let id = |name: &str| name[1..].parse::<u32>().expect("a number");
             let square = |x: &str| Node::Mul(id(x), id(x));
-            let find = |node: Node| self.g.nodes.iter().position(|other| *other == node);
-            let [x, y, z] = [x, y, z].map(|x| find(square(x)).expect("a square") as u32);
-            let xy = find(Node::Add(x, y)).expect("a sum") as u32;
-            let sum = find(Node::Add(xy, z)).expect("a sum") as u32;
+            let find = |node: Node| {
+                let id = self.g.nodes.iter().position(|other| *other == node);
+                u32::try_from(id.expect("a part of the square")).expect("fewer than 2³² nodes")
+            };
+            let [x, y, z] = [x, y, z].map(|x| find(square(x)));
+            let sum = find(Node::Add(find(Node::Add(x, y)), z));
             self.define_below(Term(sum));
             let range = self.known.range(self.g, sum);
             let [low, high] = [range.low, range.high].map(binary);
@@ -136,6 +138,7 @@ impl<'a> Script<'a> {
     }
 
     /// Whether a node has no other value; −0 counts as 0.
+    #[allow(clippy::float_cmp)] // 0 and 1 are exact
     fn is(&mut self, id: u32, value: f64) -> bool {
         let range = self.known.range(self.g, id);
         range.low == value && range.high == value
@@ -213,7 +216,7 @@ impl<'a> Script<'a> {
             (Node::Div(..), [x, y]) => format!("{x} / {y}"),
             _ => panic!("{node:?} is not on this way"),
         };
-        self.definitions += &match node {
+        let text = match node {
             Node::Constant(bits) => format!("n{id} = {};\n", binary(f64::from_bits(bits))),
             Node::Var(_) | Node::Power(..) => format!("n{id} = rnd(v{id});\n"),
             _ => {
@@ -224,6 +227,7 @@ impl<'a> Script<'a> {
                 format!("n{id} {rnd}= {rounded};\nN{id} = {exact};\n")
             }
         };
+        self.definitions.push_str(&text);
     }
 
     /// What is known of a node whose error is bounded.

@@ -1,6 +1,6 @@
 //! The constructors for constants, as `f32` has them, and the encodings.
 
-use super::real::unit_and_length;
+use super::root::unit_and_length;
 use super::{Fixed, ONE};
 use crate::attenuation::Attenuation;
 use crate::cone::Cone;
@@ -138,12 +138,13 @@ impl Cone<Fixed> {
     }
 }
 
-/// The channel within [0, 1), in steps. At the last one, every encoding has its highest level.
+/// The channel within [0, 1), in steps. At the greatest that it returns, every encoding has its highest level.
 #[inline]
 const fn within_16_bits(channel: Fixed) -> u16 {
+    const HIGHEST: u16 = u16::MAX - 1;
     let steps = channel.0 & !(channel.0 >> 31);
-    if steps > u16::MAX as i32 {
-        u16::MAX
+    if steps > HIGHEST as i32 {
+        HIGHEST
     } else {
         steps as u16
     }

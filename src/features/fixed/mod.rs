@@ -38,6 +38,8 @@
 
 mod constants;
 mod real;
+mod root;
+mod wide;
 
 #[allow(missing_docs)] // each is documented where it is defined
 mod types {
@@ -47,8 +49,8 @@ mod types {
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use real::product;
 pub use types::*;
+use wide::{HALVES, product};
 
 /// A fixed-point number: 32 bits, 16 of them after the binary point.
 ///
@@ -110,7 +112,7 @@ impl Fixed {
     #[inline]
     #[must_use]
     pub const fn to_f32(self) -> f32 {
-        // 16 less in the exponent: a product would be a call on a chip without an FPU
+        // subtracts 16 from the exponent, because a multiplication would be a library call without an FPU
         let exponent = if self.0 == 0 { 0 } else { 16 << 23 };
         f32::from_bits((self.0 as f32).to_bits() - exponent)
     }
@@ -201,9 +203,19 @@ impl Mul for Fixed {
     #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
     #[allow(clippy::suspicious_arithmetic_impl)] // ^ is of the signs
     fn mul(self, other: Self) -> Self {
+        if HALVES && other.0 as u32 <= ONE as u32 {
+            return times_share(self, other);
+        }
         // not by the sign of the product, which LLVM would compute again
         rounded(product(self.0, other.0), 16, self.0 ^ other.0)
     }
+}
+
+/// The product with a number within [0, 1], as most reflectances are. It cannot leave the range, and its halves fit 32 bits.
+#[inline]
+const fn times_share(x: Fixed, share: Fixed) -> Fixed {
+    let (high, low) = (x.0 >> 16, x.0 as u32 & 0xFFFF);
+    Fixed(high * share.0 + ((low * share.0 as u32 + (1 << 15)) >> 16) as i32)
 }
 
 impl Div for Fixed {

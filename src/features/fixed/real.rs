@@ -1,198 +1,12 @@
-//! [`Real`] and [`Elementary`], with the reciprocal root on which directions, attenuations and
-//! highlights rest.
+//! [`Real`] and [`Elementary`].
 
+use super::root::{Scaled, halfway_cosine, reciprocal, root, unit_and_length};
+use super::wide::{product, product_by_share, product_unsigned, upper_rounded, upper_unsigned};
 use super::{Fixed, ONE, rounded};
 use crate::elementary::Elementary;
-use crate::real::{Dimmed, LightSum, Lobe, Measured, Real, Toward, falloff};
+use crate::real::{Dimmed, LightSum, Lobe, Measured, Real, Toward};
 use crate::rgb::Rgb;
 use crate::vector::Vec3;
-
-/// A Cortex-M0 multiplies 32 bits, and the compiler would call a routine for 64.
-const HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
-
-/// The whole product of two numbers of steps.
-#[inline]
-pub(super) const fn product(a: i32, b: i32) -> i64 {
-    if HALVES {
-        (upper(a, b) as i64) << 32 | a.wrapping_mul(b) as u32 as i64
-    } else {
-        a as i64 * b as i64
-    }
-}
-
-/// The upper half of a product.
-#[inline]
-const fn upper(a: i32, b: i32) -> i32 {
-    if HALVES {
-        let (a_1, a_0, b_1, b_0) = (a >> 16, a & 0xFFFF, b >> 16, b & 0xFFFF);
-        let low = (a_0 as u32).wrapping_mul(b_0 as u32) >> 16;
-        let middle = a_1.wrapping_mul(b_0).wrapping_add(low as i32);
-        let other = a_0.wrapping_mul(b_1).wrapping_add(middle & 0xFFFF);
-        a_1.wrapping_mul(b_1)
-            .wrapping_add(middle >> 16)
-            .wrapping_add(other >> 16)
-    } else {
-        ((a as i64 * b as i64) >> 32) as i32
-    }
-}
-
-/// The upper half of an unsigned product, rounded.
-#[inline]
-const fn upper_rounded(a: u32, b: u32) -> u32 {
-    if HALVES {
-        let (a_1, a_0, b_1, b_0) = (a >> 16, a & 0xFFFF, b >> 16, b & 0xFFFF);
-        let middle = (a_1 * b_0).wrapping_add(a_0 * b_0 >> 16);
-        let other = (a_0 * b_1).wrapping_add((middle & 0xFFFF) + (1 << 15));
-        let carry = (other < (middle & 0xFFFF) + (1 << 15)) as u32;
-        (a_1 * b_1).wrapping_add((middle >> 16) + (other >> 16) + (carry << 16))
-    } else {
-        ((a as u64 * b as u64 + (1 << 31)) >> 32) as u32
-    }
-}
-
-/// The upper half of a product whose factors are below 2³¹, but for the first.
-#[inline]
-const fn upper_unsigned(a: u32, b: u32) -> u32 {
-    if HALVES {
-        // the sign of a stands for 2³², which b takes part in
-        (upper(a as i32, b as i32) as u32).wrapping_add(if a >> 31 == 1 { b } else { 0 })
-    } else {
-        ((a as u64 * b as u64) >> 32) as u32
-    }
-}
-
-/// 2²⁷/√x for x = `bits`/2³² from ¼ on, by Newton's method.
-#[inline]
-const fn reciprocal_root(bits: u32) -> u32 {
-    let first = 256 + ROOTS[(bits >> 25) as usize] as i32; // 8 bits after the point
-    // y(1 − e/2), where e = xy² − 1 has 32 bits after the point
-    let e = ((first * first) as u32).wrapping_mul(bits >> 16) as i32;
-    let second = (first << 6) - ((first * (e >> 12)) >> 15); // 14 bits
-    // once more
-    let e = (1 << 28) - upper_unsigned(bits, (second * second) as u32) as i32;
-    ((second << 13) + (second.wrapping_mul(e >> 1) >> 15)) as u32
-}
-
-/// 2⁸(1/√x − 1) for the middle x of each 128th, from ¼ to 1.
-static ROOTS: [u8; 128] = {
-    let mut table = [0; 128];
-    let mut i = 32;
-    while i < 128 {
-        // the largest r with (2⁸ + r)² x ≤ 2¹⁶, where x = (2i + 1)/2⁸
-        let mut r = 255_u32;
-        while (256 + r) * (256 + r) * (2 * i as u32 + 1) > 1 << 24 {
-            r -= 1;
-        }
-        table[i] = r as u8;
-        i += 1;
-    }
-    table
-};
-
-/// 2²⁸/x for x = `bits`/2³² from ½ on, by Newton's method, too.
-#[inline]
-const fn reciprocal(bits: u32) -> u32 {
-    let root = 256 + ROOTS[(bits >> 25) as usize] as i32;
-    // y(1 − e), where e = xy² − 1 has 32 bits after the point
-    let first = root * root; // 16 bits
-    let e = (first as u32).wrapping_mul(bits >> 16) as i32;
-    let second = first - ((first * (e >> 12)) >> 20);
-    // once more
-    let e = (1 << 30) - upper_unsigned(bits, (second as u32) << 14) as i32;
-    ((second << 12) + (second.wrapping_mul(e >> 4) >> 14)) as u32
-}
-
-/// A vector times a power of two, with a component from 2³⁰ to 2³¹ unless it is 0.
-struct Scaled {
-    v: [i32; 3],
-    shift: u32,
-    /// |v|²/2³²
-    square: u32,
-    /// 2⁵⁹/|v|
-    root: i32,
-}
-
-#[inline]
-const fn scaled([x, y, z]: [i32; 3]) -> Scaled {
-    let bits = (x ^ x >> 31) | (y ^ y >> 31) | (z ^ z >> 31);
-    let shift = (2 * bits as u32 | 1).leading_zeros();
-    let v = [x << shift, y << shift, z << shift];
-    let [x, y, z] = v;
-    let square = (upper(x, x) as u32 + upper(y, y) as u32 + upper(z, z) as u32) | 1;
-    let pairs = square.leading_zeros() >> 1;
-    let root = (reciprocal_root(square << (2 * pairs)) << pairs) as i32;
-    Scaled {
-        v,
-        shift,
-        square,
-        root,
-    }
-}
-
-/// The direction and the length of a vector; for the zero vector, 0.
-#[inline]
-pub(super) const fn unit_and_length(v: [Fixed; 3]) -> ([Fixed; 3], Fixed) {
-    let [x, y, z] = v;
-    if (x.0 | y.0 | z.0) == 0 {
-        return (v, Fixed(0));
-    }
-    scaled([x.0, y.0, z.0]).unit_and_length()
-}
-
-impl Scaled {
-    #[inline]
-    const fn unit_and_length(self) -> ([Fixed; 3], Fixed) {
-        let Self {
-            v: [x, y, z],
-            shift,
-            square,
-            root,
-        } = self;
-        let unit = [
-            Fixed((upper(x, root) + (1 << 10)) >> 11),
-            Fixed((upper(y, root) + (1 << 10)) >> 11),
-            Fixed((upper(z, root) + (1 << 10)) >> 11),
-        ];
-        let length = upper_unsigned(square, root as u32); // in units of 2^(5 − shift) steps
-        let length = if shift > 5 {
-            ((length >> (shift - 6)) + 1) >> 1
-        } else if length >> (26 + shift) != 0 {
-            i32::MAX as u32
-        } else {
-            length << (5 - shift)
-        };
-        (unit, Fixed(length as i32))
-    }
-
-    /// The cosine of the angle to a direction, with 25 bits after the point.
-    #[inline]
-    fn cosine(&self, n: Vec3<Fixed>) -> i32 {
-        let ([a, b, c], [x, y, z]) = (n.map(|x| x.0 << 12).into(), self.v);
-        let dot = upper(a, x)
-            .wrapping_add(upper(b, y))
-            .wrapping_add(upper(c, z));
-        upper(dot << 2, self.root)
-    }
-}
-
-/// 1/(a + bq + cq²) as x/2^s where the denominator is at most 1, or beyond the range: (x, s).
-fn reciprocal_beyond([a, b, c, q]: [Fixed; 4], is_large: bool) -> (u32, u32) {
-    let steps = |x: Fixed| x.0.max(0) as u64;
-    let q = steps(q);
-    let slope = (steps(b) << 16) + steps(c) * q; // 32 bits after the point
-    let (d, shift) = if is_large {
-        let d = (slope >> 24)
-            .saturating_mul(q)
-            .saturating_add(steps(a) << 8);
-        (d | 1, 68)
-    } else {
-        let d = (steps(a) << 32).wrapping_add(slope.wrapping_mul(q));
-        (d | 1, 44)
-    };
-    let zeros = d.leading_zeros();
-    let share = reciprocal((d << zeros >> 32) as u32);
-    (share, (shift.max(zeros) - zeros).clamp(1, 62))
-}
 
 #[diagnostic::do_not_recommend] // the trait's own message names the types
 impl Real for Fixed {
@@ -215,7 +29,7 @@ impl Real for Fixed {
     }
 
     fn sqrt(self) -> Self {
-        Self((((self.0.max(0) as u64) << 18).isqrt() as i32 + 1) >> 1)
+        root(self)
     }
 
     #[inline]
@@ -253,7 +67,7 @@ impl Real for Fixed {
     /// With the cosine by the root of the length, which has more bits than the direction has.
     #[inline(always)]
     fn toward(n: Vec3<Self>, v: Vec3<Self>) -> Toward<Self> {
-        let scaled = scaled(v.map(|x| x.0).into());
+        let scaled = Scaled::of(v.into());
         let n_dot_w = Self((scaled.cosine(n) + (1 << 8)) >> 9);
         let (unit, length) = scaled.unit_and_length();
         let measured = Measured {
@@ -299,10 +113,7 @@ impl Real for Fixed {
         v: Vec3<Self>,
         m: impl Lobe<Self>,
     ) -> Self {
-        // both are directions
-        let sum = |w: Self, v: Self| Self(w.0.wrapping_add(v.0));
-        let h = Vec3::new(sum(w.x, v.x), sum(w.y, v.y), sum(w.z, v.z));
-        let cosine = scaled(h.map(|x| x.0).into()).cosine(n);
+        let cosine = halfway_cosine(n, w, v);
         let cosine = Self((cosine + (1 << 8)) >> 9);
         if cosine.0 > 0 {
             m.raise(cosine.at_most(Self(ONE)))
@@ -317,98 +128,176 @@ impl Real for Fixed {
             color,
             factor: Self(ONE),
         };
-        // a sum of more than 31 bits tells so in the second number
-        let plus_product = |a: Self, b: u32, q: Self| {
-            let sum = if HALVES {
-                product(b as i32, q.0) as u64
-            } else {
-                b as u64 * q.0 as u32 as u64
-            };
-            let sum = sum.wrapping_add((a.0 as u32 as u64) << 16 | 1 << 15);
-            ((sum >> 16) as u32, (sum >> 47) as u32)
-        };
-        let (slope, slope_above) = plus_product(b, c.0 as u32, q);
-        let (d, d_above) = plus_product(a, slope, q);
-        let is_negative = (a.0 | b.0 | c.0 | q.0) < 0;
-        if is_negative || slope_above | d_above != 0 || d < ONE as u32 || limit.0 < ONE {
-            return light(attenuated_beyond(color, [a, b, c], q, limit));
+        // A number too large for 31 bits, as a negative one is, leaves bits above them.
+        let product = product_unsigned(c.0 as u32, q.0 as u32);
+        let product = product.wrapping_add((b.0 as u32 as u64) << 16 | 1 << 15);
+        let (slope, slope_above) = ((product >> 16) as u32, (product >> 47) as u32);
+        let product = product_unsigned(slope, q.0 as u32);
+        let d = ((product >> 16) as u32).wrapping_add(a.0 as u32);
+        let d_above = (product >> 47) as u32 | a.0 as u32 >> 31;
+        let is_negative_or_limited = (c.0 | limit.0.wrapping_sub(ONE)) < 0;
+        if is_negative_or_limited || slope_above | d_above != 0 || d < ONE as u32 {
+            let factor = Factor::attenuating([a, b, c], q, limit);
+            let Rgb { r, g, b } = color;
+            return light(Rgb::new(factor.times(r), factor.times(g), factor.times(b))); // `map` would be a call
         }
         if d == ONE as u32 {
             return light(color);
         }
         let zeros = d.leading_zeros();
-        // 32 bits after the point
-        let share = reciprocal(d << zeros) << 3 >> (15 - zeros);
-        light(color.map(|x| Self(upper_rounded(x.0.max(0) as u32, share) as i32)))
+        times(light(color), reciprocal(d << zeros) << 3 >> (15 - zeros))
     }
 
+    /// From the squares of q and r, which are exact, so that a bright light has its digits where it ends.
     #[inline]
     fn windowed(
-        Dimmed { color, factor }: Dimmed<Self>,
-        q: Self,
+        light: Dimmed<Self>,
+        v: Vec3<Self>,
+        _: Self,
         range: Self,
         is_squared: bool,
     ) -> Dimmed<Self> {
-        if q >= range {
-            return Dimmed {
-                color: Rgb::BLACK,
-                factor,
-            };
-        }
-        let zeros = range.0.leading_zeros();
-        let share = upper_unsigned((q.0 << zeros) as u32, reciprocal((range.0 as u32) << zeros)); // 28 bits
-        let share = if share >> 28 == 0 {
-            share << 3
-        } else {
-            u32::MAX >> 1
-        };
-        let square = upper_unsigned(share, share) << 1; // 31 bits
-        let root = (1 << 31) - 1 - (upper_unsigned(square, square) << 1);
-        let window = if is_squared {
-            upper_unsigned(root, root) << 1
-        } else {
-            root
-        };
-        let color = color.map(|x| Self(upper_rounded(x.0.max(0) as u32, window << 1) as i32));
-        Dimmed { color, factor }
+        times(light, window(v, range, is_squared))
     }
 
+    /// With all digits of the cosine.
     #[inline]
     fn beamed(
-        Dimmed { color, factor }: Dimmed<Self>,
-        cosine: Self,
+        light: Dimmed<Self>,
+        axis: Vec3<Self>,
         inner_and_outer: [Self; 2],
         is_smooth: bool,
+        v: Vec3<Self>,
+        _: &Measured<Self>,
     ) -> Dimmed<Self> {
-        let color = color * falloff::beam(cosine, inner_and_outer, is_smooth);
-        Dimmed { color, factor }
+        times(light, beam(axis, inner_and_outer, is_smooth, v))
     }
 }
 
-/// [`Real::attenuated`] where the denominator is below 1 or beyond the range, and with another limit.
+/// A light times a factor with 32 bits after the point.
+#[inline]
+fn times(Dimmed { color, factor }: Dimmed<Fixed>, by: u32) -> Dimmed<Fixed> {
+    let color = color.map(|x| Fixed(upper_rounded(by, x.0.max(0) as u32) as i32));
+    Dimmed { color, factor }
+}
+
+/// The window of a range r as [`times`] takes it, for a light at the end of the vector v.
+///
+/// ```text
+/// 1 − (q/r)⁴ = rest (2 − rest),  rest = (r² − q²)/r²
+/// ```
+// a call, so that the sum over lights without a range has the registers to itself
+#[inline(never)]
+fn window(v: Vec3<Fixed>, range: Fixed, is_squared: bool) -> u32 {
+    let square = |x: Fixed| product(x.0, x.0) as u64;
+    let (q_squared, r_squared) = (square(v.x) + square(v.y) + square(v.z), square(range));
+    if q_squared >= r_squared {
+        return 0;
+    }
+    let zeros = r_squared.leading_zeros();
+    let upper = |x: u64| (x << zeros >> 32) as u32;
+    let rest = upper_unsigned(upper(r_squared - q_squared), reciprocal(upper(r_squared)));
+    let rest = (rest << 3).min(u32::MAX >> 1); // 31 bits after the point, where 2 is 2³²
+    let root = upper_unsigned(rest.wrapping_neg(), rest); // 30 bits
+    let window = if is_squared {
+        upper_unsigned(2 * root, 2 * root)
+    } else {
+        root
+    };
+    window.min(u32::MAX >> 2) << 2
+}
+
+/// The factor of a cone as [`times`] takes it, for a light at the end of the vector v.
+#[inline(never)]
+fn beam(axis: Vec3<Fixed>, [inner, outer]: [Fixed; 2], is_smooth: bool, v: Vec3<Fixed>) -> u32 {
+    let cosine = Scaled::of(v.into()).cosine(-axis); // 25 bits after the point
+    let [at_inner, at_outer] = [inner, outer].map(|edge| edge.0 << 9);
+    if cosine >= at_inner {
+        return u32::MAX; // which rounds to 1
+    }
+    if cosine <= at_outer {
+        return 0;
+    }
+    // wrapping and limited, for edges that no cone has
+    let width = (inner.0.wrapping_sub(outer.0) as u32).clamp(1, 1 << 22);
+    let zeros = width.leading_zeros();
+    let beyond = (cosine.wrapping_sub(at_outer) as u32) << (zeros - 9);
+    let t = upper_unsigned(beyond, reciprocal(width << zeros));
+    let t = t.min(u32::MAX >> 4) << 3; // 31 bits after the point
+    let square = upper_unsigned(t, t); // 30 bits
+    if is_smooth {
+        let three_less_2_t = (3 << 30) - t; // 30 bits
+        upper_unsigned(three_less_2_t, square).min(u32::MAX >> 4) << 4
+    } else {
+        square << 2
+    }
+}
+
+/// A factor of any size, `significand`/2^`shift`.
+#[derive(Clone, Copy)]
+struct Factor {
+    significand: u32,
+    shift: u32,
+}
+
+impl Factor {
+    #[cold]
+    #[inline(never)]
+    fn times(self, x: Fixed) -> Fixed {
+        let product = product_unsigned(self.significand, x.0.max(0) as u32);
+        let steps = (product + (1 << self.shift >> 1)) >> self.shift;
+        Fixed(if steps >> 31 == 0 {
+            steps as i32
+        } else {
+            i32::MAX
+        })
+    }
+
+    /// The factor of [`Real::attenuated`], whatever the denominator and the limit are.
+    #[cold]
+    #[inline(never)]
+    fn attenuating([mut a, mut b, mut c]: [Fixed; 3], q: Fixed, limit: Fixed) -> Self {
+        if (a.0 | b.0 | c.0) < 0 {
+            (a, b, c) = (a + q * (b + c * q), Fixed(0), Fixed(0));
+        }
+        let steps = |x: Fixed| x.0.max(0) as u32;
+        // the slope b + cq with 32 bits after the point, and then as many as leave 32 in all
+        let mut slope = product_unsigned(steps(c), steps(q)) + ((steps(b) as u64) << 16);
+        let (mut constant, mut more) = ((steps(a) as u64) << 32, 32);
+        while slope >> 32 != 0 {
+            (slope, constant, more) = (slope >> 1, constant >> 1, more - 1);
+        }
+        // the denominator, with 16 bits after the point and as many more
+        let denominator = (product_unsigned(slope as u32, steps(q)) + constant) | 1;
+        let zeros = denominator.leading_zeros();
+        let significand = reciprocal((denominator << zeros >> 32) as u32);
+        let exponent = more + zeros;
+        let (significand, shift) = (
+            significand << exponent.saturating_sub(76).min(3),
+            76_u32.saturating_sub(exponent).min(62),
+        );
+        let is_above = ((significand as u64) << 16) >> shift >= limit.0 as u64;
+        if a.0 < 0 {
+            Self {
+                significand: 0,
+                shift: 0,
+            }
+        } else if limit != Fixed::MAX && is_above {
+            Self {
+                significand: steps(limit),
+                shift: 16,
+            }
+        } else {
+            Self { significand, shift }
+        }
+    }
+}
+
+/// For a lobe that gives a number outside of [0, 1]. A branch that no other takes is shorter than two selections.
 #[cold]
 #[inline(never)]
-fn attenuated_beyond(
-    color: Rgb<Fixed>,
-    [a, b, c]: [Fixed; 3],
-    q: Fixed,
-    limit: Fixed,
-) -> Rgb<Fixed> {
-    let slope = rounded(product(c.0, q.0) + ((b.0 as i64) << 16), 16, 0);
-    let d = rounded(product(slope.0, q.0) + ((a.0 as i64) << 16), 16, 0);
-    if d.0 < 0 {
-        return Rgb::new(Fixed(0), Fixed(0), Fixed(0));
-    }
-    let (share, shift) = reciprocal_beyond([a, b, c, q], d.0 > ONE);
-    let times = |x: Fixed| {
-        let steps = (x.0 as i64 * share as i64 + (1_i64 << shift >> 1)) >> shift;
-        Fixed(steps.clamp(i32::MIN as i64, i32::MAX as i64) as i32)
-    };
-    if limit == Fixed::MAX {
-        color.map(times)
-    } else {
-        color * times(Fixed(ONE)).at_most(limit)
-    }
+fn within_1(factor: Fixed) -> u32 {
+    factor.0.clamp(0, ONE) as u32
 }
 
 /// A sum with 32 bits after the point in each channel, of products that are not rounded.
@@ -426,12 +315,20 @@ impl LightSum<Fixed> for Exact {
         } else {
             light.factor * cosine
         };
+        let factor = if factor.0 as u32 <= ONE as u32 {
+            factor.0 as u32
+        } else {
+            within_1(factor).min(ONE as u32) // which the compiler knows then
+        };
+        let plus = |sum: u64, light: Fixed| {
+            sum.wrapping_add(product_by_share(light.0.max(0) as u32, factor))
+        };
         let Self(Rgb { r, g, b }) = self;
         let color = light.color;
         Self(Rgb::new(
-            plus_product(r, color.r, factor),
-            plus_product(g, color.g, factor),
-            plus_product(b, color.b, factor),
+            plus(r, color.r),
+            plus(g, color.g),
+            plus(b, color.b),
         ))
     }
 
@@ -446,23 +343,6 @@ impl LightSum<Fixed> for Exact {
             })
         })
     }
-}
-
-#[inline(always)]
-fn plus_product(sum: u64, light: Fixed, factor: Fixed) -> u64 {
-    let (light, factor) = (light.0.max(0) as u32, factor.0.clamp(0, ONE) as u32);
-    let product = if HALVES {
-        // a factor has 17 bits
-        (((light >> 16) * factor) as u64) << 16
-    } else {
-        light as u64 * factor as u64
-    };
-    let low = if HALVES {
-        (light & 0xFFFF).wrapping_mul(factor) as u64
-    } else {
-        0
-    };
-    sum.wrapping_add(product).wrapping_add(low)
 }
 
 macro_rules! by_way_of_f32 {

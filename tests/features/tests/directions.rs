@@ -1,6 +1,13 @@
 //! A file may hold a direction as a vector of any length. What is read is as good as what the
 //! constructors make: a spot lights its own axis, and a cone of half-angle π has no dark spot.
 
+#![allow(
+    clippy::cast_lossless,
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_precision_loss
+)] // of numbers that fit, or that are to be rounded
+
 use std::fmt::Debug;
 
 use proptest::prelude::*;
@@ -241,7 +248,6 @@ fn a_cone_keeps_its_bits_after_each_pair_of_casts() {
         let bytes = postcard::to_allocvec(&cone).unwrap();
         assert_eq!(postcard::from_bytes::<Cone<T>>(&bytes).unwrap(), read);
     }
-    #[allow(clippy::cast_possible_truncation)]
     let narrow = |x: f64| x as f32;
     let ends = [-1.0, -0.0, 0.0, 1.0];
     let near = |end: f64| {

@@ -77,17 +77,51 @@ mod counter {
     }
 }
 
-/// How many instructions `work` takes, including the call: fewer than four million.
-pub fn instructions(work: impl Fn()) -> u32 {
-    let ticks = |work: &dyn Fn()| {
-        let start = black_box(counter::now());
-        work();
-        black_box(counter::since(start))
-    };
-    counter::start();
-    let nothing = ticks(&|| {});
-    let thousand = ticks(&thousand_instructions) - nothing;
-    ((ticks(&work) - nothing) * 1000 + thousand / 2) / thousand
+/// Counts the instructions of pieces of work.
+pub struct Stopwatch {
+    /// The ticks of no work, and of a thousand instructions.
+    nothing: u32,
+    thousand: u32,
+    ticks: u64,
+}
+
+impl Stopwatch {
+    pub fn start() -> Self {
+        counter::start();
+        let nothing = ticks(|| {});
+        let thousand = ticks(thousand_instructions) - nothing;
+        Self {
+            nothing,
+            thousand,
+            ticks: 0,
+        }
+    }
+
+    /// Counts one piece of work, the call included. The timer of an Arm core wraps: QEMU's `-icount shift=10` lets it count
+    /// half a million instructions, and `shift=7` five million.
+    #[inline(always)]
+    pub fn count(&mut self, work: impl FnOnce()) {
+        self.ticks += u64::from(ticks(work).wrapping_sub(self.nothing));
+    }
+
+    pub fn instructions(&self) -> u64 {
+        let thousand = u64::from(self.thousand);
+        (self.ticks * 1000 + thousand / 2) / thousand
+    }
+}
+
+#[inline(always)]
+fn ticks(work: impl FnOnce()) -> u32 {
+    let start = black_box(counter::now());
+    work();
+    black_box(counter::since(start))
+}
+
+/// How many instructions `work` takes.
+pub fn instructions(work: impl FnOnce()) -> u32 {
+    let mut stopwatch = Stopwatch::start();
+    stopwatch.count(work);
+    stopwatch.instructions() as u32
 }
 
 #[inline(never)]

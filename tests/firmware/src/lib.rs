@@ -1,6 +1,7 @@
 //! What the firmware programs share: the board, a scene in flash, and the digest of every function.
 #![no_std]
 
+pub mod ball;
 #[cfg(target_os = "none")]
 pub mod board;
 

@@ -19,11 +19,10 @@ pub mod digest;
 pub mod given;
 pub mod number;
 pub mod places;
+pub mod random;
 
 #[cfg(feature = "std")]
 pub mod everything;
-#[cfg(feature = "std")]
-pub mod invariants;
 #[cfg(feature = "std")]
 pub mod promise;
 

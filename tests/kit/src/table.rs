@@ -112,12 +112,12 @@ macro_rules! for_each_function {
             raise_root "Lobe::raise_root" |g| INTEGER.map(|m| m.raise_root(g.cosine)) => nothing;
             hook_attenuated "Real::attenuated" |g| light(T::attenuated(g.rgb, g.attenuation.coefficients(), g.x.abs(), T::ONE)) => light;
             hook_windowed "Real::windowed" |g| { let dimmed = Dimmed { color: g.rgb, factor: g.cosine };
-                [light(T::windowed(dimmed, g.x.abs(), g.y.abs(), T::ONE.above(T::ZERO))),
-                light(T::windowed(dimmed, g.x.abs(), g.y.abs(), T::ZERO.above(T::ZERO)))] }
+                [light(T::windowed(dimmed, g.a, T::measured(g.a).length, g.y.abs(), T::ONE.above(T::ZERO))),
+                light(T::windowed(dimmed, g.a, T::measured(g.a).length, g.y.abs(), T::ZERO.above(T::ZERO)))] }
                 => nothing;
             hook_beamed "Real::beamed" |g| { let dimmed = Dimmed { color: g.rgb, factor: g.cosine };
-                [light(T::beamed(dimmed, g.cosine, [T::of(0.5), T::of(0.25)], T::ONE.above(T::ZERO))),
-                light(T::beamed(dimmed, g.cosine, [T::of(0.5), T::of(0.25)], T::ZERO.above(T::ZERO)))] }
+                [light(T::beamed(dimmed, *g.l, [T::of(0.5), T::of(0.25)], T::ONE.above(T::ZERO), g.a, &T::measured(g.a))),
+                light(T::beamed(dimmed, *g.l, [T::of(0.5), T::of(0.25)], T::ZERO.above(T::ZERO), g.a, &T::measured(g.a)))] }
                 => nothing;
             every_lambert "shade::lambert, every light" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lights()) => light;
             every_phong "shade::phong, every light" |g| shade::phong(g.n, g.v, &g.integer, g.rgb,

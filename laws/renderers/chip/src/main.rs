@@ -14,7 +14,7 @@ use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use nalgebra::{Matrix4, Point3, Vector3};
 use serde::Deserialize;
 
-const PROFILE: &str = r#"{"name":"embedded-3dgfx","models":["lambert","blinn_phong"],"ambient":false,"lights":["directional"],"most_lights":1,"unit_vectors":true,"bits":6,"highlight_on_the_dark_side":true}"#;
+const PROFILE: &str = r#"{"name":"embedded-3dgfx","models":["lambert","blinn_phong"],"ambient":false,"lights":["directional"],"most_lights":1,"unit_vectors":true,"bits":6,"departs":["HighlightNotGated"]}"#;
 
 type Triple = [f32; 3];
 
@@ -57,11 +57,7 @@ fn shade(engine: &mut K3dengine, scene: &Scene) -> Triple {
         let [k_d, k_s] = [scene.k_d, scene.k_s].map(|k| k[i] * light.intensity[i]);
         let mode = match scene.model.as_str() {
             "lambert" => RenderMode::GouraudLightDir(light_dir),
-            _ => RenderMode::BlinnPhong {
-                light_dir,
-                specular_intensity: k_s,
-                shininess: scene.m,
-            },
+            _ => RenderMode::BlinnPhong { light_dir, specular_intensity: k_s, shininess: scene.m },
         };
         let mut mesh = K3dMesh::new(triangle);
         // the engine takes level 63 for 63/64

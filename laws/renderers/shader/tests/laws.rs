@@ -23,7 +23,7 @@ const MISTAKES: [(&str, &str, &str); 11] = [
     ("normalize(l + v)", "(l + v) / 2", "HalfVectorHalved"),
     ("let n_dot_l = dot(n, l);\n        if n_dot_l <= 0 { continue; }", "let n_dot_l = max(dot(n, l), 0);", "HighlightNotGated"),
     ("color += scene.k_s * intensity", "color += scene.k_s * light.intensity", "HighlightNotAttenuated"),
-    ("i < scene.count", "i < min(scene.count, 1)", "LightForgotten"),
+    ("i < scene.count", "i < min(scene.count, 1)", "LightsAtMost"),
     ("dot(-l, light.axis)", "dot(l, light.axis)", "ConeReversed"),
     ("cos_angle { continue; }", "cos_angle { }", "ConeForgotten"),
 ];

@@ -7,7 +7,7 @@ use core::hint::black_box;
 
 use firmware::{AMBIENT, CAP, LIGHTS, board, brass};
 use shading::fixed::Fixed;
-use shading::{Lobe, Light, Material, Real, Rgb, Shaded, UnitVec3, Vec3, shade};
+use shading::{Light, Lobe, Material, Real, Rgb, Shaded, UnitVec3, Vec3, shade};
 
 firmware::program!(
     depth::<f32, _>(lambert, 32),

@@ -5,6 +5,8 @@ use shading::{
     Real, Rgb, Shaded, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 
+use dashu_float::ops::Abs;
+
 use crate::many_digits::{self as exact, Number, Vector, number, vector};
 use crate::search::Numbers;
 use kit::Float;
@@ -35,12 +37,22 @@ fn of_result<T: Float>(computed: UnitVec3<T>, exact: &Vector) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// A point in a cube of side 2, away from the cube's middle planes.
+/// A number within [−1, 1] whose size is between 2⁻⁴⁰ and 1: a quarter of them are small.
+fn of_any_size(x: f64) -> f64 {
+    let below = 0.25 - x.abs();
+    let size = x.abs().max(0.125) * two_to(-150.0 * below.max(0.0));
+    size.copysign(x)
+}
+
+/// 2ˣ for x rounded to an integer, without a function whose last digits differ between machines.
+#[allow(clippy::cast_possible_truncation)]
+fn two_to(x: f64) -> f64 {
+    2.0_f64.powi(x.round() as i32)
+}
+
+/// A point in a cube of side 2; none of its coordinates is 0.
 fn point<T: Float>(numbers: &mut Numbers) -> Vec3<T> {
-    let mut coordinate = || {
-        let x = numbers.next();
-        T::of(x.abs().max(1e-3).copysign(x))
-    };
+    let mut coordinate = || T::of(of_any_size(numbers.next()));
     Vec3::new(coordinate(), coordinate(), coordinate())
 }
 
@@ -143,6 +155,32 @@ pub fn corner<T: Float>(numbers: &mut Numbers) -> f64 {
     largest / conditioning.to_f64().value()
 }
 
+/// The conditioning is (|p₂ − p₁||y₃ − y₁| + |p₃ − p₁||y₂ − y₁|)/|d T|.
+pub fn tangent<T: Float>(numbers: &mut Numbers) -> f64 {
+    let corners = [point::<T>(numbers), point(numbers), point(numbers)];
+    let [x, y] = [point::<T>(numbers), point(numbers)].map(<[T; 3]>::from);
+    let map = [[x[0], y[0]], [x[1], y[1]], [x[2], y[2]]];
+    let [a, b, c] = corners.map(vector);
+    let [e2, e3] = [b, c].map(|p| exact::subtract(&p, &a));
+    let [[x2, x3], [y2, y3]] = [x, y].map(|x| {
+        let [x1, x2, x3] = x.map(|x| number(x.double()));
+        [x2 - &x1, x3 - x1]
+    });
+    let d = x2 * &y3 - x3 * &y2;
+    let t = exact::subtract(&exact::scale(&e2, &y3), &exact::scale(&e3, &y2));
+    let length = exact::length(&t);
+    // the sign of d must be beyond rounding
+    if length == Number::ZERO || d.to_f64().value().abs() < 1e-5 {
+        return 0.0;
+    }
+    let lengths = exact::length(&e2) * y3.abs() + exact::length(&e3) * y2.abs();
+    let side = number(1.0_f64.copysign(d.to_f64().value()));
+    let expected = exact::scale(&exact::unit(&t), &side);
+    normal::tangent(corners, map).map_or(0.0, |(t, _)| {
+        of_one(t, &expected) / (lengths / length).to_f64().value()
+    })
+}
+
 /// The conditioning is |N||T|/|N × T|.
 pub fn mapped<T: Float>(numbers: &mut Numbers) -> f64 {
     let (n, tangent) = (direction::<T>(numbers), point::<T>(numbers));
@@ -230,14 +268,16 @@ pub fn blinn_normalization(m: &Number) -> Number {
     (m + number(2.0)) * (m + number(4.0)) / (number(8.0) * exact::pi() * (power + m))
 }
 
-/// The coefficients a, b, c.
+/// The coefficients a, b, c, often 0 but not all of them.
 fn coefficients<T: Float>(numbers: &mut Numbers) -> [T; 3] {
-    [(); 3].map(|()| T::of(numbers.within(0.01, 2.0)))
+    let [a, b, c] = [(); 3].map(|()| T::of(2.0 * of_any_size(numbers.next()).max(0.0)));
+    let is_nothing = a.double() + b.double() + c.double() == 0.0;
+    [if is_nothing { T::ONE } else { a }, b, c]
 }
 
 pub fn attenuated<T: Float>(numbers: &mut Numbers) -> f64 {
     let [a, b, c] = coefficients::<T>(numbers);
-    let q = T::of(numbers.within(0.0, 100.0));
+    let q = T::of(100.0 * of_any_size(numbers.next()).abs());
     let expected = exact::attenuation(&vector([a, b, c]), &number(q.double()));
     error(attenuation(a, b, c, q), &expected, &expected)
 }
@@ -268,7 +308,7 @@ pub fn ranged<T: Float>(is_squared: bool) -> impl Fn(&mut Numbers) -> f64 {
         let [a, b, c] = coefficients::<T>(numbers);
         let free = Attenuation::new(a, b, c).expect("positive");
         let r = T::of(numbers.within(0.1, 100.0));
-        let q = r * T::of(numbers.within(0.0, 1.0));
+        let q = r * T::of(of_any_size(numbers.next()).abs());
         let share = number(q.double()) / number(r.double());
         let window = exact::clamped(number(1.0) - share.powi(4.into()));
         let free_factor = exact::attenuation(&vector([a, b, c]), &number(q.double()));
@@ -283,8 +323,7 @@ pub fn ranged<T: Float>(is_squared: bool) -> impl Fn(&mut Numbers) -> f64 {
 
 /// A lamp, the vector to it, and the light that arrives; `None` at the lamp.
 fn lamp<T: Float>(numbers: &mut Numbers) -> Option<(PointLight<T>, Vector, IncidentLight<T>)> {
-    // often 0, as in an inverse square
-    let [a, b, c] = [(); 3].map(|()| T::of(2.0 * numbers.next().max(0.0)));
+    let [a, b, c] = coefficients(numbers);
     let [position, p] = [point(numbers), point(numbers)];
     let lamp = PointLight {
         position,
@@ -321,13 +360,67 @@ pub enum Model {
     BlinnPhong,
 }
 
+/// The kind of four lights.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Lights {
+    Suns,
+    Lamps,
+}
+
+/// A direction that is anywhere, or almost opposite to this one.
+fn anywhere<T: Float>(v: UnitVec3<T>, numbers: &mut Numbers) -> Vec3<T> {
+    let (aside, distance) = (point::<T>(numbers), numbers.next());
+    if distance > 0.0 {
+        aside * T::of(two_to(-30.0 * distance)) - *v
+    } else {
+        aside
+    }
+}
+
+/// A light at p, and L and I as they arrive, exactly.
+fn light<T: Float>(
+    kind: Lights,
+    p: Vec3<T>,
+    v: UnitVec3<T>,
+    numbers: &mut Numbers,
+) -> (IncidentLight<T>, Vector, Number) {
+    let (way, i) = (anywhere(v, numbers), T::of(numbers.within(0.0, 1.0)));
+    let intensity = Rgb::gray(i);
+    let exact_i = number(i.double());
+    if kind == Lights::Suns {
+        let l = toward(way);
+        let sun = DirectionalLight { l, intensity };
+        return (sun.into(), vector(l), exact_i);
+    }
+    let [a, b, c] = coefficients(numbers);
+    let attenuation = Attenuation::new(a, b, c).expect("not all 0");
+    let position = p + way * T::of(10.0 * of_any_size(numbers.next()).abs());
+    let lamp = PointLight {
+        position,
+        intensity,
+        attenuation,
+    };
+    let way = exact::subtract(&vector(position), &vector(p));
+    let length = exact::length(&way);
+    if length == Number::ZERO {
+        return (lamp.at(p), vector(v), number(0.0)); // at the lamp, it is dark
+    }
+    let factor = exact::attenuation(&vector([a, b, c]), &length);
+    (
+        lamp.at(p),
+        exact::scale(&way, &(number(1.0) / length)),
+        exact_i * factor,
+    )
+}
+
 /// A channel of the total under four lights, in units in the last place of k_a I_a + Σ I (k_d +
-/// k_s).
-pub fn shaded<T: Float>(model: Model) -> impl Fn(&mut Numbers) -> f64 {
+/// k_s). The half vector of a lamp counts over the least |L + V|, if that is below 1.
+pub fn shaded<T: Float>(model: Model, kind: Lights) -> impl Fn(&mut Numbers) -> f64 {
     move |numbers| {
         let [n, v] = [direction::<T>(numbers), direction(numbers)];
+        let p = point::<T>(numbers);
         let factors = [(); 4].map(|()| T::of(numbers.within(0.0, 1.0)));
-        let lights = [(); 4].map(|()| (direction::<T>(numbers), T::of(numbers.within(0.0, 1.0))));
+        let lights = [(); 4].map(|()| light(kind, p, v, numbers));
         let [k_a, k_d, k_s, ambient] = factors.map(Rgb::gray);
         let material = Material {
             k_a,
@@ -335,16 +428,11 @@ pub fn shaded<T: Float>(model: Model) -> impl Fn(&mut Numbers) -> f64 {
             k_s,
             m: 32_u32,
         };
+        let (exact_n, exact_v) = (vector(n), vector(v));
         // the highlight jumps at the horizon
-        let lights = lights
-            .into_iter()
-            .filter(|(l, _)| n.dot(*l).double().abs() > 1e-3);
-        let incident = lights.clone().map(|(l, i)| {
-            IncidentLight::from(DirectionalLight {
-                l,
-                intensity: Rgb::gray(i),
-            })
-        });
+        let is_clear = |l: &Vector| exact::dot(&exact_n, l).to_f64().value().abs() > 1e-3;
+        let lights = lights.into_iter().filter(|(_, l, _)| is_clear(l));
+        let incident = lights.clone().map(|(incident, _, _)| incident);
         let computed: Shaded<T> = match model {
             Model::Lambert => shade::lambert(n, &material, ambient, incident),
             Model::Phong => shade::phong(n, v, &material, ambient, incident),
@@ -352,26 +440,35 @@ pub fn shaded<T: Float>(model: Model) -> impl Fn(&mut Numbers) -> f64 {
         };
 
         let [k_a, k_d, k_s, i_a] = factors.map(|k| number(k.double()));
-        let (n, v) = (vector(n), vector(v));
         let mut sum = &k_a * &i_a;
         let mut all = sum.clone();
-        for (l, i) in lights {
-            let (l, i) = (vector(l), number(i.double()));
-            let cosine = exact::dot(&n, &l);
+        let mut conditioning = 1.0_f64;
+        for (_, l, i) in lights {
+            let cosine = exact::dot(&exact_n, &l);
             all += &i * (&k_d + &k_s);
             if cosine > Number::ZERO {
                 let highlight = match model {
                     Model::Lambert => number(0.0),
                     Model::Phong => {
-                        exact::highlight(exact::dot(&exact::reflection(&n, &l), &v), 32.0)
+                        let r = exact::reflection(&exact_n, &l);
+                        exact::highlight(exact::dot(&r, &exact_v), 32.0)
                     }
                     Model::BlinnPhong => {
-                        exact::highlight(exact::dot(&n, &exact::half_vector(&l, &v)), 32.0)
+                        let h = exact::add(&l, &exact_v);
+                        let length = exact::length(&h);
+                        if length == Number::ZERO {
+                            number(0.0)
+                        } else {
+                            if kind == Lights::Lamps {
+                                conditioning = conditioning.max(1.0 / length.to_f64().value());
+                            }
+                            exact::highlight(exact::dot(&exact_n, &exact::unit(&h)), 32.0)
+                        }
                     }
                 };
                 sum += i * (&k_d * cosine + &k_s * highlight);
             }
         }
-        error(computed.total().r, &sum, &all)
+        error(computed.total().r, &sum, &all) / conditioning
     }
 }

@@ -1,11 +1,13 @@
 //! Searches for the largest error by climbing hills from random places.
 
+use kit::random::Random;
+
 /// The number of random places tried before a climb, and the number of steps tried during it.
 const LOOKS: u32 = 100;
 const STEPS: u32 = 2000;
 
 /// The largest number of numbers that an input is made from.
-const MOST: usize = 32;
+const MOST: usize = 64;
 
 /// The numbers that an input is made from, one after the other.
 pub struct Numbers<'a> {
@@ -85,29 +87,5 @@ impl Climb {
             }
             self.visit(error, place);
         }
-    }
-}
-
-/// SplitMix64 (Vigna, *splitmix64.c*, 2015, after Steele, Lea and Flood 2014): the same numbers in each run, on every machine.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ z >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ z >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ z >> 31
-    }
-
-    #[allow(clippy::cast_possible_truncation)] // less than the limit
-    fn below(&mut self, limit: usize) -> usize {
-        (self.next() % limit as u64) as usize
-    }
-
-    /// A number in [−1, 1).
-    #[allow(clippy::cast_precision_loss)] // 53 bits
-    fn signed(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 }

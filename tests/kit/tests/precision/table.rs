@@ -3,10 +3,10 @@
 use shading::term::{self, blinn, phong};
 
 use crate::measure::{
-    Model, attenuated, blinn_normalization, corner, diffuse, half, highlight, implicit,
+    Lights, Model, attenuated, blinn_normalization, corner, diffuse, half, highlight, implicit,
     lamp_direction, lamp_intensity, length, mapped, mirrored, normalization, parametric,
-    phong_normalization, ranged, real_power, shaded, soft_cone, sphere, transformed, triangle,
-    unit, whole_power,
+    phong_normalization, ranged, real_power, shaded, soft_cone, sphere, tangent, transformed,
+    triangle, unit, whole_power,
 };
 use crate::search::{Numbers, largest};
 use kit::Float;
@@ -61,11 +61,16 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
         // by 2u; b by ½u of at most 2θ, and the last sum by 1u. So the angle is off by (2√3κ + 15.7)u ≤ 19.2κu, N by 5.68κu, and
         // their product by 1u: 25.9κu.
         row("`normal::corner`", "of its angle, times the conditioning", 25.9, &corner::<T>),
+        // An edge, and a difference of texture coordinates, is off by 1u, and the quotient of each by 1u; so each of the two products
+        // is off by 5u, and their difference by 1u: T is turned by at most (5κ + 1)u. √((5κ + 1)² + 3.5²)u ≤ 6.95κu.
+        row("`normal::tangent`", "of 1, times the conditioning", 3.5, &tangent::<T>),
         // N × T is off by 2.16κu, so with `unit` its direction by (2.16κ + 3.5)u. Its product with N adds 2.16u, and N's own length
         // 3.5u: (2.16κ + 9.2)u for t. The three products and two sums add 3√3u. With κ ≥ 1, and `unit`, at most 18.2κu.
         row("`normal::mapped`", "of 1, times the conditioning", 9.1, &mapped::<T>),
+        // 2(N·L) is off by 6u, its product with a component by 2u more, because it may be 2, and the difference by 1u: 9u.
         row("`reflection`", "of 1", 4.5, &mirrored::<T>),
         row("`half_vector`", "of the result", 5.5, &half::<T>),
+        // A product is off by 1u of itself, and each of the two sums adds 1u: 3u of Σ|aᵢbᵢ| ≤ 1.
         row("`lambert`", "of 1", 1.5, &diffuse::<T>),
         // The cosine is off by 3u, which the power magnifies at most m times. The intermediate results of an integer power lie
         // between cᵐ and 1, where rounding is off by at most u/2: together (3m + (m − 1)/2)u. With a real m, 3mu and what the power
@@ -82,20 +87,37 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
         row("`phong_normalization`", "of the result", 3.0, &normalization(term::phong_normalization::<T>, phong_normalization)),
         row("`blinn_normalization`", "of the result", 11.75, &normalization(term::blinn_normalization::<T>, blinn_normalization)),
         row("`attenuation`", "of the result", 5.0, &attenuated::<T>),
+        // The share s of the range is off by 1u of itself and s⁴ by 7u, so x = 1 − s⁴ by 7u(1 − x) and by ½u more where it is
+        // rounded, for x > ½. Of the factor without a range, which is off by 5u, and 1u for the product: unsquared
+        // 7(1 − x) + ½ + 6x ≤ 7 for x > ½, and 7 − x below; squared 2x(7(1 − x) + ½) + ½ + 6x² ≤ 7.6, in u.
         row("`Attenuation::at`, with a range", "of the attenuation without a range", 8.5, &ranged::<T>(true)),
         row("`Attenuation::at`, with a range, as in glTF", "of the attenuation without a range", 7.0, &ranged::<T>(false)),
+        // W ≤ 1 is the width. The cosine is off by 3u; the difference, the width and t, none above 1, are each rounded by ½u:
+        // t is off by 4½u/W. Its square is off by twice that and ½u: 9½u/W. The slope of t²(3 − 2t) is at most 3/2, and its
+        // roundings near t = ½ add 1¼u: 8u/W.
         row("`Cone::factor`, soft", "of 1, over the width of the edge", 5.95, &soft_cone::<T>(false)),
         row("`Cone::factor`, soft, a smoothstep", "of 1, over the width of the edge", 4.3, &soft_cone::<T>(true)),
         row("`PointLight::at`, direction", "of the result", 6.5, &lamp_direction::<T>),
         row("`PointLight::at`, intensity", "of the result", 13.0, &lamp_intensity::<T>),
-        row("`shade::lambert`, four lights", "of all the light", 9.0, &shaded::<T>(Model::Lambert)),
-        // R·V is off by 6u for 2(N·L), 3u for the rest of R and 3u as a dot product. From these 12u Gappa proves 399.5u for the
+        // The cosine is off by 3u of 1; its product with the light, three sums, the reflectance and two sums of the total add 1u each,
+        // but for a sum with 0: 9u.
+        row("`shade::lambert`, four suns", "of all the light", 9.0, &shaded::<T>(Model::Lambert, Lights::Suns)),
+        // R·V is off by 6u for 2(N·L), 3u for the rest of R and 3u as a dot product. From these 12u, as above, 399.5u for the
         // power, and then 405.5u for the sum.
-        row("`shade::phong`, m = 32", "of all the light", 405.5, &shaded::<T>(Model::Phong)),
+        row("`shade::phong`, m = 32, four suns", "of all the light", 405.5, &shaded::<T>(Model::Phong, Lights::Suns)),
         // The sum L + V is off by 1u, which turns it by at most u; the slope of cos³² of an angle is at most 3.5. (N·h)²/(h·h) is
-        // off by 2·3u for N·h, 1u for its square, 3u for h·h and 1u for the quotient. From these 11u Gappa proves 183.5u for the
+        // off by 2·3u for N·h, 1u for its square, 3u for h·h and 1u for the quotient. From these 11u, as above, 183.5u for the
         // power of 16; with 3.5u, and 6u for the sum, 193u.
-        row("`shade::blinn_phong`, m = 32", "of all the light", 193.0, &shaded::<T>(Model::BlinnPhong)),
+        row("`shade::blinn_phong`, m = 32, four suns", "of all the light", 193.0, &shaded::<T>(Model::BlinnPhong, Lights::Suns)),
+        // The vector w to a lamp is off by 1u of its length, which turns L by as much; |w| is off by 2.5u, and its quotient by 1u: 4.5u
+        // more for each cosine. The intensity is off by 26u, as above. Lambert's sum of 9u becomes 39.5u, and Phong's R·V of 12u
+        // becomes 16.5u, 32 times of which are 144u more: 405.5u + 144u + 26u.
+        row("`shade::lambert`, four lamps", "of all the light", 39.5, &shaded::<T>(Model::Lambert, Lights::Lamps)),
+        row("`shade::phong`, m = 32, four lamps", "of all the light", 575.5, &shaded::<T>(Model::Phong, Lights::Lamps)),
+        // h = w + |w|v is off by 1u|w| for w, by 3.5u|w| for its length, by 1u|w| for the product and by 1u|h|. With |w|/|h| =
+        // 1/|L + V|, the first three turn it by 5.5u/|L + V|, which the slope of 3.5 makes 19.3u: with the 193u of suns, and 26u for
+        // the intensity and 4.5u for N·L, 242.8u.
+        row("`shade::blinn_phong`, m = 32, four lamps", "of all the light, over the least \\|L + V\\| below 1", 242.8, &shaded::<T>(Model::BlinnPhong, Lights::Lamps)),
     ];
     rows
 }

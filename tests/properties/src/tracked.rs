@@ -1,15 +1,16 @@
-//! A number that carries a bound of its error, so that a tolerance follows from the formula itself: run
-//! the crate's own functions with it.
+//! A number that carries a bound of its error. The crate's own functions, run with it, say how far
+//! a result may be from the formula in the book: a tolerance follows from the operations, and not
+//! from a guess.
 
 use core::cell::Cell;
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 use core::ops::{Add, Div, Mul, Neg, Sub};
-use std::thread_local;
 
-use shading::{Mask, Real, Rgb, Select};
+use proptest::prelude::*;
+use shading::{Mask, Real, Rgb, Select, Shaded, UnitVec3, Vec3};
 
-use super::Tried;
+use crate::{Number, Outcome};
 
 thread_local! {
     /// Whether rounding may have decided which way a computation went.
@@ -23,7 +24,7 @@ pub fn decided<R>(compute: impl FnOnce() -> R) -> (R, bool) {
     (result, !UNDECIDED.get())
 }
 
-/// The exact number, in `f64`, and a bound of the error of the same number in T.
+/// A number in `f64`, and a bound of the error of the same number in T.
 #[derive(Debug)]
 pub struct Tracked<T> {
     pub exact: f64,
@@ -39,7 +40,10 @@ impl<T> Clone for Tracked<T> {
 
 impl<T> Copy for Tracked<T> {}
 
-impl<T: Tried> Tracked<T> {
+impl<T: Number> Tracked<T> {
+    /// Whether T has fewer digits than `f64`.
+    const IS_COARSER: bool = T::U == 0.0 || T::U > f64::EPSILON;
+
     const fn given(exact: f64, error: f64) -> Self {
         Self {
             exact,
@@ -53,10 +57,10 @@ impl<T: Tried> Tracked<T> {
         Self::given(x.exact(), 0.0)
     }
 
-    /// After one rounding, which does nothing to a number that T has. Nothing is known of a number out of
-    /// range.
+    /// After one rounding, which does nothing to a number that T has; an `f64` does not show
+    /// whether T has it if T is as precise. Nothing is known of a number out of range.
     fn rounded(exact: f64, error: f64) -> Self {
-        if error == 0.0 && T::of(exact).exact() == exact {
+        if error == 0.0 && Self::IS_COARSER && T::of(exact).exact() == exact {
             return Self::given(exact, 0.0);
         }
         if exact.abs() + error <= T::LARGEST {
@@ -75,8 +79,9 @@ impl<T: Tried> Tracked<T> {
         self.exact == 0.0 && self.error == 0.0
     }
 
+    /// Without a fraction beside the leading bit.
     fn is_power_of_two(self) -> bool {
-        self.error == 0.0 && self.exact.abs().log2().fract() == 0.0
+        self.error == 0.0 && self.exact.to_bits() << 12 == 0
     }
 }
 
@@ -96,14 +101,14 @@ impl<T> PartialOrd for Tracked<T> {
     }
 }
 
-impl<T: Tried> Neg for Tracked<T> {
+impl<T: Number> Neg for Tracked<T> {
     type Output = Self;
     fn neg(self) -> Self {
         Self::given(-self.exact, self.error)
     }
 }
 
-impl<T: Tried> Add for Tracked<T> {
+impl<T: Number> Add for Tracked<T> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         let exact = self.exact + other.exact;
@@ -114,14 +119,14 @@ impl<T: Tried> Add for Tracked<T> {
     }
 }
 
-impl<T: Tried> Sub for Tracked<T> {
+impl<T: Number> Sub for Tracked<T> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl<T: Tried> Mul for Tracked<T> {
+impl<T: Number> Mul for Tracked<T> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         let exact = self.exact * other.exact;
@@ -133,18 +138,15 @@ impl<T: Tried> Mul for Tracked<T> {
         let error = error + self.error * other.error;
         let error = if error.is_nan() { f64::INFINITY } else { error };
         let is_scaled = self.is_power_of_two() || other.is_power_of_two();
-        if is_scaled
-            && T::IS_FLOAT
-            && exact.abs() > T::STEP / T::U
-            && exact.abs() + error <= T::LARGEST
-        {
+        let is_normal = exact.abs() > T::STEP / T::U && exact.abs() + error <= T::LARGEST;
+        if is_scaled && T::DOUBLES_EXACTLY && is_normal {
             return Self::given(exact, error);
         }
         Self::rounded(exact, error)
     }
 }
 
-impl<T: Tried> Div for Tracked<T> {
+impl<T: Number> Div for Tracked<T> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let exact = self.exact / other.exact;
@@ -171,7 +173,7 @@ pub struct Above {
     is_sure: bool,
 }
 
-impl<T: Tried> Select<Tracked<T>> for Above {
+impl<T: Number> Select<Tracked<T>> for Above {
     fn select(self, then: Tracked<T>, otherwise: Tracked<T>) -> Tracked<T> {
         let (taken, other) = if self.holds {
             (then, otherwise)
@@ -183,10 +185,8 @@ impl<T: Tried> Select<Tracked<T>> for Above {
         }
         // either may be taken
         let error = ((taken.exact - other.exact).abs() + other.error).max(taken.error);
-        Tracked::given(
-            taken.exact,
-            if error.is_nan() { f64::INFINITY } else { error },
-        )
+        let error = if error.is_nan() { f64::INFINITY } else { error };
+        Tracked::given(taken.exact, error)
     }
 }
 
@@ -201,7 +201,7 @@ impl Mask for Above {
     }
 }
 
-impl<T: Tried> Real for Tracked<T> {
+impl<T: Number> Real for Tracked<T> {
     type Mask = Above;
     type Sum = Rgb<Self>;
 
@@ -238,3 +238,142 @@ impl<T: Tried> Real for Tracked<T> {
         }
     }
 }
+
+/// A result, taken apart into numbers; `None` has none.
+pub trait Parts<T> {
+    fn parts(self) -> Vec<T>;
+}
+
+impl<T> Parts<T> for Vec<T> {
+    fn parts(self) -> Vec<T> {
+        self
+    }
+}
+
+impl<T: Real> Parts<T> for Vec3<T> {
+    fn parts(self) -> Vec<T> {
+        <[T; 3]>::from(self).into()
+    }
+}
+
+impl<T: Real> Parts<T> for UnitVec3<T> {
+    fn parts(self) -> Vec<T> {
+        (*self).parts()
+    }
+}
+
+impl<T: Real> Parts<T> for Rgb<T> {
+    fn parts(self) -> Vec<T> {
+        <[T; 3]>::from(self).into()
+    }
+}
+
+impl<T: Real> Parts<T> for Shaded<T> {
+    fn parts(self) -> Vec<T> {
+        let parts = [self.ambient, self.diffuse, self.specular];
+        parts.into_iter().flat_map(Rgb::parts).collect()
+    }
+}
+
+impl<T, P: Parts<T>> Parts<T> for Option<P> {
+    fn parts(self) -> Vec<T> {
+        self.into_iter().flat_map(P::parts).collect()
+    }
+}
+
+/// A result of the book's, taken apart into numbers.
+pub trait Printed {
+    fn numbers(self) -> Vec<f64>;
+}
+
+impl Printed for f64 {
+    fn numbers(self) -> Vec<f64> {
+        vec![self]
+    }
+}
+
+impl<P: Printed> Printed for Option<P> {
+    fn numbers(self) -> Vec<f64> {
+        self.into_iter().flat_map(P::numbers).collect()
+    }
+}
+
+impl<P: Printed, const N: usize> Printed for [P; N] {
+    fn numbers(self) -> Vec<f64> {
+        self.into_iter().flat_map(P::numbers).collect()
+    }
+}
+
+/// A whole power below the least normal `f32` may count as 0, in numbers that are no wider; four
+/// lights have a highlight each, of an intensity of at most 2.
+fn least_power<T: Number>() -> f64 {
+    let least = f64::from(f32::MIN_POSITIVE);
+    let is_wider = T::LARGEST > f64::from(f32::MAX);
+    if is_wider || T::SMALLEST > least {
+        0.0
+    } else {
+        8.0 * least
+    }
+}
+
+/// Fails unless each computed number is as near to the book's as the tracked errors allow. A case
+/// that rounding decides is drawn again.
+pub fn is_near<T: Number>(
+    computed: &[T],
+    (tracked, is_decided): (Vec<Tracked<T>>, bool),
+    book: &[f64],
+) -> Outcome {
+    prop_assume!(is_decided && tracked.iter().all(|t| t.error.is_finite()));
+    prop_assume!(book.iter().all(|b| b.is_finite()));
+    prop_assert_eq!(
+        computed.len(),
+        book.len(),
+        "{:?} instead of {:?}",
+        computed,
+        book
+    );
+    // the book's formula rounds in `f64`, in another order: that counts if T is no coarser
+    let roundings = if Tracked::<T>::IS_COARSER { 1.0 } else { 3.0 };
+    for ((x, t), b) in computed.iter().zip(&tracked).zip(book) {
+        let own = T::HOOK + 8.0 * f64::EPSILON;
+        let tolerance = roundings * t.error + own * b.abs() + T::STEP + least_power::<T>();
+        prop_assert!(
+            (x.exact() - b).abs() <= tolerance,
+            "{:?} is not {b:?} ± {tolerance:.1e}",
+            x.exact()
+        );
+    }
+    Ok(())
+}
+
+/// `prop_assert_book!(scene, call, formula)` computes the call with the input in T, and the
+/// formula with the input in `f64`. The tolerance is the error of the call in the number that
+/// tracks the errors of T.
+macro_rules! prop_assert_book {
+    ($given:ident, $call:expr, $formula:expr) => {{
+        use $crate::tracked::{Parts, Printed, Tracked, decided, is_near};
+        let computed: Vec<_> = Parts::<T>::parts($call);
+        let tracked = {
+            let $given = &$given.cast(Tracked::<T>::input);
+            decided(|| Parts::<Tracked<T>>::parts($call))
+        };
+        let book: Vec<f64> = {
+            let $given = &$given.cast(T::exact);
+            $formula.numbers()
+        };
+        is_near(&computed, tracked, &book)?;
+    }};
+}
+pub(crate) use prop_assert_book;
+
+/// Fails unless two numbers are within a tolerance.
+macro_rules! prop_assert_near {
+    ($left:expr, $right:expr, $tolerance:expr) => {{
+        let (left, right, tolerance): (f64, f64, f64) = ($left, $right, $tolerance);
+        proptest::prop_assert!(
+            left == right || (left - right).abs() <= tolerance,
+            "{left:?} is not {right:?} ± {tolerance:.1e}"
+        );
+    }};
+}
+pub(crate) use prop_assert_near;

@@ -1,14 +1,14 @@
-//! Numbers that a user might write, from the page of [`Real`] alone: the items without a default, and
-//! nothing else.
+//! Numbers that a user might write, from the page of [`Real`] alone: the items without a default,
+//! and nothing else.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use kit::invariants::Tried;
+use properties::Number;
 use shading::{Real, Rgb};
 
 /// A float by way of `f64`, which has enough digits that rounding twice rounds once.
 macro_rules! float {
-    ($name:ident, $text:literal, bits: $bits:literal, least: $least:literal, max: $max:expr, extreme: $extreme:literal) => {
+    ($name:ident, bits: $bits:literal, least: $least:literal, max: $max:expr, extreme: $extreme:expr) => {
         #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
         pub struct $name(f64);
 
@@ -54,14 +54,11 @@ macro_rules! float {
         }
 
         #[allow(clippy::cast_precision_loss)] // a power of two
-        impl Tried for $name {
-            const NAME: &str = $text;
+        impl Number for $name {
             const U: f64 = 1.0 / (1_u64 << $bits) as f64;
-            const STEP: f64 = Self::SMALLEST / 2.0;
             const SMALLEST: f64 = f64::from_bits((1023 - $least) << 52);
             const LARGEST: f64 = $max;
             const LARGE: f64 = $extreme;
-            const IS_FLOAT: bool = true;
 
             fn exact(self) -> f64 {
                 self.0
@@ -92,10 +89,10 @@ macro_rules! operators {
     };
 }
 
-// (2 − 2⁻¹⁰) 2¹⁵ and (2 − 2⁻⁷) 2¹²⁷. A half's EXTREME: 3·65504²/p² < p for p > 2345, and the smallest
-// number is 2⁻²⁴
-float!(Half, "half", bits: 11, least: 24, max: 65_504.0, extreme: 4096.0);
-float!(Bf16, "bf16", bits: 8, least: 133, max: 3.389_531_389_251_535_5e38, extreme: 1_267_650_600_228_229_401_496_703_205_376.0);
+// (2 − 2⁻¹⁰) 2¹⁵. Its EXTREME: 3·65504²/p² < p for p > 2345, and the smallest number is 2⁻²⁴
+float!(Half, bits: 11, least: 24, max: 65_504.0, extreme: 4096.0);
+// (2 − 2⁻⁷) 2¹²⁷, the upper half of an f32, whose EXTREME is 2¹⁰⁰
+float!(Bf16, bits: 8, least: 133, max: 3.389_531_389_251_535_5e38, extreme: f32::EXTREME as f64);
 
 /// Fixed point with 16 bits behind the point, which saturates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -134,84 +131,14 @@ impl Real for Q16 {
     }
 }
 
-impl Tried for Q16 {
-    const NAME: &str = "Q16.16";
+impl Number for Q16 {
     const U: f64 = 0.0;
-    const STEP: f64 = 0.5 / Self::SCALE;
     const SMALLEST: f64 = 1.0 / Self::SCALE;
     const LARGEST: f64 = i32::MAX as f64 / Self::SCALE;
     const LARGE: f64 = 256.0;
-    const IS_FLOAT: bool = false;
+    const DOUBLES_EXACTLY: bool = false;
 
     fn exact(self) -> f64 {
         f64::from(self.0) / Self::SCALE
-    }
-}
-
-/// `f32`, with a fault: a root, a product, a quotient, a selection or a sum that is wrong.
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
-pub struct Broken<const FAULT: u8>(f32);
-
-macro_rules! broken {
-    ($($trait:ident $method:ident: $fault:literal),*) => {
-        $(impl<const FAULT: u8> $trait for Broken<FAULT> {
-            type Output = Self;
-            fn $method(self, other: Self) -> Self {
-                let wrong = if FAULT == $fault { 1.0 + 4.0 * f32::EPSILON } else { 1.0 };
-                Self(self.0.$method(other.0) * wrong)
-            }
-        })*
-    };
-}
-
-broken!(Add add: 5, Sub sub: 0, Mul mul: 2, Div div: 3);
-
-impl<const FAULT: u8> Neg for Broken<FAULT> {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self(-self.0)
-    }
-}
-
-impl<const FAULT: u8> Real for Broken<FAULT> {
-    type Mask = bool;
-    type Sum = Rgb<Self>;
-    const ZERO: Self = Self(0.0);
-    const ONE: Self = Self(1.0);
-    const NEG_ONE: Self = Self(-1.0);
-    const MAX: Self = Self(f32::MAX);
-    const EXTREME: Self = Self(f32::EXTREME);
-
-    fn of(literal: f64) -> Self {
-        Self(f32::of(literal))
-    }
-
-    fn sqrt(self) -> Self {
-        Self(
-            self.0.sqrt()
-                * if FAULT == 1 {
-                    1.0 + 4.0 * f32::EPSILON
-                } else {
-                    1.0
-                },
-        )
-    }
-
-    fn above(self, other: Self) -> bool {
-        self.0 > other.0 || FAULT == 4 && self.0 >= other.0
-    }
-}
-
-impl<const FAULT: u8> Tried for Broken<FAULT> {
-    const NAME: &str = "broken";
-    const U: f64 = f32::U;
-    const STEP: f64 = f32::STEP;
-    const SMALLEST: f64 = f32::SMALLEST;
-    const LARGEST: f64 = f32::LARGEST;
-    const LARGE: f64 = f32::LARGE;
-    const IS_FLOAT: bool = true;
-
-    fn exact(self) -> f64 {
-        self.0.into()
     }
 }

@@ -1,28 +1,30 @@
 //! The gradients of the sums and of what they are made of, against differences in `f64`.
 
-use kit::invariants::Case;
+use approx::{assert_abs_diff_eq, assert_relative_eq};
 use kit::{direction, rgb, vector};
-use shading::{Dual, Elementary, Material, UnitVec3, Vec3, half_vector, normal, shade};
+use properties::{Scene, coefficients, cone, lamp, material, spot, sun};
+use shading::{Dual, Elementary, Light, UnitVec3, Vec3, half_vector, normal, shade};
 
 /// What moves with p: the direction to an eye, a bent normal, and all lights.
-fn everything<T: Elementary + PartialOrd>(c: &Case<T>, p: Vec3<T>) -> Vec<T> {
+fn everything<T: Elementary + PartialOrd>(scene: &Scene<T>, p: Vec3<T>) -> Vec<T> {
     let v = (vector::<T>([3.0, -5.0, 9.0]) - p).unit_or(UnitVec3::Z);
     let n = (vector::<T>([0.0, 0.0, 4.0]) + p * T::of(0.25)).unit_or(UnitVec3::Z);
-    let lights = || c.lights().map(|light| light.at(p));
+    let lights = || scene.lights.iter().map(|light| light.at(p));
     let sums = [
-        shade::lambert(n, &c.material, c.rgb, lights()),
-        shade::phong(n, v, &c.material, c.rgb, lights()),
-        shade::blinn_phong(n, v, &c.material, c.rgb, lights()),
+        shade::lambert(n, &scene.material, scene.ambient, lights()),
+        shade::phong(n, v, &scene.material, scene.ambient, lights()),
+        shade::blinn_phong(n, v, &scene.material, scene.ambient, lights()),
     ];
     let sums = sums
         .map(|s| [s.diffuse.r, s.diffuse.g, s.specular.b])
         .concat();
     let h = half_vector(n, v).map_or(Vec3::ZERO, |h| *h);
+    let [b, c] = [[1.0, -2.0, 3.0], [3.0, 1.25, -0.75]].map(vector);
     let normals = [
         normal::sphere(p, Vec3::ZERO).map_or(Vec3::ZERO, |n| *n),
-        normal::triangle(p, c.b, c.c).map_or(Vec3::ZERO, |n| *n),
-        normal::corner(c.b, p, c.c),
-        normal::transformed(n, [c.b, p, c.c]).map_or(Vec3::ZERO, |n| *n),
+        normal::triangle(p, b, c).map_or(Vec3::ZERO, |n| *n),
+        normal::corner(b, p, c),
+        normal::transformed(n, [b, p, c]).map_or(Vec3::ZERO, |n| *n),
         h,
     ];
     let functions = [
@@ -36,32 +38,43 @@ fn everything<T: Elementary + PartialOrd>(c: &Case<T>, p: Vec3<T>) -> Vec<T> {
         p.x.powf(T::of(2.0)),
         (p.y * p.y).powf(p.x),
     ];
-    let lamp = c.lamp.at(p);
+    let [_, lamp, spot, _] = [0, 1, 2, 3].map(|i| scene.lights[i].at(p));
     let falloff = [
         lamp.distance(),
         lamp.intensity().r,
-        c.spot.at(p).intensity().g,
+        spot.intensity().g,
         p.length(),
     ];
     let vectors = normals.map(<[T; 3]>::from).concat();
     [sums, vectors, functions.to_vec(), falloff.to_vec()].concat()
 }
 
-fn scene() -> Case<f64> {
-    let mut c = Case::sample();
-    c.sun.l = direction([1.0, 2.0, 4.0]);
-    c.spot.point.position = vector([0.5, 0.25, 6.0]);
-    c.spot.axis = direction([0.3, 0.1, -1.0]);
-    c.lamp.position = vector([-2.0, 1.0, 5.0]);
-    c.far.position = vector([2.0, -3.0, 4.0]);
+/// Two lamps, a spot whose soft edge the points are within, and a sun, all in front.
+fn scene() -> Scene {
+    let fading = coefficients(0.375, 0.5, 0.75);
+    let near = lamp(vector([-2.0, 1.0, 5.0]), rgb([1.0, 0.5, 0.25]), fading);
+    let far = lamp(
+        vector([2.0, -3.0, 4.0]),
+        rgb([0.5, 1.0, 0.75]),
+        fading.clamped(),
+    );
+    let above = lamp(
+        vector([0.5, 0.25, 6.0]),
+        rgb([1.0, 0.75, 0.5]),
+        fading.within(12.0).expect("a range"),
+    );
     let [k_a, k_d, k_s] = [[0.1, 0.2, 0.3], [0.5, 0.75, 1.0], [1.0, 0.5, 0.25]].map(rgb);
-    c.material = Material {
-        k_a,
-        k_d,
-        k_s,
-        m: 9,
-    };
-    c
+    Scene {
+        material: material(k_a, k_d, k_s, 9),
+        ambient: rgb([1.0, 0.5, 0.25]),
+        lights: vec![
+            sun(direction([1.0, 2.0, 4.0]), rgb([1.0, 0.5, 0.25])),
+            near.into(),
+            spot(above, direction([0.3, 0.1, -1.0]), cone(0.9999, 0.25)),
+            Light::from(far),
+        ],
+        ..Scene::default()
+    }
 }
 
 /// A central difference of step h is off by h² times the third derivative: 10⁻⁶ here, at most.
@@ -83,11 +96,8 @@ fn gradients_are_the_differences() {
                 assert_eq!(gradient.value.to_bits(), values[i].to_bits(), "{i}");
                 let slope = (above[i] - below[i]) / 2e-4;
                 let is = <[f64; 3]>::from(gradient.gradient)[axis];
-                let is_near = (is - slope).abs() <= 2e-6 * (1.0 + slope.abs());
-                assert!(
-                    is_near,
-                    "number {i} along {axis} at {p:?}: {is} instead of {slope}"
-                );
+                println!("number {i} along {axis} at {p:?}");
+                assert_relative_eq!(is, slope, epsilon = 2e-6, max_relative = 2e-6);
             }
         }
     }
@@ -115,12 +125,13 @@ fn duals_of_duals_differentiate_twice() {
         assert_eq!(twice.gradient.map(|x| x.value), once.gradient);
         let [x, y, z]: [Dual<f64>; 3] = twice.gradient.into();
         let scale = 1e-9 * (1.0 + x.gradient.length() + y.gradient.length() + z.gradient.length());
-        assert!((x.gradient.y - y.gradient.x).abs() <= scale);
-        assert!((y.gradient.z - z.gradient.y).abs() <= scale);
+        assert_abs_diff_eq!(x.gradient.y, y.gradient.x, epsilon = scale);
+        assert_abs_diff_eq!(y.gradient.z, z.gradient.y, epsilon = scale);
     }
 }
 
-/// What does not vary adds nothing to the gradient, even where a factor is infinite; plain numbers need no type.
+/// What does not vary adds nothing to the gradient, even where a factor is infinite; plain numbers
+/// need no type.
 #[test]
 fn powers_at_zero_and_of_plain_exponents() {
     let x = Dual::point(Vec3::new(0.0_f32, 1.0, 2.0)).x;

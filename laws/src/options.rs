@@ -1,0 +1,76 @@
+//! What a run tries.
+
+use std::time::Duration;
+
+use crate::law::{LAWS, Law};
+use crate::mistakes::departures;
+use crate::profile::Profile;
+
+/// A run of the laws. It is deterministic: the same seed gives the same scenes.
+///
+/// ```
+/// use shading_laws::{Laws, Profile, from_fn};
+///
+/// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
+/// let laws = Laws { seed: 7, cases: 50, ..Laws::default() };
+/// let report = laws.run(&mut black).unwrap();
+/// assert!(report.is_broken()); // there is no k_a I_a
+/// ```
+#[derive(Clone, Debug)]
+pub struct Laws {
+    /// The seed of the scenes.
+    pub seed: u64,
+    /// The number of random cases of each law between several scenes, beside the fixed ones. The laws of one scene share
+    /// 16 times as many.
+    pub cases: usize,
+    /// The laws to try, or none for all. [`Laws::names`] lists the names.
+    pub only: Vec<String>,
+    /// The laws that are expected to be broken: the report passes if they are, and does not if one holds.
+    pub known: Vec<String>,
+    /// Cases that are tried before the others: the text that [`Report::cases`](crate::Report::cases) gives, a case a line.
+    pub replay: String,
+    /// The most batches of each broken law in which its smallest scene is looked for; it is looked for two seconds in all.
+    pub shrinks: usize,
+    /// The longest time of the run. Each law is tried at least once. If the time ends before all cases are tried, the report
+    /// does not pass.
+    pub time: Option<Duration>,
+}
+
+impl Default for Laws {
+    fn default() -> Self {
+        Self {
+            seed: 0,
+            cases: 64,
+            only: Vec::new(),
+            known: Vec::new(),
+            replay: String::new(),
+            shrinks: 200,
+            time: None,
+        }
+    }
+}
+
+impl Laws {
+    /// The name of each law, and what it says.
+    pub fn names() -> impl Iterator<Item = (&'static str, &'static str)> {
+        LAWS.iter().map(|law| (law.name, law.says))
+    }
+
+    pub(crate) fn tries(&self, name: &str) -> bool {
+        self.only.is_empty() || self.only.iter().any(|only| only == name)
+    }
+
+    /// What prevents a run, if anything.
+    pub(crate) fn complaint(&self, profile: &Profile) -> Option<String> {
+        let of_profile = profile.complaint().or_else(|| departures(profile).err());
+        if let Some(complaint) = of_profile {
+            return Some(format!("the profile of {}: {complaint}", profile.name));
+        }
+        if self.cases == 0 {
+            return Some("the number of cases is 0".into());
+        }
+        let mut names = self.only.iter().chain(&self.known);
+        let unknown = names.find(|name| Law::named(name).is_none())?;
+        Some(format!("there is no law {unknown}"))
+    }
+}

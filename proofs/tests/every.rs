@@ -1,0 +1,288 @@
+//! What the prover does not record, with every number: the operations of floats that are written for a processor, powers by
+//! a real m, constructors for constants, lanes, and the reciprocals of fixed point. `proofs/run.sh --all` runs them.
+
+#![allow(clippy::float_cmp, clippy::cast_possible_truncation)] // bits are compared, and lanes are eight
+
+use shading::fixed::Fixed;
+use shading::{Attenuation, Cone, Lobe, Real, Rgb, Select, Vec3};
+use wide::f32x8;
+
+/// The comparisons of bits, which processors without an FPU use.
+#[path = "../../src/real"]
+mod real {
+    #[allow(dead_code)]
+    mod soft;
+    pub fn above(x: f32, other: f32) -> bool {
+        soft::f32::above(x, other)
+    }
+}
+
+/// Whether two results are the same; any NaN is as good as another.
+fn are_same(x: f32, y: f32) -> bool {
+    x.to_bits() == y.to_bits() || x.is_nan() && y.is_nan()
+}
+
+fn every_float() -> impl Iterator<Item = f32> {
+    (0..=u32::MAX).map(f32::from_bits)
+}
+
+/// From +0 to 1, or to ∞.
+fn up_to(most: f32) -> impl Iterator<Item = f32> {
+    (0..=most.to_bits()).map(f32::from_bits)
+}
+
+/// A double has more than twice the digits, so its root, rounded once more, is the correctly rounded one.
+#[test]
+#[ignore = "every f32"]
+fn a_root_is_correctly_rounded() {
+    for x in every_float() {
+        let root = f64::from(x).sqrt() as f32;
+        assert!(are_same(Real::sqrt(x), root), "{x:e}");
+    }
+}
+
+/// A comparison of bits gives each float a place in an order. Each differs from its neighbor as numbers do, so all do.
+#[test]
+#[ignore = "every f32"]
+fn comparisons_of_bits_are_those_of_numbers() {
+    let others = [
+        0.0,
+        -0.0,
+        1.0,
+        -1.0,
+        f32::MAX,
+        f32::MIN,
+        f32::INFINITY,
+        f32::NEG_INFINITY,
+        f32::NAN,
+        -f32::NAN,
+    ];
+    for x in every_float() {
+        for y in others
+            .into_iter()
+            .chain([x, x.next_up(), x.next_down(), -x])
+        {
+            assert_eq!(real::above(x, y), x > y, "{x:e} {y:e}");
+            assert_eq!(real::above(y, x), y > x, "{y:e} {x:e}");
+        }
+        for (low, high) in [
+            (1.0 / f32::EXTREME, f32::EXTREME),
+            (1.0 / f32::EXTREME, 1.0),
+        ] {
+            let is_inside = low < x && x < high;
+            assert!(
+                x.any_outside(low, high) != is_inside || x == low || x == high,
+                "{x:e}"
+            );
+        }
+    }
+}
+
+/// cᵐ = 2^(m log₂ c), for every c and m: where the logarithm is not positive, the product with m is not, and the power of
+/// such a product is within [0, 1].
+#[test]
+#[ignore = "every f32"]
+fn a_real_power_keeps_its_contract() {
+    // log₂ ½ = −1 is exact, so that m takes every product; and each power is at most a unit above the one before
+    let mut before = 1.0_f32;
+    for m in up_to(f32::INFINITY) {
+        let power = m.raise(0.5_f32);
+        assert!(
+            (0.0..=1.0).contains(&power) && power <= before.next_up(),
+            "{m:e}"
+        );
+        before = power.min(before);
+        assert!(m.raise(1.0_f32).to_bits() == 1.0_f32.to_bits(), "{m:e}");
+    }
+    // the power of a quotient of squares limits its product to 0
+    for square in up_to(f32::MAX) {
+        for of in [1.0, 0.3, 1e-30, f32::MAX] {
+            let power = 33.0_f32.raise_quotient(square, of);
+            assert!((0.0..=1.0).contains(&power), "{square:e} / {of:e}");
+        }
+    }
+    // a positive logarithm would show with one of these m: from 2⁻²⁶ on its product is between 2⁻¹⁹ and 2⁷
+    let scales = [1.0, 128.0, 16_384.0, 2_097_152.0, 67_108_864.0_f32];
+    for c in up_to(1.0) {
+        for m in scales {
+            assert!((0.0..=1.0).contains(&m.raise(c)), "{c:e} {m}");
+        }
+        // for m ≤ 1 the power is at least that of 1 less a unit, and that is at least c − 2⁻²¹
+        assert!(1.0_f32.raise(c) >= c - 2.0_f32.powi(-21), "{c:e}");
+        assert!(c == 0.0 || 0.0_f32.raise(c) == 1.0, "{c:e}");
+    }
+}
+
+/// The constructors for constants make what the others make, which are proved.
+#[test]
+#[ignore = "every f32"]
+fn constants_are_what_constructors_make() {
+    let free = Attenuation::<f32>::NONE;
+    for x in every_float() {
+        for y in [0.0, 1.0] {
+            for (a, b, c) in [(x, y, y), (y, x, y), (y, y, x)] {
+                assert_eq!(
+                    Attenuation::<f32>::const_new(a, b, c),
+                    Attenuation::new(a, b, c),
+                    "{x:e}"
+                );
+            }
+        }
+        assert_eq!(free.const_within(x), free.within(x), "{x:e}");
+        assert_eq!(free.const_within_gltf(x), free.within_gltf(x), "{x:e}");
+        assert_eq!(free.const_clamped_to(x), free.clamped_to(x), "{x:e}");
+        for (inner, outer) in [(x, x), (1.0, x), (x, -1.0), (0.5, x), (x, 0.5)] {
+            let made = Cone::<f32>::const_from_cosines(inner, outer);
+            assert_eq!(
+                made,
+                Cone::from_cosines(inner, outer),
+                "{inner:e} {outer:e}"
+            );
+        }
+        // the cosine is another, but within [−1, 1]
+        let is_angle = (0.0..=core::f32::consts::PI).contains(&x);
+        assert_eq!(
+            Cone::<f32>::const_from_half_angle(x).is_some(),
+            is_angle,
+            "{x:e}"
+        );
+    }
+}
+
+#[test]
+#[ignore = "every f32"]
+fn each_lane_is_the_scalar() {
+    let others = [1.5, -0.0, f32::MAX, f32::NAN];
+    for bits in (0..=u32::MAX).step_by(8) {
+        let x: [f32; 8] = core::array::from_fn(|i| f32::from_bits(bits + i as u32));
+        let lanes = f32x8::from(x);
+        let all = |of_lanes: f32x8, of_scalar: &dyn Fn(f32) -> f32| {
+            let of_lanes = of_lanes.to_array();
+            (0..8).all(|i| are_same(of_lanes[i], of_scalar(x[i])))
+        };
+        assert!(all(lanes.sqrt(), &Real::sqrt), "{bits:x}");
+        for y in others {
+            let other = f32x8::splat(y);
+            assert!(all(lanes + other, &|x| x + y), "{bits:x} + {y:e}");
+            assert!(all(lanes * other, &|x| x * y), "{bits:x} · {y:e}");
+            assert!(all(other / lanes, &|x| y / x), "{y:e} / {bits:x}");
+            assert!(
+                all(lanes.above(other).select(other, lanes), &|x| x
+                    .above(y)
+                    .select(y, x)),
+                "{bits:x} {y:e}"
+            );
+        }
+    }
+}
+
+/// Every denominator: light is never negative, never above what it was, and never rises by more than a step.
+#[test]
+#[ignore = "every number"]
+fn reciprocals_of_fixed_point() {
+    let light = |a: i32, color: Fixed| {
+        let dimmed = Real::attenuated(
+            Rgb::gray(color),
+            [Fixed::from_bits(a), Fixed::ZERO, Fixed::ZERO],
+            Fixed::ZERO,
+            Fixed::MAX,
+        );
+        i64::from((dimmed.color.r * dimmed.factor).to_bits())
+    };
+    let mut before = [i64::from(i32::MAX); 2];
+    for a in 1..=i32::MAX {
+        for (before, color) in before.iter_mut().zip([Fixed::MAX, Fixed::ONE]) {
+            let lit = light(a, color);
+            assert!(lit >= 0 && lit <= *before + 1, "{a}: {before} {lit}");
+            assert!(
+                a < Fixed::ONE.to_bits() || lit <= i64::from(color.to_bits()),
+                "{a}: {lit}"
+            );
+            *before = lit;
+        }
+    }
+}
+
+/// Every power of every cosine by m to 4,096, and some beyond.
+#[test]
+#[ignore = "every number"]
+fn powers_of_fixed_point() {
+    for m in (0..4097).chain([65_535, 1 << 20, u32::MAX]) {
+        let mut before = 0;
+        for cosine in 0..=Fixed::ONE.to_bits() {
+            let power = m.raise(Fixed::from_bits(cosine)).to_bits();
+            assert!(
+                power >= before - 1 && power <= Fixed::ONE.to_bits(),
+                "{cosine} to the {m}"
+            );
+            before = power;
+        }
+    }
+}
+
+/// The length of every vector along an axis is its component.
+#[test]
+#[ignore = "every number"]
+fn lengths_of_fixed_point() {
+    for x in 0..=i32::MAX {
+        let v = Vec3::new(Fixed::ZERO, Fixed::from_bits(x), Fixed::ZERO);
+        let length = v.length().to_bits();
+        assert!(
+            length >= 0 && (i64::from(length) - i64::from(x)).abs() <= 1 + i64::from(x >> 24),
+            "{x}: {length}"
+        );
+    }
+}
+
+/// What products, dot products and sums over a light give, for `fixed.py` to compare with.
+#[test]
+fn operands_of_fixed_point() {
+    let mut state = 0x9E37_79B9_u32;
+    let mut next = || {
+        state ^= state << 13;
+        state ^= state >> 17;
+        state ^= state << 5;
+        let edges = [
+            0,
+            1,
+            -1,
+            1 << 15,
+            1 << 16,
+            -(1 << 16),
+            (1 << 16) + 1,
+            i32::MAX,
+            i32::MIN,
+            i32::MIN + 1,
+        ];
+        match state % 4 {
+            0 => edges[(state >> 8) as usize % edges.len()],
+            shift => state.cast_signed() >> (8 * (shift - 1)),
+        }
+    };
+    let of = Fixed::from_bits;
+    for _ in 0..1000 {
+        let [a, b, c, x, y, z] = core::array::from_fn(|_| next());
+        println!(
+            "(= (mul #x{a:08x} #x{b:08x}) #x{:08x})",
+            (of(a) * of(b)).to_bits()
+        );
+        let dot = Real::dot(Vec3::new(a, b, c).map(of), Vec3::new(x, y, z).map(of)).to_bits();
+        println!(
+            "(= (dot #x{a:08x} #x{b:08x} #x{c:08x} #x{x:08x} #x{y:08x} #x{z:08x}) #x{dot:08x})"
+        );
+        println!(
+            "(= (lit #x{a:08x} #x{b:08x}) #x{:08x})",
+            lit(of(a), of(b)).to_bits()
+        );
+    }
+}
+
+/// The sum over one light.
+fn lit(light: Fixed, cosine: Fixed) -> Fixed {
+    use shading::{Dimmed, LightSum};
+    let (color, factor) = (Rgb::gray(light), Fixed::ONE);
+    <Fixed as Real>::Sum::DARK
+        .add(Dimmed { color, factor }, cosine)
+        .total()
+        .r
+}
