@@ -197,8 +197,8 @@ fn vec3a(races: &mut Races) {
 fn forms(races: &mut Races) {
     races.table("Forms of lights, beside `glam`", &["in a loop"]);
     for data in DATA {
-        forms::f32::race(races, data, &scene::points(data, 1), &scene::lamps(4));
-        forms::f64::race(races, data, &scene::points(data, 1), &scene::lamps(4));
+        forms::f32::race(races, data, &scene::points(data, 4), &scene::lamps(4));
+        forms::f64::race(races, data, &scene::points(data, 4), &scene::lamps(4));
     }
 }
 
