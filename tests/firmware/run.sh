@@ -141,7 +141,7 @@ for target in $m4f $m0 $riscv; do
     done
     within "$target: hundredths of the instructions by hand" $((100 * thousands[fixed] / thousands[fixed_by_hand])) \
         $([ "$target" = $riscv ] && echo 55 || echo 50)
-    BALL=fixed program=$(build "$target" ball ball)
+    program=$(BALL=fixed build "$target" ball ball)
     ! readelf --symbols --wide "$program" | grep -E ' (__aeabi_(c?[df][a-z]+|[a-z]+2[df]|[df]2[a-z]+)|__[a-z]*[sd]f[a-z]*[0-9]?)$' ||
         complain "$target: a program in fixed point computes in floating point"
     ! readelf --symbols --wide "$program" | grep -E ' (__aeabi_u?ldivmod|__u?divdi3)$' ||
