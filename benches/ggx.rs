@@ -1,4 +1,5 @@
 //! A reflection of one's own over three lamps: by [`IncidentLight::arrival`], and the same by hand.
+#![allow(clippy::inline_always)] // as a renderer's loop inlines it
 
 use kit::Given;
 use shading::{Arrival, Attenuation, IncidentLight, PointLight, Rgb, Vec3};

@@ -478,6 +478,28 @@ mod fixed {
     /// What arrives at a moving point, and three sums over it, in fixed point.
     #[test]
     fn sums_of_dual_numbers_in_fixed_point_have_the_values_of_fixed_point() {
+        fn sums<T: Real>(p: Vec3<T>, spot: &SpotLight<T>, clay: &Material<T>) -> Vec<T> {
+            let (n, v) = (
+                UnitVec3::Z,
+                (Vec3::new(T::ZERO, T::ONE, T::ONE + T::ONE) - p).unit_or(UnitVec3::Z),
+            );
+            let lights = || [spot.at(p), spot.point.at(p)];
+            let arrival = IncidentLight::arrival(&lights()[0]);
+            let sums = [
+                shade::lambert(n, clay, Rgb::WHITE, lights()),
+                shade::phong(n, v, clay, Rgb::WHITE, lights()),
+                shade::blinn_phong(n, v, clay, Rgb::WHITE, lights()),
+            ];
+            let sums = sums
+                .map(|s| [s.diffuse.r, s.diffuse.g, s.specular.b])
+                .concat();
+            [
+                sums,
+                vec![arrival.l.x, arrival.intensity.g, arrival.distance],
+            ]
+            .concat()
+        }
+
         let x = Fixed::new;
         let lamp = PointLight {
             position: Vec3::new(x(1.0), x(2.0), x(3.0)),
@@ -500,27 +522,6 @@ mod fixed {
             k_s: Rgb::gray(x(0.25)),
             m: 20,
         };
-        fn sums<T: Real>(p: Vec3<T>, spot: &SpotLight<T>, clay: &Material<T>) -> Vec<T> {
-            let (n, v) = (
-                UnitVec3::Z,
-                (Vec3::new(T::ZERO, T::ONE, T::ONE + T::ONE) - p).unit_or(UnitVec3::Z),
-            );
-            let lights = || [spot.at(p), spot.point.at(p)];
-            let arrival = IncidentLight::arrival(&lights()[0]);
-            let sums = [
-                shade::lambert(n, clay, Rgb::WHITE, lights()),
-                shade::phong(n, v, clay, Rgb::WHITE, lights()),
-                shade::blinn_phong(n, v, clay, Rgb::WHITE, lights()),
-            ];
-            let sums = sums
-                .map(|s| [s.diffuse.r, s.diffuse.g, s.specular.b])
-                .concat();
-            [
-                sums,
-                vec![arrival.l.x, arrival.intensity.g, arrival.distance],
-            ]
-            .concat()
-        }
         let mut random = Random(9);
         for _ in 0..500 {
             let p = Vec3::new(

@@ -139,9 +139,9 @@ fn doubles_are_encoded_as_the_nearest_single() {
         assert_eq!(decoded.to_rgb565(), bits);
         assert_eq!(decoded, Double::const_from_rgb565(bits));
     }
-    for i in -100..1200 {
+    for i in -100_i16..1200 {
         let double = Double::gray(f64::from(i) / 1000.0);
-        let single = Rgb::gray(i as f32 / 1000.0);
+        let single = Rgb::gray(f32::from(i) / 1000.0);
         assert_eq!(double.to_srgb8(), single.to_srgb8());
         assert_eq!(double.to_rgb565(), single.to_rgb565());
         assert_eq!(double.to_linear8(), single.to_linear8());

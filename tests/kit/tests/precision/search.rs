@@ -55,14 +55,14 @@ struct Climb {
 
 impl Climb {
     /// Tries the place, and stays there unless that leads down.
-    fn visit(&mut self, error: &dyn Fn(&mut Numbers) -> f64, place: [f64; MOST]) {
+    fn visit(&mut self, error: &dyn Fn(&mut Numbers) -> f64, place: &[f64; MOST]) {
         let mut numbers = Numbers {
-            all: &place,
+            all: place,
             used: 0,
         };
         let found = error(&mut numbers);
         if found >= self.height {
-            (self.top, self.height) = (place, found);
+            (self.top, self.height) = (*place, found);
         }
         self.used = self.used.max(numbers.used);
     }
@@ -71,7 +71,7 @@ impl Climb {
     fn look(&mut self, error: &dyn Fn(&mut Numbers) -> f64) {
         for _ in 0..LOOKS {
             let place = std::array::from_fn(|_| self.random.signed());
-            self.visit(error, place);
+            self.visit(error, &place);
         }
     }
 
@@ -85,7 +85,7 @@ impl Climb {
                 let size = 2.0 / (1_u64 << self.random.below(digits + 2)) as f64;
                 *number = (*number + size * self.random.signed()).clamp(-1.0, 1.0);
             }
-            self.visit(error, place);
+            self.visit(error, &place);
         }
     }
 }
