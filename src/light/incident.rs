@@ -12,8 +12,9 @@ use crate::vector::Vec3;
 
 /// The kind of a light. Not an enum: `Option<IncidentLight>` would take its unused values for a tag, and
 /// rust-gpu cannot copy such an option (“cannot memcpy dynamically sized data”).
+/// As wide as a pointer: of 32 bits, it makes `[sun.at(p), lamp.at(p)]` in `f64` 1.1 to 1.5 times slower on Zen 4.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) struct Kind(u32);
+pub(super) struct Kind(usize);
 
 impl Kind {
     pub(super) const DIRECTIONAL: Self = Self(0);
@@ -28,6 +29,30 @@ impl fmt::Debug for Kind {
             Self::POINT => "Point",
             _ => "Spot",
         })
+    }
+}
+
+/// A vector in the order in which the dot product loads it, which otherwise waits for two stores in an array of
+/// lights: `[sun.at(p), lamp.at(p)]` in `f64` then takes twice as long.
+#[derive(Clone, Copy, PartialEq)]
+#[repr(C)]
+struct Loaded<T> {
+    y: T,
+    z: T,
+    x: T,
+}
+
+impl<T> From<Vec3<T>> for Loaded<T> {
+    #[inline]
+    fn from(Vec3 { x, y, z }: Vec3<T>) -> Self {
+        Self { y, z, x }
+    }
+}
+
+impl<T: fmt::Debug> fmt::Debug for Loaded<T> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self { x, y, z } = self;
+        Vec3::new(x, y, z).fmt(f)
     }
 }
 
@@ -52,7 +77,7 @@ impl fmt::Debug for Kind {
 #[must_use]
 pub struct IncidentLight<T = f32> {
     /// From the point to the light, of any length.
-    to_light: Vec3<T>,
+    to_light: Loaded<T>,
     /// Before attenuation.
     intensity: Rgb<T>,
     attenuation: Attenuation<T>,
@@ -93,7 +118,7 @@ impl<T: Real> IncidentLight<T> {
     #[inline(always)]
     pub(super) fn new(to_light: Vec3<T>, intensity: Rgb<T>, attenuation: Attenuation<T>) -> Self {
         Self {
-            to_light,
+            to_light: Loaded::from(to_light),
             intensity,
             attenuation,
             axis: UnitVec3::Z,
@@ -102,10 +127,16 @@ impl<T: Real> IncidentLight<T> {
         }
     }
 
+    #[inline]
+    fn to_light(&self) -> Vec3<T> {
+        let Loaded { y, z, x } = self.to_light;
+        Vec3::new(x, y, z)
+    }
+
     /// Where N·L > 0. N·(the vector to the light) has the sign of N·L and needs no root.
     #[inline]
     pub(crate) fn in_front(&self, n: UnitVec3<T>) -> T::Mask {
-        T::faces(*n, self.to_light)
+        T::faces(*n, self.to_light())
     }
 
     /// Whether the light comes from the front of a surface with the normal N. Otherwise it adds
@@ -130,12 +161,12 @@ impl<T: Real> IncidentLight<T> {
     pub fn arrival(&self) -> Arrival<T> {
         if self.kind == Kind::DIRECTIONAL {
             return Arrival {
-                l: UnitVec3::assume_unit(self.to_light),
+                l: UnitVec3::assume_unit(self.to_light()),
                 intensity: self.intensity,
                 distance: T::MAX,
             };
         }
-        let measured = T::measured(self.to_light);
+        let measured = T::measured(self.to_light());
         let Measured {
             w,
             w_length,
@@ -159,8 +190,8 @@ impl<T: Real> IncidentLight<T> {
     #[inline]
     pub fn l(&self) -> UnitVec3<T> {
         match self.kind {
-            Kind::DIRECTIONAL => UnitVec3::assume_unit(self.to_light),
-            _ => self.to_light.unit_or(UnitVec3::Z),
+            Kind::DIRECTIONAL => UnitVec3::assume_unit(self.to_light()),
+            _ => self.to_light().unit_or(UnitVec3::Z),
         }
     }
 
@@ -174,7 +205,7 @@ impl<T: Real> IncidentLight<T> {
     pub fn distance(&self) -> T {
         match self.kind {
             Kind::DIRECTIONAL => T::MAX,
-            _ => self.to_light.length().at_most(T::MAX),
+            _ => self.to_light().length().at_most(T::MAX),
         }
     }
 
@@ -189,13 +220,13 @@ impl<T: Real> IncidentLight<T> {
     pub(crate) fn toward(&self, n: UnitVec3<T>) -> (Toward<T>, Dimmed<T>) {
         if self.kind == Kind::DIRECTIONAL {
             let measured = Measured {
-                w: self.to_light,
+                w: self.to_light(),
                 w_length: T::ONE,
                 length: T::MAX,
             };
             let toward = Toward {
                 measured,
-                n_dot_w: n.dot(self.to_light),
+                n_dot_w: n.dot(self.to_light()),
             };
             let light = Dimmed {
                 color: self.intensity,
@@ -203,7 +234,7 @@ impl<T: Real> IncidentLight<T> {
             };
             return (toward, light);
         }
-        let toward = T::toward(*n, self.to_light);
+        let toward = T::toward(*n, self.to_light());
         let light = self.dimmed(&toward.measured);
         (toward, light)
     }
@@ -211,7 +242,7 @@ impl<T: Real> IncidentLight<T> {
     /// The light after the distance and the cone.
     #[inline(always)]
     fn dimmed(&self, measured: &Measured<T>) -> Dimmed<T> {
-        let (v, q) = (self.to_light, measured.length);
+        let (v, q) = (self.to_light(), measured.length);
         let light = self.attenuation.dimmed(self.intensity, v, q);
         if self.kind == Kind::SPOT {
             self.cone.dimmed(light, self.axis, v, measured)
@@ -224,7 +255,7 @@ impl<T: Real> IncidentLight<T> {
     /// it, or take one of several lanes.
     #[inline]
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> IncidentLight<U> {
-        let (to_light, intensity) = (self.to_light.map(&mut f), self.intensity.map(&mut f));
+        let (to_light, intensity) = (self.to_light().map(&mut f), self.intensity.map(&mut f));
         let mut light = IncidentLight::new(to_light, intensity, self.attenuation.cast(&mut f));
         light.kind = self.kind;
         if self.kind == Kind::SPOT {

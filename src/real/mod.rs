@@ -4,7 +4,7 @@ pub(crate) mod falloff;
 mod float;
 mod known;
 pub(crate) mod length;
-mod lobe;
+pub(crate) mod lobe;
 pub(crate) mod power;
 mod root;
 mod soft;
@@ -16,7 +16,7 @@ use crate::triple::{Rgb, Vec3};
 pub(crate) use known::{constant, epsilon, least, parts, whole};
 pub(crate) use length::{cold, is_extreme, tamed};
 pub use lobe::Lobe;
-pub(crate) use lobe::{by_squaring, half_shininess, shininess};
+pub(crate) use lobe::{by_squaring, shininess};
 pub(crate) use root::const_sqrt;
 
 /// A real number: `f32`, `f64`, a dual number, a set of SIMD lanes, or a type of your own.

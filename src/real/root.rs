@@ -1,9 +1,9 @@
 //! The square root of floats. This is the only file with unsafe code, apart from the `bytemuck` feature.
 //!
 //! IEEE 754 requires a correctly rounded root, so an instruction and `libm`'s routine give the same
-//! bits. `libm`'s are best except on x86-64, where they stay an SSE instruction in a build for AVX
-//! (switching between the two made a sum ten times slower), and on Arm with an FPU, where they take 55
-//! instructions.
+//! bits. `libm`'s are best except on x86-64, where they are assembly code that stays an SSE
+//! instruction in a build for AVX (switching between the two made a sum ten times slower), and on Arm
+//! with an FPU, where they take 55 instructions.
 
 #[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
 pub(super) use libm::sqrt;
@@ -15,34 +15,27 @@ pub(super) use libm::sqrtf;
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 pub(super) use x86_64::{sqrt, sqrtf};
 
-/// The root in the register of its argument. The instruction keeps the upper part of its result's
-/// register, and so waits for whatever computed that part last: with a register of the compiler's choice,
-/// now and then for the whole highlight of the light before, which made a sum 1.4 times slower.
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 #[allow(unsafe_code)]
 mod x86_64 {
-    use core::arch::asm;
+    use core::arch::x86_64::{
+        _mm_cvtsd_f64, _mm_cvtss_f32, _mm_set_sd, _mm_set_ss, _mm_sqrt_sd, _mm_sqrt_ss,
+    };
 
-    macro_rules! root {
-        ($name:ident, $float:ident, $sse:literal, $avx:literal) => {
-            #[inline]
-            pub(in crate::real) fn $name(mut x: $float) -> $float {
-                // SAFETY: This is compiled only for processors that have the instruction. The code
-                // writes only the declared register, and touches neither memory nor the stack nor the
-                // flags.
-                unsafe {
-                    #[cfg(not(target_feature = "avx"))]
-                    asm!($sse, x = inout(xmm_reg) x, options(pure, nomem, nostack, preserves_flags));
-                    #[cfg(target_feature = "avx")]
-                    asm!($avx, x = inout(xmm_reg) x, options(pure, nomem, nostack, preserves_flags));
-                }
-                x
-            }
-        };
+    #[inline]
+    pub(in crate::real) fn sqrtf(x: f32) -> f32 {
+        // SAFETY: This is compiled only for processors with SSE2.
+        unsafe { _mm_cvtss_f32(_mm_sqrt_ss(_mm_set_ss(x))) }
     }
 
-    root!(sqrtf, f32, "sqrtss {x}, {x}", "vsqrtss {x}, {x}, {x}");
-    root!(sqrt, f64, "sqrtsd {x}, {x}", "vsqrtsd {x}, {x}, {x}");
+    #[inline]
+    pub(in crate::real) fn sqrt(x: f64) -> f64 {
+        // SAFETY: This is compiled only for processors with SSE2.
+        unsafe {
+            let x = _mm_set_sd(x);
+            _mm_cvtsd_f64(_mm_sqrt_sd(x, x))
+        }
+    }
 }
 
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]

@@ -11,8 +11,9 @@ mod transposed;
 use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8, i32x4, i32x8, i32x16, u64x2, u64x4, u64x8};
 
+use crate::real::lobe::half_shininess;
 use crate::real::power::{Bits, EXPONENT, double, double_of_quotient, single, single_of_quotient};
-use crate::real::{Lobe, Mask, Real, Select, half_shininess, shininess};
+use crate::real::{Lobe, Mask, Real, Select, shininess};
 use crate::rgb::Rgb;
 
 // x87 rounds a number in a register differently from a number in memory
