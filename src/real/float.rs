@@ -5,7 +5,9 @@ use super::Real;
 use super::Toward;
 use super::root::{sqrt, sqrtf};
 use super::soft::{self, SOFT};
-use crate::triple::{Rgb, Vec3};
+use crate::triple::Rgb;
+#[cfg(not(any(target_arch = "arm", target_arch = "riscv32")))]
+use crate::triple::Vec3;
 
 macro_rules! float {
     ($float:ident, $extreme:expr, $sqrt:path) => {

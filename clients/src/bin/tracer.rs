@@ -99,8 +99,7 @@ macro_rules! tracer {
                     .map(|light| light.cast($number::from).at(ours(p)));
                 let lit = lights.filter(|light| {
                     let shading::Arrival { l, distance, .. } = light.arrival();
-                    light.is_in_front(direction(n))
-                        && nearest(start, theirs(l), distance).is_none()
+                    light.is_in_front(direction(n)) && nearest(start, theirs(l), distance).is_none()
                 });
                 let k_s = Rgb::gray(0.5);
                 let material = Material {
