@@ -128,7 +128,7 @@ impl<T: Real> IncidentLight<T> {
     }
 
     #[inline]
-    fn to_light(&self) -> Vec3<T> {
+    fn vector(&self) -> Vec3<T> {
         let Loaded { y, z, x } = self.to_light;
         Vec3::new(x, y, z)
     }
@@ -136,7 +136,7 @@ impl<T: Real> IncidentLight<T> {
     /// Where N·L > 0. N·(the vector to the light) has the sign of N·L and needs no root.
     #[inline]
     pub(crate) fn in_front(&self, n: UnitVec3<T>) -> T::Mask {
-        T::faces(*n, self.to_light())
+        T::faces(*n, self.vector())
     }
 
     /// Whether the light comes from the front of a surface with the normal N. Otherwise it adds
@@ -161,12 +161,12 @@ impl<T: Real> IncidentLight<T> {
     pub fn arrival(&self) -> Arrival<T> {
         if self.kind == Kind::DIRECTIONAL {
             return Arrival {
-                l: UnitVec3::assume_unit(self.to_light()),
+                l: UnitVec3::assume_unit(self.vector()),
                 intensity: self.intensity,
                 distance: T::MAX,
             };
         }
-        let measured = T::measured(self.to_light());
+        let measured = T::measured(self.vector());
         let Measured {
             w,
             w_length,
@@ -190,8 +190,8 @@ impl<T: Real> IncidentLight<T> {
     #[inline]
     pub fn l(&self) -> UnitVec3<T> {
         match self.kind {
-            Kind::DIRECTIONAL => UnitVec3::assume_unit(self.to_light()),
-            _ => self.to_light().unit_or(UnitVec3::Z),
+            Kind::DIRECTIONAL => UnitVec3::assume_unit(self.vector()),
+            _ => self.vector().unit_or(UnitVec3::Z),
         }
     }
 
@@ -205,7 +205,7 @@ impl<T: Real> IncidentLight<T> {
     pub fn distance(&self) -> T {
         match self.kind {
             Kind::DIRECTIONAL => T::MAX,
-            _ => self.to_light().length().at_most(T::MAX),
+            _ => self.vector().length().at_most(T::MAX),
         }
     }
 
@@ -220,13 +220,13 @@ impl<T: Real> IncidentLight<T> {
     pub(crate) fn toward(&self, n: UnitVec3<T>) -> (Toward<T>, Dimmed<T>) {
         if self.kind == Kind::DIRECTIONAL {
             let measured = Measured {
-                w: self.to_light(),
+                w: self.vector(),
                 w_length: T::ONE,
                 length: T::MAX,
             };
             let toward = Toward {
                 measured,
-                n_dot_w: n.dot(self.to_light()),
+                n_dot_w: n.dot(self.vector()),
             };
             let light = Dimmed {
                 color: self.intensity,
@@ -234,7 +234,7 @@ impl<T: Real> IncidentLight<T> {
             };
             return (toward, light);
         }
-        let toward = T::toward(*n, self.to_light());
+        let toward = T::toward(*n, self.vector());
         let light = self.dimmed(&toward.measured);
         (toward, light)
     }
@@ -242,7 +242,7 @@ impl<T: Real> IncidentLight<T> {
     /// The light after the distance and the cone.
     #[inline(always)]
     fn dimmed(&self, measured: &Measured<T>) -> Dimmed<T> {
-        let (v, q) = (self.to_light(), measured.length);
+        let (v, q) = (self.vector(), measured.length);
         let light = self.attenuation.dimmed(self.intensity, v, q);
         if self.kind == Kind::SPOT {
             self.cone.dimmed(light, self.axis, v, measured)
@@ -255,7 +255,7 @@ impl<T: Real> IncidentLight<T> {
     /// it, or take one of several lanes.
     #[inline]
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> IncidentLight<U> {
-        let (to_light, intensity) = (self.to_light().map(&mut f), self.intensity.map(&mut f));
+        let (to_light, intensity) = (self.vector().map(&mut f), self.intensity.map(&mut f));
         let mut light = IncidentLight::new(to_light, intensity, self.attenuation.cast(&mut f));
         light.kind = self.kind;
         if self.kind == Kind::SPOT {

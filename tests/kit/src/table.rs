@@ -274,7 +274,7 @@ pub mod row {
     }
 
     fn within_gltf<T: Number>(ranged: Attenuation<T>) -> Attenuation<T> {
-        ranged.within_gltf(ranged.range()).expect("a range")
+        ranged.within_gltf(ranged.range()).unwrap_or(ranged)
     }
 
     /// The cosine whose power is close to the smallest normal number, below which it becomes 0.
