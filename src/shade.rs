@@ -305,7 +305,7 @@ pub fn blinn_phong<T: Real, M: Lobe<T>>(
 
 /// The sum over the lights. It computes with w, a vector to the light that is not divided by its
 /// length, which takes one division in place of three: N·L = N·w/|w|.
-#[inline]
+#[inline(always)] // into a caller that is compiled for AVX2, whose intrinsics are calls elsewhere
 fn sum<T: Real, M>(
     n: UnitVec3<T>,
     material: &Material<T, M>,
