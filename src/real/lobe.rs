@@ -124,18 +124,13 @@ impl<T: Real> Lobe<T> for u32 {
 /// Below it, squaring would pass through subnormal numbers, which cost some processors up to a
 /// hundred times as much.
 #[inline]
-#[allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_precision_loss,
-    clippy::cast_sign_loss
-)]
 fn least<T: Real>(m: u32) -> T {
     const ONE: u32 = 1.0_f32.to_bits();
     const OCTAVE: u32 = 1 << 23;
     // The bits of a float are its logarithm, except that the significand 1 + x stands for
     // log₂(1 + x), which is about x + 0.39 (¼ − (x − ½)²). The result never exceeds the true one.
-    // A quotient of floats, unlike one of integers, can be moved out of a loop over lights.
-    let linear = ONE.wrapping_sub(((126 * OCTAVE) as f32 / m as f32) as u32);
+    // Of integers: with floats, the saturation of the conversion makes a sum up to 7 % slower on x86-64.
+    let linear = ONE.wrapping_sub(126 * OCTAVE / if m > 1 { m } else { 1 });
     let from_half = (linear >> 12 & 0x7FF).wrapping_sub(0x400);
     let bend = 0x10_0000 - from_half.wrapping_mul(from_half);
     let least = f32::from_bits(linear.wrapping_sub(bend / 32 * 25 + 1600));
