@@ -116,8 +116,8 @@ macro_rules! for_each_function {
                 light(T::windowed(dimmed, g.a, T::measured(g.a).length, g.y.abs(), T::ZERO.above(T::ZERO)))] }
                 => nothing;
             hook_beamed "Real::beamed" |g| { let dimmed = Dimmed { color: g.rgb, factor: g.cosine };
-                [light(T::beamed(dimmed, *g.l, [T::of(0.5), T::of(0.25)], T::ONE.above(T::ZERO), g.a, &T::measured(g.a))),
-                light(T::beamed(dimmed, *g.l, [T::of(0.5), T::of(0.25)], T::ZERO.above(T::ZERO), g.a, &T::measured(g.a)))] }
+                [light(T::beamed(dimmed, *g.l, [T::of_f32(0.5), T::of_f32(0.25)], T::ONE.above(T::ZERO), g.a, &T::measured(g.a))),
+                light(T::beamed(dimmed, *g.l, [T::of_f32(0.5), T::of_f32(0.25)], T::ZERO.above(T::ZERO), g.a, &T::measured(g.a)))] }
                 => nothing;
             every_lambert "shade::lambert, every light" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lights()) => light;
             every_phong "shade::phong, every light" |g| shade::phong(g.n, g.v, &g.integer, g.rgb,
