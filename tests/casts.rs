@@ -6,6 +6,7 @@
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use kit::random::Random;
 use shading::{Attenuation, Real, Rgb};
 
 trait Number: Real + PartialOrd + Debug + 'static {
@@ -133,25 +134,12 @@ impl Number for shading::fixed::Fixed {
     }
 }
 
-struct Random(u64);
-
-impl Random {
-    #[allow(clippy::cast_precision_loss)] // 53 bits fit
-    fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// 0, or a number of a size between 2^low and 2^high.
-    fn coefficient(&mut self, [low, high]: [f64; 2]) -> f64 {
-        if self.next() < 0.2 {
-            0.0
-        } else {
-            (low + (high - low) * self.next()).exp2()
-        }
+/// 0, or a number of a size between 2^low and 2^high.
+fn coefficient(random: &mut Random, [low, high]: [f64; 2]) -> f64 {
+    if random.fraction() < 0.2 {
+        0.0
+    } else {
+        random.within(low, high).exp2()
     }
 }
 
@@ -170,7 +158,7 @@ fn pair<A: Number, B: Number>() {
     let mut random = Random(1);
     for round in 0..2000 {
         let range = [[-40.0, 6.0], [-160.0, -100.0], [-14.0, 4.0]][round % 3];
-        let [a, b, c] = [(); 3].map(|()| A::of(random.coefficient(range)));
+        let [a, b, c] = [(); 3].map(|()| A::of(coefficient(&mut random, range)));
         let Some(falloff) = Attenuation::new(a, b, c) else {
             continue;
         };
@@ -223,8 +211,8 @@ fn pair<A: Number, B: Number>() {
 fn order<A: Number, B: Number>() {
     let mut random = Random(2);
     for _ in 0..2000 {
-        let low = [(); 3].map(|()| A::of(random.coefficient([-30.0, 4.0])));
-        let high = low.map(|x| x + A::of(random.coefficient([-30.0, 0.0])));
+        let low = [(); 3].map(|()| A::of(coefficient(&mut random, [-30.0, 4.0])));
+        let high = low.map(|x| x + A::of(coefficient(&mut random, [-30.0, 0.0])));
         let [Some(bright), Some(dark)] = [low, high].map(|[a, b, c]| Attenuation::new(a, b, c))
         else {
             continue;

@@ -6,6 +6,7 @@
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+use kit::random::Random;
 use shading::{
     Dimmed, Dual, LightSum, Lobe, Measured, Real, Rgb, Select, Toward, UnitVec3, Vec3, normal,
 };
@@ -250,41 +251,31 @@ impl Real for Odd {
     }
 }
 
-/// Numbers of every size, zeros and ends among them, by a generator of Knuth's.
-struct Random(u64);
-
-impl Random {
-    #[allow(clippy::cast_precision_loss)] // 53 bits fit
-    fn next(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+/// A number of any size, often a zero or an end.
+fn number<T: Real>(random: &mut Random) -> T {
+    let sign = if random.fraction() < 0.5 { -1.0 } else { 1.0 };
+    match random.below(16) {
+        0 => T::ZERO,
+        1 => T::ONE,
+        2 => T::MAX,
+        3 => T::EXTREME * T::of(sign * random.fraction()),
+        4..=6 => T::of(sign * random.within(-120.0, 120.0).exp2()),
+        _ => T::of(sign * 4.0 * random.fraction()),
     }
+}
 
-    fn number<T: Real>(&mut self) -> T {
-        let sign = if self.next() < 0.5 { -1.0 } else { 1.0 };
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // below 16
-        match (self.next() * 16.0) as u32 {
-            0 => T::ZERO,
-            1 => T::ONE,
-            2 => T::MAX,
-            3 => T::EXTREME * T::of(sign * self.next()),
-            4..=6 => T::of(sign * (self.next() * 240.0 - 120.0).exp2()),
-            _ => T::of(sign * 4.0 * self.next()),
-        }
-    }
+fn vector_of_numbers<T: Real>(random: &mut Random) -> Vec3<T> {
+    Vec3::from([(); 3].map(|()| number(random)))
+}
 
-    fn input<T: Real>(&mut self) -> Input<T> {
-        let mut input: Input<T> = core::array::from_fn(|_| self.number());
-        // what the hooks take within [0, 1], or from 0 on
-        input[14] = T::of(self.next());
-        for x in &mut input[9..] {
-            *x = x.at_least(-*x);
-        }
-        input
+fn arguments<T: Real>(random: &mut Random) -> Input<T> {
+    let mut input: Input<T> = core::array::from_fn(|_| number(random));
+    // what the hooks take within [0, 1], or from 0 on
+    input[14] = T::of(random.fraction());
+    for x in &mut input[9..] {
+        *x = x.at_least(-*x);
     }
+    input
 }
 
 fn same(a: f64, b: f64) -> bool {
@@ -295,16 +286,16 @@ fn same(a: f64, b: f64) -> bool {
 fn values<T: Number>() {
     let mut random = Random(1);
     for _ in 0..1000 {
-        let input: Input<T> = random.input();
+        let input: Input<T> = arguments(&mut random);
         let once: Input<Dual<T>> = core::array::from_fn(|i| {
-            let along = Vec3::new(random.number(), random.number(), random.number());
+            let along = vector_of_numbers(&mut random);
             Dual {
                 value: input[i],
                 gradient: along,
             }
         });
         let twice: Input<Dual<Dual<T>>> = core::array::from_fn(|i| {
-            let along = Vec3::new(random.number(), random.number(), random.number());
+            let along = vector_of_numbers(&mut random);
             Dual {
                 value: once[i],
                 gradient: along.map(Dual::constant),
@@ -366,11 +357,11 @@ fn the_gradient_of_a_hook_is_the_difference() {
     let mut random = Random(3);
     for _ in 0..200 {
         // away from edges: a light in front, within the range and between the edges of the cone
-        let mut input: Input<f64> = core::array::from_fn(|_| 0.5 + random.next());
-        (input[14], input[15], input[16], input[17]) = (0.7, 1.0 + random.next(), 50.0, 4.0);
-        (input[13], input[18], input[19]) = (0.4, 0.9, 0.5 * random.next());
+        let mut input: Input<f64> = core::array::from_fn(|_| 0.5 + random.fraction());
+        (input[14], input[15], input[16], input[17]) = (0.7, 1.0 + random.fraction(), 50.0, 4.0);
+        (input[13], input[18], input[19]) = (0.4, 0.9, 0.5 * random.fraction());
         let along: Input<Vec3<f64>> = core::array::from_fn(|_| {
-            Vec3::new(random.next(), random.next(), random.next()) - Vec3::splat(0.5)
+            Vec3::new(random.fraction(), random.fraction(), random.fraction()) - Vec3::splat(0.5)
         });
         let duals = core::array::from_fn(|i| Dual {
             value: input[i],
@@ -395,7 +386,7 @@ fn worst_angle<T: Number + PartialOrd>(exponents: std::ops::Range<i32>) -> f64 {
     let (mut random, mut worst) = (Random(5), 0.0_f64);
     for exponent in exponents {
         for _ in 0..20 {
-            let mut coordinate = || T::of((2.0 * random.next() - 1.0) * 2.0_f64.powi(exponent));
+            let mut coordinate = || T::of(random.signed() * 2.0_f64.powi(exponent));
             let p = Vec3::new(coordinate(), coordinate(), coordinate());
             let exact = p.map(Number::exact).unit();
             let is =
@@ -473,7 +464,7 @@ mod fixed {
         UnitVec3, Vec3, shade,
     };
 
-    use super::Random;
+    use kit::random::Random;
 
     /// What arrives at a moving point, and three sums over it, in fixed point.
     #[test]
@@ -525,9 +516,9 @@ mod fixed {
         let mut random = Random(9);
         for _ in 0..500 {
             let p = Vec3::new(
-                x(4.0 * random.next()),
-                x(4.0 * random.next()),
-                x(2.0 * random.next()),
+                x(4.0 * random.fraction()),
+                x(4.0 * random.fraction()),
+                x(2.0 * random.fraction()),
             );
             let plain = sums(p, &spot, &clay);
             let duals = sums(

@@ -3,6 +3,7 @@
 
 #![allow(clippy::float_cmp, clippy::cast_possible_truncation)] // bits are compared, and lanes are eight
 
+use kit::random::Random;
 use shading::fixed::Fixed;
 use shading::{Attenuation, Cone, Lobe, Real, Rgb, Select, Vec3};
 use wide::f32x8;
@@ -237,11 +238,8 @@ fn lengths_of_fixed_point() {
 /// What products, dot products and sums over a light give, for `fixed.py` to compare with.
 #[test]
 fn operands_of_fixed_point() {
-    let mut state = 0x9E37_79B9_u32;
+    let mut random = Random(1);
     let mut next = || {
-        state ^= state << 13;
-        state ^= state >> 17;
-        state ^= state << 5;
         let edges = [
             0,
             1,
@@ -254,9 +252,9 @@ fn operands_of_fixed_point() {
             i32::MIN,
             i32::MIN + 1,
         ];
-        match state % 4 {
-            0 => edges[(state >> 8) as usize % edges.len()],
-            shift => state.cast_signed() >> (8 * (shift - 1)),
+        match random.below(4) {
+            0 => edges[random.below(edges.len())],
+            _ => random.fixed().to_bits(),
         }
     };
     let of = Fixed::from_bits;

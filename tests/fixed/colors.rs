@@ -180,7 +180,7 @@ fn worst(model: Model, climbs: usize, changes: usize) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..climbs {
         let of = |shares: &[f64; SHARES]| difference(model, shares);
-        let starts = (0..60).map(|_| [(); SHARES].map(|()| random.share()));
+        let starts = (0..60).map(|_| [(); SHARES].map(|()| random.fraction()));
         let starts = starts.filter_map(|shares| Some((of(&shares)?, shares)));
         let best = starts.max_by(|a, b| a.0.total_cmp(&b.0));
         let (mut most, mut best) = best.expect("a scene");
@@ -188,7 +188,7 @@ fn worst(model: Model, climbs: usize, changes: usize) -> f64 {
             let mut shares = best;
             for _ in 0..=random.bits() % 3 {
                 let place = &mut shares[usize::try_from(random.bits() % SHARES as u64).unwrap()];
-                let change = (random.share() - 0.5) * 0.5_f64.powf(40.0 * random.share());
+                let change = (random.fraction() - 0.5) * 0.5_f64.powf(40.0 * random.fraction());
                 *place = (*place + change).rem_euclid(1.0);
             }
             if let Some(more) = of(&shares).filter(|more| *more >= most) {
@@ -221,10 +221,11 @@ fn grazing_light_is_not_negative() {
         m: 1,
     };
     for _ in 0..100_000 {
-        let n = Vec3::from([(); 3].map(|()| Fixed::new(random.share() - 0.5))).unit_or(UnitVec3::Z);
-        let aside = Vec3::from([(); 3].map(|()| Fixed::new(random.share() - 0.5)));
-        let along = aside.cross(n) * Fixed::new(100.0 * random.share())
-            + *n * Fixed::new(0.001 * random.share());
+        let n =
+            Vec3::from([(); 3].map(|()| Fixed::new(random.fraction() - 0.5))).unit_or(UnitVec3::Z);
+        let aside = Vec3::from([(); 3].map(|()| Fixed::new(random.fraction() - 0.5)));
+        let along = aside.cross(n) * Fixed::new(100.0 * random.fraction())
+            + *n * Fixed::new(0.001 * random.fraction());
         let lamp = PointLight {
             position: along,
             intensity: Rgb::gray(Fixed::from(4)),

@@ -11,7 +11,7 @@ fn x(literal: f64) -> Fixed {
 
 /// A number from `low` to `high`, as often between 1 and 2 as between 2 and 4.
 fn of_any_size(random: &mut Random, low: f64, high: f64) -> Fixed {
-    x(low * (high / low).powf(random.share()))
+    x(low * (high / low).powf(random.fraction()))
 }
 
 /// Where the denominator d is above 1, it is off by 1 + q/2 steps; elsewhere and beyond the range the quotient
@@ -23,7 +23,7 @@ fn attenuated_colors_are_near_the_exact_ones() {
     for _ in 0..300_000 {
         let mut coefficient = |share| {
             let some = of_any_size(&mut random, 1e-4, 100.0);
-            if random.share() < share {
+            if random.fraction() < share {
                 Fixed::ZERO
             } else {
                 some
@@ -123,7 +123,7 @@ fn light_is_not_brighter_with_distance_by_more_than_a_level() {
         let [a, b] = [[a, b], [x(0.0), x(0.0)], [x(1.0), x(0.0)]][i % 3];
         let some = Attenuation::new(a, b, c).unwrap();
         let q = of_any_size(&mut random, 0.01, 200.0);
-        let intensity = Rgb::gray(x(random.share() / some.cast(exact).at(exact(q))));
+        let intensity = Rgb::gray(x(random.fraction() / some.cast(exact).at(exact(q))));
         let range = q + of_any_size(&mut random, 0.001, 100.0);
         for attenuation in [some, some.within(range).unwrap()] {
             let mut darkest = Fixed::MAX;

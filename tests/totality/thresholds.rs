@@ -2,6 +2,7 @@
 //! scaled, at the least numbers, and at the largest. Each test climbs, or goes from number to number.
 
 use kit::Float;
+use kit::random::Random;
 use shading::{Attenuation, Lobe, PointLight, Rgb, UnitVec3, Vec3, normal};
 
 kit::for_f32_and_f64!(
@@ -49,8 +50,8 @@ fn a_constant_direction_has_the_bits_of_the_vectors_at_the_threshold<T: Float>()
 fn a_light_is_in_front_at_every_distance_that_the_page_names<T: Float>() {
     let mut random = Random(1);
     for _ in 0..300 {
-        let n = random.direction::<T>();
-        let aside = n.cross(random.direction::<T>());
+        let n = direction::<T>(&mut random);
+        let aside = n.cross(direction::<T>(&mut random));
         // from grazing to overhead, on both sides
         let cosine = (random.within(0.0, 1.0) * (8.0 * T::U).log2()).exp2();
         for side in [T::ONE, T::NEG_ONE] {
@@ -299,35 +300,7 @@ fn climb<const N: usize>(seed: u64, height: impl Fn([f64; N]) -> f64) -> ([f64; 
     best
 }
 
-/// SplitMix64 (Steele, Lea, and Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ z >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ z >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ z >> 31
-    }
-
-    #[allow(clippy::cast_possible_truncation)] // less than the limit
-    fn below(&mut self, limit: usize) -> usize {
-        (self.next() % limit as u64) as usize
-    }
-
-    /// A number in [−1, 1).
-    #[allow(clippy::cast_precision_loss)] // 53 bits
-    fn signed(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn within(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.signed().abs()
-    }
-
-    fn direction<T: Float>(&mut self) -> UnitVec3<T> {
-        let v = [(); 3].map(|()| T::of(self.signed()));
-        Vec3::from(v).unit_or(UnitVec3::Z)
-    }
+fn direction<T: Float>(random: &mut Random) -> UnitVec3<T> {
+    let v = [(); 3].map(|()| T::of(random.signed()));
+    Vec3::from(v).unit_or(UnitVec3::Z)
 }

@@ -10,6 +10,7 @@
 
 use std::fmt::Debug;
 
+use kit::random::Random;
 use proptest::prelude::*;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -140,14 +141,14 @@ fn what_is_read_is_what_the_constructor_takes<T: Number>() {
         let unit = Vec3::from(v).unit().expect("not 0");
         (unit.dot(unit) - T::ONE).abs()
     };
-    let (mut climb, mut worst) = (Climb(1), T::ZERO);
+    let (mut random, mut worst) = (Random(1), T::ZERO);
     for _ in 0..8 {
-        let mut place = [(); 3].map(|()| climb.signed());
+        let mut place = [(); 3].map(|()| random.signed());
         let mut height = T::ZERO;
         for _ in 0..2000 {
             let mut next = place;
-            let size = 2.0_f64.powi(-climb.below(54));
-            next[usize::try_from(climb.below(3)).expect("an index")] += size * climb.signed();
+            let exponent = i32::try_from(random.below(54)).expect("small");
+            next[random.below(3)] += 2.0_f64.powi(-exponent) * random.signed();
             let v = next.map(|x| T::of(x));
             let found = off(v);
             if found >= height {
@@ -191,12 +192,12 @@ fn a_vector_without_a_direction_is_refused_with_the_reason<T: Number>() {
 
 /// Axes as people write them: with so many decimals, and with all of them.
 fn axes<T: Number>() -> impl Iterator<Item = UnitVec3<T>> {
-    let mut climb = Climb(2);
-    let random = move |_| {
-        let v = Vec3::from([(); 3].map(|()| climb.signed()));
+    let mut random = Random(2);
+    let vector = move |_| {
+        let v = Vec3::from([(); 3].map(|()| random.signed()));
         v.unit().expect("not 0")
     };
-    (0..2000).map(random).flat_map(|axis| {
+    (0..2000).map(vector).flat_map(|axis| {
         [2, 3, 6, 15].map(|decimals| {
             let power = 10_f64.powi(decimals);
             let rounded = axis.map(|c| T::of((c * power).round() / power));
@@ -272,27 +273,5 @@ fn a_cone_keeps_its_bits_after_each_pair_of_casts() {
         survives(single.cast(f64::from));
         survives(double.cast(narrow).cast(f64::from));
         assert_eq!(single.cast(f64::from).cast(narrow), single);
-    }
-}
-
-/// SplitMix64 (Steele, Lea, and Flood 2014).
-struct Climb(u64);
-
-impl Climb {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ z >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ z >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ z >> 31
-    }
-
-    fn below(&mut self, limit: i32) -> i32 {
-        (self.next() % limit.unsigned_abs() as u64) as i32
-    }
-
-    /// A number in [−1, 1).
-    fn signed(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
     }
 }

@@ -1,6 +1,7 @@
 //! Pseudorandom numbers, the same in each run and on every machine.
 //!
-//! Source: Steele, Lea and Flood 2014, *Fast Splittable Pseudorandom Number Generators* (SplitMix64).
+//! Source: SplitMix64, Vigna's C of 2015 after Steele, Lea and Flood 2014, *Fast Splittable Pseudorandom Number
+//! Generators*.
 
 #[cfg(feature = "fixed")]
 use shading::fixed::Fixed;
@@ -25,13 +26,18 @@ impl Random {
 
     /// A number in [0, 1).
     #[allow(clippy::cast_precision_loss)] // 53 bits
-    pub fn share(&mut self) -> f64 {
+    pub fn fraction(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     /// A number in [−1, 1).
     pub fn signed(&mut self) -> f64 {
-        2.0 * self.share() - 1.0
+        2.0 * self.fraction() - 1.0
+    }
+
+    /// A number between two, evenly.
+    pub fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.fraction()
     }
 
     /// A number of any magnitude: as many are between 1 and 2 as between 2 and 4 steps.
