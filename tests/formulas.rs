@@ -1135,17 +1135,28 @@ mod normals {
         true
     );
     /// GLSL: faceforward(N, I, N_ref) = N where N_ref·I < 0, else −N.
-    fn faceforward<T: Float>(n: UnitVec3<T>, i: UnitVec3<T>) -> UnitVec3<T> {
-        if n.dot(i) < T::ZERO { n } else { -n }
+    fn faceforward<T: Float>(n: UnitVec3<T>, i: UnitVec3<T>, n_ref: UnitVec3<T>) -> UnitVec3<T> {
+        if n_ref.dot(i) < T::ZERO { n } else { -n }
+    }
+    // I points from the eye to the surface: it is −V
+    fn agrees_with_faceforward<T: Float>(v: UnitVec3<T>, face: UnitVec3<T>) -> bool {
+        [slanted::<T>(), -slanted::<T>(), UnitVec3::X]
+            .into_iter()
+            .all(|n| normal::facing(n, v, face) == faceforward(n, -v, face))
     }
     value!(
-        faceforward_of_glsl_takes_minus_v,
-        faceforward(-slanted::<T>(), UnitVec3::NEG_Z) == slanted(),
+        facing_is_faceforward_from_the_front,
+        agrees_with_faceforward::<T>(UnitVec3::Z, slanted()),
         true
     );
     value!(
-        faceforward_of_glsl_differs_edge_on,
-        faceforward(UnitVec3::<T>::X, UnitVec3::NEG_Z) == -UnitVec3::X,
+        facing_is_faceforward_from_behind,
+        agrees_with_faceforward::<T>(UnitVec3::NEG_Z, slanted()),
+        true
+    );
+    value!(
+        faceforward_turns_over_edge_on_where_facing_stays,
+        faceforward(UnitVec3::<T>::X, UnitVec3::NEG_Z, UnitVec3::X) == -UnitVec3::X,
         true
     );
 
