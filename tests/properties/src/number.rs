@@ -20,6 +20,9 @@ pub trait Number: Real + PartialOrd + Debug + 'static {
     const STEP: f64 = Self::SMALLEST / 2.0;
     /// The error of its own hooks of `Real`, relative to the result, beyond those of its operations.
     const HOOK: f64 = 0.0;
+    /// The error of the cosine that its hook for cones computes: in a number of few digits, L is shorter or longer
+    /// than 1, and the hook may measure it.
+    const COSINE: f64 = 0.0;
     /// Whether a product with a power of two is exact, as in a binary float.
     const DOUBLES_EXACTLY: bool = true;
 
@@ -55,6 +58,7 @@ impl Number for shading::fixed::Fixed {
     const LARGEST: f64 = 32_768.0 - Self::SMALLEST;
     const LARGE: f64 = 512.0;
     const HOOK: f64 = 1.0 / 16_777_216.0; // a reciprocal of 24 bits
+    const COSINE: f64 = 0.9 * Self::SMALLEST; // L is off by half a step along each axis: by √3/2 at most
     const DOUBLES_EXACTLY: bool = false;
 
     fn exact(self) -> f64 {

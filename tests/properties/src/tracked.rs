@@ -229,6 +229,25 @@ impl<T: Number> Real for Tracked<T> {
         Self::rounded(root, error)
     }
 
+    /// A power below the least normal `f32` may count as 0, in numbers that are no wider.
+    fn whole_power(self, m: u32) -> Self {
+        let (mut base, mut power, mut rest) = (self, Self::ONE, m);
+        while rest > 0 {
+            if rest & 1 == 1 {
+                power = power * base;
+            }
+            base = base * base;
+            rest >>= 1;
+        }
+        let least = f64::from(f32::MIN_POSITIVE);
+        let is_wider = T::LARGEST > f64::from(f32::MAX);
+        if is_wider || T::SMALLEST > least {
+            power
+        } else {
+            Self::given(power.exact, power.error + least)
+        }
+    }
+
     /// The sign of a rounded difference is that of the difference.
     fn above(self, other: Self) -> Above {
         let difference = Self::given(self.exact - other.exact, self.error + other.error);
@@ -304,24 +323,13 @@ impl<P: Printed, const N: usize> Printed for [P; N] {
     }
 }
 
-/// A whole power below the least normal `f32` may count as 0, in numbers that are no wider; four
-/// lights have a highlight each, of an intensity of at most 2.
-fn least_power<T: Number>() -> f64 {
-    let least = f64::from(f32::MIN_POSITIVE);
-    let is_wider = T::LARGEST > f64::from(f32::MAX);
-    if is_wider || T::SMALLEST > least {
-        0.0
-    } else {
-        8.0 * least
-    }
-}
-
 /// Fails unless each computed number is as near to the book's as the tracked errors allow. A case
 /// that rounding decides is drawn again.
 pub fn is_near<T: Number>(
     computed: &[T],
     (tracked, is_decided): (Vec<Tracked<T>>, bool),
     book: &[f64],
+    beyond: &[f64],
 ) -> Outcome {
     prop_assume!(is_decided && tracked.iter().all(|t| t.error.is_finite()));
     prop_assume!(book.iter().all(|b| b.is_finite()));
@@ -334,9 +342,10 @@ pub fn is_near<T: Number>(
     );
     // the book's formula rounds in `f64`, in another order: that counts if T is no coarser
     let roundings = if Tracked::<T>::IS_COARSER { 1.0 } else { 3.0 };
-    for ((x, t), b) in computed.iter().zip(&tracked).zip(book) {
+    let beyond = beyond.iter().chain(core::iter::repeat(&0.0));
+    for (((x, t), b), beyond) in computed.iter().zip(&tracked).zip(book).zip(beyond) {
         let own = T::HOOK + 8.0 * f64::EPSILON;
-        let tolerance = roundings * t.error + own * b.abs() + T::STEP + least_power::<T>();
+        let tolerance = roundings * t.error + own * b.abs() + T::STEP + beyond;
         prop_assert!(
             (x.exact() - b).abs() <= tolerance,
             "{:?} is not {b:?} ± {tolerance:.1e}",
@@ -348,20 +357,23 @@ pub fn is_near<T: Number>(
 
 /// `prop_assert_book!(scene, call, formula)` computes the call with the input in T, and the
 /// formula with the input in `f64`. The tolerance is the error of the call in the number that
-/// tracks the errors of T.
+/// tracks the errors of T, and what the number may be off beyond that, if it is given.
 macro_rules! prop_assert_book {
-    ($given:ident, $call:expr, $formula:expr) => {{
+    ($given:ident, $call:expr, $formula:expr) => {
+        prop_assert_book!($given, $call, $formula, [0.0; 0])
+    };
+    ($given:ident, $call:expr, $formula:expr, $beyond:expr) => {{
         use $crate::tracked::{Parts, Printed, Tracked, decided, is_near};
         let computed: Vec<_> = Parts::<T>::parts($call);
         let tracked = {
             let $given = &$given.cast(Tracked::<T>::input);
             decided(|| Parts::<Tracked<T>>::parts($call))
         };
-        let book: Vec<f64> = {
+        let (book, beyond): (Vec<f64>, Vec<f64>) = {
             let $given = &$given.cast(T::exact);
-            $formula.numbers()
+            ($formula.numbers(), $beyond.numbers())
         };
-        is_near(&computed, tracked, &book)?;
+        is_near(&computed, tracked, &book, &beyond)?;
     }};
 }
 pub(crate) use prop_assert_book;
