@@ -62,6 +62,12 @@ fn hooks<T: Real>(input: &Input<T>) -> Vec<(&'static str, T)> {
     let toward = T::toward(n, v);
     measured("toward", toward.measured);
     results.push(("toward", toward.n_dot_w));
+    for (name, v) in [
+        ("between", T::between(v, w)),
+        ("crossed", T::crossed(v, w, n)),
+    ] {
+        results.extend([v.x, v.y, v.z].map(|x| (name, x)));
+    }
     for m in [0, 1, 2, 5, 32] {
         results.push(("whole_power", c.whole_power(m)));
         results.push(("halfway_power", T::halfway_power(n, T::measured(v), n, m)));
@@ -203,6 +209,12 @@ impl Real for Odd {
     }
     fn cosine(n: Vec3<Self>, toward: &Toward<Self>) -> Self {
         Self(n.z.0 + toward.n_dot_w.0 + toward.measured.w.x.0)
+    }
+    fn between(origin: Vec3<Self>, v: Vec3<Self>) -> Vec3<Self> {
+        v * origin.x
+    }
+    fn crossed(origin: Vec3<Self>, a: Vec3<Self>, b: Vec3<Self>) -> Vec3<Self> {
+        a * origin.y + b
     }
     fn whole_power(self, m: u32) -> Self {
         Self(self.0 + f64::from(m))

@@ -32,6 +32,16 @@ fn zip<A, B, C>(a: Vec3<A>, b: Vec3<B>, f: impl Fn(A, B) -> C) -> Vec3<C> {
     Vec3::new(f(a.x, b.x), f(a.y, b.y), f(a.z, b.z))
 }
 
+/// The vector that T gives for `plain`, of a length that it chose, and the gradient for that length.
+#[inline(always)]
+fn rescaled<T: Real>(plain: Vec3<Dual<T>>, value: Vec3<T>) -> Vec3<Dual<T>> {
+    let [before, after] = [values(plain), value].map(|v| T::measured(v).length);
+    let scale = after / before; // exactly 1, unless T has a hook of its own
+    zip(plain, value, |plain, value| {
+        Dual::new(value, plain.gradient * scale)
+    })
+}
+
 impl<T: Real> Measured<Dual<T>> {
     #[inline(always)]
     fn values(self) -> Measured<T> {
@@ -183,6 +193,18 @@ impl<T: Real> Real for Dual<T> {
             n_dot_w: toward.n_dot_w.value,
         };
         plain.of_value(T::cosine(values(n), &toward))
+    }
+
+    #[inline(always)]
+    fn between(origin: Vec3<Self>, v: Vec3<Self>) -> Vec3<Self> {
+        let value = T::between(values(origin), values(v));
+        rescaled(length::between(origin, v), value)
+    }
+
+    #[inline(always)]
+    fn crossed(origin: Vec3<Self>, a: Vec3<Self>, b: Vec3<Self>) -> Vec3<Self> {
+        let value = T::crossed(values(origin), values(a), values(b));
+        rescaled(length::crossed(origin, a, b), value)
     }
 
     #[inline]

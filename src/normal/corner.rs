@@ -1,7 +1,7 @@
 //! The normals of a mesh's vertices.
 
 use crate::angle::angle;
-use crate::real::{Real, tamed};
+use crate::real::Real;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -62,7 +62,7 @@ use crate::vector::Vec3;
 #[inline(always)]
 pub fn corner<T: Real>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Vec3<T> {
     let none = UnitVec3::assume_unit(Vec3::ZERO);
-    let (e1, e2) = (tamed(v2, v1), tamed(v3, v1));
+    let (e1, e2) = (T::between(v1, v2), T::between(v1, v3));
     let (n, length) = e1.cross(e2).unit_or_with_length(none);
     // if there is no normal, the angle may be NaN
     n * angle(length, e1.dot(e2)).at_least(T::ZERO)

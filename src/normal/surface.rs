@@ -1,7 +1,7 @@
 //! Normals of planes, triangles, spheres, implicit and parametric surfaces.
 
 use crate::dual::Dual;
-use crate::real::{Real, Scalar, epsilon, is_extreme, magnitude, tamed};
+use crate::real::{Real, Scalar, epsilon, magnitude};
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
 
@@ -52,7 +52,7 @@ pub fn plane<T: Real + Scalar>(a: T, b: T, c: T) -> Option<UnitVec3<T>> {
 #[inline(always)]
 #[must_use]
 pub fn triangle<T: Real + Scalar>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Option<UnitVec3<T>> {
-    cross_from(v1, v2, v3).unit()
+    T::crossed(v1, v2, v3).unit()
 }
 
 /// The outward normal of a sphere at a point p on it.
@@ -76,7 +76,7 @@ pub fn triangle<T: Real + Scalar>(v1: Vec3<T>, v2: Vec3<T>, v3: Vec3<T>) -> Opti
 #[inline(always)]
 #[must_use]
 pub fn sphere<T: Real + Scalar>(center: Vec3<T>, p: Vec3<T>) -> Option<UnitVec3<T>> {
-    tamed(p, center).unit()
+    T::between(center, p).unit()
 }
 
 /// The normal of the implicit surface f(x, y, z) = 0 at a point p on it, from f itself.
@@ -225,16 +225,5 @@ pub fn parametric<T: Real + Scalar>(
 #[inline(always)]
 #[must_use]
 pub fn from_tangents<T: Real + Scalar>(s_u: Vec3<T>, s_v: Vec3<T>) -> Option<UnitVec3<T>> {
-    cross_from(Vec3::ZERO, s_u, s_v).unit()
-}
-
-/// (a − origin) × (b − origin), times a power of two if it would overflow or vanish.
-#[inline(always)]
-fn cross_from<T: Real>(origin: Vec3<T>, a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
-    let cross = (a - origin).cross(b - origin);
-    if is_extreme(cross.dot(cross)) {
-        tamed(a, origin).cross(tamed(b, origin))
-    } else {
-        cross
-    }
+    T::crossed(Vec3::ZERO, s_u, s_v).unit()
 }

@@ -96,15 +96,24 @@ fn rescued<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
     }
 }
 
-/// The vector from `origin` to `v`, times a power of two that makes it fit for squares and products.
 #[inline(always)]
-pub(crate) fn tamed<T: Real>(v: Vec3<T>, origin: Vec3<T>) -> Vec3<T> {
+pub(crate) fn between<T: Real>(origin: Vec3<T>, v: Vec3<T>) -> Vec3<T> {
     let from_origin = v - origin;
     let square = T::dot(from_origin, from_origin);
     if is_extreme(square) {
         tamed_by(v, origin, square).0
     } else {
         from_origin
+    }
+}
+
+#[inline(always)]
+pub(crate) fn crossed<T: Real>(origin: Vec3<T>, a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
+    let cross = (a - origin).cross(b - origin);
+    if is_extreme(T::dot(cross, cross)) {
+        between(origin, a).cross(between(origin, b))
+    } else {
+        cross
     }
 }
 

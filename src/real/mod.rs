@@ -14,7 +14,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use crate::triple::{Rgb, Vec3};
 
 pub(crate) use known::{constant, epsilon, least, parts, whole};
-pub(crate) use length::{cold, is_extreme, tamed};
+pub(crate) use length::{cold, is_extreme};
 pub use lobe::Lobe;
 pub(crate) use lobe::{by_squaring, shininess};
 pub(crate) use root::const_sqrt;
@@ -186,6 +186,23 @@ pub trait Real:
     #[must_use]
     fn cosine(_n: Vec3<Self>, toward: &Toward<Self>) -> Self {
         length::cosine(toward.n_dot_w, toward.measured.w_length)
+    }
+
+    /// The vector from one point to another, times a power of two if its square or its products would overflow or
+    /// vanish. A fixed-point number may scale every vector, so that their products have digits.
+    #[inline(always)]
+    fn between(origin: Vec3<Self>, v: Vec3<Self>) -> Vec3<Self> {
+        length::between(origin, v)
+    }
+
+    /// A vector in the direction of the normal of a triangle, whose length means nothing; 0 if there is none.
+    ///
+    /// ```text
+    /// (a − origin) × (b − origin)
+    /// ```
+    #[inline(always)]
+    fn crossed(origin: Vec3<Self>, a: Vec3<Self>, b: Vec3<Self>) -> Vec3<Self> {
+        length::crossed(origin, a, b)
     }
 
     /// The power of a number within [0, 1] by a whole number; a number above 1 may count as 1.

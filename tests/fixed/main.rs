@@ -4,6 +4,7 @@
 mod colors;
 mod constructors;
 mod falloff;
+mod normals;
 mod numbers;
 mod products;
 mod vectors;

@@ -23,6 +23,8 @@
 //!   number and no sum leaves the range. This holds for an integer m up to 128, distances from 0.01 to
 //!   200, light that arrives with up to 4, ranges from 1, soft edges from 0.1 (of the cosine), and
 //!   |L + V| ≥ 0.1. At the edge of a hard cone, a point may fall on either side.
+//! - The normals of triangles, tangents and spheres of any size are within 0.56 of a step of the exact ones,
+//!   but for triangles of which an edge is longer than 32,768.
 //! - Light is never negative, and never brighter by more than a level where the distance is greater.
 //! - Nothing panics, and every machine gives the same bits. The functions of
 //!   [`Elementary`](crate::Elementary) are the exception: they go by way of `f32`, whose last digits may
@@ -37,6 +39,7 @@
 )]
 
 mod constants;
+mod edges;
 mod real;
 mod root;
 mod wide;

@@ -2,7 +2,7 @@
 
 use super::root::{Scaled, halfway_cosine, reciprocal, root, unit_and_length};
 use super::wide::{product, product_by_share, product_unsigned, upper_rounded, upper_unsigned};
-use super::{Fixed, ONE, rounded};
+use super::{Fixed, ONE, edges, rounded};
 use crate::elementary::Elementary;
 use crate::real::{Dimmed, LightSum, Lobe, Measured, Real, Toward};
 use crate::rgb::Rgb;
@@ -81,6 +81,16 @@ impl Real for Fixed {
     #[inline]
     fn cosine(_: Vec3<Self>, toward: &Toward<Self>) -> Self {
         Self(toward.n_dot_w.0.clamp(0, ONE))
+    }
+
+    #[inline]
+    fn between(origin: Vec3<Self>, v: Vec3<Self>) -> Vec3<Self> {
+        edges::between(origin.into(), v.into()).into()
+    }
+
+    #[inline]
+    fn crossed(origin: Vec3<Self>, a: Vec3<Self>, b: Vec3<Self>) -> Vec3<Self> {
+        edges::crossed(origin.into(), a.into(), b.into()).into()
     }
 
     #[inline]
