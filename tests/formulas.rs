@@ -707,6 +707,17 @@ mod lights {
     value!(direction_to_a_sun, sun::<T>().l(), [0.0, 0.0, 1.0]);
     value!(intensity_of_a_sun, sun::<T>().intensity(), [2.0, 1.0, 0.5]);
     value!(distance_of_a_sun, sun::<T>().distance(), T::MAX);
+    value!(
+        lights_print_their_kinds,
+        {
+            let at = Vec3::ZERO;
+            let lights = [sun::<T>(), above().at(at), spot().at(at)];
+            let kinds = ["kind: Directional", "kind: Point", "kind: Spot"];
+            let mut pairs = lights.iter().zip(kinds);
+            pairs.all(|(light, kind)| format!("{light:?}").contains(kind))
+        },
+        true
+    );
 
     // (1, 0, 0) is 2 below the lamp: arctan ½ = 26.6°, 1/(4 + 1) = 0.2. The root is off by 1u, its
     // square by 3u, the reciprocal by 4u

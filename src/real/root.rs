@@ -62,8 +62,8 @@ pub(super) fn sqrtf(x: f32) -> f32 {
 }
 
 /// The correctly rounded root of a positive normal number, for constants. The integer root has at
-/// least three bits more than the result; its lowest bit also records whether the root is inexact.
-/// Rounded again, it is the correctly rounded root of an `f32`.
+/// least three bits more than the result. Its lowest bit is set, as the root of most numbers lies above it; that of the
+/// others ends long before. Rounded again, it is the correctly rounded root of an `f32`.
 #[allow(
     clippy::cast_possible_wrap,
     clippy::cast_precision_loss,
@@ -73,7 +73,5 @@ pub(crate) const fn const_sqrt(x: f64) -> f64 {
     // x = n 2^(2h)
     let exponent = (x.to_bits() >> 52) as i64 - 1023 - 52 - 59;
     let n = ((x.to_bits() & ((1 << 52) - 1) | 1 << 52) as u128) << (59 + (exponent & 1));
-    let root = n.isqrt();
-    let sticky = (root * root != n) as u128;
-    (root | sticky) as f64 * f64::from_bits(((1023 + (exponent >> 1)) as u64) << 52)
+    (n.isqrt() | 1) as f64 * f64::from_bits(((1023 + (exponent >> 1)) as u64) << 52)
 }

@@ -30,7 +30,14 @@ fn attenuations_are_those_of_any_number() {
         ] {
             assert_eq!(Attenuation::const_new(a, b, c), Attenuation::new(a, b, c));
         }
-        assert_eq!(valid.const_within(x), valid.within(x), "{x}");
+        let gltf = valid.const_within_gltf(Fixed::ONE).unwrap();
+        for falloff in [valid, gltf] {
+            assert_eq!(falloff.const_within(x), falloff.within(x), "{x}");
+            let is = falloff.const_within_gltf(x);
+            assert_eq!(is, falloff.within_gltf(x), "{x}");
+            let is = falloff.const_clamped_to(x);
+            assert_eq!(is, falloff.clamped_to(x), "{x}");
+        }
     }
 }
 
@@ -39,6 +46,10 @@ fn cones_of_cosines_are_those_of_any_number() {
     for (inner, outer) in numbers().zip(numbers().skip(3)) {
         let cone = Cone::const_from_cosines(inner, outer);
         assert_eq!(cone, Cone::from_cosines(inner, outer), "{inner} {outer}");
+        assert_eq!(
+            cone.map(|cone| cone.const_smoothstep()),
+            cone.map(|cone| cone.smoothstep())
+        );
         assert_eq!(
             Cone::const_from_cosines(inner, inner),
             Cone::from_cosine(inner)

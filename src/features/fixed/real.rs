@@ -208,13 +208,13 @@ fn window(v: Vec3<Fixed>, range: Fixed, is_squared: bool) -> u32 {
     let upper = |x: u64| (x << zeros >> 32) as u32;
     let rest = upper_unsigned(upper(r_squared - q_squared), reciprocal(upper(r_squared)));
     let rest = (rest << 3).min(u32::MAX >> 1); // 31 bits after the point, where 2 is 2³²
-    let root = upper_unsigned(rest.wrapping_neg(), rest); // 30 bits
+    let root = upper_unsigned(rest.wrapping_neg(), rest); // below 2³⁰, as rest is below 2³¹
     let window = if is_squared {
         upper_unsigned(2 * root, 2 * root)
     } else {
         root
     };
-    window.min(u32::MAX >> 2) << 2
+    window << 2
 }
 
 /// The factor of a cone as [`times`] takes it, for a light at the end of the vector v.
@@ -234,10 +234,10 @@ fn beam(axis: Vec3<Fixed>, [inner, outer]: [Fixed; 2], is_smooth: bool, v: Vec3<
     let beyond = (cosine.wrapping_sub(at_outer) as u32) << (zeros - 9);
     let t = upper_unsigned(beyond, reciprocal(width << zeros));
     let t = t.min(u32::MAX >> 4) << 3; // 31 bits after the point
-    let square = upper_unsigned(t, t); // 30 bits
+    let square = upper_unsigned(t, t); // below 2³⁰, as t is below 2³¹
     if is_smooth {
         let three_less_2_t = (3 << 30) - t; // 30 bits
-        upper_unsigned(three_less_2_t, square).min(u32::MAX >> 4) << 4
+        upper_unsigned(three_less_2_t, square) << 4
     } else {
         square << 2
     }
