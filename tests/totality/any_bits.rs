@@ -8,12 +8,33 @@ use proptest::prelude::*;
 kit::for_f32_and_f64!(any_bits_never_panic, finite_valid_input_gives_light);
 
 /// Values that break formulas. Many of the wide ones are 0 or infinite in single precision.
-#[rustfmt::skip]
 const ADVERSARIAL: [f64; 26] = [
-    0.0, -0.0, 1.0, -1.0, 0.5, 2.0, 1.0 + f64::EPSILON, 1.0 - f64::EPSILON / 2.0,
-    1.0 + f32::EPSILON as f64, 1.0 - f32::EPSILON as f64 / 2.0, 1e30, -1e30, 1e-30, 1e300, 1e-300,
-    f32::MAX as f64, -(f32::MAX as f64), f32::MIN_POSITIVE as f64, f32::from_bits(1) as f64,
-    f64::MAX, -f64::MAX, f64::MIN_POSITIVE, f64::from_bits(1), f64::INFINITY, f64::NAN, 65_536.0,
+    0.0,
+    -0.0,
+    1.0,
+    -1.0,
+    0.5,
+    2.0,
+    1.0 + f64::EPSILON,
+    1.0 - f64::EPSILON / 2.0,
+    1.0 + f32::EPSILON as f64,
+    1.0 - f32::EPSILON as f64 / 2.0,
+    1e30,
+    -1e30,
+    1e-30,
+    1e300,
+    1e-300,
+    f32::MAX as f64,
+    -(f32::MAX as f64),
+    f32::MIN_POSITIVE as f64,
+    f32::from_bits(1) as f64,
+    f64::MAX,
+    -f64::MAX,
+    f64::MIN_POSITIVE,
+    f64::from_bits(1),
+    f64::INFINITY,
+    f64::NAN,
+    65_536.0,
 ];
 
 /// The bits of a signaling NaN; their lower half is one in single precision.

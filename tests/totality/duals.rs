@@ -13,7 +13,6 @@ kit::for_f32_and_f64!(
 type Function<T> = (&'static str, fn(Dual<T>) -> Dual<T>);
 
 /// Every elementary function of one variable, and those of two with either of them fixed.
-#[rustfmt::skip]
 fn functions<T: Float>() -> Vec<Function<T>> {
     fn of<T: Float>(x: f64) -> Dual<T> {
         Dual::constant(T::of(x))

@@ -23,41 +23,59 @@ fn reads<V: DeserializeOwned + PartialEq + Debug>(json: &str, ron: &str, value: 
 }
 
 #[test]
-#[rustfmt::skip] // a table
 fn parts() {
     let v = Vec3::new(1.0, -2.5, 0.0);
     is(&v, "[1.0,-2.5,0.0]", "(1.0,-2.5,0.0)");
     reads("[1, -2.5, 0]", "(1, -2.5, 0)", &v);
     is(&UnitVec3::NEG_Y, "[0.0,-1.0,0.0]", "(0.0,-1.0,0.0)");
-    is(&Rgb::new(0.5, 0.25, 2.0), "[0.5,0.25,2.0]", "(0.5,0.25,2.0)");
+    is(
+        &Rgb::new(0.5, 0.25, 2.0),
+        "[0.5,0.25,2.0]",
+        "(0.5,0.25,2.0)",
+    );
 
     let falling = Attenuation::new(1.0, 0.0, 0.25).unwrap();
     let within = falling.within(8.0).unwrap();
-    is(&falling,
-       r#"{"a":1.0,"b":0.0,"c":0.25,"limit":null,"range":null,"range_gltf":null}"#,
-       "(a:1.0,b:0.0,c:0.25,limit:None,range:None,range_gltf:None)");
-    is(&falling.within_gltf(8.0).unwrap().clamped(),
-       r#"{"a":1.0,"b":0.0,"c":0.25,"limit":1.0,"range":null,"range_gltf":8.0}"#,
-       "(a:1.0,b:0.0,c:0.25,limit:Some(1.0),range:None,range_gltf:Some(8.0))");
-    reads(r#"{"c": 0.25, "a": 1, "b": 0}"#, "(c: 0.25, b: 0, a: 1)", &falling);
+    is(
+        &falling,
+        r#"{"a":1.0,"b":0.0,"c":0.25,"limit":null,"range":null,"range_gltf":null}"#,
+        "(a:1.0,b:0.0,c:0.25,limit:None,range:None,range_gltf:None)",
+    );
+    is(
+        &falling.within_gltf(8.0).unwrap().clamped(),
+        r#"{"a":1.0,"b":0.0,"c":0.25,"limit":1.0,"range":null,"range_gltf":8.0}"#,
+        "(a:1.0,b:0.0,c:0.25,limit:Some(1.0),range:None,range_gltf:Some(8.0))",
+    );
+    reads(
+        r#"{"c": 0.25, "a": 1, "b": 0}"#,
+        "(c: 0.25, b: 0, a: 1)",
+        &falling,
+    );
     reads("[1, 0, 0.25]", "Attenuation(a: 1, b: 0, c: 0.25)", &falling);
     let implicit = "#![enable(implicit_some)] (a: 1, b: 0, c: 0.25, range: 8)";
     reads("[1, 0, 0.25, null, 8]", implicit, &within);
 
     let hard = Cone::from_cosine(0.5).unwrap();
     is(&hard, r#"{"cosine":0.5}"#, "cosine(0.5)");
-    is(&Cone::from_cosines(0.875, 0.5).unwrap(),
-       r#"{"cosines":{"inner":0.875,"outer":0.5,"smoothstep":false}}"#,
-       "cosines((inner:0.875,outer:0.5,smoothstep:false))");
-    is(&Cone::from_cosines(0.875, 0.5).unwrap().smoothstep(),
-       r#"{"cosines":{"inner":0.875,"outer":0.5,"smoothstep":true}}"#,
-       "cosines((inner:0.875,outer:0.5,smoothstep:true))");
+    is(
+        &Cone::from_cosines(0.875, 0.5).unwrap(),
+        r#"{"cosines":{"inner":0.875,"outer":0.5,"smoothstep":false}}"#,
+        "cosines((inner:0.875,outer:0.5,smoothstep:false))",
+    );
+    is(
+        &Cone::from_cosines(0.875, 0.5).unwrap().smoothstep(),
+        r#"{"cosines":{"inner":0.875,"outer":0.5,"smoothstep":true}}"#,
+        "cosines((inner:0.875,outer:0.5,smoothstep:true))",
+    );
     is(&hard.smoothstep(), r#"{"cosine":0.5}"#, "cosine(0.5)");
     let of_angle = Cone::from_half_angle(0.75).unwrap();
     reads(r#"{"half_angle": 0.75}"#, "half_angle(0.75)", &of_angle);
     let of_angles = Cone::from_half_angles(0.25, 0.75).unwrap();
-    reads(r#"{"half_angles": {"outer": 0.75, "inner": 0.25}}"#,
-          "half_angles((outer: 0.75, inner: 0.25))", &of_angles);
+    reads(
+        r#"{"half_angles": {"outer": 0.75, "inner": 0.25}}"#,
+        "half_angles((outer: 0.75, inner: 0.25))",
+        &of_angles,
+    );
 }
 
 #[test]

@@ -28,10 +28,13 @@ const HALF_ANGLES: &str =
 const CONE: &str = r#"{"half_angles": {"inner": 0.25, "outer": 0.5, "smoothstep": true}}"#;
 
 /// What stands in the file once, what replaces it, and the error.
-#[rustfmt::skip]
 const IN_JSON: [(&str, &str, &str); 28] = [
     ("[2, 0, 2]", "[2, NaN, 2]", "expected value"),
-    ("[2, 0, 2]", "[2, 0]", "invalid length 2, expected an array of length 3"),
+    (
+        "[2, 0, 2]",
+        "[2, 0]",
+        "invalid length 2, expected an array of length 3",
+    ),
     ("[4, 4, 4]", "[4, 4, -1]", COLOR),
     ("[0.3, 0.3, 0.3]", "[0.3, -0.3, 0.3]", COLOR),
     ("[0.1, 0.1, 0.12]", "[-0.1, 0.1, 0.12]", COLOR),
@@ -39,12 +42,24 @@ const IN_JSON: [(&str, &str, &str); 28] = [
     ("[0, -1, 0]", "[0, 1e-60, -0.0]", ZERO), // in `f32`
     ("[1, 0, 0.25]", "[1, -0.5, 0]", COEFFICIENTS),
     ("[1, 0, 0.25]", "[-0.0, 0, 0]", COEFFICIENTS),
-    ("[1, 0, 0.25]", "[1, 0]", "invalid length 2, expected an attenuation with a, b and c"),
+    (
+        "[1, 0, 0.25]",
+        "[1, 0]",
+        "invalid length 2, expected an attenuation with a, b and c",
+    ),
     ("\"c\": 1", "\"c\": 0", COEFFICIENTS),
     ("\"range_gltf\": 8", "\"range\": 0", RANGE),
     ("\"range_gltf\": 8", "\"range\": -2", RANGE),
-    ("\"range_gltf\": 8", "\"range_gltf\": 0", "range_gltf: it must be above 0"),
-    ("\"range_gltf\": 8", "\"range_gltf\": 8, \"range\": 9", "range: write it or range_gltf, not both"),
+    (
+        "\"range_gltf\": 8",
+        "\"range_gltf\": 0",
+        "range_gltf: it must be above 0",
+    ),
+    (
+        "\"range_gltf\": 8",
+        "\"range_gltf\": 8, \"range\": 9",
+        "range: write it or range_gltf, not both",
+    ),
     ("\"limit\": 1", "\"limit\": 0", "limit: it must be above 0"),
     ("\"limit\": 1", "\"limit\": -1", "limit: it must be above 0"),
     ("\"limit\"", "\"radius\"", "unknown field `radius`"),
@@ -53,14 +68,33 @@ const IN_JSON: [(&str, &str, &str); 28] = [
     (CONE, r#"{"half_angle": 30}"#, HALF_ANGLE),
     (CONE, r#"{"half_angle": -0.001}"#, HALF_ANGLE),
     (CONE, r#"{"cosine": 1.0001}"#, COSINE),
-    (CONE, r#"{"cosines": {"inner": 0.4, "outer": 0.5}}"#, COSINES),
-    (CONE, r#"{"half_angle": 0.5, "cosine": 0.5}"#, "expected value"),
-    (CONE, r#"{"angle": 0.5}"#, "unknown variant `angle`, expected one of"),
-    ("\"l\"", "\"to_light\"", "unknown field `to_light`, expected `l` or `intensity`"),
-    ("\"directional\"", "\"sun\"", "unknown variant `sun`, expected one of `directional`, `point`, `spot`"),
+    (
+        CONE,
+        r#"{"cosines": {"inner": 0.4, "outer": 0.5}}"#,
+        COSINES,
+    ),
+    (
+        CONE,
+        r#"{"half_angle": 0.5, "cosine": 0.5}"#,
+        "expected value",
+    ),
+    (
+        CONE,
+        r#"{"angle": 0.5}"#,
+        "unknown variant `angle`, expected one of",
+    ),
+    (
+        "\"l\"",
+        "\"to_light\"",
+        "unknown field `to_light`, expected `l` or `intensity`",
+    ),
+    (
+        "\"directional\"",
+        "\"sun\"",
+        "unknown variant `sun`, expected one of `directional`, `point`, `spot`",
+    ),
 ];
 
-#[rustfmt::skip]
 const IN_RON: [(&str, &str, &str); 9] = [
     ("(2, 0, 2)", "(2, NaN, 2)", VECTOR),
     ("(2, 0, 2)", "(2, 0, -inf)", VECTOR),
@@ -70,7 +104,11 @@ const IN_RON: [(&str, &str, &str); 9] = [
     ("c: 0.25", "c: NaN", COEFFICIENTS),
     ("Some(8)", "Some(NaN)", "range_gltf: it must be above 0"),
     ("inner: 0.25", "inner: NaN", HALF_ANGLES),
-    ("half_angles((inner: 0.25, outer: 0.5, smoothstep: true))", "half_angle(30)", HALF_ANGLE),
+    (
+        "half_angles((inner: 0.25, outer: 0.5, smoothstep: true))",
+        "half_angle(30)",
+        HALF_ANGLE,
+    ),
 ];
 
 /// The file with `bad` in place of `good`, which occurs once, and the line of that place.

@@ -19,20 +19,27 @@ impl<V: Serialize + DeserializeOwned + Debug + Clone> Stored for V {}
 type Back<V> = fn(&V) -> Result<V, Box<dyn Error>>;
 
 /// The value, written and read in each format; the last cannot ask what comes next.
-#[rustfmt::skip]
 fn formats<V: Stored>() -> [(&'static str, Back<V>); 7] {
     [
-        ("JSON", |v| Ok(serde_json::from_str(&serde_json::to_string(v)?)?)),
+        ("JSON", |v| {
+            Ok(serde_json::from_str(&serde_json::to_string(v)?)?)
+        }),
         ("RON", |v| Ok(ron::from_str(&ron::to_string(v)?)?)),
         ("TOML", |v| Ok(toml::from_str(&toml::to_string(v)?)?)),
-        ("MessagePack", |v| Ok(rmp_serde::from_slice(&rmp_serde::to_vec(v)?)?)),
-        ("named MessagePack", |v| Ok(rmp_serde::from_slice(&rmp_serde::to_vec_named(v)?)?)),
+        ("MessagePack", |v| {
+            Ok(rmp_serde::from_slice(&rmp_serde::to_vec(v)?)?)
+        }),
+        ("named MessagePack", |v| {
+            Ok(rmp_serde::from_slice(&rmp_serde::to_vec_named(v)?)?)
+        }),
         ("CBOR", |v| {
             let mut bytes = Vec::new();
             ciborium::into_writer(v, &mut bytes)?;
             Ok(ciborium::from_reader(&bytes[..])?)
         }),
-        ("postcard", |v| Ok(postcard::from_bytes(&postcard::to_allocvec(v)?)?)),
+        ("postcard", |v| {
+            Ok(postcard::from_bytes(&postcard::to_allocvec(v)?)?)
+        }),
     ]
 }
 

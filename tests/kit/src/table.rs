@@ -10,147 +10,360 @@
 /// - `FUNCTIONS`, `REAL_M`: the shader, too, which has neither bytes nor doubles, tables nor
 ///   enums with data. It has arguments of its own, with the same names.
 ///
-/// `ANGLES` compute in doubles in fixed point and in `f32`; so does a constructor for constants. `REAL_M` and `SERIES` are for floats.
+/// `ANGLES` compute in doubles in fixed point and in `f32`; so does a constructor for constants.
+/// `REAL_M` and `SERIES` are for floats.
 #[macro_export]
 macro_rules! for_each_function {
     ($callback:ident) => { $callback! {
         ARITHMETIC: Number {
             divided "Vec3, divided" |g| g.a / g.x => nothing;
-            any_outside "Real::any_outside" |g| if g.x.any_outside(T::ONE, T::ONE + T::ONE) { T::ONE } else { T::ZERO } => nothing;
+            any_outside "Real::any_outside" |g|
+                if g.x.any_outside(T::ONE, T::ONE + T::ONE) {
+                    T::ONE
+                } else {
+                    T::ZERO
+                }
+                => nothing;
             if_positive "Real::select" |g| g.x.above(T::ZERO).select(g.y, g.cosine) => nothing;
             if_above "Real::above" |g| g.x.above(g.y).select(g.cosine, g.x) => nothing;
             at_least "Real::at_least" |g| g.x.at_least(g.y) => nothing;
             at_most "Real::at_most" |g| g.x.at_most(g.y) => nothing;
             // a signaling NaN, which no operation returns, may be its own positive part
-            positive_part "Real::at_least, zero" |g| (g.x + T::ZERO).at_least(T::ZERO) => not_negative;
-            light_sum "LightSum::add" |g| <T::Sum as LightSum<T>>::DARK.add(Dimmed { color: g.rgb, factor: g.cosine }, g.cosine).total() => nothing;
+            positive_part "Real::at_least, zero" |g|
+                (g.x + T::ZERO).at_least(T::ZERO)
+                => not_negative;
+            light_sum "LightSum::add" |g|
+                <T::Sum as LightSum<T>>::DARK
+                    .add(
+                        Dimmed {
+                            color: g.rgb,
+                            factor: g.cosine,
+                        },
+                        g.cosine,
+                    )
+                    .total()
+                => nothing;
             any_positive "Mask::any" |g| g.x.above(T::ZERO).any() => nothing;
             all_positive "Mask::all" |g| g.x.above(T::ZERO).all() => nothing;
-            vec3_operators "Vec3, operators" |g| [g.a + g.b, g.a - g.b, g.a * g.x, g.x.times_vector(g.a), g.a / g.x, -g.a] => nothing;
+            vec3_operators "Vec3, operators" |g|
+                [
+                    g.a + g.b,
+                    g.a - g.b,
+                    g.a * g.x,
+                    g.x.times_vector(g.a),
+                    g.a / g.x,
+                    -g.a,
+                ]
+                => nothing;
             vec3_assigned "Vec3, assigned" |g| { let mut v = g.a; v += g.b; v } => nothing;
             vec3_sum "Vec3::sum" |g| [g.b, g.a, g.p].into_iter().sum::<Vec3<T>>() => nothing;
-            vec3_dot_directions "Vec3::dot, with directions" |g| [g.a.dot(g.b), g.a.dot(g.n)] => nothing;
-            vec3_cross_directions "Vec3::cross, with directions" |g| [g.a.cross(g.b), g.a.cross(g.n)] => nothing;
-            assume_unit "UnitVec3::assume_unit" |g| -UnitVec3::assume_unit(g.a) => nothing;
-            rgb_operators "Rgb, operators" |g| [g.rgb + g.integer.k_a, g.rgb - g.integer.k_a, g.rgb * g.integer.k_a, g.rgb * g.x,
-                g.x.times_rgb(g.rgb), g.rgb / g.x]
+            vec3_dot_directions "Vec3::dot, with directions" |g|
+                [g.a.dot(g.b), g.a.dot(g.n)]
                 => nothing;
-            rgb_assigned "Rgb, assigned" |g| { let mut c = g.rgb; c += g.integer.k_a; c } => nothing;
-            rgb_sum "Rgb::sum" |g| [g.integer.k_d, g.rgb, g.integer.k_a].into_iter().sum::<Rgb<T>>() => nothing;
-            vec3_between "Vec3::lerp" |g| [Vec3::splat(g.y), g.a.lerp(g.b, g.x), g.a + g.n, g.a - g.n, g.n * g.x] => nothing;
+            vec3_cross_directions "Vec3::cross, with directions" |g|
+                [g.a.cross(g.b), g.a.cross(g.n)]
+                => nothing;
+            assume_unit "UnitVec3::assume_unit" |g| -UnitVec3::assume_unit(g.a) => nothing;
+            rgb_operators "Rgb, operators" |g|
+                [
+                    g.rgb + g.integer.k_a,
+                    g.rgb - g.integer.k_a,
+                    g.rgb * g.integer.k_a,
+                    g.rgb * g.x,
+                    g.x.times_rgb(g.rgb),
+                    g.rgb / g.x,
+                ]
+                => nothing;
+            rgb_assigned "Rgb, assigned" |g| {
+                let mut c = g.rgb;
+                c += g.integer.k_a;
+                c
+            } => nothing;
+            rgb_sum "Rgb::sum" |g|
+                [g.integer.k_d, g.rgb, g.integer.k_a]
+                    .into_iter()
+                    .sum::<Rgb<T>>()
+                => nothing;
+            vec3_between "Vec3::lerp" |g|
+                [
+                    Vec3::splat(g.y),
+                    g.a.lerp(g.b, g.x),
+                    g.a + g.n,
+                    g.a - g.n,
+                    g.n * g.x,
+                ]
+                => nothing;
             gray "Rgb::gray" |g| Rgb::gray(g.x) => nothing;
-            dual_operators "Dual, operators" |g| [g.f + g.h, g.f - g.h, g.f * g.h, g.f / g.h, -g.f] => nothing;
-            dual_with_number "Dual, with a number" |g| [g.f + g.y, g.f - g.y, g.f * g.y, g.f / g.y] => nothing;
-            dual_compared "Dual, compared" |g| [g.f.at_least(Dual::ZERO), g.f.at_most(g.h), g.f.abs(), g.f.above(g.h).select(g.h, g.f)]
+            dual_operators "Dual, operators" |g|
+                [g.f + g.h, g.f - g.h, g.f * g.h, g.f / g.h, -g.f]
+                => nothing;
+            dual_with_number "Dual, with a number" |g|
+                [g.f + g.y, g.f - g.y, g.f * g.y, g.f / g.y]
+                => nothing;
+            dual_compared "Dual, compared" |g|
+                [
+                    g.f.at_least(Dual::ZERO),
+                    g.f.at_most(g.h),
+                    g.f.abs(),
+                    g.f.above(g.h).select(g.h, g.f),
+                ]
                 => nothing;
             dual_chain "Dual::chain" |g| g.f.chain(g.y, g.x) => nothing;
-            shaded_operators "Shaded, operators" |g| [g.shaded + g.shaded * g.x, [g.shaded, g.shaded].into_iter().sum()] => nothing;
-            shaded_assigned "Shaded, assigned" |g| { let mut s = g.shaded; s += g.shaded * g.x; s } => nothing;
-            dual_offset "Dual, with a plain vector" |g| [Vec3::new(g.f, g.h, g.f) + g.a, Vec3::new(g.f, g.h, g.f) - g.a] => nothing;
-            limit "Attenuation::limit" |g| g.lamps.map(|lamp| lamp.attenuation.limit()) => not_negative;
-            window_kind "Attenuation::is_gltf" |g| g.lamps.map(|lamp| lamp.attenuation.is_gltf()) => nothing;
-            cone_kind "Cone::is_smoothstep" |g| [g.spot.cone, g.spot.cone.smoothstep()].map(|cone| cone.is_smoothstep()) => nothing;
-            limited "Attenuation::clamped_to" |g| g.attenuation.clamped_to(g.y.abs()).map(|limited| limited.at(g.x.abs())) => nothing;
-            coefficients "Attenuation::coefficients" |g| g.attenuation.coefficients() => not_negative;
-            clamped_attenuation "Attenuation::clamped" |g| g.attenuation.clamped().at(g.x.abs()) => nothing;
+            shaded_operators "Shaded, operators" |g|
+                [
+                    g.shaded + g.shaded * g.x,
+                    [g.shaded, g.shaded].into_iter().sum(),
+                ]
+                => nothing;
+            shaded_assigned "Shaded, assigned" |g| {
+                let mut s = g.shaded;
+                s += g.shaded * g.x;
+                s
+            } => nothing;
+            dual_offset "Dual, with a plain vector" |g|
+                [
+                    Vec3::new(g.f, g.h, g.f) + g.a,
+                    Vec3::new(g.f, g.h, g.f) - g.a,
+                ]
+                => nothing;
+            limit "Attenuation::limit" |g|
+                g.lamps.map(|lamp| lamp.attenuation.limit())
+                => not_negative;
+            window_kind "Attenuation::is_gltf" |g|
+                g.lamps.map(|lamp| lamp.attenuation.is_gltf())
+                => nothing;
+            cone_kind "Cone::is_smoothstep" |g|
+                [g.spot.cone, g.spot.cone.smoothstep()].map(|cone| cone.is_smoothstep())
+                => nothing;
+            limited "Attenuation::clamped_to" |g|
+                g.attenuation
+                    .clamped_to(g.y.abs())
+                    .map(|limited| limited.at(g.x.abs()))
+                => nothing;
+            coefficients "Attenuation::coefficients" |g|
+                g.attenuation.coefficients()
+                => not_negative;
+            clamped_attenuation "Attenuation::clamped" |g|
+                g.attenuation.clamped().at(g.x.abs())
+                => nothing;
             range "Attenuation::range" |g| g.soft_spot.point.attenuation.range() => not_negative;
             cone_cosines "Cone::cosines" |g| g.spot.cone.cosines() => cosines;
             soft_cone_cosines "Cone::cosines, soft" |g| g.soft_spot.cone.cosines() => cosines;
         }
         SWEEPS: Number {
-            powi_sweep "Elementary::powi, several" |g| [-3, -1, 0, 1, 2, 7, 100, i32::MIN, i32::MAX].map(|i| g.x.powi(i)) => nothing;
-            dual_powi_sweep "Dual::powi, several" |g| [-3, -1, 0, 1, 2, 7, i32::MIN, i32::MAX].map(|i| g.f.powi(i)) => nothing;
+            powi_sweep "Elementary::powi, several" |g|
+                [-3, -1, 0, 1, 2, 7, 100, i32::MIN, i32::MAX].map(|i| g.x.powi(i))
+                => nothing;
+            dual_powi_sweep "Dual::powi, several" |g|
+                [-3, -1, 0, 1, 2, 7, i32::MIN, i32::MAX].map(|i| g.f.powi(i))
+                => nothing;
             atan2 "Elementary::atan2" |g| [g.y.atan2(g.x), g.cosine.atan2(T::ZERO)] => nothing;
             powf "Elementary::powf" |g| g.x.abs().powf(g.cosine) => nothing;
             dual_atan2 "Dual::atan2" |g| [g.f.atan2(g.h), g.f.atan2(g.x)] => nothing;
             dual_powf "Dual::powf" |g| [g.f.powf(g.h), g.f.powf(g.x)] => nothing;
             dual_max "Dual::max" |g| [g.f.max(g.h), g.f.max(g.x)] => nothing;
             dual_min "Dual::min" |g| [g.f.min(g.h), g.f.min(g.x)] => nothing;
-            raise_sweep "Lobe::raise, every integer m" |g| INTEGER.map(|m| m.raise(g.cosine)) => nothing;
-            phong_sweep "term::phong, every integer m" |g| INTEGER.map(|m| term::phong(g.l, g.v, m)) => share;
-            blinn_sweep "term::blinn, every integer m" |g| INTEGER.map(|m| term::blinn(g.n, g.v, m)) => share;
-            slivers "normal::triangle, slivers" |g| normal::triangle(g.p, g.p + g.a, g.p + g.a * g.cosine) => unit;
-            blob_normals "normal::implicit, blobs" |g| normal::implicit(blobs, g.p) => unit;
-            wild_normals "normal::implicit, of any value" |g| normal::implicit(|p| (p.x / p.y).sqrt() + p.z.ln(), g.a) => unit;
-            wild_tangents "normal::parametric, of any value" |g| normal::parametric(|u, v| Vec3::new(u * v, u.exp() / v, (u - v).abs()),
-                g.x, g.y)
+            raise_sweep "Lobe::raise, every integer m" |g|
+                INTEGER.map(|m| m.raise(g.cosine))
+                => nothing;
+            phong_sweep "term::phong, every integer m" |g|
+                INTEGER.map(|m| term::phong(g.l, g.v, m))
+                => share;
+            blinn_sweep "term::blinn, every integer m" |g|
+                INTEGER.map(|m| term::blinn(g.n, g.v, m))
+                => share;
+            slivers "normal::triangle, slivers" |g|
+                normal::triangle(g.p, g.p + g.a, g.p + g.a * g.cosine)
                 => unit;
-            encoded "Rgb, encoded and decoded" |g| { let rgb = g.rgb.map(T::single); [Rgb::<f32>::from_srgb8(rgb.to_srgb8()),
-                Rgb::gray(rgb.to_rgb565().into())] }
-                => not_negative;
-            cast "PointLight::cast" |g| g.lamps[0].cast(Dual::constant).at(Dual::point(g.p)) => nothing;
-            dual_directions "Vec3::unit_or, of dual numbers" |g| { let v = Vec3::new(g.f, g.h, Dual::constant(g.x));
-                [*v.unit_or(UnitVec3::X), v.cross(v)] }
+            blob_normals "normal::implicit, blobs" |g| normal::implicit(blobs, g.p) => unit;
+            wild_normals "normal::implicit, of any value" |g|
+                normal::implicit(|p| (p.x / p.y).sqrt() + p.z.ln(), g.a)
+                => unit;
+            wild_tangents "normal::parametric, of any value" |g|
+                normal::parametric(
+                    |u, v| Vec3::new(u * v, u.exp() / v, (u - v).abs()),
+                    g.x,
+                    g.y,
+                )
+                => unit;
+            encoded "Rgb, encoded and decoded" |g| {
+                let rgb = g.rgb.map(T::single);
+                [
+                    Rgb::<f32>::from_srgb8(rgb.to_srgb8()),
+                    Rgb::gray(rgb.to_rgb565().into()),
+                ]
+            } => not_negative;
+            cast "PointLight::cast" |g|
+                g.lamps[0].cast(Dual::constant).at(Dual::point(g.p))
                 => nothing;
-            dual_factors "term::blinn, of dual numbers" |g| { let [n, h] = [g.n, g.l].map(|u| u.cast(Dual::constant));
-                [term::lambert(n, h), term::phong(n, h, g.integer.m), term::blinn(n, h, g.integer.m)] }
-                => nothing;
-            gltf_range "Attenuation::within_gltf" |g| { let ranged = within_gltf(g.soft_spot.point.attenuation); [ranged.at(g.x.abs()),
-                ranged.at(g.y.abs())] }
-                => not_negative;
-            gltf_lamp "PointLight::at, as in glTF" |g| { let mut lamp = g.soft_spot.point;
-                lamp.attenuation = within_gltf(lamp.attenuation); lamp.at(g.p) }
-                => arriving;
-            smooth_factor "Cone::smoothstep" |g| g.soft_spot.cone.smoothstep().factor(g.n, g.l) => share;
+            dual_directions "Vec3::unit_or, of dual numbers" |g| {
+                let v = Vec3::new(g.f, g.h, Dual::constant(g.x));
+                [*v.unit_or(UnitVec3::X), v.cross(v)]
+            } => nothing;
+            dual_factors "term::blinn, of dual numbers" |g| {
+                let [n, h] = [g.n, g.l].map(|u| u.cast(Dual::constant));
+                [
+                    term::lambert(n, h),
+                    term::phong(n, h, g.integer.m),
+                    term::blinn(n, h, g.integer.m),
+                ]
+            } => nothing;
+            gltf_range "Attenuation::within_gltf" |g| {
+                let ranged = within_gltf(g.soft_spot.point.attenuation);
+                [ranged.at(g.x.abs()), ranged.at(g.y.abs())]
+            } => not_negative;
+            gltf_lamp "PointLight::at, as in glTF" |g| {
+                let mut lamp = g.soft_spot.point;
+                lamp.attenuation = within_gltf(lamp.attenuation);
+                lamp.at(g.p)
+            } => arriving;
+            smooth_factor "Cone::smoothstep" |g|
+                g.soft_spot.cone.smoothstep().factor(g.n, g.l)
+                => share;
             every_lamp "PointLight::at, every lamp" |g| g.lamps.map(|lamp| lamp.at(g.p)) => nothing;
             every_light "Light::at, every light" |g| g.lights.map(|light| light.at(g.p)) => nothing;
             light_arrival "IncidentLight::arrival" |g| g.soft_spot.at(g.p).arrival() => nothing;
             light_l "IncidentLight::l" |g| g.spot.at(g.p).l() => nothing;
             light_distance "IncidentLight::distance" |g| g.spot.at(g.p).distance() => nothing;
-            light_intensity "IncidentLight::intensity" |g| g.soft_spot.at(g.p).intensity() => nothing;
-            light_dimmed "IncidentLight, dimmed and filtered" |g| [g.spot.at(g.p) * g.cosine, g.sun.at(g.p) * g.rgb] => nothing;
-            hook_direction "Real::measured" |g| { let m = T::measured(g.a); [m.w, Vec3::new(m.w_length, m.length, T::ZERO)] }
+            light_intensity "IncidentLight::intensity" |g|
+                g.soft_spot.at(g.p).intensity()
                 => nothing;
+            light_dimmed "IncidentLight, dimmed and filtered" |g|
+                [g.spot.at(g.p) * g.cosine, g.sun.at(g.p) * g.rgb]
+                => nothing;
+            hook_direction "Real::measured" |g| {
+                let m = T::measured(g.a);
+                [m.w, Vec3::new(m.w_length, m.length, T::ZERO)]
+            } => nothing;
             hook_faces "Real::faces" |g| T::faces(*g.n, g.a).any() => nothing;
-            hook_toward "Real::toward" |g| T::faces(*g.n, g.a).any().then(|| {
-                let t = T::toward(*g.n, g.a);
-                [t.n_dot_w, T::cosine(*g.n, &t)]
-            }) => nothing;
+            hook_toward "Real::toward" |g|
+                T::faces(*g.n, g.a).any().then(|| {
+                    let t = T::toward(*g.n, g.a);
+                    [t.n_dot_w, T::cosine(*g.n, &t)]
+                })
+                => nothing;
             hook_cosine "Real::cosine" |g| T::cosine(*g.n, &T::toward(*g.n, *g.l)) => share;
-            hook_whole_power "Real::whole_power" |g| INTEGER.map(|m| g.cosine.whole_power(m)) => nothing;
-            hook_halfway_power "Real::halfway_power" |g| T::halfway_power(*g.n, T::measured(g.a), *g.v, g.integer.m) => share;
+            hook_whole_power "Real::whole_power" |g|
+                INTEGER.map(|m| g.cosine.whole_power(m))
+                => nothing;
+            hook_halfway_power "Real::halfway_power" |g|
+                T::halfway_power(*g.n, T::measured(g.a), *g.v, g.integer.m)
+                => share;
             raise_root "Lobe::raise_root" |g| INTEGER.map(|m| m.raise_root(g.cosine)) => nothing;
-            hook_attenuated "Real::attenuated" |g| light(T::attenuated(g.rgb, g.attenuation.coefficients(), g.x.abs(), T::ONE)) => light;
-            hook_windowed "Real::windowed" |g| { let dimmed = Dimmed { color: g.rgb, factor: g.cosine };
-                [light(T::windowed(dimmed, g.a, T::measured(g.a).length, g.y.abs(), T::ONE.above(T::ZERO))),
-                light(T::windowed(dimmed, g.a, T::measured(g.a).length, g.y.abs(), T::ZERO.above(T::ZERO)))] }
-                => nothing;
-            hook_beamed "Real::beamed" |g| { let dimmed = Dimmed { color: g.rgb, factor: g.cosine };
-                [light(T::beamed(dimmed, *g.l, [T::of_f32(0.5), T::of_f32(0.25)], T::ONE.above(T::ZERO), g.a, &T::measured(g.a))),
-                light(T::beamed(dimmed, *g.l, [T::of_f32(0.5), T::of_f32(0.25)], T::ZERO.above(T::ZERO), g.a, &T::measured(g.a)))] }
-                => nothing;
-            every_lambert "shade::lambert, every light" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lights()) => light;
-            every_phong "shade::phong, every light" |g| shade::phong(g.n, g.v, &g.integer, g.rgb,
-                g.from_lights().filter(|light| light.is_in_front(g.n)))
+            hook_attenuated "Real::attenuated" |g|
+                light(T::attenuated(
+                    g.rgb,
+                    g.attenuation.coefficients(),
+                    g.x.abs(),
+                    T::ONE,
+                ))
                 => light;
-            every_blinn_phong "shade::blinn_phong, every light" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.from_lights())
+            hook_windowed "Real::windowed" |g| {
+                let dimmed = Dimmed {
+                    color: g.rgb,
+                    factor: g.cosine,
+                };
+                [
+                    light(T::windowed(
+                        dimmed,
+                        g.a,
+                        T::measured(g.a).length,
+                        g.y.abs(),
+                        T::ONE.above(T::ZERO),
+                    )),
+                    light(T::windowed(
+                        dimmed,
+                        g.a,
+                        T::measured(g.a).length,
+                        g.y.abs(),
+                        T::ZERO.above(T::ZERO),
+                    )),
+                ]
+            } => nothing;
+            hook_beamed "Real::beamed" |g| {
+                let dimmed = Dimmed {
+                    color: g.rgb,
+                    factor: g.cosine,
+                };
+                [
+                    light(T::beamed(
+                        dimmed,
+                        *g.l,
+                        [T::of_f32(0.5), T::of_f32(0.25)],
+                        T::ONE.above(T::ZERO),
+                        g.a,
+                        &T::measured(g.a),
+                    )),
+                    light(T::beamed(
+                        dimmed,
+                        *g.l,
+                        [T::of_f32(0.5), T::of_f32(0.25)],
+                        T::ZERO.above(T::ZERO),
+                        g.a,
+                        &T::measured(g.a),
+                    )),
+                ]
+            } => nothing;
+            every_lambert "shade::lambert, every light" |g|
+                shade::lambert(g.n, &g.integer, g.rgb, g.from_lights())
+                => light;
+            every_phong "shade::phong, every light" |g|
+                shade::phong(
+                    g.n,
+                    g.v,
+                    &g.integer,
+                    g.rgb,
+                    g.from_lights().filter(|light| light.is_in_front(g.n)),
+                )
+                => light;
+            every_blinn_phong "shade::blinn_phong, every light" |g|
+                shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.from_lights())
                 => light;
         }
         SERIES: Float {
-            raise_real_sweep "Lobe::raise, every real m" |g| REAL.map(|m| T::from(m).raise(g.cosine)) => nothing;
-            raise_root_real "Lobe::raise_root, real m" |g| REAL.map(|m| T::from(m).raise_root(g.cosine)) => nothing;
-            raise_invalid "Lobe::raise, invalid m" |g| [f32::INFINITY, -1.0, f32::NAN].map(|m| T::from(m).raise(g.cosine)) => nothing;
-            raise_vanishing "Lobe::raise, where the power vanishes" |g| [2_u16, 5, 33, 1000, 10_000]
-                .map(|m| u32::from(m).raise(vanishing(m, g.cosine)))
+            raise_real_sweep "Lobe::raise, every real m" |g|
+                REAL.map(|m| T::from(m).raise(g.cosine))
                 => nothing;
-            raise_difficult "Lobe::raise, where all coefficients count" |g| Each((0_u8..32)
-                .map(|i| { let (m, cosine) = difficult(i, g.cosine); m.raise(cosine) }))
+            raise_root_real "Lobe::raise_root, real m" |g|
+                REAL.map(|m| T::from(m).raise_root(g.cosine))
                 => nothing;
-            phong_real_sweep "term::phong, every real m" |g| REAL.map(|m| term::phong(g.l, g.v, T::from(m))) => share;
-            blinn_real_sweep "term::blinn, every real m" |g| REAL.map(|m| term::blinn(g.n, g.v, T::from(m))) => share;
+            raise_invalid "Lobe::raise, invalid m" |g|
+                [f32::INFINITY, -1.0, f32::NAN].map(|m| T::from(m).raise(g.cosine))
+                => nothing;
+            raise_vanishing "Lobe::raise, where the power vanishes" |g|
+                [2_u16, 5, 33, 1000, 10_000].map(|m| u32::from(m).raise(vanishing(m, g.cosine)))
+                => nothing;
+            raise_difficult "Lobe::raise, where all coefficients count" |g|
+                Each((0_u8..32).map(|i| {
+                    let (m, cosine) = difficult(i, g.cosine);
+                    m.raise(cosine)
+                }))
+                => nothing;
+            phong_real_sweep "term::phong, every real m" |g|
+                REAL.map(|m| term::phong(g.l, g.v, T::from(m)))
+                => share;
+            blinn_real_sweep "term::blinn, every real m" |g|
+                REAL.map(|m| term::blinn(g.n, g.v, T::from(m)))
+                => share;
             number_before_dual "Dual, after a number" |g| g.y.before(g.f) => nothing;
-            every_phong_real "shade::phong, real m, every light" |g| shade::phong(g.n, g.v, &g.real, g.rgb, g.from_lights()) => light;
-            every_blinn_phong_real "shade::blinn_phong, real m, every light" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb,
-                g.from_lights())
+            every_phong_real "shade::phong, real m, every light" |g|
+                shade::phong(g.n, g.v, &g.real, g.rgb, g.from_lights())
+                => light;
+            every_blinn_phong_real "shade::blinn_phong, real m, every light" |g|
+                shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.from_lights())
                 => light;
         }
         BYTES: Number {
             to_srgb8 "Rgb::to_srgb8" |g| g.rgb.map(T::single).to_srgb8() => nothing;
-            from_srgb8 "Rgb::from_srgb8" |g| { let [r, g, b, _] = g.bits.to_le_bytes(); Rgb::<T>::from_srgb8([r, g, b]) } => share;
+            from_srgb8 "Rgb::from_srgb8" |g| {
+                let [r, g, b, _] = g.bits.to_le_bytes();
+                Rgb::<T>::from_srgb8([r, g, b])
+            } => share;
             to_rgb565 "Rgb::to_rgb565" |g| g.rgb.map(T::single).to_rgb565() => nothing;
-            from_rgb565 "Rgb::from_rgb565" |g| { let [low, high, ..] = g.bits.to_le_bytes();
-                Rgb::<T>::from_rgb565(u16::from_le_bytes([low, high])) }
-                => share;
+            from_rgb565 "Rgb::from_rgb565" |g| {
+                let [low, high, ..] = g.bits.to_le_bytes();
+                Rgb::<T>::from_rgb565(u16::from_le_bytes([low, high]))
+            } => share;
             to_linear8 "Rgb::to_linear8" |g| g.rgb.map(T::single).to_linear8() => nothing;
         }
         ANGLES: Number {
@@ -158,13 +371,21 @@ macro_rules! for_each_function {
             cos "Elementary::cos" |g| g.x.cos() => nothing;
             dual_sin "Dual::sin" |g| g.f.sin() => nothing;
             dual_cos "Dual::cos" |g| g.f.cos() => nothing;
-            cone_from_half_angle "Cone::from_half_angle" |g| Cone::from_half_angle(g.x.abs()).map(Cone::cosines) => cosines;
-            cone_from_half_angles "Cone::from_half_angles" |g| Cone::from_half_angles(g.cosine, g.x.abs()).map(Cone::cosines) => cosines;
+            cone_from_half_angle "Cone::from_half_angle" |g|
+                Cone::from_half_angle(g.x.abs()).map(Cone::cosines)
+                => cosines;
+            cone_from_half_angles "Cone::from_half_angles" |g|
+                Cone::from_half_angles(g.cosine, g.x.abs()).map(Cone::cosines)
+                => cosines;
             tan "Elementary::tan" |g| g.x.tan() => nothing;
             dual_tan "Dual::tan" |g| g.f.tan() => nothing;
             normalized "UnitVec3::const_normalized" |g| T::normalized(g.a) => unit;
-            angular_implicit "normal::implicit, with angles" |g| normal::implicit(gyroid, g.p) => unit;
-            angular_parametric "normal::parametric, with angles" |g| normal::parametric(globe, g.x, g.y) => unit;
+            angular_implicit "normal::implicit, with angles" |g|
+                normal::implicit(gyroid, g.p)
+                => unit;
+            angular_parametric "normal::parametric, with angles" |g|
+                normal::parametric(globe, g.x, g.y)
+                => unit;
         }
         OFF_GPU: Number {
             exp "Elementary::exp" |g| g.x.exp() => nothing;
@@ -195,12 +416,22 @@ macro_rules! for_each_function {
             normal_sphere "normal::sphere" |g| normal::sphere(g.a, g.p) => unit;
             normal_implicit "normal::implicit, of a torus" |g| normal::implicit(torus, g.p) => unit;
             normal_from_gradient "normal::from_gradient" |g| normal::from_gradient(g.a) => unit;
-            normal_parametric "normal::parametric, of a saddle" |g| normal::parametric(saddle, g.x, g.y) => unit;
-            normal_from_tangents "normal::from_tangents" |g| normal::from_tangents(g.a, g.b) => unit;
+            normal_parametric "normal::parametric, of a saddle" |g|
+                normal::parametric(saddle, g.x, g.y)
+                => unit;
+            normal_from_tangents "normal::from_tangents" |g|
+                normal::from_tangents(g.a, g.b)
+                => unit;
             normal_facing "normal::facing" |g| normal::facing(g.n, g.v, g.n) => n_or_opposite;
-            normal_transformed "normal::transformed" |g| normal::transformed(g.n, [g.p, g.a, g.b]) => unit;
+            normal_transformed "normal::transformed" |g|
+                normal::transformed(g.n, [g.p, g.a, g.b])
+                => unit;
             normal_corner "normal::corner" |g| normal::corner(g.p, g.a, g.b) => at_most_pi_long;
-            normal_tangent "normal::tangent" |g| normal::tangent([g.p, g.a, g.b], [[g.x, g.y], [g.cosine, g.x], [g.y, g.cosine]])
+            normal_tangent "normal::tangent" |g|
+                normal::tangent(
+                    [g.p, g.a, g.b],
+                    [[g.x, g.y], [g.cosine, g.x], [g.y, g.cosine]],
+                )
                 .map(|(t, _)| t)
                 => unit;
             normal_mapped "normal::mapped" |g| normal::mapped(g.n, g.a, g.cosine, g.b) => unit;
@@ -211,37 +442,63 @@ macro_rules! for_each_function {
             term_lambert "term::lambert" |g| term::lambert(g.n, g.l) => not_negative;
             term_phong "term::phong, integer m" |g| term::phong(g.l, g.v, g.integer.m) => share;
             term_blinn "term::blinn, integer m" |g| term::blinn(g.n, g.v, g.integer.m) => share;
-            phong_normalization "term::phong_normalization" |g| term::phong_normalization(g.real.m) => positive;
+            phong_normalization "term::phong_normalization" |g|
+                term::phong_normalization(g.real.m)
+                => positive;
 
             attenuation "attenuation" |g| shading::attenuation(g.a.x, g.a.y, g.a.z, g.x) => nothing;
-            attenuation_new "Attenuation::new" |g| Attenuation::new(g.x, g.y, g.cosine).map(Attenuation::coefficients) => not_negative;
+            attenuation_new "Attenuation::new" |g|
+                Attenuation::new(g.x, g.y, g.cosine).map(Attenuation::coefficients)
+                => not_negative;
             attenuation_at "Attenuation::at" |g| g.attenuation.at(g.x.abs()) => nothing;
-            attenuation_within "Attenuation::within" |g| g.attenuation.within(g.y.abs()).map(Attenuation::range) => positive;
-            attenuation_at_ranged "Attenuation::at, ranged" |g| g.soft_spot.point.attenuation.at(g.x.abs()) => not_negative;
-            cone_from_cosine "Cone::from_cosine" |g| { let c = g.cosine + g.cosine - T::ONE; Cone::from_cosine(c).map(Cone::cosines) }
-                => cosines;
+            attenuation_within "Attenuation::within" |g|
+                g.attenuation.within(g.y.abs()).map(Attenuation::range)
+                => positive;
+            attenuation_at_ranged "Attenuation::at, ranged" |g|
+                g.soft_spot.point.attenuation.at(g.x.abs())
+                => not_negative;
+            cone_from_cosine "Cone::from_cosine" |g| {
+                let c = g.cosine + g.cosine - T::ONE;
+                Cone::from_cosine(c).map(Cone::cosines)
+            } => cosines;
             cone_factor "Cone::factor" |g| g.spot.cone.factor(g.n, g.l) => share;
-            cone_from_cosines "Cone::from_cosines" |g| Cone::from_cosines(g.cosine, -g.cosine).map(Cone::cosines) => cosines;
+            cone_from_cosines "Cone::from_cosines" |g|
+                Cone::from_cosines(g.cosine, -g.cosine).map(Cone::cosines)
+                => cosines;
             soft_cone_factor "Cone::factor, soft" |g| g.soft_spot.cone.factor(g.n, g.l) => share;
 
             directional_light "DirectionalLight::at" |g| g.sun.at(g.p) => arriving;
             point_light "PointLight::at" |g| g.lamps[0].at(g.p) => arriving;
             spot_light "SpotLight::at" |g| g.spot.at(g.p) => arriving;
             soft_spot_light "SpotLight::at, soft and ranged" |g| g.soft_spot.at(g.p) => arriving;
-            incident_light_is_in_front "IncidentLight::is_in_front" |g| g.spot.at(g.p).is_in_front(g.n) => nothing;
+            incident_light_is_in_front "IncidentLight::is_in_front" |g|
+                g.spot.at(g.p).is_in_front(g.n)
+                => nothing;
 
-            shade_lambert "shade::lambert" |g| shade::lambert(g.n, &g.integer, g.rgb, g.from_lamps()) => light;
-            shade_phong "shade::phong, integer m" |g| shade::phong(g.n, g.v, &g.integer, g.rgb, g.from_lamps()) => light;
-            shade_blinn_phong "shade::blinn_phong, integer m" |g| shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.from_lamps()) => light;
+            shade_lambert "shade::lambert" |g|
+                shade::lambert(g.n, &g.integer, g.rgb, g.from_lamps())
+                => light;
+            shade_phong "shade::phong, integer m" |g|
+                shade::phong(g.n, g.v, &g.integer, g.rgb, g.from_lamps())
+                => light;
+            shade_blinn_phong "shade::blinn_phong, integer m" |g|
+                shade::blinn_phong(g.n, g.v, &g.integer, g.rgb, g.from_lamps())
+                => light;
             shaded_total "Shaded::total" |g| g.shaded.total() => light;
         }
         REAL_M: Float {
             raise_real "Lobe::raise, real m" |g| g.real.m.raise(g.cosine) => nothing;
             term_phong_real "term::phong, real m" |g| term::phong(g.l, g.v, g.real.m) => share;
             term_blinn_real "term::blinn, real m" |g| term::blinn(g.n, g.v, g.real.m) => share;
-            blinn_normalization "term::blinn_normalization" |g| term::blinn_normalization(g.real.m) => positive;
-            shade_phong_real "shade::phong, real m" |g| shade::phong(g.n, g.v, &g.real, g.rgb, g.from_lamps()) => light;
-            shade_blinn_phong_real "shade::blinn_phong, real m" |g| shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.from_lamps()) => light;
+            blinn_normalization "term::blinn_normalization" |g|
+                term::blinn_normalization(g.real.m)
+                => positive;
+            shade_phong_real "shade::phong, real m" |g|
+                shade::phong(g.n, g.v, &g.real, g.rgb, g.from_lamps())
+                => light;
+            shade_blinn_phong_real "shade::blinn_phong, real m" |g|
+                shade::blinn_phong(g.n, g.v, &g.real, g.rgb, g.from_lamps())
+                => light;
         }
     } };
 }
