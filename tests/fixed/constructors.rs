@@ -47,8 +47,8 @@ fn cones_of_cosines_are_those_of_any_number() {
         let cone = Cone::const_from_cosines(inner, outer);
         assert_eq!(cone, Cone::from_cosines(inner, outer), "{inner} {outer}");
         assert_eq!(
-            cone.map(|cone| cone.const_smoothstep()),
-            cone.map(|cone| cone.smoothstep())
+            cone.map(shading::Cone::const_smoothstep),
+            cone.map(shading::Cone::smoothstep)
         );
         assert_eq!(
             Cone::const_from_cosines(inner, inner),
