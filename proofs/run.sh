@@ -66,9 +66,10 @@ queries() {
 }
 
 copy() { # FOLDER: a copy of the crate and of this package, built on its own
-    mkdir -p "$1"
+    mkdir -p "$1/tests"
     cp -r src docs README.md Cargo.lock proofs "$1"
-    sed -i '/^\[dev-dependencies/,/^$/d' "$1/proofs/Cargo.toml"
+    cp -r tests/kit "$1/tests"
+    sed -i '/^\[dev-dependencies/,/^$/d' "$1"/{proofs,tests/kit}/Cargo.toml
     rm "$1/proofs/tests/every.rs"
     cat >"$1/Cargo.toml" <<'END'
 [package]
