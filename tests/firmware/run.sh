@@ -56,7 +56,7 @@ for target in $m4f $m0; do empty[$target]=$(size $target nothing); done
 if [ "${1-}" = renew ]; then
     {
         echo "# bytes of flash that a function adds to an empty program, at opt-level s: Cortex-M4F, Cortex-M0"
-        names=$(sed -nE '/^ +(SWEEPS|SERIES|ARITHMETIC):/,/^ +\}/d; s/^ +[a-z0-9_]+ "(.*)" \|.*/\1/p' ../kit/src/table.rs)
+        names=$(sed -nE '/^ {8}(SWEEPS|SERIES|ARITHMETIC):/,/^ {8}\}/d; s/^ {12}[a-z0-9_]+ "(.*)" \|.*/\1/p' ../kit/src/table.rs)
         while read -r name; do
             printf '%-48s %6d %6d\n' "$name" "$(flash $m4f "$name")" "$(flash $m0 "$name")"
         done <<<"$names"$'\nshade::blinn_phong, integer m, fixed point'

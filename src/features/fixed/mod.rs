@@ -105,10 +105,24 @@ impl Fixed {
     #[inline]
     #[must_use]
     pub const fn from_f32(number: f32) -> Self {
-        let steps = number * ONE as f32;
-        let whole = steps as i32;
-        let rest = steps - whole as f32;
-        Self(whole.saturating_add((rest >= 0.5) as i32 - (rest <= -0.5) as i32))
+        // with integers, because each operation would be a library call without an FPU
+        let bits = number.to_bits();
+        let significand = bits & 0x7F_FFFF | 0x80_0000;
+        let exponent = (bits >> 23 & 0xFF) as i32 - 134; // of the significand in steps
+        let size = if bits << 1 > 0xFF << 24 || exponent < -24 {
+            0 // NaN, or less than half a step
+        } else if exponent > 7 {
+            return Self(bits as i32 >> 31 ^ i32::MAX);
+        } else if exponent >= 0 {
+            significand << exponent
+        } else {
+            (significand + (1 << (-1 - exponent))) >> -exponent
+        };
+        Self(if bits >> 31 == 0 {
+            size as i32
+        } else {
+            -(size as i32)
+        })
     }
 
     /// The nearest number in single precision; from −256 to 256 it is equal.
