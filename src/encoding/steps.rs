@@ -61,22 +61,20 @@ impl<const N: usize, const LENGTH: usize, const SHIFT: u32> Near<N, LENGTH, SHIF
     }
 }
 
-/// Where the level after each begins, for a search: it takes no room beside the edges.
-struct Edges<const N: usize>([u32; N]);
-
-impl<const N: usize> Edges<N> {
-    /// The last level that begins at or below a number, one bit of it after the other.
-    #[inline(never)]
-    const fn level(&self, bits: u32) -> u32 {
-        let (mut level, mut step) = (0, N / 2);
-        while step > 0 {
-            if bits >= self.0[(level + step - 1) % N] {
-                level += step;
-            }
-            step /= 2;
+/// The last level that begins at or below a number, by where the level after each begins: one bit of it after the other. It
+/// takes no room beside the edges.
+// one copy for all encodings
+#[inline(never)]
+const fn found(next_edges: &[u32], bits: u32) -> u32 {
+    let (mut level, mut step) = (0, next_edges.len() / 2);
+    while step > 0 {
+        let next = level + step - 1;
+        if next < next_edges.len() && bits >= next_edges[next] {
+            level += step;
         }
-        level as u32
+        step /= 2;
     }
+    level as u32
 }
 
 /// The levels of fixed-point numbers below 1 with 16 bits after the point: the level at the beginning of each 64th, from which
@@ -118,12 +116,12 @@ macro_rules! levels {
         /// The level of a channel.
         #[inline]
         pub(super) const fn $name(channel: f32) -> u32 {
-            static EDGES: Edges<$levels> = Edges(next_edges());
+            static EDGES: [u32; $levels] = next_edges();
             static NEAR: Near<$levels, $length, $shift> = Near::new();
             if FPU_CHIP && $levels <= 64 {
                 NEAR.level(channel)
             } else if CHIP {
-                EDGES.level(clamped(channel, DARKEST, BRIGHTEST))
+                found(&EDGES, clamped(channel, DARKEST, BRIGHTEST))
             } else {
                 $steps.level(channel)
             }
@@ -183,9 +181,16 @@ pub(super) const fn clamped(x: f32, low: f32, high: f32) -> u32 {
     } else {
         x
     };
+    let bits = if CHIP && !FPU_CHIP {
+        // the order of positive numbers is that of their bits, and a comparison of floats is a call
+        let bits = x.to_bits() as i32;
+        let is_above = bits > low.to_bits() as i32 && bits <= f32::INFINITY.to_bits() as i32;
+        if is_above { bits as u32 } else { low.to_bits() }
+    } else {
+        if x > low { x } else { low }.to_bits()
+    };
     // The second comparison is one of integers, because the compiler would make a branch of two of
     // floats: it sees that the result has only one level then.
-    let bits = if x > low { x } else { low }.to_bits();
     if bits > high.to_bits() {
         high.to_bits()
     } else {
