@@ -17,10 +17,13 @@ programs() {
     (cd "$built" && release/tracer && release/teapot && release/dispatch)
 }
 
-# the ball on the emulated chip has the bits that it has here, in fixed point and in f32
+# the ball on the emulated chip has the bits that it has here, in fixed point and in f32; and the ring has them on the bus of
+# its display, with and without an FPU
 chip() {
     install_packages qemu-system-arm
-    installer rustup --quiet target add thumbv7em-none-eabihf
+    local targets="thumbv7em-none-eabihf thumbv6m-none-eabi" target
+    # shellcheck disable=SC2086 # one word per target
+    installer rustup --quiet target add $targets
     (cd chip && cargo fmt --check)
     local number
     for number in fixed ""; do
@@ -29,6 +32,16 @@ chip() {
         cargo run --quiet --manifest-path chip/Cargo.toml --features "$number" | cmp - "$built/chip.txt"
     done
     [ "$(wc -l <"$built/chip.txt")" = 384 ] # twelve frames
+
+    cargo run --quiet --manifest-path chip/Cargo.toml --bin ring -- "$built/ring.png" >"$built/ring.txt"
+    cmp "$built/ring.png" ../docs/pictures/ring.png
+    [ "$(wc -l <"$built/ring.txt")" = 4 ]
+    for target in $targets; do
+        (cd chip && timeout 60 cargo run --quiet --release --bin ring --target $target) | tee "$built/chip.txt"
+        sed 's/,.*//' "$built/chip.txt" | cmp - "$built/ring.txt"
+        # no frame takes more than 9 million instructions
+        awk '{ if ($4 > 9000) exit 1 }' "$built/chip.txt"
+    done
 }
 
 # the same scene from C, C++, JavaScript and Python: each bit is the crate's

@@ -2,7 +2,7 @@
 
 use core::ops::{Add, Deref, Mul, Neg, Sub};
 
-use crate::real::{Measured, Real, Scalar, const_sqrt, epsilon, magnitude};
+use crate::real::{Mask, Measured, Real, Scalar, const_sqrt, epsilon, magnitude};
 use crate::vector::Vec3;
 
 impl<T: Real> Vec3<T> {
@@ -51,7 +51,10 @@ impl<T: Real> Vec3<T> {
         T: Scalar,
     {
         let Measured { w, w_length, .. } = T::measured(self);
-        (w_length > T::ZERO).then(|| UnitVec3(w / w_length))
+        w_length
+            .above(T::ZERO)
+            .any()
+            .then(|| UnitVec3(w / w_length))
     }
 
     /// [`unit`](Vec3::unit), or `fallback` if that is `None`. This method does not branch on the

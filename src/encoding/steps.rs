@@ -23,25 +23,29 @@ const CHIP: bool = cfg!(any(target_arch = "arm", target_arch = "riscv32"));
 /// Whether it has an FPU, beside which a search would take a third of a pixel's time.
 const FPU_CHIP: bool = cfg!(all(target_arch = "arm", target_abi = "eabihf"));
 
-/// Levels of at most 64, by one comparison: the level at the beginning of each 32nd of an octave, in which at most one level
-/// begins, and where the level after each begins. RGB565 takes 1 KB.
-struct Near<const N: usize> {
-    first: [u8; 352],
+/// Levels by one comparison: the level at the beginning of each interval, in which at most one level begins, and where the
+/// level after each begins. `SHIFT` low bits of a number are the place within its interval. RGB565 takes 0.9 KB.
+struct Near<const N: usize, const LENGTH: usize, const SHIFT: u32> {
+    first: [u8; LENGTH],
     next_edges: [u32; N],
 }
 
-impl<const N: usize> Near<N> {
+impl<const N: usize, const LENGTH: usize, const SHIFT: u32> Near<N, LENGTH, SHIFT> {
+    /// Where the intervals begin, in the octave of the first level or above it.
+    const BEGIN: u32 = 1.0_f32.to_bits() - ((LENGTH as u32) << SHIFT);
+
     const fn new() -> Self {
         let next_edges = next_edges::<N>();
-        let (mut first, mut level, mut i) = ([0; 352], 0, 0);
-        while i < 352 {
-            let begin = LEVEL_1_OF_64.to_bits() + ((i as u32) << 18);
+        assert!(Self::BEGIN < next_edges[0], "level 1 begins before");
+        let (mut first, mut level, mut i) = ([0; LENGTH], 0, 0);
+        while i < LENGTH {
+            let begin = Self::BEGIN + ((i as u32) << SHIFT);
             while next_edges[level] <= begin {
                 level += 1;
             }
             first[i] = level as u8;
             assert!(
-                N > 64 || level + 1 >= N || next_edges[level + 1] >= begin + (1 << 18),
+                level + 1 >= N || next_edges[level + 1] >= begin + (1 << SHIFT),
                 "two levels in an interval"
             );
             i += 1;
@@ -50,31 +54,27 @@ impl<const N: usize> Near<N> {
     }
 
     #[inline]
-    const fn level(&self, bits: u32) -> u32 {
-        let level = self.first[((bits - LEVEL_1_OF_64.to_bits()) >> 18) as usize % 352] as usize;
+    const fn level(&self, channel: f32) -> u32 {
+        let bits = clamped(channel, f32::from_bits(Self::BEGIN), BRIGHTEST);
+        let level = self.first[((bits - Self::BEGIN) >> SHIFT) as usize % LENGTH] as usize;
         (level + (bits >= self.next_edges[level % N]) as usize) as u32
     }
 }
 
-/// Where the 11 octaves begin in which level 1 of 64 and all above begin.
-const LEVEL_1_OF_64: f32 = 1.0 / 2048.0;
-
-/// Where the level after each begins, for a search: it takes no room beside the edges.
-struct Edges<const N: usize>([u32; N]);
-
-impl<const N: usize> Edges<N> {
-    /// The last level that begins at or below a number, one bit of it after the other.
-    #[inline(never)]
-    const fn level(&self, bits: u32) -> u32 {
-        let (mut level, mut step) = (0, N / 2);
-        while step > 0 {
-            if bits >= self.0[(level + step - 1) % N] {
-                level += step;
-            }
-            step /= 2;
+/// The last level that begins at or below a number, by where the level after each begins: one bit of it after the other. It
+/// takes no room beside the edges.
+// one copy for all encodings
+#[inline(never)]
+const fn found(next_edges: &[u32], bits: u32) -> u32 {
+    let (mut level, mut step) = (0, next_edges.len() / 2);
+    while step > 0 {
+        let next = level + step - 1;
+        if next < next_edges.len() && bits >= next_edges[next] {
+            level += step;
         }
-        level as u32
+        step /= 2;
     }
+    level as u32
 }
 
 /// The levels of fixed-point numbers below 1 with 16 bits after the point: the level at the beginning of each 64th, from which
@@ -112,16 +112,16 @@ impl<const N: usize> Climb<N> {
 }
 
 macro_rules! levels {
-    ($($name:ident $steps:ident $levels:literal $fixed:ident)*) => {$(
+    ($($name:ident $steps:ident $levels:literal $fixed:ident $length:literal $shift:literal)*) => {$(
         /// The level of a channel.
         #[inline]
         pub(super) const fn $name(channel: f32) -> u32 {
-            static EDGES: Edges<$levels> = Edges(next_edges());
-            static NEAR: Near<$levels> = Near::new();
+            static EDGES: [u32; $levels] = next_edges();
+            static NEAR: Near<$levels, $length, $shift> = Near::new();
             if FPU_CHIP && $levels <= 64 {
-                NEAR.level(clamped(channel, LEVEL_1_OF_64, BRIGHTEST))
+                NEAR.level(channel)
             } else if CHIP {
-                EDGES.level(clamped(channel, DARKEST, BRIGHTEST))
+                found(&EDGES, clamped(channel, DARKEST, BRIGHTEST))
             } else {
                 $steps.level(channel)
             }
@@ -134,9 +134,9 @@ macro_rules! levels {
 }
 
 levels! {
-    eight_bits EIGHT_BITS 256 FIXED_EIGHT_BITS
-    six_bits SIX_BITS 64 FIXED_SIX_BITS
-    five_bits FIVE_BITS 32 FIXED_FIVE_BITS
+    eight_bits EIGHT_BITS 256 FIXED_EIGHT_BITS 1664 16
+    six_bits SIX_BITS 64 FIXED_SIX_BITS 352 18
+    five_bits FIVE_BITS 32 FIXED_FIVE_BITS 160 19
 }
 
 /// Level 1 of 256 begins above 2⁻¹³.
@@ -181,9 +181,16 @@ pub(super) const fn clamped(x: f32, low: f32, high: f32) -> u32 {
     } else {
         x
     };
+    let bits = if CHIP && !FPU_CHIP {
+        // the order of positive numbers is that of their bits, and a comparison of floats is a call
+        let bits = x.to_bits() as i32;
+        let is_above = bits > low.to_bits() as i32 && bits <= f32::INFINITY.to_bits() as i32;
+        if is_above { bits as u32 } else { low.to_bits() }
+    } else {
+        if x > low { x } else { low }.to_bits()
+    };
     // The second comparison is one of integers, because the compiler would make a branch of two of
     // floats: it sees that the result has only one level then.
-    let bits = if x > low { x } else { low }.to_bits();
     if bits > high.to_bits() {
         high.to_bits()
     } else {

@@ -80,7 +80,8 @@ fn plain<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
     inline(always)
 )]
 fn rescued<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
-    let (w, power) = tamed_by(v, Vec3::new(T::ZERO, T::ZERO, T::ZERO), square);
+    let power = taming(square);
+    let w = v * power;
     let square = T::dot(w, w);
     let w_length = square.sqrt();
     let length = (w_length / power).at_most(T::MAX);
@@ -101,7 +102,11 @@ pub(crate) fn between<T: Real>(origin: Vec3<T>, v: Vec3<T>) -> Vec3<T> {
     let from_origin = v - origin;
     let square = T::dot(from_origin, from_origin);
     if is_extreme(square) {
-        tamed_by(v, origin, square).0
+        let power = taming(square);
+        // scaled down before the subtraction, which may overflow, and up after it, because the points
+        // may be far from the origin
+        let (shrink, grow) = (power.at_most(T::ONE), power.at_least(T::ONE));
+        (v * shrink - origin * shrink) * grow
     } else {
         from_origin
     }
@@ -117,19 +122,15 @@ pub(crate) fn crossed<T: Real>(origin: Vec3<T>, a: Vec3<T>, b: Vec3<T>) -> Vec3<
     }
 }
 
-/// The vector from `origin` to `v` times a power of two, and the power.
+/// The power of two that makes a vector fit for squares and products, by the square of its length.
 ///
 /// Scaling it up is exact. Scaling it down rounds only components below 2⁻⁷⁵ (`f32`) or 2⁻⁶⁶⁰
 /// (`f64`) of the largest one, which is far below the unit roundoff.
 #[inline(always)]
-fn tamed_by<T: Real>(v: Vec3<T>, origin: Vec3<T>, square: T) -> (Vec3<T>, T) {
+fn taming<T: Real>(square: T) -> T {
     let least = T::ONE / T::EXTREME;
     let grow = least.above(square).select(T::EXTREME, T::ONE);
-    let power = T::EXTREME.above(square).select(grow, least);
-    // scaled down before the subtraction, which may overflow, and up after it, because the points
-    // may be far from the origin
-    let (shrink, grow) = (power.at_most(T::ONE), power.at_least(T::ONE));
-    ((v * shrink - origin * shrink) * grow, power)
+    T::EXTREME.above(square).select(grow, least)
 }
 
 /// Whether |v|² overflowed, underflowed or may be inexact, in any lane.

@@ -4,10 +4,9 @@
 //! Besides the driver of its display, firmware needs only `ball.rs`.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
-mod ball;
-
 use core::convert::Infallible;
 
+use chip::ball;
 #[cfg(target_os = "none")]
 use cortex_m_semihosting::{hprint as print, hprintln as println};
 use embedded_graphics::Pixel;

@@ -255,7 +255,7 @@ impl Factor {
     #[inline(never)]
     fn times(self, x: Fixed) -> Fixed {
         let product = product_unsigned(self.significand, x.0.max(0) as u32);
-        let steps = (product + (1 << self.shift >> 1)) >> self.shift;
+        let steps = ((product << 1 >> self.shift) + 1) >> 1; // rounded
         Fixed(if steps >> 31 == 0 {
             steps as i32
         } else {
@@ -264,37 +264,33 @@ impl Factor {
     }
 
     /// The factor of [`Real::attenuated`], whatever the denominator and the limit are.
+    // With loops, because without an instruction for it a count of zeros takes 80 bytes.
     #[cold]
     #[inline(never)]
-    fn attenuating([mut a, mut b, mut c]: [Fixed; 3], q: Fixed, limit: Fixed) -> Self {
-        if (a.0 | b.0 | c.0) < 0 {
-            (a, b, c) = (a + q * (b + c * q), Fixed(0), Fixed(0));
+    fn attenuating([a, b, c]: [Fixed; 3], q: Fixed, limit: Fixed) -> Self {
+        let q = q.0.max(0);
+        // the slope b + cq with 32 bits after the point, and then as many as leave 31 in all
+        let mut slope = product(c.0, q) + ((b.0 as i64) << 16);
+        let (mut constant, mut shift) = ((a.0 as i64) << 32, 44);
+        while slope.unsigned_abs() >> 31 | constant.unsigned_abs() >> 62 != 0 {
+            (slope, constant, shift) = (slope >> 1, constant >> 1, shift + 1);
         }
-        let steps = |x: Fixed| x.0.max(0) as u32;
-        // the slope b + cq with 32 bits after the point, and then as many as leave 32 in all
-        let mut slope = product_unsigned(steps(c), steps(q)) + ((steps(b) as u64) << 16);
-        let (mut constant, mut more) = ((steps(a) as u64) << 32, 32);
-        while slope >> 32 != 0 {
-            (slope, constant, more) = (slope >> 1, constant >> 1, more - 1);
+        let denominator = slope * q as i64 + constant;
+        let mut bits = denominator as u64 | 1;
+        while bits >> 63 == 0 {
+            (bits, shift) = (bits << 1, shift - 1);
         }
-        // the denominator, with 16 bits after the point and as many more
-        let denominator = (product_unsigned(slope as u32, steps(q)) + constant) | 1;
-        let zeros = denominator.leading_zeros();
-        let significand = reciprocal((denominator << zeros >> 32) as u32);
-        let exponent = more + zeros;
-        let (significand, shift) = (
-            significand << exponent.saturating_sub(76).min(3),
-            76_u32.saturating_sub(exponent).min(62),
-        );
+        let significand = reciprocal((bits >> 32) as u32) << (-shift).clamp(0, 3);
+        let shift = shift.clamp(0, 62) as u32;
         let is_above = ((significand as u64) << 16) >> shift >= limit.0 as u64;
-        if a.0 < 0 {
+        if denominator < 0 {
             Self {
                 significand: 0,
                 shift: 0,
             }
         } else if limit != Fixed::MAX && is_above {
             Self {
-                significand: steps(limit),
+                significand: limit.0.max(0) as u32,
                 shift: 16,
             }
         } else {

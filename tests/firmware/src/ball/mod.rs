@@ -77,7 +77,7 @@ pub const fn chosen() -> Pixel {
     panic!("BALL names no program")
 }
 
-const fn is_same(a: &[u8], b: &[u8]) -> bool {
+pub const fn is_same(a: &[u8], b: &[u8]) -> bool {
     let mut i = 0;
     while i < a.len() && i < b.len() && a[i] == b[i] {
         i += 1;

@@ -1,0 +1,5 @@
+//! Pictures for small displays, each a file to copy.
+#![no_std]
+
+pub mod ball;
+pub mod ring;
