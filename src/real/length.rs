@@ -81,7 +81,12 @@ fn plain<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
 )]
 fn rescued<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
     let power = taming(square);
-    let w = v * power;
+    // the same bits: the product takes less flash, and the other way 11 instructions less of a sum on x86-64
+    let w = if cfg!(any(target_arch = "arm", target_arch = "riscv32")) {
+        v * power
+    } else {
+        scaled(Vec3::new(T::ZERO, T::ZERO, T::ZERO), v, power)
+    };
     let square = T::dot(w, w);
     let w_length = square.sqrt();
     let length = (w_length / power).at_most(T::MAX);
@@ -102,11 +107,7 @@ pub(crate) fn between<T: Real>(origin: Vec3<T>, v: Vec3<T>) -> Vec3<T> {
     let from_origin = v - origin;
     let square = T::dot(from_origin, from_origin);
     if is_extreme(square) {
-        let power = taming(square);
-        // scaled down before the subtraction, which may overflow, and up after it, because the points
-        // may be far from the origin
-        let (shrink, grow) = (power.at_most(T::ONE), power.at_least(T::ONE));
-        (v * shrink - origin * shrink) * grow
+        scaled(origin, v, taming(square))
     } else {
         from_origin
     }
@@ -120,6 +121,14 @@ pub(crate) fn crossed<T: Real>(origin: Vec3<T>, a: Vec3<T>, b: Vec3<T>) -> Vec3<
     } else {
         cross
     }
+}
+
+/// The vector from `origin` to `v` times a power of two. It is scaled down before the subtraction, which may overflow,
+/// and up after it, because the points may be far from the origin.
+#[inline(always)]
+fn scaled<T: Real>(origin: Vec3<T>, v: Vec3<T>, power: T) -> Vec3<T> {
+    let (shrink, grow) = (power.at_most(T::ONE), power.at_least(T::ONE));
+    (v * shrink - origin * shrink) * grow
 }
 
 /// The power of two that makes a vector fit for squares and products, by the square of its length.
