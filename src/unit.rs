@@ -51,10 +51,11 @@ impl<T: Real> Vec3<T> {
         T: Scalar,
     {
         let Measured { w, w_length, .. } = T::measured(self);
-        w_length
-            .above(T::ZERO)
-            .any()
-            .then(|| UnitVec3(w / w_length))
+        if w_length.above(T::ZERO).any() {
+            Some(UnitVec3(w / w_length))
+        } else {
+            None
+        }
     }
 
     /// [`unit`](Vec3::unit), or `fallback` if that is `None`. This method does not branch on the

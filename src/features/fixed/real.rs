@@ -272,8 +272,10 @@ impl Factor {
         // the slope b + cq with 32 bits after the point, and then as many as leave 31 in all
         let mut slope = product(c.0, q) + ((b.0 as i64) << 16);
         let (mut constant, mut shift) = ((a.0 as i64) << 32, 44);
-        while slope.unsigned_abs() >> 31 | constant.unsigned_abs() >> 62 != 0 {
-            (slope, constant, shift) = (slope >> 1, constant >> 1, shift + 1);
+        let mut excess = (slope.unsigned_abs() >> 31 | constant.unsigned_abs() >> 62) as u32;
+        while excess != 0 {
+            (slope, constant, excess) = (slope >> 1, constant >> 1, excess >> 1);
+            shift += 1;
         }
         let denominator = slope * q as i64 + constant;
         let mut bits = denominator as u64 | 1;
