@@ -203,14 +203,15 @@ fn derive(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Derived {
     derived
 }
 
-/// Tries to prove a claim, then to refute it with `runs` inputs, which also must show that it says something.
+/// Tries to prove a claim, and if that fails, to refute it with 20 times as many inputs as must otherwise show that it says
+/// something.
 pub fn judge(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Verdict {
     let Derived { open, empty, cases } = derive(format, &claim);
     if let Some(why) = empty {
         return Verdict::Empty(why);
     }
     if let Some(open) = open {
-        return refute(format, claim, runs).map_or(Verdict::Open(open), Verdict::Refuted);
+        return refute(format, claim, 20 * runs).map_or(Verdict::Open(open), Verdict::Refuted);
     }
     match witnesses(format, claim, &cases, runs) {
         Some(_) => Verdict::Proved,
