@@ -74,7 +74,7 @@ pub fn powers_in_their_range(given: Given) -> Vec<Goal> {
 /// One step of a power by squaring: of the base, and of the power so far.
 pub fn one_squaring(given: Given) -> Vec<Goal> {
     let [base, power] = ["base", "power"].map(|name| given.number(name, share()));
-    within([base * base, power * base], share())
+    within([base.whole_power(2), power * base], share())
 }
 
 pub fn phong_normalization(given: Given) -> Vec<Goal> {
