@@ -111,19 +111,44 @@ impl<const N: usize> Climb<N> {
     }
 }
 
+/// A way to the level of a channel. All give the same; a test compares them, as each processor takes one.
+#[derive(Clone, Copy)]
+pub(super) enum Way {
+    /// On a desktop.
+    Steps,
+    /// Where flash is scarce.
+    Search,
+    /// Where it is scarce, for few levels, beside an FPU.
+    Near,
+}
+
+/// The way for so many levels.
+const fn way(levels: usize) -> Way {
+    if FPU_CHIP && levels <= 64 {
+        Way::Near
+    } else if CHIP {
+        Way::Search
+    } else {
+        Way::Steps
+    }
+}
+
 macro_rules! levels {
-    ($($name:ident $steps:ident $levels:literal $fixed:ident $length:literal $shift:literal)*) => {$(
+    ($($name:ident $by:ident $steps:ident $levels:literal $fixed:ident $length:literal $shift:literal)*) => {$(
         /// The level of a channel.
         #[inline]
         pub(super) const fn $name(channel: f32) -> u32 {
+            $by(way($levels), channel)
+        }
+
+        #[inline]
+        pub(super) const fn $by(way: Way, channel: f32) -> u32 {
             static EDGES: [u32; $levels] = next_edges();
             static NEAR: Near<$levels, $length, $shift> = Near::new();
-            if FPU_CHIP && $levels <= 64 {
-                NEAR.level(channel)
-            } else if CHIP {
-                found(&EDGES, clamped(channel, DARKEST, BRIGHTEST))
-            } else {
-                $steps.level(channel)
+            match way {
+                Way::Steps => $steps.level(channel),
+                Way::Search => found(&EDGES, clamped(channel, DARKEST, BRIGHTEST)),
+                Way::Near => NEAR.level(channel),
             }
         }
 
@@ -134,9 +159,9 @@ macro_rules! levels {
 }
 
 levels! {
-    eight_bits EIGHT_BITS 256 FIXED_EIGHT_BITS 1664 16
-    six_bits SIX_BITS 64 FIXED_SIX_BITS 352 18
-    five_bits FIVE_BITS 32 FIXED_FIVE_BITS 160 19
+    eight_bits eight_bits_by EIGHT_BITS 256 FIXED_EIGHT_BITS 1664 16
+    six_bits six_bits_by SIX_BITS 64 FIXED_SIX_BITS 352 18
+    five_bits five_bits_by FIVE_BITS 32 FIXED_FIVE_BITS 160 19
 }
 
 /// Level 1 of 256 begins above 2⁻¹³.
@@ -182,12 +207,9 @@ pub(super) const fn clamped(x: f32, low: f32, high: f32) -> u32 {
         x
     };
     let bits = if CHIP && !FPU_CHIP {
-        // the order of positive numbers is that of their bits, and a comparison of floats is a call
-        let bits = x.to_bits() as i32;
-        let is_above = bits > low.to_bits() as i32 && bits <= f32::INFINITY.to_bits() as i32;
-        if is_above { bits as u32 } else { low.to_bits() }
+        at_least_by_bits(x, low)
     } else {
-        if x > low { x } else { low }.to_bits()
+        at_least(x, low)
     };
     // The second comparison is one of integers, because the compiler would make a branch of two of
     // floats: it sees that the result has only one level then.
@@ -195,5 +217,22 @@ pub(super) const fn clamped(x: f32, low: f32, high: f32) -> u32 {
         high.to_bits()
     } else {
         bits
+    }
+}
+
+/// The bits of the greater number, of which the second is positive; NaN counts as 0.
+#[inline]
+pub(super) const fn at_least(x: f32, low: f32) -> u32 {
+    if x > low { x } else { low }.to_bits()
+}
+
+/// The same where a comparison of floats is a call: the order of positive numbers is that of their bits.
+#[inline]
+pub(super) const fn at_least_by_bits(x: f32, low: f32) -> u32 {
+    let (bits, least) = (x.to_bits() as i32, low.to_bits() as i32);
+    if bits > least && bits <= f32::INFINITY.to_bits() as i32 {
+        bits as u32
+    } else {
+        least as u32
     }
 }

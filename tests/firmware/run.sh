@@ -97,7 +97,7 @@ for target in $chips; do
 done
 
 echo "== instructions of a point light: integer m, real m, fixed point; at opt-level 3, then s"
-declare -A budget=([$m4f]="160 180 376" [$m0]="6950 9960 1280" [$m3]="3900 5690 396" [$riscv]="3550 5190 575")
+declare -A budget=([$m4f]="160 180 375" [$m0]="6880 9960 1265" [$m3]="3730 5630 394" [$riscv]="3400 5140 572")
 for target in $chips; do
     icount="-icount shift=10" # the emulator's clock counts instructions
     [ "$target" != $riscv ] || icount="-icount shift=0"
@@ -123,8 +123,8 @@ ball() {
 pictures=$(cargo run --quiet --profile ball --bin frame)
 # bytes and thousands of instructions
 declare -A limit=(
-    [$m4f fixed]="3460 21500" [$m0 fixed]="4900 75000" [$riscv fixed]="4550 33000"
-    [$m4f f32]="2460 12300" [$m0 f32]="5400 380000" [$riscv f32]="6900 195000"
+    [$m4f fixed]="3400 21500" [$m0 fixed]="4900 75000" [$riscv fixed]="4550 33000"
+    [$m4f f32]="2450 12000" [$m0 f32]="5400 380000" [$riscv f32]="6900 195000"
 )
 declare -A flash_of thousands
 for target in $m4f $m0 $riscv; do
@@ -174,7 +174,7 @@ for target in $chips; do
         depths=$(run "$target" $profile stack)
         echo "$target $profile: $depths"
         read -ra depths <<<"$depths"
-        for i in "${!depths[@]}"; do within "$target $profile stack" "${depths[i]}" $((i < 5 ? 416 : 568)); done
+        for i in "${!depths[@]}"; do within "$target $profile stack" "${depths[i]}" $((i < 5 ? 404 : 564)); done
     done
 done
 

@@ -2,8 +2,8 @@
 //! worst scene. A scene is made of a list of shares, and its neighbors of a list that differs in a few.
 
 use shading::fixed::{
-    Attenuation, Cone, DirectionalLight, Fixed, Light, Material, PointLight, Rgb, SpotLight,
-    UnitVec3, Vec3,
+    Attenuation, Cone, DirectionalLight, Fixed, IncidentLight, Light, Material, PointLight, Rgb,
+    Shaded, SpotLight, UnitVec3, Vec3,
 };
 use shading::{reflection, shade};
 
@@ -280,6 +280,33 @@ fn colors_are_within_a_level() {
 #[test]
 fn faint_ends_of_bright_lights_are_within_a_level() {
     assert!(worst(difference_at_an_end) <= 1.0);
+}
+
+/// Each result is rounded twice, to half a step: as a sum, and as a product with a reflectance of at most 1.
+#[test]
+fn sums_do_not_depend_on_the_order_of_lights() {
+    let mut random = Random(14);
+    for _ in 0..2000 {
+        let shares = [(); SHARES].map(|()| random.fraction());
+        let mut shares = Shares(shares.iter());
+        let p = shares.vector(100.0);
+        let (n, v) = (shares.direction(), shares.direction());
+        let [k_d, k_s] = [(); 2].map(|()| shares.color());
+        let (k_a, m) = (Rgb::BLACK, shares.whole(1, 128));
+        let material = Material { k_a, k_d, k_s, m };
+        let lights = (0..3).filter_map(|_| shares.light(p));
+        let lights: Vec<_> = lights.map(|light| light.at(p)).collect();
+        let shaded = |lights: &[IncidentLight]| {
+            shade::blinn_phong(n, v, &material, Rgb::BLACK, lights.iter().copied())
+        };
+        let sum = shaded(&lights);
+        let backward: Vec<_> = lights.iter().rev().copied().collect();
+        assert_eq!(shaded(&backward), sum);
+        let one_by_one: Shaded = lights.chunks(1).map(shaded).sum();
+        let apart = (one_by_one.diffuse - sum.diffuse).map(|x| x.to_bits().abs());
+        let most = i32::try_from(lights.len()).unwrap() + 1;
+        assert!(apart.r.max(apart.g).max(apart.b) <= most, "{apart:?}");
+    }
 }
 
 /// Grazing light, where the rounded direction may be behind the surface although the light is not.

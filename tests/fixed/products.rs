@@ -56,6 +56,12 @@ fn halves_give_the_long_products() {
                 long::product_by_share(a, share),
                 "{a} {share}"
             );
+            let share = share.cast_signed();
+            assert_eq!(
+                halves::times_share(x, share),
+                long::times_share(x, share),
+                "{x} {share}"
+            );
         }
     }
 }
