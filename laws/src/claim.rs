@@ -68,7 +68,13 @@ impl Seen {
             let size = most[i].max(meant[i][0].abs());
             (share * size).max(2.0 * error[i])
         });
-        Self { reply, meant, right: linear.map(|c| c.value), error, spread }
+        Self {
+            reply,
+            meant,
+            right: linear.map(|c| c.value),
+            error,
+            spread,
+        }
     }
 }
 
@@ -105,7 +111,11 @@ impl Claim {
     pub fn broken(&self, profile: &Profile, seen: &[Seen]) -> Option<Broken> {
         (self.first_channel..3).find_map(|channel| {
             let (off, allowed) = self.excess(profile, seen, channel)?;
-            Some(Broken { channel, off, allowed })
+            Some(Broken {
+                channel,
+                off,
+                allowed,
+            })
         })
     }
 

@@ -63,7 +63,12 @@ fn brighten(scene: &mut Scene, other: &Scene, profile: &Profile) {
 
 const fn edit(id: &'static str, change: fn(&mut Scene, &Profile)) -> Edit {
     let (law, darkens) = (None, false);
-    Edit { id, change, law, darkens }
+    Edit {
+        id,
+        change,
+        law,
+        darkens,
+    }
 }
 
 impl Edit {
@@ -80,12 +85,18 @@ impl Edit {
 
 /// Every edit, from the particular to the general.
 pub static EDITS: &[Edit] = &[
-    edit("length of N", |s, p| s.n = if p.unit_vectors { s.n } else { p.unit(s.n) }).law(
+    edit("length of N", |s, p| {
+        s.n = if p.unit_vectors { s.n } else { p.unit(s.n) }
+    })
+    .law(
         "length_of_n",
         "the length of the vector along N does not matter",
         Holds::Same,
     ),
-    edit("length of V", |s, p| s.v = if p.unit_vectors { s.v } else { p.unit(s.v) }).law(
+    edit("length of V", |s, p| {
+        s.v = if p.unit_vectors { s.v } else { p.unit(s.v) }
+    })
+    .law(
         "length_of_v",
         "the distance of the eye does not matter",
         Holds::Same,
@@ -95,7 +106,11 @@ pub static EDITS: &[Edit] = &[
         let lamps = s.lights.iter_mut().filter_map(Light::lamp_mut);
         lamps.for_each(|(position, _)| *position = sub(*position, p).map(|c| profile.rounded(c)));
     })
-    .law("translation", "moving everything changes nothing", Holds::Same),
+    .law(
+        "translation",
+        "moving everything changes nothing",
+        Holds::Same,
+    ),
     edit("distance", |s, profile| {
         for light in &mut s.lights {
             let before = light.falloff(s.p);
@@ -139,8 +154,15 @@ pub static EDITS: &[Edit] = &[
             }
         }
     })
-    .law("cone", "a spot is a point light within its cone, and dark outside", Holds::Same),
-    edit("shininess", |s, _| s.m = if s.model == Model::Lambert { s.m } else { 1.0 }).law(
+    .law(
+        "cone",
+        "a spot is a point light within its cone, and dark outside",
+        Holds::Same,
+    ),
+    edit("shininess", |s, _| {
+        s.m = if s.model == Model::Lambert { s.m } else { 1.0 }
+    })
+    .law(
         "shininess",
         "a higher shininess does not brighten",
         Holds::Brighter,
@@ -153,7 +175,11 @@ pub static EDITS: &[Edit] = &[
             }
         }
     })
-    .law("behind", "a light behind the surface adds nothing", Holds::Same),
+    .law(
+        "behind",
+        "a light behind the surface adds nothing",
+        Holds::Same,
+    ),
     edit("eye behind", |s, profile| {
         let cosine = dot(s.v, s.n) / (length(s.v) * length(s.n));
         if cosine < -1e-4 {
@@ -183,7 +209,10 @@ pub static EDITS: &[Edit] = &[
     edit("directional", |s, p| replace(s, p, &[Kind::Directional])),
     edit("several lights", |s, _| s.lights.truncate(1)).darkens(),
     edit("colors above 1", |s, _| {
-        let arriving = s.lights.iter().map(|light| scale(light.intensity(), light.falloff(s.p)));
+        let arriving = s
+            .lights
+            .iter()
+            .map(|light| scale(light.intensity(), light.falloff(s.p)));
         let sum = arriving.fold([0.0; 3], add);
         let most = add(mul(s.k_a, s.i_a), mul(add(s.k_d, s.k_s), sum));
         let most = most.into_iter().fold(0.0, f64::max);
@@ -193,7 +222,9 @@ pub static EDITS: &[Edit] = &[
     }),
     edit("", |s, _| dim(s, 0.5)).law("scale", "half the light gives half the color", Holds::Half),
     edit("color of lights", |s, _| {
-        s.lights.iter_mut().for_each(|light| *light.intensity_mut() = [1.0; 3]);
+        s.lights
+            .iter_mut()
+            .for_each(|light| *light.intensity_mut() = [1.0; 3]);
     }),
     edit("color of the surface", |s, _| {
         (s.k_a, s.k_d, s.k_s) = ([1.0; 3], [1.0; 3], [1.0; 3]);
@@ -205,9 +236,15 @@ pub static EDITS: &[Edit] = &[
         if !profile.gray_highlight {
             s.k_s[0] = 0.0;
         }
-        s.lights.iter_mut().for_each(|light| light.intensity_mut()[0] = 0.0);
+        s.lights
+            .iter_mut()
+            .for_each(|light| light.intensity_mut()[0] = 0.0);
     })
-    .law("channels_apart", "red does not change green and blue", Holds::GreenAndBlue),
+    .law(
+        "channels_apart",
+        "red does not change green and blue",
+        Holds::GreenAndBlue,
+    ),
     edit("highlight", |s, profile| {
         s.k_s = [0.0; 3];
         if profile.models.contains(&Model::Lambert) {
@@ -220,7 +257,11 @@ pub static EDITS: &[Edit] = &[
             s.v = profile.direction(turned(s.v));
         }
     })
-    .law("eye", "diffuse light does not depend on the eye", Holds::Same),
+    .law(
+        "eye",
+        "diffuse light does not depend on the eye",
+        Holds::Same,
+    ),
     edit("diffuse", |s, _| s.k_d = [0.0; 3]).darkens(),
     edit("ambient", |s, _| s.i_a = [0.0; 3]),
     edit("lights", |s, _| s.lights.clear()).darkens(),
@@ -242,7 +283,11 @@ pub static EDITS: &[Edit] = &[
             }
         }
     })
-    .law("rotation", "turning everything changes nothing", Holds::Same),
+    .law(
+        "rotation",
+        "turning everything changes nothing",
+        Holds::Same,
+    ),
 ];
 
 /// By one of the 24 rotations of the cube, which are exact.
@@ -260,13 +305,20 @@ fn dim(scene: &mut Scene, factor: f64) {
 /// Turns each light of some kinds into one of another kind that gives the same, so that their number stays.
 fn replace(scene: &mut Scene, profile: &Profile, kinds: &[Kind]) {
     let p = scene.p;
-    for light in scene.lights.iter_mut().filter(|light| kinds.contains(&light.kind())) {
+    for light in scene
+        .lights
+        .iter_mut()
+        .filter(|light| kinds.contains(&light.kind()))
+    {
         let (l, intensity) = light.arriving(p);
         *light = if light.kind() == Kind::Directional {
             Light::point(intensity, add(p, l), [1.0, 0.0, 0.0])
         } else {
             let intensity = intensity.map(|c| profile.rounded(c));
-            Light::Directional { intensity, l: profile.unit(l) }
+            Light::Directional {
+                intensity,
+                l: profile.unit(l),
+            }
         };
     }
 }

@@ -139,7 +139,9 @@ impl At {
     /// The axis and the half-angle of a spot.
     pub fn spot(&self) -> (Bounded3, f64) {
         match self.light {
-            Some(Light::Spot { axis, half_angle, .. }) => (turned(axis, self.u), half_angle),
+            Some(Light::Spot {
+                axis, half_angle, ..
+            }) => (turned(axis, self.u), half_angle),
             _ => (BLACK, 0.0),
         }
     }
@@ -163,7 +165,12 @@ impl<'a> Formula<'a> {
     /// The formulas with these changes. A wrong one may divide by 0.
     pub fn new(profile: &'a Profile, changes: Vec<Applied>, is_wrong: bool) -> Self {
         let u = profile.roundoff;
-        Self { profile, changes, u, is_wrong }
+        Self {
+            profile,
+            changes,
+            u,
+            is_wrong,
+        }
     }
 
     /// The same in another precision.
@@ -172,7 +179,12 @@ impl<'a> Formula<'a> {
     }
 
     fn at(&self) -> At {
-        At { u: self.u, range: self.profile.range(), level: self.profile.level(), ..At::default() }
+        At {
+            u: self.u,
+            range: self.profile.range(),
+            level: self.profile.level(),
+            ..At::default()
+        }
     }
 
     fn hook(&self, part: Part, at: &mut At, right: Bounded3) -> Bounded3 {
@@ -213,7 +225,11 @@ impl<'a> Formula<'a> {
         at.model = scene.model;
         let model = Bounded::exact(f64::from(scene.model as u8));
         let model = self.number(Part::Model, at, model);
-        at.model = Model::ALL[if model.value < 2.0 { usize::from(model.value > 0.0) } else { 2 }];
+        at.model = Model::ALL[if model.value < 2.0 {
+            usize::from(model.value > 0.0)
+        } else {
+            2
+        }];
         at.p = given3(scene.p, u);
         // the renderer may know the position of the eye, and subtract p from it
         let of_eye = 2.0 * u * (size(scene.p) + size(scene.v));
@@ -226,7 +242,11 @@ impl<'a> Formula<'a> {
         at.k_d = given3(scene.k_d, u);
         at.k_s = given3(scene.k_s, u);
         at.m = self.number(Part::M, at, Bounded::exact(scene.m)).value;
-        at.ambient = self.hook(Part::Ambient, at, mul(given3(scene.k_a, u), given3(scene.i_a, u)));
+        at.ambient = self.hook(
+            Part::Ambient,
+            at,
+            mul(given3(scene.k_a, u), given3(scene.i_a, u)),
+        );
         at.ambients = self.hook(Part::Once, at, at.ambient);
     }
 
@@ -301,8 +321,11 @@ impl<'a> Formula<'a> {
                 // opposite directions have no half vector; where nothing rounds, any that a renderer takes has a power
                 // from 0 to 1
                 let is_exact = at.l.iter().all(|c| c.value.fract() == 0.0);
-                let power =
-                    if is_exact { Bounded::exact(0.5).looser(0.5) } else { Bounded::UNKNOWN };
+                let power = if is_exact {
+                    Bounded::exact(0.5).looser(0.5)
+                } else {
+                    Bounded::UNKNOWN
+                };
                 return self.number(Part::Power, at, power);
             }
             // the renderer may take (N·L + N·V)/√(2 + 2 L·V), whose root cancels where L is nearly opposite to V
@@ -397,6 +420,10 @@ impl<'a> Formula<'a> {
         let right = if self.profile.srgb { to_srgb(x) } else { x };
         let y = of(Part::Encode, x, right);
         let y = clamped(&mut of, y);
-        if self.profile.bits.is_some() { of(Part::Level, y, y) } else { y }
+        if self.profile.bits.is_some() {
+            of(Part::Level, y, y)
+        } else {
+            y
+        }
     }
 }

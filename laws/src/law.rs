@@ -57,7 +57,10 @@ impl Law {
                 if !(2..=16).contains(&scene.lights.len()) {
                     return None;
                 }
-                let with = |lights| Scene { lights, ..scene.clone() };
+                let with = |lights| Scene {
+                    lights,
+                    ..scene.clone()
+                };
                 scenes.push(with(Vec::new()));
                 scenes.extend(scene.lights.iter().map(|light| with(vec![*light])));
             }
@@ -89,10 +92,16 @@ impl Law {
             Of::Edited(_, Holds::Same) => zero(&[1.0, -1.0]),
             Of::Edited(_, Holds::Half) => zero(&[0.5, -1.0]),
             Of::Edited(_, Holds::Brighter) => Claim::new(Relation::NotNegative, &[-1.0, 1.0]),
-            Of::Edited(_, Holds::GreenAndBlue) => Claim { first_channel: 1, ..zero(&[1.0, -1.0]) },
+            Of::Edited(_, Holds::GreenAndBlue) => Claim {
+                first_channel: 1,
+                ..zero(&[1.0, -1.0])
+            },
             Of::Edited(_, Holds::Ambient) => {
                 let Scene { k_a, i_a, .. } = scenes[0];
-                Claim { constant: mul(k_a, i_a).map(|c| -c), ..zero(&[0.0, 1.0]) }
+                Claim {
+                    constant: mul(k_a, i_a).map(|c| -c),
+                    ..zero(&[0.0, 1.0])
+                }
             }
         }
     }
@@ -101,9 +110,15 @@ impl Law {
 /// The most light that may come back, with all factors at 1: N·L, the power and the cone.
 fn most(scene: &Scene) -> Triple {
     let k = add(scene.k_d, scene.k_s);
-    scene.lights.iter().fold(mul(scene.k_a, scene.i_a), |sum, light| {
-        add(sum, scale(mul(k, light.intensity()), light.falloff(scene.p)))
-    })
+    scene
+        .lights
+        .iter()
+        .fold(mul(scene.k_a, scene.i_a), |sum, light| {
+            add(
+                sum,
+                scale(mul(k, light.intensity()), light.falloff(scene.p)),
+            )
+        })
 }
 
 fn one(name: &'static str, says: &'static str, claim: fn(&Scene, &Profile) -> Claim) -> Law {
@@ -119,7 +134,9 @@ pub static LAWS: LazyLock<Vec<Law>> = LazyLock::new(|| {
             "the color is that of the formula, within the renderer's precision",
             |_, _| Claim::new(Relation::Right, &[1.0]),
         ),
-        one("finite", "every color is finite", |_, _| Claim::new(Relation::Finite, &[1.0])),
+        one("finite", "every color is finite", |_, _| {
+            Claim::new(Relation::Finite, &[1.0])
+        }),
         one(
             "as_said",
             "colors are in the range and the levels that the renderer promises",

@@ -18,8 +18,14 @@ pub struct Place {
 /// Parts that make up one thing, and what else may be told of either: where both are wrong, the highlight, the lamps, the
 /// lights, or everything is.
 const PARTS: [([&str; 2], &[&str]); 5] = [
-    (["Phong", "Blinn"], &["highlight", "lights", "several lights"]),
-    (["spot", "point"], &["cone", "lamps", "lights", "several lights"]),
+    (
+        ["Phong", "Blinn"],
+        &["highlight", "lights", "several lights"],
+    ),
+    (
+        ["spot", "point"],
+        &["cone", "lamps", "lights", "several lights"],
+    ),
     (["lamps", "directional"], &["lights", "several lights"]),
     (["diffuse", "highlight"], &["lights", "several lights"]),
     (["ambient", "lights"], &["several lights"]),
@@ -55,7 +61,11 @@ pub fn edited(edit: &Edit, scene: &Scene, profile: &Profile) -> Option<Scene> {
 
 /// Whether something is nearly all of a count.
 fn is_nearly_all(cases: u64, count: u32, id: &str) -> bool {
-    let of = if TERMS.contains(&id) { [33, 32] } else { [10, 9] };
+    let of = if TERMS.contains(&id) {
+        [33, 32]
+    } else {
+        [10, 9]
+    };
     count > 0 && cases.count_ones() * of[0] >= count * of[1]
 }
 
@@ -92,15 +102,22 @@ fn places_of(
             }
         }
         merge(&mut all);
-        let is_told =
-            |place: &Place| place.only_with.iter().any(|id| !whole.only_with.contains(id));
+        let is_told = |place: &Place| {
+            place
+                .only_with
+                .iter()
+                .any(|id| !whole.only_with.contains(id))
+        };
         if all.len() > 1 && all.iter().all(is_told) {
             found.push(all);
         }
     }
     // few places, and particular ones
-    let first =
-        |place: &Place| EDITS.iter().position(|edit| place.only_with.first() == Some(&edit.id));
+    let first = |place: &Place| {
+        EDITS
+            .iter()
+            .position(|edit| place.only_with.first() == Some(&edit.id))
+    };
     found.sort_by_key(|all| (all.len(), all.iter().filter_map(first).sum::<usize>()));
     Some(found.into_iter().next().unwrap_or(vec![whole]))
 }
@@ -109,17 +126,25 @@ fn places_of(
 fn merge(places: &mut Vec<Place>) {
     'merged: loop {
         for (parts, too) in PARTS {
-            let of_part = |part| places.iter().position(|place| place.only_with.contains(&part));
+            let of_part = |part| {
+                places
+                    .iter()
+                    .position(|place| place.only_with.contains(&part))
+            };
             let [Some(a), Some(b)] = parts.map(of_part) else {
                 continue;
             };
             let others = |place: &Place| -> Vec<&str> {
                 let others = place.only_with.iter().copied();
-                others.filter(|id| !parts.contains(id) && !too.contains(id)).collect()
+                others
+                    .filter(|id| !parts.contains(id) && !too.contains(id))
+                    .collect()
             };
             if a != b && others(&places[a]) == others(&places[b]) {
                 let other = places[b].clone();
-                places[a].only_with.retain(|id| other.only_with.contains(id));
+                places[a]
+                    .only_with
+                    .retain(|id| other.only_with.contains(id));
                 places.remove(b);
                 continue 'merged;
             }
@@ -133,7 +158,11 @@ impl Experiment {
     fn new(cases: &[(usize, Scene)], profile: &Profile, ask: &mut Ask) -> Option<Self> {
         let count = cases.len().min(MOST);
         let (mut asked, mut of) = (Vec::new(), Vec::new());
-        for (k, edit) in EDITS.iter().enumerate().filter(|(_, edit)| !edit.id.is_empty()) {
+        for (k, edit) in EDITS
+            .iter()
+            .enumerate()
+            .filter(|(_, edit)| !edit.id.is_empty())
+        {
             for (i, (number, scene)) in cases[..count].iter().enumerate() {
                 if let Some(edited) = edited(edit, scene, profile) {
                     asked.push((*number, edited));
@@ -142,7 +171,11 @@ impl Experiment {
             }
         }
         let [repaired, broken] = [(); 2].map(|()| vec![0; EDITS.len()]);
-        let mut experiment = Self { count, repaired, broken };
+        let mut experiment = Self {
+            count,
+            repaired,
+            broken,
+        };
         for ((k, i), is_broken) in of.into_iter().zip(ask(&asked)?) {
             match is_broken {
                 Some(true) => experiment.broken[k] |= 1 << i,

@@ -57,12 +57,16 @@ impl Case {
     ///
     /// What the renderer lacks for it, or that the law says nothing of it.
     pub fn new(law: &Law, scene: &Scene, profile: &Profile) -> Result<Self, &'static str> {
-        let scenes = law.scenes(scene, profile).ok_or("it says nothing about such a renderer")?;
+        let scenes = law
+            .scenes(scene, profile)
+            .ok_or("it says nothing about such a renderer")?;
         if let Some(lacks) = scenes.iter().find_map(|scene| profile.lacks(scene)) {
             return Err(lacks);
         }
         let right = formula(profile, &[]);
-        let known = scenes.iter().map(|scene| (right.linear(scene), right.conditioning(scene)));
+        let known = scenes
+            .iter()
+            .map(|scene| (right.linear(scene), right.conditioning(scene)));
         let known = known.collect();
         let case = Self { scenes, known };
         if case.is_exempt(law, profile) {
@@ -84,8 +88,11 @@ impl Case {
     /// Whether the formulas themselves break the law, with what the renderer departs from on purpose.
     pub fn is_exempt(&self, law: &Law, profile: &Profile) -> bool {
         let right = formula(profile, &[]);
-        let replies: Vec<Triple> =
-            self.known.iter().map(|(linear, _)| right.encoded3(*linear)).collect();
+        let replies: Vec<Triple> = self
+            .known
+            .iter()
+            .map(|(linear, _)| right.encoded3(*linear))
+            .collect();
         let is_known = replies.iter().flatten().all(|c| c.is_finite());
         is_known && self.broken(law, profile, &replies).is_some()
     }
@@ -113,15 +120,29 @@ impl Plan {
         let (of_one, others): (Vec<_>, Vec<_>) = chosen.partition(|law| law.is_of_one_scene());
         let groups = std::iter::once(of_one).chain(others.into_iter().map(|law| vec![law]));
         let tries = groups.filter(|group| !group.is_empty()).map(|group| {
-            let of_group =
-                replayed.iter().filter(|(law, _)| group.iter().any(|it| it.name == law.name));
+            let of_group = replayed
+                .iter()
+                .filter(|(law, _)| group.iter().any(|it| it.name == law.name));
             // what is said of one scene is tried on every edge; other laws share them
             let step = if group[0].is_of_one_scene() { 1 } else { 6 };
-            let place = LAWS.iter().position(|law| law.name == group[0].name).unwrap_or_default();
+            let place = LAWS
+                .iter()
+                .position(|law| law.name == group[0].name)
+                .unwrap_or_default();
             let edges = edges.iter().skip(place % step).step_by(step);
-            tries(group.clone(), laws, profile, of_group.map(|(_, scene)| scene), edges)
+            tries(
+                group.clone(),
+                laws,
+                profile,
+                of_group.map(|(_, scene)| scene),
+                edges,
+            )
         });
-        Ok(Self { laws: laws.clone(), profile: profile.clone(), tries: tries.collect() })
+        Ok(Self {
+            laws: laws.clone(),
+            profile: profile.clone(),
+            tries: tries.collect(),
+        })
     }
 
     /// The batches of a run: the place of the laws, and some of their cases.
@@ -159,18 +180,30 @@ fn tries<'a>(
     // every law has scenes of its own, whichever others are tried
     let first = group[0];
     let is_of_one_scene = first.is_of_one_scene();
-    let name = if is_of_one_scene { "one scene" } else { first.name };
+    let name = if is_of_one_scene {
+        "one scene"
+    } else {
+        first.name
+    };
     let mut random = Random::new(laws.seed, name);
     let mut lacks = None;
     let mut case = |scene: &Scene| {
         // the laws of one scene are exempt one by one, when a color breaks them
-        let law = if is_of_one_scene { Law::named("finite").unwrap_or(first) } else { first };
+        let law = if is_of_one_scene {
+            Law::named("finite").unwrap_or(first)
+        } else {
+            first
+        };
         let case = Case::new(law, scene, profile);
         case.map_err(|why| *lacks.get_or_insert(why)).ok()
     };
     let replayed: Vec<Case> = replayed.filter_map(&mut case).collect();
     let mut mixed: Vec<Case> = edges.filter_map(&mut case).collect();
-    let count = if is_of_one_scene { SHARED * laws.cases } else { laws.cases };
+    let count = if is_of_one_scene {
+        SHARED * laws.cases
+    } else {
+        laws.cases
+    };
     let scenes = (0..20 * count).map(|_| generator::scene(profile, &mut random));
     mixed.extend(scenes.filter_map(|scene| case(&scene)).take(count));
     random.shuffle(&mut mixed);
@@ -182,7 +215,11 @@ fn tries<'a>(
 
 /// The scenes of some cases, in the order in which the renderer gets them.
 pub fn handed(cases: &[Case]) -> Vec<Scene> {
-    cases.iter().flat_map(|case| &case.scenes).cloned().collect()
+    cases
+        .iter()
+        .flat_map(|case| &case.scenes)
+        .cloned()
+        .collect()
 }
 
 impl Laws {
@@ -195,6 +232,8 @@ impl Laws {
     pub fn scenes(&self, profile: &Profile) -> Result<Vec<Scene>, String> {
         let plan = Plan::new(self, profile)?;
         let batches = plan.batches().into_iter();
-        Ok(batches.flat_map(|(i, of)| handed(&plan.tries[i].cases[of])).collect())
+        Ok(batches
+            .flat_map(|(i, of)| handed(&plan.tries[i].cases[of]))
+            .collect())
     }
 }

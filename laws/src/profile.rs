@@ -229,12 +229,20 @@ impl Profile {
             let is_unattenuated = light.lamp().is_none_or(|(_, abc)| abc == [1.0, 0.0, 0.0]);
             let is = |is_wrong: bool, why| is_wrong.then_some(why);
             lacks_kind(light)
-                .or(is(!is_attenuated || !is_aimed || is_lost, "the format has no such lights"))
-                .or(is(self.unattenuated && !is_unattenuated, "it has no attenuation"))
+                .or(is(
+                    !is_attenuated || !is_aimed || is_lost,
+                    "the format has no such lights",
+                ))
+                .or(is(
+                    self.unattenuated && !is_unattenuated,
+                    "it has no attenuation",
+                ))
         };
         let intensities = scene.lights.iter().map(|light| light.intensity());
-        let mut colors =
-            [scene.k_a, scene.k_d, scene.k_s, scene.i_a].into_iter().chain(intensities).flatten();
+        let mut colors = [scene.k_a, scene.k_d, scene.k_s, scene.i_a]
+            .into_iter()
+            .chain(intensities)
+            .flatten();
         let has_directions = scene.n != [0.0; 3] && scene.v != [0.0; 3];
         let k_s = scene.k_s;
         // in half precision, the squares of other lengths have no digits, or no end
@@ -252,33 +260,57 @@ impl Profile {
                 is_far || scene.lights.iter().any(is_lamp_out_of_reach),
                 "its numbers do not reach so far",
             ),
-            (scene.lights.len() > 1 && self.most_lights == 1, "it has one light at a time"),
+            (
+                scene.lights.len() > 1 && self.most_lights == 1,
+                "it has one light at a time",
+            ),
             (scene.lights.len() > self.most_lights, "it has fewer lights"),
             (!self.models.contains(&scene.model), "it lacks the model"),
-            (!(1.0..=self.most_shiny).contains(&scene.m), "its shininess has other limits"),
-            (!self.ambient && scene.i_a != [0.0; 3], "it has no ambient light of its own"),
+            (
+                !(1.0..=self.most_shiny).contains(&scene.m),
+                "its shininess has other limits",
+            ),
+            (
+                !self.ambient && scene.i_a != [0.0; 3],
+                "it has no ambient light of its own",
+            ),
             (
                 !has_directions || !colors.all(|c| (0.0..=16.0).contains(&c)),
                 "the format has no such scenes",
             ),
-            (self.gray_highlight && k_s != [k_s[0]; 3], "its highlights are gray"),
-            (self.unit_vectors && !(is_unit(scene.n) && is_unit(scene.v)), "it needs unit vectors"),
+            (
+                self.gray_highlight && k_s != [k_s[0]; 3],
+                "its highlights are gray",
+            ),
+            (
+                self.unit_vectors && !(is_unit(scene.n) && is_unit(scene.v)),
+                "it needs unit vectors",
+            ),
         ];
         let complaint = complaints.into_iter().find(|(is_wrong, _)| *is_wrong);
-        complaint.map(|(_, why)| why).or_else(|| scene.lights.iter().find_map(lacks_light))
+        complaint
+            .map(|(_, why)| why)
+            .or_else(|| scene.lights.iter().find_map(lacks_light))
     }
 }
 
 /// The encoding of sRGB (IEC 61966-2-1), odd about 0.
 pub fn to_srgb(x: f64) -> f64 {
     let size = x.abs();
-    let encoded =
-        if size <= 0.003_130_8 { 12.92 * size } else { 1.055 * size.powf(1.0 / 2.4) - 0.055 };
+    let encoded = if size <= 0.003_130_8 {
+        12.92 * size
+    } else {
+        1.055 * size.powf(1.0 / 2.4) - 0.055
+    };
     encoded.copysign(x)
 }
 
 pub fn from_srgb(y: f64) -> f64 {
     let size = y.abs();
-    let decoded = if size <= 0.040_45 { size / 12.92 } else { ((size + 0.055) / 1.055).powf(2.4) };
+    let decoded = if size <= 0.040_45 {
+        size / 12.92
+    } else {
+        ((size + 0.055) / 1.055).powf(2.4)
+    };
     decoded.copysign(y)
 }

@@ -124,7 +124,9 @@ impl LawReport {
         match self.verdict {
             Verdict::Broken { .. } => (!self.is_known).then_some(self.says),
             Verdict::CutShort { .. } => Some("the run ended before all of its cases were tried"),
-            _ => self.is_known.then_some("it is not broken, but is known as broken"),
+            _ => self
+                .is_known
+                .then_some("it is not broken, but is known as broken"),
         }
     }
 }
@@ -139,7 +141,9 @@ impl Report {
     /// Whether the run ended before all cases of a law were tried.
     #[must_use]
     pub fn is_cut_short(&self) -> bool {
-        self.laws.iter().any(|law| matches!(law.verdict, Verdict::CutShort { .. }))
+        self.laws
+            .iter()
+            .any(|law| matches!(law.verdict, Verdict::CutShort { .. }))
     }
 
     /// Whether all is well: no law is broken but those that are known to be, and those are; and all cases were tried.
@@ -153,8 +157,10 @@ impl Report {
     #[must_use]
     pub fn cases(&self) -> String {
         let line = |law: &LawReport| {
-            let saved =
-                Saved { law: law.law.into(), scene: law.smallest()?.scenes.first()?.clone() };
+            let saved = Saved {
+                law: law.law.into(),
+                scene: law.smallest()?.scenes.first()?.clone(),
+            };
             Some(json(&saved) + "\n")
         };
         self.laws.iter().filter_map(line).collect()
@@ -280,7 +286,10 @@ impl Report {
                 writeln!(f, "  Broken: {says} ({law})")?;
             }
         }
-        let of = self.laws.iter().filter(|law| finding.laws.contains(&law.law));
+        let of = self
+            .laws
+            .iter()
+            .filter(|law| finding.laws.contains(&law.law));
         let smallest = of.filter_map(|law| Some((law, law.smallest()?)));
         // one that rounding does not explain, of few scenes
         let rank = |it: &Counterexample| (!it.broken.is_clear(), it.scenes.len());
@@ -319,7 +328,9 @@ impl fmt::Display for Report {
                         of - cases
                     )
                 }
-                Verdict::Broken { cases, failures, .. } => {
+                Verdict::Broken {
+                    cases, failures, ..
+                } => {
                     format!("is BROKEN in {failures} of {cases} cases")
                 }
             };
@@ -343,14 +354,21 @@ impl fmt::Display for Report {
 
 impl fmt::Display for Counterexample {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Broken { channel, off, allowed } = self.broken;
+        let Broken {
+            channel,
+            off,
+            allowed,
+        } = self.broken;
         let channel = ["red", "green", "blue"][channel];
         for (i, (color, right)) in self.colors.iter().zip(&self.right).enumerate() {
             let i = i + 1;
             writeln!(f, "  color {i}: {color:?}; the formula gives {right:?}")?;
         }
         if off.is_finite() {
-            writeln!(f, "  {channel} is off by {off:.3e}; rounding explains {allowed:.1e}")
+            writeln!(
+                f,
+                "  {channel} is off by {off:.3e}; rounding explains {allowed:.1e}"
+            )
         } else {
             writeln!(f, "  {channel} is {off}")
         }

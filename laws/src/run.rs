@@ -122,7 +122,10 @@ impl Run<'_> {
             let failures = self.judge(&tries.laws, cases, true)?;
             self.tried[i] += cases.len();
             for failure in failures.into_iter().flatten() {
-                self.failures.entry(failure.law.name).or_default().push(failure);
+                self.failures
+                    .entry(failure.law.name)
+                    .or_default()
+                    .push(failure);
             }
         }
         Some(())
@@ -174,7 +177,11 @@ impl Run<'_> {
 
     /// The colors of scenes, with 1 for white, if the renderer answers.
     fn ask(&mut self, scenes: &[Scene]) -> Option<Vec<Triple>> {
-        let progress = Progress { asked: self.asked, of: self.of, broken: self.failures.len() };
+        let progress = Progress {
+            asked: self.asked,
+            of: self.of,
+            broken: self.failures.len(),
+        };
         self.is_stopped |= !self.renderer.goes_on(&progress);
         if self.is_stopped {
             self.is_over = true;
@@ -263,11 +270,15 @@ impl Run<'_> {
             .unwrap_or_default();
         let failures = self.failures.get(law.name).map_or(0, Vec::len);
         match smallest {
-            Some(smallest) => Verdict::Broken { cases, failures, smallest: Box::new(smallest) },
+            Some(smallest) => Verdict::Broken {
+                cases,
+                failures,
+                smallest: Box::new(smallest),
+            },
             None if of == 0 => Verdict::NotTried { because: lacks },
-            None if law.name == "as_said" && self.profile.range().is_none() => {
-                Verdict::NotTried { because: "its colors are neither clamped nor levels" }
-            }
+            None if law.name == "as_said" && self.profile.range().is_none() => Verdict::NotTried {
+                because: "its colors are neither clamped nor levels",
+            },
             None if cases < of => Verdict::CutShort { cases, of },
             None => Verdict::Holds { cases },
         }
@@ -276,11 +287,24 @@ impl Run<'_> {
     fn counterexample(&self, failure: Failure) -> Counterexample {
         let (right, white) = (formula(self.profile, &[]), self.profile.white);
         let as_given = |color: Triple| color.map(|c| c * white);
-        let Broken { channel, off, allowed } = failure.broken;
+        let Broken {
+            channel,
+            off,
+            allowed,
+        } = failure.broken;
         Counterexample {
-            right: failure.case.scenes.iter().map(|scene| as_given(right.reply(scene))).collect(),
+            right: failure
+                .case
+                .scenes
+                .iter()
+                .map(|scene| as_given(right.reply(scene)))
+                .collect(),
             colors: failure.replies.into_iter().map(as_given).collect(),
-            broken: Broken { channel, off: off * white, allowed: allowed * white },
+            broken: Broken {
+                channel,
+                off: off * white,
+                allowed: allowed * white,
+            },
             scenes: failure.case.scenes,
         }
     }
@@ -301,8 +325,10 @@ impl Run<'_> {
                     return failure;
                 }
                 let failures = self.judge(&[law], &tried, false).unwrap_or_default();
-                let found =
-                    failures.into_iter().flatten().find(|it| it.broken.is_clear() || !is_clear);
+                let found = failures
+                    .into_iter()
+                    .flatten()
+                    .find(|it| it.broken.is_clear() || !is_clear);
                 if let Some(found) = found {
                     failure = found;
                     continue 'smaller;
@@ -333,7 +359,11 @@ impl Run<'_> {
         }
         if !others.is_empty() && (cause.is_some() || !is_fickle) {
             let places = self.places().unwrap_or_default();
-            findings.push(Finding { cause, places, laws: others });
+            findings.push(Finding {
+                cause,
+                places,
+                laws: others,
+            });
         }
         findings
     }
@@ -358,8 +388,9 @@ impl Run<'_> {
             return None;
         }
         let of_one_scene = ["finite", "formula", "as_said"].into_iter();
-        let mut chosen: Vec<&str> =
-            of_one_scene.filter(|name| self.failures.contains_key(name)).collect();
+        let mut chosen: Vec<&str> = of_one_scene
+            .filter(|name| self.failures.contains_key(name))
+            .collect();
         if chosen.is_empty() {
             chosen.extend(self.failures.keys().find(|name| **name != "no_memory"));
         }
@@ -377,11 +408,15 @@ impl Run<'_> {
             failures.extend((0..count).map(|i| of_law[i * of_law.len() / count].clone()));
         }
         let profile = self.profile;
-        let broken = failures.iter().map(|failure| failure.scene().clone()).enumerate();
+        let broken = failures
+            .iter()
+            .map(|failure| failure.scene().clone())
+            .enumerate();
         let broken: Vec<(usize, Scene)> = broken.collect();
         let mut ask = |edited: &[(usize, Scene)]| {
-            let cases =
-                edited.iter().map(|(i, scene)| Case::new(failures[*i].law, scene, profile).ok());
+            let cases = edited
+                .iter()
+                .map(|(i, scene)| Case::new(failures[*i].law, scene, profile).ok());
             let cases: Vec<Option<Case>> = cases.collect();
             let asked: Vec<Case> = cases.iter().flatten().cloned().collect();
             let mut laws: Vec<&Law> = failures.iter().map(|failure| failure.law).collect();
@@ -404,8 +439,11 @@ impl Run<'_> {
 
 /// The broken laws, those first whose smallest case is shown.
 fn shown_first(findings: &[Finding]) -> Vec<&'static str> {
-    let mut laws: Vec<&'static str> =
-        findings.iter().flat_map(|finding| &finding.laws).copied().collect();
+    let mut laws: Vec<&'static str> = findings
+        .iter()
+        .flat_map(|finding| &finding.laws)
+        .copied()
+        .collect();
     laws.sort_by_key(|law| match *law {
         "finite" => 0,
         "formula" => 1,

@@ -19,7 +19,11 @@ use piped::Piped;
 ///
 /// The renderer reads scenes from its standard input and writes colors to its standard output.
 #[derive(Parser)]
-#[command(version, args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
+#[command(
+    version,
+    args_conflicts_with_subcommands = true,
+    disable_help_subcommand = true
+)]
 #[command(
     after_help = "The exit status is 0 if all laws hold, 1 if one is broken, 2 if nothing was found before the renderer \
     ended or answered with nonsense, and 3 if nothing was found before the time was up or Ctrl-C was pressed."
@@ -212,8 +216,15 @@ fn told(report: &Report, options: &Options) -> Outcome {
     if let Some(why) = report.error.as_ref().filter(|_| !report.is_broken()) {
         return Err(why.clone());
     }
-    let text = if options.json { report.to_json() + "\n" } else { report.to_string() };
-    let is_found = report.laws.iter().any(|law| law.is_broken() && !law.is_known);
+    let text = if options.json {
+        report.to_json() + "\n"
+    } else {
+        report.to_string()
+    };
+    let is_found = report
+        .laws
+        .iter()
+        .any(|law| law.is_broken() && !law.is_known);
     let status = match () {
         () if report.passes() => 0,
         () if report.is_cut_short() && !is_found => CUT_SHORT,
