@@ -26,20 +26,20 @@ type Form = (&'static str, &'static str, fn(&mut Profile));
 /// The forms in which renderers give colors that are not linear light.
 const FORMS: &[Form] = &[
     ("clamped to [0, 1]", "\"clamps\":[0,1]", |p| {
-        p.clamps = p.clamps.or(Some([0.0, 1.0]))
+        p.clamps = p.clamps.or(Some([0.0, 1.0]));
     }),
     ("encoded as sRGB", "\"srgb\":true", |p| p.srgb = true),
     ("rounded to 8 bits", "\"bits\":8", |p| p.bits = Some(8)),
     ("rounded to 16 bits", "\"bits\":16", |p| p.bits = Some(16)),
     ("rounded to 5 bits", "\"bits\":5", |p| p.bits = Some(5)),
     ("from 0 to 255, not to 1", "\"white\":255", |p| {
-        p.white = 255.0
+        p.white = 255.0;
     }),
     ("raised to the power of 1/2.2", "", |p| {
-        p.departs.push("Gamma=2.2".into())
+        p.departs.push("Gamma=2.2".into());
     }),
     ("cut to levels, not rounded", "", |p| {
-        p.departs.push("LevelsTruncated".into())
+        p.departs.push("LevelsTruncated".into());
     }),
 ];
 

@@ -66,7 +66,7 @@ impl Corpus<'_> {
             model,
             ..scene.clone()
         };
-        if self.profile.lacks(&scene).is_none() {
+        if self.profile.has_all_of(&scene) {
             self.scenes.push(scene);
         }
     }

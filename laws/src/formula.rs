@@ -155,7 +155,7 @@ impl At {
 
 /// The formulas as a renderer has them: with what it departs from on purpose, and with mistakes.
 pub struct Formula<'a> {
-    profile: &'a Profile,
+    pub profile: &'a Profile,
     changes: Vec<Applied>,
     u: f64,
     is_wrong: bool,
@@ -338,22 +338,6 @@ impl<'a> Formula<'a> {
         self.number(Part::Power, at, power)
     }
 
-    /// How far two colors of any renderer may be apart by rounding alone, whatever mistake it makes, relative to
-    /// the most light that may come back; and that light.
-    pub fn conditioning(&self, scene: &Scene) -> (f64, Triple) {
-        let mut most = mul(scene.k_a, scene.i_a);
-        let mut condition = 1.0_f64;
-        for light in &scene.lights {
-            if let Some((position, _)) = light.lamp() {
-                let q = length(sub(position, scene.p));
-                condition = condition.max(1.0 + scene.extent(position) / q);
-            }
-            let (intensity, left) = (light.intensity(), light.falloff(scene.p));
-            most = [0, 1, 2].map(|i| most[i] + (scene.k_d[i] + scene.k_s[i]) * intensity[i] * left);
-        }
-        (32.0 * self.u * (scene.m + 1.0) * condition, most)
-    }
-
     /// Whether a channel is NaN or infinity, or what a clamp to the range leaves of them.
     pub fn is_lost(&self, c: f64) -> bool {
         !c.is_finite() || self.profile.range().is_some_and(|ends| ends.contains(&c))
@@ -387,18 +371,30 @@ impl<'a> Formula<'a> {
         }
         let ends = [c.value - c.error, c.value + c.error].map(|end| self.encoded(end));
         let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        let slack = self.profile.slack(low.abs().max(high.abs()), self.u);
+        let slack = self.slack(low.abs().max(high.abs()));
         Some([low - slack, high + slack])
+    }
+
+    /// How far the encoding of a reply of this size may be off.
+    pub fn slack(&self, size: f64) -> f64 {
+        self.profile.slack(size, self.u)
+    }
+
+    /// How far a finite reply is off and how far it may be, where that is too far.
+    pub fn excess(&self, c: Bounded, reply: f64) -> Option<(f64, f64)> {
+        let [low, high] = self.ends(c).filter(|_| reply.is_finite())?;
+        let right = self.encoded(c.value);
+        let allowed = if reply > right {
+            high - right
+        } else {
+            right - low
+        };
+        (!(low..=high).contains(&reply)).then_some((reply - right, allowed))
     }
 
     /// The reply of a renderer like this.
     pub fn reply(&self, scene: &Scene) -> Triple {
-        self.encoded3(self.linear(scene))
-    }
-
-    /// The same, where the color in linear light is known.
-    pub fn encoded3(&self, linear: Bounded3) -> Triple {
-        linear.map(|c| self.encoded(c.value))
+        self.linear(scene).map(|c| self.encoded(c.value))
     }
 
     /// What becomes of linear light on its way out.

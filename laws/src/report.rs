@@ -5,10 +5,9 @@ use std::fmt;
 use serde::Serialize;
 
 use crate::cause::Cause;
-use crate::claim::Broken;
+use crate::law::Broken;
 use crate::mistakes::Fault;
 use crate::place::Place;
-use crate::plan::Saved;
 use crate::profile::Profile;
 use crate::scene::{Scene, Triple};
 
@@ -75,9 +74,9 @@ pub enum Verdict {
         /// The smallest case that was found.
         smallest: Box<Counterexample>,
     },
-    /// The renderer lacks what the law needs.
+    /// The law is about what the renderer does not promise.
     NotTried {
-        /// What it lacks.
+        /// Why it is not tried.
         because: &'static str,
     },
     /// It holds in every case that was tried, but the run ended before all were.
@@ -152,18 +151,13 @@ impl Report {
         self.error.is_none() && self.laws.iter().all(|law| law.failure().is_none())
     }
 
-    /// The smallest case of each broken law, one a line, to be stored and given to
+    /// The smallest scene of each broken law, one a line, to be stored and given to
     /// [`Laws`](crate::Laws).
     #[must_use]
     pub fn cases(&self) -> String {
-        let line = |law: &LawReport| {
-            let saved = Saved {
-                law: law.law.into(),
-                scene: law.smallest()?.scenes.first()?.clone(),
-            };
-            Some(json(&saved) + "\n")
-        };
-        self.laws.iter().filter_map(line).collect()
+        let smallest = self.laws.iter().filter_map(LawReport::smallest);
+        let line = |smallest: &Counterexample| smallest.scenes[0].to_json() + "\n";
+        smallest.map(line).collect()
     }
 
     /// The report as one JSON object.
@@ -173,7 +167,7 @@ impl Report {
     ///
     /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
     /// let json = Laws::default().run(&mut black).unwrap().to_json();
-    /// assert!(json.starts_with(r#"{"passes":false,"version":5,"seed":0,"#));
+    /// assert!(json.starts_with(r#"{"passes":false,"version":6,"seed":0,"#));
     /// ```
     #[must_use]
     pub fn to_json(&self) -> String {
@@ -187,9 +181,9 @@ impl Report {
     /// use shading_laws::{Laws, Profile, from_fn};
     ///
     /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
-    /// let laws = Laws { only: vec!["eye".into()], ..Laws::default() };
+    /// let laws = Laws { only: vec!["no_memory".into()], ..Laws::default() };
     /// let report = laws.run(&mut black).unwrap();
-    /// assert!(report.to_junit().contains("<testcase classname=\"shading-laws\" name=\"eye\"></testcase>"));
+    /// assert!(report.to_junit().contains("<testcase classname=\"shading-laws\" name=\"no_memory\"></testcase>"));
     /// ```
     #[must_use]
     pub fn to_junit(&self) -> String {

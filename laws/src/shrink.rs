@@ -4,7 +4,6 @@ use serde_json::Value;
 
 use crate::bounded::rounded;
 use crate::edit::EDITS;
-use crate::place::edited;
 use crate::profile::Profile;
 use crate::scene::{Light, Model, Scene, Triple, size};
 
@@ -59,7 +58,7 @@ fn of_number(x: f64) -> u32 {
 pub fn simpler(scene: &Scene, profile: &Profile) -> Vec<Scene> {
     let mut found: Vec<Scene> = EDITS
         .iter()
-        .filter_map(|edit| edited(edit, scene, profile))
+        .filter_map(|edit| edit.of(scene, profile))
         .collect();
     found.extend(Model::ALL.map(|model| Scene {
         model,
@@ -121,7 +120,7 @@ pub fn simpler(scene: &Scene, profile: &Profile) -> Vec<Scene> {
     let limit = cost(scene);
     let found = found.into_iter().map(|scene| directed(scene, profile));
     let found = found.map(|scene| (cost(&scene), scene));
-    let is_simpler = |(cost, scene): &(u32, Scene)| *cost < limit && profile.lacks(scene).is_none();
+    let is_simpler = |(cost, scene): &(u32, Scene)| *cost < limit && profile.has_all_of(scene);
     let mut found: Vec<_> = found.filter(is_simpler).collect();
     found.sort_by_key(|(cost, _)| *cost);
     found.dedup_by(|a, b| a.1 == b.1);

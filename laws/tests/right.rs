@@ -369,7 +369,7 @@ const FORMS: usize = 120;
 #[test]
 fn right_renderers_break_no_law() {
     for number in 0..FORMS {
-        if let Some(report) = holds(number, number as u64 % 5, 4) {
+        if let Some(report) = holds(number, number as u64 % 5, 64) {
             panic!("form {number}: {report}");
         }
     }
@@ -381,7 +381,7 @@ fn right_renderers_break_no_law() {
 fn right_renderers_break_no_law_at_five_seeds() {
     let mut failed = 0;
     for (seed, number) in (0..5).flat_map(|seed| (0..FORMS).map(move |number| (seed, number))) {
-        if let Some(report) = holds(number, seed, 64) {
+        if let Some(report) = holds(number, seed, 1024) {
             println!("form {number}, seed {seed}: {report}");
             failed += 1;
         }
@@ -404,14 +404,14 @@ fn what_differs_on_purpose_is_no_mistake() {
     {
         let profile = profile(json);
         for seed in 0..2 {
-            let report = run(&profile, seed, 16, renderer::<f32>(Form(i), &profile));
+            let report = run(&profile, seed, 256, renderer::<f32>(Form(i), &profile));
             assert!(report.passes(), "{json}: {report}");
         }
     }
 }
 
-/// Tolerances follow the precision: what holds for `f32` is broken for `f64`. A law that needs what a renderer lacks is
-/// listed as not tried.
+/// Tolerances follow the precision: what holds for `f32` is broken for `f64`. A law about what a renderer does not promise
+/// is listed as not tried.
 #[test]
 fn single_precision_is_not_double() {
     let profile = Profile {
@@ -419,13 +419,12 @@ fn single_precision_is_not_double() {
         lights: vec![Kind::Directional],
         ..Profile::default()
     };
-    let report = run(&profile, 0, 64, renderer::<f32>(Form(0), &profile));
+    let report = run(&profile, 0, 1024, renderer::<f32>(Form(0), &profile));
     let text = report.to_string();
     let lines = [
         "\nformula is BROKEN",
         "a roundoff of 2^-2",
-        "far_lamp is not tried",
-        "cone is not tried",
+        "as_said is not tried",
     ];
     for line in lines {
         assert!(text.contains(line), "{text}");
@@ -436,7 +435,7 @@ fn single_precision_is_not_double() {
 #[test]
 fn a_fast_inverse_root_is_named() {
     let profile = Profile::default();
-    let report = run(&profile, 0, 16, |scene| {
+    let report = run(&profile, 0, 256, |scene| {
         Renderer::<f32> {
             is_fast: true,
             ..Renderer::new(Form(0), &profile)

@@ -50,8 +50,8 @@ struct Options {
     /// Try other scenes: the seed from which they are generated
     #[arg(long, default_value = "0")]
     seed: u64,
-    /// The number of random cases of each law; the laws of one scene share 16 times as many
-    #[arg(long, default_value = "64")]
+    /// The number of random scenes, beside the fixed ones
+    #[arg(long, default_value = "1024")]
     cases: usize,
     /// Try this law alone; may be repeated
     #[arg(long = "law", value_name = "NAME", hide_possible_values = true)]
@@ -66,10 +66,10 @@ struct Options {
     /// The laws that are known to be broken: a file with a name a line
     #[arg(long, value_name = "FILE")]
     known: Option<PathBuf>,
-    /// Try the cases of this file first, which --save has written
+    /// Try the scenes of this file first, which --save has written
     #[arg(long, value_name = "FILE")]
     replay: Option<PathBuf>,
-    /// Write the smallest case of each broken law to this file
+    /// Write the smallest scene of each broken law to this file
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
     /// The most batches in which the smallest case of a broken law is looked for
