@@ -34,12 +34,17 @@ fn dot(a: Vector, b: Vector) -> f32 {
 /// `a` at length 1, or 0 if it has no direction, as L + V where L = −V.
 fn unit(a: Vector) -> Vector {
     let length = dot(a, a).sqrt();
-    if length > 0.0 { scale(a, 1.0 / length) } else { a }
+    if length > 0.0 {
+        scale(a, 1.0 / length)
+    } else {
+        a
+    }
 }
 
 /// The numbers in a piece of JSON.
 fn numbers(json: &str) -> impl Iterator<Item = f32> + '_ {
-    json.split(|c| "[]{},:\"".contains(c)).filter_map(|word| word.parse().ok())
+    json.split(|c| "[]{},:\"".contains(c))
+        .filter_map(|word| word.parse().ok())
 }
 
 /// The next three numbers.
@@ -104,7 +109,11 @@ fn main() -> io::Result<()> {
     let mut lines = io::stdin().lines();
     lines.next(); // the version of the format
     let mut out = io::BufWriter::new(io::stdout());
-    writeln!(out, "{{\"name\":\"renderer.rs\",\"roundoff\":{:e}}}", f32::EPSILON / 2.0)?;
+    writeln!(
+        out,
+        "{{\"name\":\"renderer.rs\",\"roundoff\":{:e}}}",
+        f32::EPSILON / 2.0
+    )?;
     out.flush()?;
     for line in lines {
         let line = line?;

@@ -28,7 +28,7 @@ mesa() {
 chip() {
     cargo clippy --quiet -p chip -- -D warnings
     cargo build --quiet --release -p chip
-    judge -- target/release/chip # one law is broken in 1 % of the cases
+    judge -- target/release/chip
 }
 
 shader() {
@@ -44,7 +44,7 @@ web() {
     command -v "${CHROMIUM:-chromium}" >/dev/null || install_packages chromium
     command -v npm >/dev/null || install_packages nodejs npm
     npm ci --prefix web --silent --no-audit --no-fund --ignore-scripts
-    judge --timeout 60 -- node web/host.mjs # some laws are broken in 0.4 % of the cases
+    judge --timeout 60 -- node web/host.mjs
 }
 
 # the same, but it says that it clamps, and that a light behind the surface has a highlight
@@ -61,7 +61,7 @@ vtk() {
 
 povray() {
     install_packages povray python3
-    judge --cases 16 --shrink 20 -- python3 povray/host.py # a picture of POV-Ray takes at least a third of a second
+    judge --cases 256 --shrink 20 -- python3 povray/host.py # a picture of POV-Ray takes at least a third of a second
 }
 
 # Runs the laws on a command, with the options before `--`, and compares the outcome of each with the expected one, and the

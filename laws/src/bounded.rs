@@ -31,7 +31,11 @@ const FUNCTION: f64 = 5.0;
 impl Bounded {
     pub const ZERO: Self = Self::exact(0.0);
     /// The formula has no answer, so any is right.
-    pub const UNKNOWN: Self = Self { value: 0.0, error: f64::INFINITY, u: 0.0 };
+    pub const UNKNOWN: Self = Self {
+        value: 0.0,
+        error: f64::INFINITY,
+        u: 0.0,
+    };
 
     pub const fn exact(value: f64) -> Self {
         let (error, u) = (0.0, 0.0);
@@ -41,7 +45,11 @@ impl Bounded {
     /// A number that the renderer is given. Its type may not hold the number exactly.
     pub fn given(value: f64, u: f64) -> Self {
         let is_exact = rounded(value, u) == value && value.abs() > underflow(u);
-        let error = if is_exact || value == 0.0 { 0.0 } else { u * value.abs() + underflow(u) };
+        let error = if is_exact || value == 0.0 {
+            0.0
+        } else {
+            u * value.abs() + underflow(u)
+        };
         Self { value, error, u }
     }
 
@@ -83,7 +91,10 @@ impl Bounded {
 
     /// This with an error larger by `more`.
     pub fn looser(self, more: f64) -> Self {
-        Self { error: self.error + more, ..self }
+        Self {
+            error: self.error + more,
+            ..self
+        }
     }
 
     pub fn at_most(self, limit: f64) -> Self {
@@ -93,7 +104,11 @@ impl Bounded {
     /// `then` where this is positive. If the error leaves the sign undecided, the renderer may have
     /// taken either.
     pub fn if_positive(self, then: Self, otherwise: Self) -> Self {
-        let (taken, other) = if self.value > 0.0 { (then, otherwise) } else { (otherwise, then) };
+        let (taken, other) = if self.value > 0.0 {
+            (then, otherwise)
+        } else {
+            (otherwise, then)
+        };
         let gap = if self.value.is_nan() {
             f64::INFINITY
         } else if self.value.abs() <= self.error && self.error > 0.0 {
@@ -101,7 +116,10 @@ impl Bounded {
         } else {
             0.0
         };
-        Self { error: taken.error.max(gap), ..taken }
+        Self {
+            error: taken.error.max(gap),
+            ..taken
+        }
     }
 
     /// cosine^m as a renderer may compute it, exp2(m·log2 cosine): the logarithm loses 3 units in
@@ -114,7 +132,11 @@ impl Bounded {
             let base = if base * self.value < 0.0 { 0.0 } else { base };
             (base.powf(m) - value).abs()
         };
-        let exponent = if self.value == 0.0 { 0.0 } else { (m * self.value.abs().log2()).abs() };
+        let exponent = if self.value == 0.0 {
+            0.0
+        } else {
+            (m * self.value.abs().log2()).abs()
+        };
         let units = 2.0 * (3.0 + 2.0 * exponent) + 2.0 * 4.0 * exponent * std::f64::consts::LN_2;
         let error = corner(1.0).max(corner(-1.0));
         Self::rounded(value, error, units, self.u)
@@ -126,7 +148,11 @@ impl Number for Bounded {
         let value = self.value.sqrt();
         // √x − √(x − e) = e/(√x + √(x − e))
         let least = (self.value - self.error).max(0.0).sqrt();
-        let error = if self.error == 0.0 { 0.0 } else { self.error / (value + least) };
+        let error = if self.error == 0.0 {
+            0.0
+        } else {
+            self.error / (value + least)
+        };
         Self::rounded(value, error, FUNCTION, self.u)
     }
 }

@@ -25,14 +25,22 @@ type Form = (&'static str, &'static str, fn(&mut Profile));
 
 /// The forms in which renderers give colors that are not linear light.
 const FORMS: &[Form] = &[
-    ("clamped to [0, 1]", "\"clamps\":[0,1]", |p| p.clamps = p.clamps.or(Some([0.0, 1.0]))),
+    ("clamped to [0, 1]", "\"clamps\":[0,1]", |p| {
+        p.clamps = p.clamps.or(Some([0.0, 1.0]));
+    }),
     ("encoded as sRGB", "\"srgb\":true", |p| p.srgb = true),
     ("rounded to 8 bits", "\"bits\":8", |p| p.bits = Some(8)),
     ("rounded to 16 bits", "\"bits\":16", |p| p.bits = Some(16)),
     ("rounded to 5 bits", "\"bits\":5", |p| p.bits = Some(5)),
-    ("from 0 to 255, not to 1", "\"white\":255", |p| p.white = 255.0),
-    ("raised to the power of 1/2.2", "", |p| p.departs.push("Gamma=2.2".into())),
-    ("cut to levels, not rounded", "", |p| p.departs.push("LevelsTruncated".into())),
+    ("from 0 to 255, not to 1", "\"white\":255", |p| {
+        p.white = 255.0;
+    }),
+    ("raised to the power of 1/2.2", "", |p| {
+        p.departs.push("Gamma=2.2".into());
+    }),
+    ("cut to levels, not rounded", "", |p| {
+        p.departs.push("LevelsTruncated".into());
+    }),
 ];
 
 /// What may have caused the wrong colors of a run.
@@ -67,8 +75,10 @@ impl Cause {
                 Some(format!("\"roundoff\":{:e}", (-rough.value).exp2()))
             }
             faults => {
-                let names: Vec<String> =
-                    faults.iter().map(|fault| format!("\"{}\"", fault.name())).collect();
+                let names: Vec<String> = faults
+                    .iter()
+                    .map(|fault| format!("\"{}\"", fault.name()))
+                    .collect();
                 Some(format!("\"departs\":[{}]", names.join(",")))
             }
         };
@@ -86,7 +96,10 @@ impl Cause {
     /// That colors depend on what was asked before.
     pub(crate) fn state() -> Self {
         let named = |id| Fault::named(id).into_iter().collect();
-        Self { alternatives: vec![named("NotRepeatable")], ..Self::of(named("Leak")) }
+        Self {
+            alternatives: vec![named("NotRepeatable")],
+            ..Self::of(named("Leak"))
+        }
     }
 
     /// Whether it explains nearly all wrong colors.
@@ -97,7 +110,11 @@ impl Cause {
 
     /// What to compare causes by: the fewest errors, and then the simplest.
     fn rank(&self) -> (usize, usize, usize) {
-        let scoped = self.mistakes.iter().filter(|fault| fault.of.id != "All").count();
+        let scoped = self
+            .mistakes
+            .iter()
+            .filter(|fault| fault.of.id != "All")
+            .count();
         (self.errors, self.mistakes.len(), scoped)
     }
 }
@@ -112,7 +129,11 @@ pub struct Evidence {
 impl Evidence {
     /// Notes a color.
     pub fn note(&mut self, is_right: bool, scene: &Scene, reply: Triple) {
-        let samples = if is_right { &mut self.right } else { &mut self.wrong };
+        let samples = if is_right {
+            &mut self.right
+        } else {
+            &mut self.wrong
+        };
         samples.push((scene.clone(), reply));
     }
 
@@ -148,10 +169,16 @@ impl Evidence {
             let left = |cause: &Cause| cause.of - cause.explained;
             let is_all = left(&cause) * 33 <= cause.of;
             let pair = (!is_all).then(|| self.pair(profile, &exact)).flatten();
-            return pair.filter(|pair| left(pair) * 2 < left(&cause)).or(Some(cause));
+            return pair
+                .filter(|pair| left(pair) * 2 < left(&cause))
+                .or(Some(cause));
         }
-        let rough = rough.iter().find_map(|fault| self.roughness(profile, *fault));
-        rough.or_else(|| self.pair(profile, &exact)).or_else(|| alone(0.5))
+        let rough = rough
+            .iter()
+            .find_map(|fault| self.roughness(profile, *fault));
+        rough
+            .or_else(|| self.pair(profile, &exact))
+            .or_else(|| alone(0.5))
     }
 
     /// The best of the candidates.
@@ -163,7 +190,10 @@ impl Evidence {
     ) -> Option<Cause> {
         let scored = candidates.filter_map(|faults| {
             let score = self.score(&formula(profile, &faults), least)?;
-            Some(Cause { mistakes: faults, ..score })
+            Some(Cause {
+                mistakes: faults,
+                ..score
+            })
         });
         let mut ranked: Vec<Cause> = scored.collect();
         ranked.sort_by_key(Cause::rank);
@@ -229,23 +259,41 @@ impl Evidence {
             let ratio = profile.white / form.white;
             let as_form = |samples: &[Sample]| -> Vec<Sample> {
                 let samples = samples.iter();
-                samples.map(|(scene, reply)| (scene.clone(), reply.map(|c| c * ratio))).collect()
+                samples
+                    .map(|(scene, reply)| (scene.clone(), reply.map(|c| c * ratio)))
+                    .collect()
             };
-            let mut replies = self.wrong.iter().chain(&self.right).flat_map(|(_, reply)| reply);
+            let mut replies = self
+                .wrong
+                .iter()
+                .chain(&self.right)
+                .flat_map(|(_, reply)| reply);
             if replies.any(|c| form.is_not_as_said(c * ratio).is_some()) {
                 return None;
             }
-            let evidence = Self { wrong: as_form(&self.wrong), right: as_form(&self.right) };
+            let evidence = Self {
+                wrong: as_form(&self.wrong),
+                right: as_form(&self.right),
+            };
             let words: Vec<&str> = chosen.iter().map(|(words, ..)| *words).collect();
-            let mut members: Vec<String> =
-                chosen.iter().map(|(_, member, _)| (*member).into()).collect();
+            let mut members: Vec<String> = chosen
+                .iter()
+                .map(|(_, member, _)| (*member).into())
+                .collect();
             members.retain(|member| !member.is_empty());
             if form.departs != profile.departs {
                 members.push(format!("\"departs\":{:?}", form.departs));
             }
-            let says = format!("colors are {}, which the profile does not say", words.join(", "));
+            let says = format!(
+                "colors are {}, which the profile does not say",
+                words.join(", ")
+            );
             let score = evidence.score(&formula(&form, &[]), 0.97)?;
-            Some(Cause { says, declare: Some(members.join(",")), ..score })
+            Some(Cause {
+                says,
+                declare: Some(members.join(",")),
+                ..score
+            })
         });
         causes.min_by_key(|cause| (cause.errors, Reverse(cause.explained)))
     }

@@ -8,7 +8,11 @@ const UP: Triple = [0.0, 0.0, 1.0];
 
 /// The edges that a renderer has.
 pub fn edges(profile: &Profile) -> Vec<Scene> {
-    let mut corpus = Corpus { profile, scenes: Vec::new(), turn: 0 };
+    let mut corpus = Corpus {
+        profile,
+        scenes: Vec::new(),
+        turn: 0,
+    };
     corpus.directions();
     corpus.lamps();
     corpus.spots();
@@ -35,9 +39,17 @@ impl Corpus<'_> {
             v: self.profile.direction(v),
             k_a: [0.25, 0.5, 0.125],
             k_d: [0.5, 0.25, 0.75],
-            k_s: if self.profile.gray_highlight { [0.5; 3] } else { k_s },
+            k_s: if self.profile.gray_highlight {
+                [0.5; 3]
+            } else {
+                k_s
+            },
             m: 8.0_f64.min(self.profile.most_shiny),
-            i_a: if self.profile.ambient { [0.25, 0.125, 0.5] } else { BLACK },
+            i_a: if self.profile.ambient {
+                [0.25, 0.125, 0.5]
+            } else {
+                BLACK
+            },
             lights,
         }
     }
@@ -50,19 +62,28 @@ impl Corpus<'_> {
     }
 
     fn add_as(&mut self, model: Model, scene: &Scene) {
-        let scene = Scene { model, ..scene.clone() };
-        if self.profile.lacks(&scene).is_none() {
+        let scene = Scene {
+            model,
+            ..scene.clone()
+        };
+        if self.profile.has_all_of(&scene) {
             self.scenes.push(scene);
         }
     }
 
     /// A light from there, of the kind.
     fn light(&self, kind: Kind, way: Triple, intensity: Triple) -> Light {
-        let attenuation =
-            if self.profile.unattenuated { [1.0, 0.0, 0.0] } else { [0.5, 0.25, 0.25] };
+        let attenuation = if self.profile.unattenuated {
+            [1.0, 0.0, 0.0]
+        } else {
+            [0.5, 0.25, 0.25]
+        };
         let point = Light::point(intensity, way, attenuation);
         match kind {
-            Kind::Directional => Light::Directional { intensity, l: self.profile.unit(way) },
+            Kind::Directional => Light::Directional {
+                intensity,
+                l: self.profile.unit(way),
+            },
             Kind::Point => point,
             Kind::Spot => {
                 let axis = self.profile.unit(scale(way, -1.0));
@@ -89,8 +110,11 @@ impl Corpus<'_> {
     /// A scene with the kinds of light in turn.
     fn in_turn(&mut self, n: Triple, v: Triple, l: Triple, m: Option<f64>) {
         let kinds = self.kinds(l, [1.0, 0.75, 0.5]);
-        let mut scene =
-            self.scene(n, v, vec![kinds[(self.turn + self.turn / kinds.len()) % kinds.len()]]);
+        let mut scene = self.scene(
+            n,
+            v,
+            vec![kinds[(self.turn + self.turn / kinds.len()) % kinds.len()]],
+        );
         self.turn += 1;
         scene.m = m.unwrap_or(scene.m);
         self.add(&scene);
@@ -143,7 +167,13 @@ impl Corpus<'_> {
             self.in_turn(UP, v, [1.0, 0.0, height], None);
         }
         // N and V of other lengths than 1
-        for (n, v) in [(0.25, 1.0), (3.0, 1.0), (1.0, 0.125), (1.0, 20.0), (0.001, 100.0)] {
+        for (n, v) in [
+            (0.25, 1.0),
+            (3.0, 1.0),
+            (1.0, 0.125),
+            (1.0, 20.0),
+            (0.001, 100.0),
+        ] {
             let n = self.long(scale([0.6, 0.0, 0.8], n));
             let v = self.long(scale([0.0, 0.28, 0.96], v));
             self.each_kind(n, v, [0.5, 0.25, 1.0], None);
@@ -162,7 +192,9 @@ impl Corpus<'_> {
 
     /// Lamps near and far, attenuated by one coefficient alone, at a point away from the origin.
     fn lamps(&mut self) {
-        let kinds = [Kind::Point, Kind::Spot].into_iter().filter(|kind| self.profile.has(*kind));
+        let kinds = [Kind::Point, Kind::Spot]
+            .into_iter()
+            .filter(|kind| self.profile.has(*kind));
         let kinds: Vec<Kind> = kinds.collect();
         let distances = [
             0.00002, 0.0001, 0.001, 0.005, 0.05, 0.5, 1.0, 2.0, 8.0, 40.0, 300.0, 1500.0, 12000.0,
@@ -272,7 +304,11 @@ impl Corpus<'_> {
             for brightest in [0, count / 2, count - 1] {
                 let lights = (0..count).map(|i| {
                     let [x, y, z] = [i % 3, i % 5, i % 2].map(|step| step as f64);
-                    let share = if i == brightest { 0.5 } else { 0.25 / count as f64 };
+                    let share = if i == brightest {
+                        0.5
+                    } else {
+                        0.25 / count as f64
+                    };
                     let color = self.long(scale([1.0, 0.5, 1.0], share));
                     let way = [0.5 - x / 2.0, y / 4.0 - 0.5, 1.0 + z / 2.0];
                     let kinds = self.kinds(way, color);

@@ -139,7 +139,9 @@ impl At {
     /// The axis and the half-angle of a spot.
     pub fn spot(&self) -> (Bounded3, f64) {
         match self.light {
-            Some(Light::Spot { axis, half_angle, .. }) => (turned(axis, self.u), half_angle),
+            Some(Light::Spot {
+                axis, half_angle, ..
+            }) => (turned(axis, self.u), half_angle),
             _ => (BLACK, 0.0),
         }
     }
@@ -153,7 +155,7 @@ impl At {
 
 /// The formulas as a renderer has them: with what it departs from on purpose, and with mistakes.
 pub struct Formula<'a> {
-    profile: &'a Profile,
+    pub profile: &'a Profile,
     changes: Vec<Applied>,
     u: f64,
     is_wrong: bool,
@@ -163,7 +165,12 @@ impl<'a> Formula<'a> {
     /// The formulas with these changes. A wrong one may divide by 0.
     pub fn new(profile: &'a Profile, changes: Vec<Applied>, is_wrong: bool) -> Self {
         let u = profile.roundoff;
-        Self { profile, changes, u, is_wrong }
+        Self {
+            profile,
+            changes,
+            u,
+            is_wrong,
+        }
     }
 
     /// The same in another precision.
@@ -172,7 +179,12 @@ impl<'a> Formula<'a> {
     }
 
     fn at(&self) -> At {
-        At { u: self.u, range: self.profile.range(), level: self.profile.level(), ..At::default() }
+        At {
+            u: self.u,
+            range: self.profile.range(),
+            level: self.profile.level(),
+            ..At::default()
+        }
     }
 
     fn hook(&self, part: Part, at: &mut At, right: Bounded3) -> Bounded3 {
@@ -213,7 +225,11 @@ impl<'a> Formula<'a> {
         at.model = scene.model;
         let model = Bounded::exact(f64::from(scene.model as u8));
         let model = self.number(Part::Model, at, model);
-        at.model = Model::ALL[if model.value < 2.0 { usize::from(model.value > 0.0) } else { 2 }];
+        at.model = Model::ALL[if model.value < 2.0 {
+            usize::from(model.value > 0.0)
+        } else {
+            2
+        }];
         at.p = given3(scene.p, u);
         // the renderer may know the position of the eye, and subtract p from it
         let of_eye = 2.0 * u * (size(scene.p) + size(scene.v));
@@ -226,7 +242,11 @@ impl<'a> Formula<'a> {
         at.k_d = given3(scene.k_d, u);
         at.k_s = given3(scene.k_s, u);
         at.m = self.number(Part::M, at, Bounded::exact(scene.m)).value;
-        at.ambient = self.hook(Part::Ambient, at, mul(given3(scene.k_a, u), given3(scene.i_a, u)));
+        at.ambient = self.hook(
+            Part::Ambient,
+            at,
+            mul(given3(scene.k_a, u), given3(scene.i_a, u)),
+        );
         at.ambients = self.hook(Part::Once, at, at.ambient);
     }
 
@@ -301,8 +321,11 @@ impl<'a> Formula<'a> {
                 // opposite directions have no half vector; where nothing rounds, any that a renderer takes has a power
                 // from 0 to 1
                 let is_exact = at.l.iter().all(|c| c.value.fract() == 0.0);
-                let power =
-                    if is_exact { Bounded::exact(0.5).looser(0.5) } else { Bounded::UNKNOWN };
+                let power = if is_exact {
+                    Bounded::exact(0.5).looser(0.5)
+                } else {
+                    Bounded::UNKNOWN
+                };
                 return self.number(Part::Power, at, power);
             }
             // the renderer may take (N·L + N·V)/√(2 + 2 L·V), whose root cancels where L is nearly opposite to V
@@ -313,22 +336,6 @@ impl<'a> Formula<'a> {
         at.cosine = self.number(Part::Cosine, at, cosine);
         let power = at.cosine.at_least_zero().power(at.m);
         self.number(Part::Power, at, power)
-    }
-
-    /// How far two colors of any renderer may be apart by rounding alone, whatever mistake it makes, relative to
-    /// the most light that may come back; and that light.
-    pub fn conditioning(&self, scene: &Scene) -> (f64, Triple) {
-        let mut most = mul(scene.k_a, scene.i_a);
-        let mut condition = 1.0_f64;
-        for light in &scene.lights {
-            if let Some((position, _)) = light.lamp() {
-                let q = length(sub(position, scene.p));
-                condition = condition.max(1.0 + scene.extent(position) / q);
-            }
-            let (intensity, left) = (light.intensity(), light.falloff(scene.p));
-            most = [0, 1, 2].map(|i| most[i] + (scene.k_d[i] + scene.k_s[i]) * intensity[i] * left);
-        }
-        (32.0 * self.u * (scene.m + 1.0) * condition, most)
     }
 
     /// Whether a channel is NaN or infinity, or what a clamp to the range leaves of them.
@@ -364,18 +371,30 @@ impl<'a> Formula<'a> {
         }
         let ends = [c.value - c.error, c.value + c.error].map(|end| self.encoded(end));
         let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        let slack = self.profile.slack(low.abs().max(high.abs()), self.u);
+        let slack = self.slack(low.abs().max(high.abs()));
         Some([low - slack, high + slack])
+    }
+
+    /// How far the encoding of a reply of this size may be off.
+    pub fn slack(&self, size: f64) -> f64 {
+        self.profile.slack(size, self.u)
+    }
+
+    /// How far a finite reply is off and how far it may be, where that is too far.
+    pub fn excess(&self, c: Bounded, reply: f64) -> Option<(f64, f64)> {
+        let [low, high] = self.ends(c).filter(|_| reply.is_finite())?;
+        let right = self.encoded(c.value);
+        let allowed = if reply > right {
+            high - right
+        } else {
+            right - low
+        };
+        (!(low..=high).contains(&reply)).then_some((reply - right, allowed))
     }
 
     /// The reply of a renderer like this.
     pub fn reply(&self, scene: &Scene) -> Triple {
-        self.encoded3(self.linear(scene))
-    }
-
-    /// The same, where the color in linear light is known.
-    pub fn encoded3(&self, linear: Bounded3) -> Triple {
-        linear.map(|c| self.encoded(c.value))
+        self.linear(scene).map(|c| self.encoded(c.value))
     }
 
     /// What becomes of linear light on its way out.
@@ -397,6 +416,10 @@ impl<'a> Formula<'a> {
         let right = if self.profile.srgb { to_srgb(x) } else { x };
         let y = of(Part::Encode, x, right);
         let y = clamped(&mut of, y);
-        if self.profile.bits.is_some() { of(Part::Level, y, y) } else { y }
+        if self.profile.bits.is_some() {
+            of(Part::Level, y, y)
+        } else {
+            y
+        }
     }
 }

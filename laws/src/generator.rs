@@ -134,7 +134,11 @@ impl Generator<'_> {
 
     fn color(&mut self, most: f64, is_long: bool) -> Triple {
         // dark colors have other digits of sRGB
-        let most = if is_long && self.random.once_in(8) { most / 64.0 } else { most };
+        let most = if is_long && self.random.once_in(8) {
+            most / 64.0
+        } else {
+            most
+        };
         [(); 3].map(|()| self.amount(most, is_long))
     }
 
@@ -166,8 +170,11 @@ impl Generator<'_> {
         };
         let position = add(p, scale(way, distance));
         let position = position.map(|c| if is_long { profile.rounded(c) } else { c });
-        let (position, distance) =
-            if position == p { (add(p, scale(way, short)), short) } else { (position, distance) };
+        let (position, distance) = if position == p {
+            (add(p, scale(way, short)), short)
+        } else {
+            (position, distance)
+        };
         let attenuation = self.attenuation(distance * length(way), is_long);
         // a lamp that the attenuation brightens is dim
         let q = distance * length(way);
@@ -180,7 +187,10 @@ impl Generator<'_> {
         };
         let point = Light::point(intensity, position, attenuation);
         match kind {
-            Kind::Directional => Light::Directional { intensity, l: profile.unit(way) },
+            Kind::Directional => Light::Directional {
+                intensity,
+                l: profile.unit(way),
+            },
             Kind::Point => point,
             Kind::Spot => {
                 let (axis, half_angle) = self.spot(way, is_long);

@@ -5,7 +5,7 @@
 #![allow(clippy::float_cmp)] // special cases are exact
 #![allow(clippy::test_attr_in_doctest)] // the page shows a whole file of tests
 
-// Each file uses only those above it.
+// Each group uses only itself and those above it, and no two files use each other.
 
 // a scene, and numbers that know their error
 mod bounded;
@@ -19,13 +19,13 @@ mod renderer;
 mod formula;
 mod mistakes;
 
-// scenes, and what must hold between their colors
-mod claim;
+// scenes, simpler ones, and what must hold of their colors
 mod corpus;
 mod edit;
 mod generator;
 mod law;
 mod random;
+mod shrink;
 
 // a run: what it tries, what it may conclude, and what it says
 mod cause;
@@ -34,10 +34,9 @@ mod place;
 mod plan;
 mod report;
 mod run;
-mod shrink;
 
 pub use cause::Cause;
-pub use claim::Broken;
+pub use law::Broken;
 pub use mistakes::Fault;
 pub use options::Laws;
 pub use place::Place;

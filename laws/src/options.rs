@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::law::{LAWS, Law};
+use crate::law::Law;
 use crate::mistakes::departures;
 use crate::profile::Profile;
 
@@ -20,14 +20,13 @@ use crate::profile::Profile;
 pub struct Laws {
     /// The seed of the scenes.
     pub seed: u64,
-    /// The number of random cases of each law between several scenes, beside the fixed ones. The laws of one scene share
-    /// 16 times as many.
+    /// The number of random scenes, beside the fixed ones.
     pub cases: usize,
     /// The laws to try, or none for all. [`Laws::names`] lists the names.
     pub only: Vec<String>,
     /// The laws that are expected to be broken: the report passes if they are, and does not if one holds.
     pub known: Vec<String>,
-    /// Cases that are tried before the others: the text that [`Report::cases`](crate::Report::cases) gives, a case a line.
+    /// Scenes that are tried before the others: the text that [`Report::cases`](crate::Report::cases) gives, a scene a line.
     pub replay: String,
     /// The most batches of each broken law in which its smallest scene is looked for; it is looked for two seconds in all.
     pub shrinks: usize,
@@ -40,7 +39,7 @@ impl Default for Laws {
     fn default() -> Self {
         Self {
             seed: 0,
-            cases: 64,
+            cases: 1024,
             only: Vec::new(),
             known: Vec::new(),
             replay: String::new(),
@@ -53,11 +52,11 @@ impl Default for Laws {
 impl Laws {
     /// The name of each law, and what it says.
     pub fn names() -> impl Iterator<Item = (&'static str, &'static str)> {
-        LAWS.iter().map(|law| (law.name, law.says))
+        Law::ALL.into_iter().map(|law| (law.name(), law.says()))
     }
 
-    pub(crate) fn tries(&self, name: &str) -> bool {
-        self.only.is_empty() || self.only.iter().any(|only| only == name)
+    pub(crate) fn tries(&self, law: Law) -> bool {
+        self.only.is_empty() || self.only.iter().any(|only| only == law.name())
     }
 
     /// What prevents a run, if anything.

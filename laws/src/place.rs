@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::edit::{EDITS, Edit};
+use crate::edit::EDITS;
 use crate::profile::Profile;
 use crate::scene::Scene;
 
@@ -18,8 +18,14 @@ pub struct Place {
 /// Parts that make up one thing, and what else may be told of either: where both are wrong, the highlight, the lamps, the
 /// lights, or everything is.
 const PARTS: [([&str; 2], &[&str]); 5] = [
-    (["Phong", "Blinn"], &["highlight", "lights", "several lights"]),
-    (["spot", "point"], &["cone", "lamps", "lights", "several lights"]),
+    (
+        ["Phong", "Blinn"],
+        &["highlight", "lights", "several lights"],
+    ),
+    (
+        ["spot", "point"],
+        &["cone", "lamps", "lights", "several lights"],
+    ),
     (["lamps", "directional"], &["lights", "several lights"]),
     (["diffuse", "highlight"], &["lights", "several lights"]),
     (["ambient", "lights"], &["several lights"]),
@@ -34,9 +40,8 @@ const TERMS: [&str; 4] = ["highlight", "diffuse", "ambient", "lights"];
 /// The most broken cases of an experiment: a bit each.
 pub const MOST: usize = 60;
 
-/// Asks whether cases are still broken: the number of each and its edited scene. A scene of which the law says nothing has no
-/// answer, and none has one if the renderer does not answer.
-pub type Ask<'a> = dyn FnMut(&[(usize, Scene)]) -> Option<Vec<Option<bool>>> + 'a;
+/// Asks whether the colors of scenes are wrong, if the renderer still answers.
+pub type Ask<'a> = dyn FnMut(&[Scene]) -> Option<Vec<bool>> + 'a;
 
 /// Broken cases without one thing each.
 struct Experiment {
@@ -46,30 +51,22 @@ struct Experiment {
     broken: Vec<u64>,
 }
 
-/// A scene without what an edit takes out, if such a renderer can be given it.
-pub fn edited(edit: &Edit, scene: &Scene, profile: &Profile) -> Option<Scene> {
-    let mut edited = edit.of(scene, profile);
-    edited.lights.retain(|light| profile.has(light.kind()));
-    (edited != *scene && profile.lacks(&edited).is_none()).then_some(edited)
-}
-
 /// Whether something is nearly all of a count.
 fn is_nearly_all(cases: u64, count: u32, id: &str) -> bool {
-    let of = if TERMS.contains(&id) { [33, 32] } else { [10, 9] };
+    let of = if TERMS.contains(&id) {
+        [33, 32]
+    } else {
+        [10, 9]
+    };
     count > 0 && cases.count_ones() * of[0] >= count * of[1]
 }
 
 /// Where cases are broken: one place, or several where several things are wrong.
-pub fn places(cases: &[(usize, Scene)], profile: &Profile, ask: &mut Ask) -> Option<Vec<Place>> {
+pub fn places(cases: &[Scene], profile: &Profile, ask: &mut Ask) -> Option<Vec<Place>> {
     places_of(cases, profile, ask, 2)
 }
 
-fn places_of(
-    cases: &[(usize, Scene)],
-    profile: &Profile,
-    ask: &mut Ask,
-    depth: u32,
-) -> Option<Vec<Place>> {
+fn places_of(cases: &[Scene], profile: &Profile, ask: &mut Ask, depth: u32) -> Option<Vec<Place>> {
     let experiment = Experiment::new(cases, profile, ask)?;
     let whole = experiment.place(experiment.all());
     let is_general = whole.only_with.iter().all(|id| GENERAL.contains(id));
@@ -80,11 +77,9 @@ fn places_of(
     // what is left without one thing is wrong for another reason
     for k in experiment.parts() {
         let is_left = |i: &usize| experiment.broken[k] >> i & 1 == 1;
-        let left = (0..experiment.count).filter(is_left).filter_map(|i| {
-            let (number, scene) = &cases[i];
-            Some((*number, edited(&EDITS[k], scene, profile)?))
-        });
-        let left: Vec<(usize, Scene)> = left.collect();
+        let left = (0..experiment.count).filter(is_left);
+        let left = left.filter_map(|i| EDITS[k].of(&cases[i], profile));
+        let left: Vec<Scene> = left.collect();
         let mut all = vec![experiment.place(experiment.repaired[k])];
         for other in places_of(&left, profile, ask, depth - 1)? {
             if all.iter().all(|place| place.only_with != other.only_with) {
@@ -92,15 +87,22 @@ fn places_of(
             }
         }
         merge(&mut all);
-        let is_told =
-            |place: &Place| place.only_with.iter().any(|id| !whole.only_with.contains(id));
+        let is_told = |place: &Place| {
+            place
+                .only_with
+                .iter()
+                .any(|id| !whole.only_with.contains(id))
+        };
         if all.len() > 1 && all.iter().all(is_told) {
             found.push(all);
         }
     }
     // few places, and particular ones
-    let first =
-        |place: &Place| EDITS.iter().position(|edit| place.only_with.first() == Some(&edit.id));
+    let first = |place: &Place| {
+        EDITS
+            .iter()
+            .position(|edit| place.only_with.first() == Some(&edit.id))
+    };
     found.sort_by_key(|all| (all.len(), all.iter().filter_map(first).sum::<usize>()));
     Some(found.into_iter().next().unwrap_or(vec![whole]))
 }
@@ -109,17 +111,25 @@ fn places_of(
 fn merge(places: &mut Vec<Place>) {
     'merged: loop {
         for (parts, too) in PARTS {
-            let of_part = |part| places.iter().position(|place| place.only_with.contains(&part));
+            let of_part = |part| {
+                places
+                    .iter()
+                    .position(|place| place.only_with.contains(&part))
+            };
             let [Some(a), Some(b)] = parts.map(of_part) else {
                 continue;
             };
             let others = |place: &Place| -> Vec<&str> {
                 let others = place.only_with.iter().copied();
-                others.filter(|id| !parts.contains(id) && !too.contains(id)).collect()
+                others
+                    .filter(|id| !parts.contains(id) && !too.contains(id))
+                    .collect()
             };
             if a != b && others(&places[a]) == others(&places[b]) {
                 let other = places[b].clone();
-                places[a].only_with.retain(|id| other.only_with.contains(id));
+                places[a]
+                    .only_with
+                    .retain(|id| other.only_with.contains(id));
                 places.remove(b);
                 continue 'merged;
             }
@@ -130,25 +140,30 @@ fn merge(places: &mut Vec<Place>) {
 
 impl Experiment {
     /// Takes things out of the scenes of broken cases, and asks for each again, if anything answers.
-    fn new(cases: &[(usize, Scene)], profile: &Profile, ask: &mut Ask) -> Option<Self> {
+    fn new(cases: &[Scene], profile: &Profile, ask: &mut Ask) -> Option<Self> {
         let count = cases.len().min(MOST);
         let (mut asked, mut of) = (Vec::new(), Vec::new());
-        for (k, edit) in EDITS.iter().enumerate().filter(|(_, edit)| !edit.id.is_empty()) {
-            for (i, (number, scene)) in cases[..count].iter().enumerate() {
-                if let Some(edited) = edited(edit, scene, profile) {
-                    asked.push((*number, edited));
+        for (k, edit) in EDITS.iter().enumerate() {
+            for (i, scene) in cases[..count].iter().enumerate() {
+                if let Some(edited) = edit.of(scene, profile) {
+                    asked.push(edited);
                     of.push((k, i));
                 }
             }
         }
         let [repaired, broken] = [(); 2].map(|()| vec![0; EDITS.len()]);
-        let mut experiment = Self { count, repaired, broken };
+        let mut experiment = Self {
+            count,
+            repaired,
+            broken,
+        };
         for ((k, i), is_broken) in of.into_iter().zip(ask(&asked)?) {
-            match is_broken {
-                Some(true) => experiment.broken[k] |= 1 << i,
-                Some(false) => experiment.repaired[k] |= 1 << i,
-                None => {}
-            }
+            let answer = if is_broken {
+                &mut experiment.broken
+            } else {
+                &mut experiment.repaired
+            };
+            answer[k] |= 1 << i;
         }
         Some(experiment)
     }

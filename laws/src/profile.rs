@@ -5,6 +5,9 @@ use serde::{Deserialize, Serialize};
 use crate::bounded;
 use crate::scene::{Kind, Light, Model, Scene, Triple, length, sub, unit};
 
+/// The rounding of our own doubles, where the renderer has more digits.
+const OURS: f64 = 1e-15;
+
 /// What a renderer says of itself: how precise it is, what it has, what its replies mean, and where it departs from the
 /// formulas on purpose. A law that needs something the renderer lacks is not tried.
 ///
@@ -174,18 +177,7 @@ impl Profile {
     pub(crate) fn slack(&self, size: f64, roundoff: f64) -> f64 {
         let of_level = self.level().map_or(0.0, |level| 0.6 * level);
         let of_power = if self.srgb { 16.0 } else { 2.0 };
-        of_level + of_power * roundoff * size
-    }
-
-    /// The least and the largest linear light that the renderer may have meant by a reply.
-    pub(crate) fn meant(&self, reply: f64) -> [f64; 2] {
-        let slack = self.slack(reply.abs(), self.roundoff);
-        let ends = [reply - slack, reply + slack];
-        let mut ends = if self.srgb { ends.map(from_srgb) } else { ends };
-        if self.range().is_some_and(|[_, high]| reply >= high - slack) {
-            ends[1] = f64::INFINITY;
-        }
-        ends
+        of_level + (of_power * roundoff + OURS) * size
     }
 
     /// How far a finite reply is out of the range or off its level, and how far it may be, where that
@@ -206,79 +198,51 @@ impl Profile {
         (off > 0.01 * level).then_some((off, 0.01 * level))
     }
 
-    /// What the renderer lacks for a scene, or what the format does not allow of it.
-    pub(crate) fn lacks(&self, scene: &Scene) -> Option<&'static str> {
+    /// Whether the renderer has all that a scene needs, and the format allows it.
+    pub(crate) fn has_all_of(&self, scene: &Scene) -> bool {
         let is_unit = |v: Triple| (length(v) - 1.0).abs() < 8.0 * self.roundoff;
-        let lacks_kind = |light: &Light| match light.kind() {
-            kind if self.has(kind) => None,
-            Kind::Directional => Some("it has no directional lights"),
-            Kind::Point => Some("it has no point lights"),
-            Kind::Spot => Some("it has no spots"),
-        };
-        let lacks_light = |light: &Light| {
-            let is_attenuated = light.lamp().is_none_or(|(position, abc)| {
-                abc.iter().sum::<f64>() > 0.0
-                    && abc.iter().all(|c| (0.0..=1e12).contains(c))
-                    && position != [0.0; 3] // a lamp at the origin divides by 0 where p is forgotten
-            });
-            let is_aimed = match *light {
-                Light::Directional { l: axis, .. } | Light::Spot { axis, .. } => axis != [0.0; 3],
-                Light::Point { .. } => true,
-            };
-            let is_lost = scene.has_lamp_at_the_point(light, self.roundoff);
-            let is_unattenuated = light.lamp().is_none_or(|(_, abc)| abc == [1.0, 0.0, 0.0]);
-            let is = |is_wrong: bool, why| is_wrong.then_some(why);
-            lacks_kind(light)
-                .or(is(!is_attenuated || !is_aimed || is_lost, "the format has no such lights"))
-                .or(is(self.unattenuated && !is_unattenuated, "it has no attenuation"))
-        };
-        let intensities = scene.lights.iter().map(|light| light.intensity());
-        let mut colors =
-            [scene.k_a, scene.k_d, scene.k_s, scene.i_a].into_iter().chain(intensities).flatten();
-        let has_directions = scene.n != [0.0; 3] && scene.v != [0.0; 3];
-        let k_s = scene.k_s;
         // in half precision, the squares of other lengths have no digits, or no end
         let is_short = self.roundoff >= bounded::HALF;
-        let is_out_of_reach = |v: Triple| is_short && !(1.0 / 32.0..=64.0).contains(&length(v));
-        let is_lamp_out_of_reach = |light: &Light| {
-            light.lamp().is_some_and(|(position, abc)| {
-                is_out_of_reach(sub(position, scene.p))
-                    || is_short && abc.iter().any(|c| *c > 4096.0)
+        let is_in_reach = |v: Triple| !is_short || (1.0 / 32.0..=64.0).contains(&length(v));
+        let is_direction =
+            |v: Triple| v != [0.0; 3] && is_in_reach(v) && (!self.unit_vectors || is_unit(v));
+        let most = if is_short { 4096.0 } else { 1e12 };
+        let has_lamp = |light: &Light| {
+            light.lamp().is_none_or(|(position, abc)| {
+                abc.iter().sum::<f64>() > 0.0
+                    && abc.iter().all(|c| (0.0..=most).contains(c))
+                    && (!self.unattenuated || abc == [1.0, 0.0, 0.0])
+                    && position != [0.0; 3] // a lamp at the origin divides by 0 where p is forgotten
+                    && is_in_reach(sub(position, scene.p))
+                    && !scene.has_lamp_at_the_point(light, self.roundoff)
             })
         };
-        let is_far = [scene.n, scene.v].into_iter().any(is_out_of_reach);
-        let complaints = [
-            (
-                is_far || scene.lights.iter().any(is_lamp_out_of_reach),
-                "its numbers do not reach so far",
-            ),
-            (scene.lights.len() > 1 && self.most_lights == 1, "it has one light at a time"),
-            (scene.lights.len() > self.most_lights, "it has fewer lights"),
-            (!self.models.contains(&scene.model), "it lacks the model"),
-            (!(1.0..=self.most_shiny).contains(&scene.m), "its shininess has other limits"),
-            (!self.ambient && scene.i_a != [0.0; 3], "it has no ambient light of its own"),
-            (
-                !has_directions || !colors.all(|c| (0.0..=16.0).contains(&c)),
-                "the format has no such scenes",
-            ),
-            (self.gray_highlight && k_s != [k_s[0]; 3], "its highlights are gray"),
-            (self.unit_vectors && !(is_unit(scene.n) && is_unit(scene.v)), "it needs unit vectors"),
-        ];
-        let complaint = complaints.into_iter().find(|(is_wrong, _)| *is_wrong);
-        complaint.map(|(_, why)| why).or_else(|| scene.lights.iter().find_map(lacks_light))
+        let is_aimed = |light: &Light| match *light {
+            Light::Directional { l: axis, .. } | Light::Spot { axis, .. } => axis != [0.0; 3],
+            Light::Point { .. } => true,
+        };
+        let has_light = |light| self.has(Light::kind(light)) && has_lamp(light) && is_aimed(light);
+        let intensities = scene.lights.iter().map(|light| light.intensity());
+        let colors = [scene.k_a, scene.k_d, scene.k_s, scene.i_a];
+        let mut colors = colors.into_iter().chain(intensities).flatten();
+        self.models.contains(&scene.model)
+            && [scene.n, scene.v].into_iter().all(is_direction)
+            && (1.0..=self.most_shiny).contains(&scene.m)
+            && (self.ambient || scene.i_a == [0.0; 3])
+            && (!self.gray_highlight || scene.k_s == [scene.k_s[0]; 3])
+            && colors.all(|c| (0.0..=16.0).contains(&c))
+            && scene.lights.len() <= self.most_lights
+            && scene.lights.iter().all(has_light)
     }
 }
 
 /// The encoding of sRGB (IEC 61966-2-1), odd about 0.
 pub fn to_srgb(x: f64) -> f64 {
     let size = x.abs();
-    let encoded =
-        if size <= 0.003_130_8 { 12.92 * size } else { 1.055 * size.powf(1.0 / 2.4) - 0.055 };
+    let encoded = if size <= 0.003_130_8 {
+        12.92 * size
+    } else {
+        1.055 * size.powf(1.0 / 2.4) - 0.055
+    };
     encoded.copysign(x)
-}
-
-pub fn from_srgb(y: f64) -> f64 {
-    let size = y.abs();
-    let decoded = if size <= 0.040_45 { size / 12.92 } else { ((size + 0.055) / 1.055).powf(2.4) };
-    decoded.copysign(y)
 }

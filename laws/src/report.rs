@@ -5,10 +5,9 @@ use std::fmt;
 use serde::Serialize;
 
 use crate::cause::Cause;
-use crate::claim::Broken;
+use crate::law::Broken;
 use crate::mistakes::Fault;
 use crate::place::Place;
-use crate::plan::Saved;
 use crate::profile::Profile;
 use crate::scene::{Scene, Triple};
 
@@ -75,9 +74,9 @@ pub enum Verdict {
         /// The smallest case that was found.
         smallest: Box<Counterexample>,
     },
-    /// The renderer lacks what the law needs.
+    /// The law is about what the renderer does not promise.
     NotTried {
-        /// What it lacks.
+        /// Why it is not tried.
         because: &'static str,
     },
     /// It holds in every case that was tried, but the run ended before all were.
@@ -124,7 +123,9 @@ impl LawReport {
         match self.verdict {
             Verdict::Broken { .. } => (!self.is_known).then_some(self.says),
             Verdict::CutShort { .. } => Some("the run ended before all of its cases were tried"),
-            _ => self.is_known.then_some("it is not broken, but is known as broken"),
+            _ => self
+                .is_known
+                .then_some("it is not broken, but is known as broken"),
         }
     }
 }
@@ -139,7 +140,9 @@ impl Report {
     /// Whether the run ended before all cases of a law were tried.
     #[must_use]
     pub fn is_cut_short(&self) -> bool {
-        self.laws.iter().any(|law| matches!(law.verdict, Verdict::CutShort { .. }))
+        self.laws
+            .iter()
+            .any(|law| matches!(law.verdict, Verdict::CutShort { .. }))
     }
 
     /// Whether all is well: no law is broken but those that are known to be, and those are; and all cases were tried.
@@ -148,16 +151,13 @@ impl Report {
         self.error.is_none() && self.laws.iter().all(|law| law.failure().is_none())
     }
 
-    /// The smallest case of each broken law, one a line, to be stored and given to
+    /// The smallest scene of each broken law, one a line, to be stored and given to
     /// [`Laws`](crate::Laws).
     #[must_use]
     pub fn cases(&self) -> String {
-        let line = |law: &LawReport| {
-            let saved =
-                Saved { law: law.law.into(), scene: law.smallest()?.scenes.first()?.clone() };
-            Some(json(&saved) + "\n")
-        };
-        self.laws.iter().filter_map(line).collect()
+        let smallest = self.laws.iter().filter_map(LawReport::smallest);
+        let line = |smallest: &Counterexample| smallest.scenes[0].to_json() + "\n";
+        smallest.map(line).collect()
     }
 
     /// The report as one JSON object.
@@ -167,7 +167,7 @@ impl Report {
     ///
     /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
     /// let json = Laws::default().run(&mut black).unwrap().to_json();
-    /// assert!(json.starts_with(r#"{"passes":false,"version":5,"seed":0,"#));
+    /// assert!(json.starts_with(r#"{"passes":false,"version":6,"seed":0,"#));
     /// ```
     #[must_use]
     pub fn to_json(&self) -> String {
@@ -181,9 +181,9 @@ impl Report {
     /// use shading_laws::{Laws, Profile, from_fn};
     ///
     /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
-    /// let laws = Laws { only: vec!["eye".into()], ..Laws::default() };
+    /// let laws = Laws { only: vec!["no_memory".into()], ..Laws::default() };
     /// let report = laws.run(&mut black).unwrap();
-    /// assert!(report.to_junit().contains("<testcase classname=\"shading-laws\" name=\"eye\"></testcase>"));
+    /// assert!(report.to_junit().contains("<testcase classname=\"shading-laws\" name=\"no_memory\"></testcase>"));
     /// ```
     #[must_use]
     pub fn to_junit(&self) -> String {
@@ -280,7 +280,10 @@ impl Report {
                 writeln!(f, "  Broken: {says} ({law})")?;
             }
         }
-        let of = self.laws.iter().filter(|law| finding.laws.contains(&law.law));
+        let of = self
+            .laws
+            .iter()
+            .filter(|law| finding.laws.contains(&law.law));
         let smallest = of.filter_map(|law| Some((law, law.smallest()?)));
         // one that rounding does not explain, of few scenes
         let rank = |it: &Counterexample| (!it.broken.is_clear(), it.scenes.len());
@@ -319,7 +322,9 @@ impl fmt::Display for Report {
                         of - cases
                     )
                 }
-                Verdict::Broken { cases, failures, .. } => {
+                Verdict::Broken {
+                    cases, failures, ..
+                } => {
                     format!("is BROKEN in {failures} of {cases} cases")
                 }
             };
@@ -343,14 +348,21 @@ impl fmt::Display for Report {
 
 impl fmt::Display for Counterexample {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Broken { channel, off, allowed } = self.broken;
+        let Broken {
+            channel,
+            off,
+            allowed,
+        } = self.broken;
         let channel = ["red", "green", "blue"][channel];
         for (i, (color, right)) in self.colors.iter().zip(&self.right).enumerate() {
             let i = i + 1;
             writeln!(f, "  color {i}: {color:?}; the formula gives {right:?}")?;
         }
         if off.is_finite() {
-            writeln!(f, "  {channel} is off by {off:.3e}; rounding explains {allowed:.1e}")
+            writeln!(
+                f,
+                "  {channel} is off by {off:.3e}; rounding explains {allowed:.1e}"
+            )
         } else {
             writeln!(f, "  {channel} is {off}")
         }

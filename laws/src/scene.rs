@@ -122,14 +122,24 @@ impl Kind {
 
 impl Light {
     pub(crate) fn point(intensity: Triple, position: Triple, attenuation: Triple) -> Self {
-        Self::Point { intensity, position, attenuation }
+        Self::Point {
+            intensity,
+            position,
+            attenuation,
+        }
     }
 
     /// A spot in the place of a point light; nothing else is one.
     pub(crate) fn with_cone(self, axis: Triple, half_angle: f64) -> Self {
         let (position, attenuation) = self.lamp().unwrap_or_default();
         let intensity = self.intensity();
-        Self::Spot { intensity, position, attenuation, axis, half_angle }
+        Self::Spot {
+            intensity,
+            position,
+            attenuation,
+            axis,
+            half_angle,
+        }
     }
 
     /// A lamp without its cone.
@@ -175,8 +185,16 @@ impl Light {
     pub fn lamp_mut(&mut self) -> Option<(&mut Triple, &mut Triple)> {
         match self {
             Self::Directional { .. } => None,
-            Self::Point { position, attenuation, .. }
-            | Self::Spot { position, attenuation, .. } => Some((position, attenuation)),
+            Self::Point {
+                position,
+                attenuation,
+                ..
+            }
+            | Self::Spot {
+                position,
+                attenuation,
+                ..
+            } => Some((position, attenuation)),
         }
     }
 
@@ -187,7 +205,9 @@ impl Light {
             Self::Point { position, .. } | Self::Spot { position, .. } => unit(sub(position, p)),
         };
         let is_dark = match self {
-            Self::Spot { axis, half_angle, .. } => -dot(axis, l) < half_angle.cos(),
+            Self::Spot {
+                axis, half_angle, ..
+            } => -dot(axis, l) < half_angle.cos(),
             _ => false,
         };
         let left = if is_dark { 0.0 } else { self.falloff(p) };

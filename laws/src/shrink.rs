@@ -4,7 +4,6 @@ use serde_json::Value;
 
 use crate::bounded::rounded;
 use crate::edit::EDITS;
-use crate::place::edited;
 use crate::profile::Profile;
 use crate::scene::{Light, Model, Scene, Triple, size};
 
@@ -23,7 +22,9 @@ fn paths(value: &Value, path: &str, found: &mut Vec<String>) {
             }
         }
         Value::Object(members) => {
-            members.iter().for_each(|(name, value)| paths(value, &format!("{path}/{name}"), found));
+            members
+                .iter()
+                .for_each(|(name, value)| paths(value, &format!("{path}/{name}"), found));
         }
         _ => {}
     }
@@ -34,7 +35,10 @@ pub fn cost(scene: &Scene) -> u32 {
     let (json, mut found) = (serde_json::to_value(scene).unwrap_or_default(), Vec::new());
     paths(&json, "", &mut found);
     let numbers = found.iter().filter_map(|path| json.pointer(path)?.as_f64());
-    let lights = scene.lights.iter().map(|light| 200 + 40 * light.kind() as u32);
+    let lights = scene
+        .lights
+        .iter()
+        .map(|light| 200 + 40 * light.kind() as u32);
     let model = [0, 2, 1][scene.model as usize];
     model + lights.sum::<u32>() + numbers.map(of_number).sum::<u32>()
 }
@@ -52,11 +56,19 @@ fn of_number(x: f64) -> u32 {
 
 /// Simpler scenes, the simplest first.
 pub fn simpler(scene: &Scene, profile: &Profile) -> Vec<Scene> {
-    let mut found: Vec<Scene> =
-        EDITS.iter().filter_map(|edit| edited(edit, scene, profile)).collect();
-    found.extend(Model::ALL.map(|model| Scene { model, ..scene.clone() }));
+    let mut found: Vec<Scene> = EDITS
+        .iter()
+        .filter_map(|edit| edit.of(scene, profile))
+        .collect();
+    found.extend(Model::ALL.map(|model| Scene {
+        model,
+        ..scene.clone()
+    }));
     // half of the lights, all but one, or one
-    let with = |lights: &[Light]| Scene { lights: lights.to_vec(), ..scene.clone() };
+    let with = |lights: &[Light]| Scene {
+        lights: lights.to_vec(),
+        ..scene.clone()
+    };
     let (first, second) = scene.lights.split_at(scene.lights.len() / 2);
     found.extend([first, second].map(with));
     for (i, light) in scene.lights.iter().enumerate().take(32) {
@@ -64,21 +76,37 @@ pub fn simpler(scene: &Scene, profile: &Profile) -> Vec<Scene> {
         found.push(with(&[&scene.lights[..i], &scene.lights[i + 1..]].concat()));
     }
     // all but one of the terms at once
-    let Scene { k_a, k_d, k_s, i_a, .. } = *scene;
-    for (k_a, k_d, k_s, i_a) in
-        [(k_a, ZERO, ZERO, i_a), (ZERO, k_d, ZERO, ZERO), (ZERO, ZERO, k_s, ZERO)]
-    {
-        found.push(Scene { k_a, k_d, k_s, i_a, ..scene.clone() });
+    let Scene {
+        k_a, k_d, k_s, i_a, ..
+    } = *scene;
+    for (k_a, k_d, k_s, i_a) in [
+        (k_a, ZERO, ZERO, i_a),
+        (ZERO, k_d, ZERO, ZERO),
+        (ZERO, ZERO, k_s, ZERO),
+    ] {
+        found.push(Scene {
+            k_a,
+            k_d,
+            k_s,
+            i_a,
+            ..scene.clone()
+        });
     }
     let (json, mut places) = (serde_json::to_value(scene).unwrap_or_default(), Vec::new());
     paths(&json, "", &mut places);
     for path in places.iter().take(160) {
-        let Some(old) = json.pointer(path) else { continue };
+        let Some(old) = json.pointer(path) else {
+            continue;
+        };
         let shorter: Vec<Value> = match (old.as_f64(), serde_json::from_value(old.clone())) {
-            (Some(number), _) => shorter_number(number).into_iter().map(Value::from).collect(),
-            (None, Ok(triple)) => {
-                shorter(triple).into_iter().map(|v| Value::from(v.to_vec())).collect()
-            }
+            (Some(number), _) => shorter_number(number)
+                .into_iter()
+                .map(Value::from)
+                .collect(),
+            (None, Ok(triple)) => shorter(triple)
+                .into_iter()
+                .map(|v| Value::from(v.to_vec()))
+                .collect(),
             _ => continue,
         };
         for new in shorter {
@@ -92,7 +120,7 @@ pub fn simpler(scene: &Scene, profile: &Profile) -> Vec<Scene> {
     let limit = cost(scene);
     let found = found.into_iter().map(|scene| directed(scene, profile));
     let found = found.map(|scene| (cost(&scene), scene));
-    let is_simpler = |(cost, scene): &(u32, Scene)| *cost < limit && profile.lacks(scene).is_none();
+    let is_simpler = |(cost, scene): &(u32, Scene)| *cost < limit && profile.has_all_of(scene);
     let mut found: Vec<_> = found.filter(is_simpler).collect();
     found.sort_by_key(|(cost, _)| *cost);
     found.dedup_by(|a, b| a.1 == b.1);
@@ -128,7 +156,17 @@ fn shorter_number(old: f64) -> Vec<f64> {
 fn shorter(old: Triple) -> Vec<Triple> {
     let mut found = vec![ZERO, [1.0; 3], [0.5; 3]];
     for axis in 0..3 {
-        for c in [1.0, -1.0, 0.5, 2.0, 4.0, 1024.0, 16384.0, 1.0 / 128.0, old[axis]] {
+        for c in [
+            1.0,
+            -1.0,
+            0.5,
+            2.0,
+            4.0,
+            1024.0,
+            16384.0,
+            1.0 / 128.0,
+            old[axis],
+        ] {
             let mut v = ZERO;
             v[axis] = c;
             found.push(v);

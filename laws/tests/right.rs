@@ -26,16 +26,33 @@ fn real<T: Float>(x: f64) -> T {
 fn view<T: Float>(form: Form) -> [[T; 3]; 3] {
     let i = f64::from(u32::try_from(form.0).expect("a small number"));
     let [w, x, y, z] = match form.way(11, 3) {
-        0 => [(i * 0.7).sin(), (i * 1.1).cos(), (i * 1.7).sin(), (i * 2.3).cos()],
+        0 => [
+            (i * 0.7).sin(),
+            (i * 1.1).cos(),
+            (i * 1.7).sin(),
+            (i * 2.3).cos(),
+        ],
         1 => [1.0, f64::from(form.0 as u32 % 2), 0.0, 0.0], // about an axis, by 90° or not at all
         _ => [0.5, 0.5, 0.5, 0.5],                          // an exchange of the axes
     };
     let square = w * w + x * x + y * y + z * z;
     let s = 2.0 / square;
     let mut rows = [
-        [1.0 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)],
-        [s * (x * y + w * z), 1.0 - s * (x * x + z * z), s * (y * z - w * x)],
-        [s * (x * z - w * y), s * (y * z + w * x), 1.0 - s * (x * x + y * y)],
+        [
+            1.0 - s * (y * y + z * z),
+            s * (x * y - w * z),
+            s * (x * z + w * y),
+        ],
+        [
+            s * (x * y + w * z),
+            1.0 - s * (x * x + z * z),
+            s * (y * z - w * x),
+        ],
+        [
+            s * (x * z - w * y),
+            s * (y * z + w * x),
+            1.0 - s * (x * x + y * y),
+        ],
     ];
     if form.way(13, 2) == 1 {
         rows[2] = rows[2].map(|c| -c); // a mirrored frame, such as a left-handed one
@@ -54,7 +71,12 @@ struct Renderer<'a, T> {
 
 impl<'a, T: Float> Renderer<'a, T> {
     fn new(form: Form, profile: &'a Profile) -> Self {
-        Self { form, profile, view: view(form), is_fast: false }
+        Self {
+            form,
+            profile,
+            view: view(form),
+            is_fast: false,
+        }
     }
 
     fn dot(&self, a: [T; 3], b: [T; 3]) -> T {
@@ -101,7 +123,11 @@ impl<'a, T: Float> Renderer<'a, T> {
     fn direction(&self, v: Triple) -> [T; 3] {
         let turned = self.turned(v);
         // that of a sun and the axis of a spot have length 1 already
-        if self.form.way(7, 2) == 0 { turned } else { self.unit(turned) }
+        if self.form.way(7, 2) == 0 {
+            turned
+        } else {
+            self.unit(turned)
+        }
     }
 
     fn power(&self, x: T, m: f64) -> T {
@@ -176,8 +202,11 @@ impl<'a, T: Float> Renderer<'a, T> {
             _ => [0, 1, 2].map(|i| scene.p[i] + scene.v[i]),
         };
         let local = |p: Triple| {
-            let offset = [0, 1, 2]
-                .map(|i| (real::<T>(p[i]) - real::<T>(origin[i])).to_f64().expect("a number"));
+            let offset = [0, 1, 2].map(|i| {
+                (real::<T>(p[i]) - real::<T>(origin[i]))
+                    .to_f64()
+                    .expect("a number")
+            });
             self.turned(offset)
         };
         let p = local(scene.p);
@@ -205,7 +234,10 @@ impl<'a, T: Float> Renderer<'a, T> {
                 falloff = self.falloff(abc, self.dot(to_light, to_light));
                 l = self.unit(to_light);
             }
-            if let Light::Spot { axis, half_angle, .. } = *light {
+            if let Light::Spot {
+                axis, half_angle, ..
+            } = *light
+            {
                 let cosine = -self.dot(self.direction(axis), l);
                 if cosine < real::<T>(half_angle).cos() {
                     continue;
@@ -254,8 +286,14 @@ fn told(color: Triple, profile: &Profile) -> Triple {
             c if c <= 0.003_130_8 => 12.92 * c,
             c => 1.055 * c.powf(1.0 / 2.4) - 0.055,
         };
-        let most = profile.bits.map_or(1.0, |bits| f64::from(bits).exp2() - 1.0);
-        let c = if profile.bits.is_some() { (c * most).round() / most } else { c };
+        let most = profile
+            .bits
+            .map_or(1.0, |bits| f64::from(bits).exp2() - 1.0);
+        let c = if profile.bits.is_some() {
+            (c * most).round() / most
+        } else {
+            c
+        };
         c * profile.white
     })
 }
@@ -265,8 +303,14 @@ fn profile(json: &str) -> Profile {
 }
 
 fn run(profile: &Profile, seed: u64, cases: usize, color: impl FnMut(&Scene) -> Triple) -> Report {
-    let laws = Laws { seed, cases, shrinks: 0, ..Laws::default() };
-    laws.run(&mut from_fn(profile.clone(), color)).expect("a profile")
+    let laws = Laws {
+        seed,
+        cases,
+        shrinks: 0,
+        ..Laws::default()
+    };
+    laws.run(&mut from_fn(profile.clone(), color))
+        .expect("a profile")
 }
 
 /// A right renderer, how it computes, and a form of it that no law may be broken by.
@@ -300,13 +344,19 @@ fn holds(number: usize, seed: u64, cases: usize) -> Option<Report> {
     let other = profile(other);
     let in_single = renderer::<f32>(form, &other);
     match number % 12 {
-        5 => check(&other, &mut |scene| in_single(scene).map(|c| f16::from_f64(c).to_f64())),
+        5 => check(&other, &mut |scene| {
+            in_single(scene).map(|c| f16::from_f64(c).to_f64())
+        }),
         6 => check(&other, &mut renderer::<f16>(form, &other)),
-        7 => check(&other, &mut |scene| in_single(scene).map(|c| bf16::from_f64(c).to_f64())),
+        7 => check(&other, &mut |scene| {
+            in_single(scene).map(|c| bf16::from_f64(c).to_f64())
+        }),
         8 => check(&other, &mut renderer::<bf16>(form, &other)),
         9 => {
             let exact = renderer::<f64>(form, &other);
-            check(&other, &mut |scene| exact(scene).map(|c| f64::from(c as f32)));
+            check(&other, &mut |scene| {
+                exact(scene).map(|c| f64::from(c as f32))
+            });
         }
         _ => check(&other, &mut |scene| told(in_single(scene), &other)),
     }
@@ -319,7 +369,7 @@ const FORMS: usize = 120;
 #[test]
 fn right_renderers_break_no_law() {
     for number in 0..FORMS {
-        if let Some(report) = holds(number, number as u64 % 5, 4) {
+        if let Some(report) = holds(number, number as u64 % 5, 64) {
             panic!("form {number}: {report}");
         }
     }
@@ -331,7 +381,7 @@ fn right_renderers_break_no_law() {
 fn right_renderers_break_no_law_at_five_seeds() {
     let mut failed = 0;
     for (seed, number) in (0..5).flat_map(|seed| (0..FORMS).map(move |number| (seed, number))) {
-        if let Some(report) = holds(number, seed, 64) {
+        if let Some(report) = holds(number, seed, 1024) {
             println!("form {number}, seed {seed}: {report}");
             failed += 1;
         }
@@ -354,14 +404,14 @@ fn what_differs_on_purpose_is_no_mistake() {
     {
         let profile = profile(json);
         for seed in 0..2 {
-            let report = run(&profile, seed, 16, renderer::<f32>(Form(i), &profile));
+            let report = run(&profile, seed, 256, renderer::<f32>(Form(i), &profile));
             assert!(report.passes(), "{json}: {report}");
         }
     }
 }
 
-/// Tolerances follow the precision: what holds for `f32` is broken for `f64`. A law that needs what a renderer lacks is
-/// listed as not tried.
+/// Tolerances follow the precision: what holds for `f32` is broken for `f64`. A law about what a renderer does not promise
+/// is listed as not tried.
 #[test]
 fn single_precision_is_not_double() {
     let profile = Profile {
@@ -369,10 +419,13 @@ fn single_precision_is_not_double() {
         lights: vec![Kind::Directional],
         ..Profile::default()
     };
-    let report = run(&profile, 0, 64, renderer::<f32>(Form(0), &profile));
+    let report = run(&profile, 0, 1024, renderer::<f32>(Form(0), &profile));
     let text = report.to_string();
-    let lines =
-        ["\nformula is BROKEN", "a roundoff of 2^-2", "far_lamp is not tried", "cone is not tried"];
+    let lines = [
+        "\nformula is BROKEN",
+        "a roundoff of 2^-2",
+        "as_said is not tried",
+    ];
     for line in lines {
         assert!(text.contains(line), "{text}");
     }
@@ -382,8 +435,15 @@ fn single_precision_is_not_double() {
 #[test]
 fn a_fast_inverse_root_is_named() {
     let profile = Profile::default();
-    let report = run(&profile, 0, 16, |scene| {
-        Renderer::<f32> { is_fast: true, ..Renderer::new(Form(0), &profile) }.shade(scene)
+    let report = run(&profile, 0, 256, |scene| {
+        Renderer::<f32> {
+            is_fast: true,
+            ..Renderer::new(Form(0), &profile)
+        }
+        .shade(scene)
     });
-    assert!(report.to_string().contains("fast inverse square root"), "{report}");
+    assert!(
+        report.to_string().contains("fast inverse square root"),
+        "{report}"
+    );
 }

@@ -75,7 +75,11 @@ impl Fault {
     /// Every mistake with every number that is tried for it.
     pub(crate) fn all() -> impl Iterator<Item = Self> {
         MISTAKES.iter().flat_map(|mistake| {
-            let values = if mistake.values.is_empty() { &[0.0] } else { mistake.values };
+            let values = if mistake.values.is_empty() {
+                &[0.0]
+            } else {
+                mistake.values
+            };
             let of = &SCOPES[0];
             values.iter().map(move |&value| Self { mistake, value, of })
         })
@@ -87,7 +91,9 @@ impl FromStr for Fault {
 
     fn from_str(name: &str) -> Result<Self, String> {
         let (rest, of) = name.split_once('@').unwrap_or((name, "All"));
-        let (id, value) = rest.split_once('=').map_or((rest, None), |(id, x)| (id, Some(x)));
+        let (id, value) = rest
+            .split_once('=')
+            .map_or((rest, None), |(id, x)| (id, Some(x)));
         let fault = Self::named(id).filter(|fault| !fault.mistake.is_rough());
         let mut fault = fault.ok_or(format!("there is no departure {id}"))?;
         let scope = SCOPES.iter().find(|scope| scope.id == of);
@@ -140,11 +146,19 @@ pub fn departures(profile: &Profile) -> Result<Vec<Fault>, String> {
 pub fn formula<'a>(profile: &'a Profile, faults: &[Fault]) -> Formula<'a> {
     let departures = departures(profile).unwrap_or_default().into_iter();
     let is_made = |on_purpose: &Fault| faults.iter().any(|fault| fault.id() == on_purpose.id());
-    let faults_and_departures = faults.iter().copied().chain(departures.filter(|it| !is_made(it)));
+    let faults_and_departures = faults
+        .iter()
+        .copied()
+        .chain(departures.filter(|it| !is_made(it)));
     let changes = faults_and_departures.flat_map(|fault| {
         let Fault { mistake, value, of } = fault;
         let changes = mistake.changes.iter();
-        changes.map(move |&(part, change)| Applied { part, change, value, has: of.has })
+        changes.map(move |&(part, change)| Applied {
+            part,
+            change,
+            value,
+            has: of.has,
+        })
     });
     let formula = Formula::new(profile, changes.collect(), !faults.is_empty());
     match faults.iter().find(|fault| fault.mistake.is_rough()) {

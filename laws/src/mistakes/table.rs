@@ -18,16 +18,32 @@ use crate::scene::{Kind, Model, add, dot, mul, scale, sub};
 /// Which lights or models have a mistake, the whole first.
 pub static SCOPES: [Scope; 11] = [
     scope("All", "", |_| true),
-    scope("Suns", ", of directional lights only", |at| at.is_of(Kind::Directional)),
-    scope("Points", ", of point lights only", |at| at.is_of(Kind::Point)),
+    scope("Suns", ", of directional lights only", |at| {
+        at.is_of(Kind::Directional)
+    }),
+    scope("Points", ", of point lights only", |at| {
+        at.is_of(Kind::Point)
+    }),
     scope("Spots", ", of spots only", |at| at.is_of(Kind::Spot)),
     scope("Lamps", ", of point lights and spots only", is_lamp),
-    scope("Phong", ", in Phong's model only", |at| at.model == Model::Phong),
-    scope("Blinn", ", in Blinn's model only", |at| at.model == Model::BlinnPhong),
-    scope("First", ", of the first light only", |at| is_light(at) && at.i == 0.0),
-    scope("Later", ", of all lights but the first", |at| is_light(at) && at.i > 0.0),
-    scope("Last", ", of the last light only", |at| is_light(at) && at.i + 1.0 == at.count),
-    scope("Earlier", ", of all lights but the last", |at| is_light(at) && at.i + 1.0 < at.count),
+    scope("Phong", ", in Phong's model only", |at| {
+        at.model == Model::Phong
+    }),
+    scope("Blinn", ", in Blinn's model only", |at| {
+        at.model == Model::BlinnPhong
+    }),
+    scope("First", ", of the first light only", |at| {
+        is_light(at) && at.i == 0.0
+    }),
+    scope("Later", ", of all lights but the first", |at| {
+        is_light(at) && at.i > 0.0
+    }),
+    scope("Last", ", of the last light only", |at| {
+        is_light(at) && at.i + 1.0 == at.count
+    }),
+    scope("Earlier", ", of all lights but the last", |at| {
+        is_light(at) && at.i + 1.0 < at.count
+    }),
 ];
 
 const fn scope(id: &'static str, says: &'static str, has: fn(&At) -> bool) -> Scope {
@@ -44,7 +60,12 @@ fn is_lamp(at: &At) -> bool {
 
 fn row(id: &str, says: &str) -> Mistake {
     let (id, says) = (id.into(), says.into());
-    Mistake { id, says, values: &[], changes: Vec::new() }
+    Mistake {
+        id,
+        says,
+        values: &[],
+        changes: Vec::new(),
+    }
 }
 
 impl Mistake {
@@ -75,7 +96,11 @@ fn minus(x: Bounded3) -> Bounded3 {
 /// 1 where N is on the side of the eye, −1 where it is not; either where they are perpendicular.
 fn side_of_eye(at: &At) -> Bounded {
     let cosine = dot(at.v, at.n);
-    if cosine.value == 0.0 { ONE.looser(2.0) } else { cosine.if_positive(ONE, -ONE) }
+    if cosine.value == 0.0 {
+        ONE.looser(2.0)
+    } else {
+        cosine.if_positive(ONE, -ONE)
+    }
 }
 
 /// A factor of the highlight that follows from the shininess.
@@ -127,8 +152,16 @@ fn level(at: &At, f: impl Fn(f64, f64) -> f64) -> Bounded3 {
 
 /// Every known mistake.
 pub static MISTAKES: LazyLock<Vec<Mistake>> = LazyLock::new(|| {
-    let tables =
-        [directions(), lamps(), diffuse(), highlight(), ambient(), sum(), reply(), terms()];
+    let tables = [
+        directions(),
+        lamps(),
+        diffuse(),
+        highlight(),
+        ambient(),
+        sum(),
+        reply(),
+        terms(),
+    ];
     let mut all: Vec<Mistake> = tables.into_iter().flatten().collect();
     all.extend([
         // what is no change of one ingredient
@@ -178,15 +211,24 @@ fn directions() -> Vec<Mistake> {
 
 fn lamps() -> Vec<Mistake> {
     vec![
-        row("InverseSquareAlone", "the attenuation is 1/q², whatever a, b and c")
-            .at(Denominator, |_, at| one(at.q * at.q)),
+        row(
+            "InverseSquareAlone",
+            "the attenuation is 1/q², whatever a, b and c",
+        )
+        .at(Denominator, |_, at| one(at.q * at.q)),
         row("NotAttenuated", "the light is not attenuated").at(Falloff, |_, _| one(ONE)),
         row("HighlightNotAttenuated", "the highlight is not attenuated")
             .at(ShinyFalloff, |_, _| one(ONE)),
-        row("DegreesForRadians", "the angle of the cone is taken for degrees")
-            .at(Angle, |x, at| one(at.given(x[0].value.to_radians()))),
-        row("HalfAngleHalved", "the half-angle of the cone is taken for the whole one, and halved")
-            .at(Angle, |x, _| scale(x, exact(0.5))),
+        row(
+            "DegreesForRadians",
+            "the angle of the cone is taken for degrees",
+        )
+        .at(Angle, |x, at| one(at.given(x[0].value.to_radians()))),
+        row(
+            "HalfAngleHalved",
+            "the half-angle of the cone is taken for the whole one, and halved",
+        )
+        .at(Angle, |x, _| scale(x, exact(0.5))),
         row("ConeReversed", "the cone opens against its axis").at(Against, |x, _| minus(x)),
         row("ConeForgotten", "the cone of a spot is ignored").at(Cone, |_, at| one(at.within)),
         row(
@@ -194,25 +236,37 @@ fn lamps() -> Vec<Mistake> {
             "the light of a spot falls off within its cone, as the cosine to the power of {}",
         )
         .of(&[1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 3.0, 5.0, 10.0])
-        .at(Within, |_, at| one(at.against.at_least_zero().power(at.value))),
-        row("ConeSmooth", "the light of a spot fades from its axis to its edge, by smoothstep").at(
-            Within,
-            |_, at| {
-                let t = within(at);
-                one(t * t * (exact(3.0) - t - t))
-            },
-        ),
+        .at(Within, |_, at| {
+            one(at.against.at_least_zero().power(at.value))
+        }),
+        row(
+            "ConeSmooth",
+            "the light of a spot fades from its axis to its edge, by smoothstep",
+        )
+        .at(Within, |_, at| {
+            let t = within(at);
+            one(t * t * (exact(3.0) - t - t))
+        }),
     ]
 }
 
 fn diffuse() -> Vec<Mistake> {
     vec![
-        row("DiffuseNotClamped", "N·L is not clamped to 0, so light from behind is subtracted")
-            .at(Lambert, |_, at| one(at.n_dot_l)),
-        row("DiffuseTwoSided", "the diffuse term takes |N·L|, so light from behind is added")
-            .at(Lambert, |_, at| one(at.n_dot_l.abs())),
-        row("HalfLambert", "the diffuse term takes half-Lambert, (N·L + 1)/2")
-            .at(Lambert, |_, at| one((at.n_dot_l + ONE) / exact(2.0))),
+        row(
+            "DiffuseNotClamped",
+            "N·L is not clamped to 0, so light from behind is subtracted",
+        )
+        .at(Lambert, |_, at| one(at.n_dot_l)),
+        row(
+            "DiffuseTwoSided",
+            "the diffuse term takes |N·L|, so light from behind is added",
+        )
+        .at(Lambert, |_, at| one(at.n_dot_l.abs())),
+        row(
+            "HalfLambert",
+            "the diffuse term takes half-Lambert, (N·L + 1)/2",
+        )
+        .at(Lambert, |_, at| one((at.n_dot_l + ONE) / exact(2.0))),
     ]
 }
 
@@ -223,8 +277,17 @@ fn highlight() -> Vec<Mistake> {
             "the highlight is not gated on N·L > 0, so faces turned away from a light have one",
         )
         .at(Gate, |_, _| one(ONE)),
-        row("ReflectionReversed", "R points the wrong way: reflect() of GLSL and HLSL takes −L")
-            .at(Cosine, |x, at| if at.model == Model::Phong { minus(x) } else { x }),
+        row(
+            "ReflectionReversed",
+            "R points the wrong way: reflect() of GLSL and HLSL takes −L",
+        )
+        .at(Cosine, |x, at| {
+            if at.model == Model::Phong {
+                minus(x)
+            } else {
+                x
+            }
+        }),
         row("HalfVectorNotNormalized", "H = L + V is not normalized").at(Half, |_, at| at.sum),
         row(
             "HalfVectorHalved",
@@ -238,10 +301,19 @@ fn highlight() -> Vec<Mistake> {
         .at(OfLight, |x, at| {
             let is_none = at.sum.iter().all(|c| c.value.abs() <= c.error);
             let nan = exact(f64::NAN).looser(f64::INFINITY);
-            if is_none && at.model == Model::BlinnPhong { one(nan) } else { x }
+            if is_none && at.model == Model::BlinnPhong {
+                one(nan)
+            } else {
+                x
+            }
         }),
-        row("OtherModel", "Phong's highlight is used for Blinn's, or Blinn's for Phong's")
-            .at(Part::Model, |x, _| x.map(|m| if m.value > 0.0 { exact(3.0) - m } else { m })),
+        row(
+            "OtherModel",
+            "Phong's highlight is used for Blinn's, or Blinn's for Phong's",
+        )
+        .at(Part::Model, |x, _| {
+            x.map(|m| if m.value > 0.0 { exact(3.0) - m } else { m })
+        }),
         row("ShininessTimes", "the shininess is multiplied by {}")
             .of(&[4.0, 2.0, 0.5, 0.25, 3.0, 128.0])
             .at(M, |x, at| x.map(|m| exact(m.value * at.value))),
@@ -250,10 +322,16 @@ fn highlight() -> Vec<Mistake> {
                 128.0, 127.0, 100.0, 64.0, 32.0, 200.0, 255.0, 256.0, 500.0, 512.0, 1000.0, 1024.0,
             ])
             .at(M, |x, at| x.map(|m| m.at_most(at.value))),
-        row("NormalizedByEight", "the highlight is normalized by (m + 8)/(8π)")
-            .at(Power, |x, at| normalized(x, at, |m| (m + 8.0) / (8.0 * PI))),
-        row("NormalizedByTwo", "the highlight is normalized by (m + 2)/(2π)")
-            .at(Power, |x, at| normalized(x, at, |m| (m + 2.0) / (2.0 * PI))),
+        row(
+            "NormalizedByEight",
+            "the highlight is normalized by (m + 8)/(8π)",
+        )
+        .at(Power, |x, at| normalized(x, at, |m| (m + 8.0) / (8.0 * PI))),
+        row(
+            "NormalizedByTwo",
+            "the highlight is normalized by (m + 2)/(2π)",
+        )
+        .at(Power, |x, at| normalized(x, at, |m| (m + 2.0) / (2.0 * PI))),
         row("HighlightTimesCosine", "the highlight is multiplied by N·L")
             .at(Specular, |x, at| scale(x, at.n_dot_l.at_least_zero())),
     ]
@@ -261,30 +339,54 @@ fn highlight() -> Vec<Mistake> {
 
 fn ambient() -> Vec<Mistake> {
     vec![
-        row("AmbientPerLight", "the ambient term is added once for each light")
-            .at(Once, |_, _| BLACK)
-            .at(AmbientToo, |_, at| at.ambient),
-        row("AmbientTimesDiffuse", "the ambient term is multiplied by k_d")
-            .at(Ambient, |x, at| mul(x, at.k_d)),
-        row("BlackWithoutLights", "without lights there is no ambient term")
-            .at(Once, |x, at| if at.count == 0.0 { BLACK } else { x }),
-        row("UnlitWithoutLights", "without lights the surface is shown unlit: k_d is added")
-            .at(Once, |x, at| if at.count == 0.0 { add(x, at.k_d) } else { x }),
+        row(
+            "AmbientPerLight",
+            "the ambient term is added once for each light",
+        )
+        .at(Once, |_, _| BLACK)
+        .at(AmbientToo, |_, at| at.ambient),
+        row(
+            "AmbientTimesDiffuse",
+            "the ambient term is multiplied by k_d",
+        )
+        .at(Ambient, |x, at| mul(x, at.k_d)),
+        row(
+            "BlackWithoutLights",
+            "without lights there is no ambient term",
+        )
+        .at(Once, |x, at| if at.count == 0.0 { BLACK } else { x }),
+        row(
+            "UnlitWithoutLights",
+            "without lights the surface is shown unlit: k_d is added",
+        )
+        .at(
+            Once,
+            |x, at| if at.count == 0.0 { add(x, at.k_d) } else { x },
+        ),
     ]
 }
 
 fn sum() -> Vec<Mistake> {
     vec![
         row("LightsAtMost", "lights beyond number {} are left out")
-            .of(&[4.0, 1.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 32.0, 64.0])
+            .of(&[
+                4.0, 1.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 32.0, 64.0,
+            ])
             .at(OfLight, |x, at| if at.i >= at.value { BLACK } else { x }),
-        row("LightsAssigned", "each light replaces the color, in place of adding to it: = for +=")
-            .at(OfLight, |x, at| if_positive(at.n_dot_l, sub(x, add(at.lit, at.ambients)))),
+        row(
+            "LightsAssigned",
+            "each light replaces the color, in place of adding to it: = for +=",
+        )
+        .at(OfLight, |x, at| {
+            if_positive(at.n_dot_l, sub(x, add(at.lit, at.ambients)))
+        }),
         row(
             "DiffuseClamped",
             "ambient and diffuse light are clamped before the highlight is added",
         )
-        .at(Sum, |_, at| add(at.clamped(add(at.ambients, at.diffuse)), at.specular)),
+        .at(Sum, |_, at| {
+            add(at.clamped(add(at.ambients, at.diffuse)), at.specular)
+        }),
         row("ChannelsSwapped", "red and blue are swapped").at(Sum, |[r, g, b], _| [b, g, r]),
         row("Scaled", "all colors are multiplied by {}")
             .of(&[0.5, 2.0, FRAC_1_PI, PI, 1.0 / 255.0, 255.0])
@@ -294,19 +396,34 @@ fn sum() -> Vec<Mistake> {
 
 fn reply() -> Vec<Mistake> {
     vec![
-        row("ClampForgotten", "colors are not clamped to the range of the profile")
-            .at(Clamp, |_, at| of_linear(at, |x| x)),
-        row("SrgbForgotten", "sRGB is not applied: the colors are linear")
-            .at(Encode, |_, at| of_linear(at, |x| x)),
-        row("SrgbOnceMore", "sRGB is applied once more than the profile says")
-            .at(Encode, |x, _| x.map(|c| exact(to_srgb(c.value)))),
-        row("Gamma", "a gamma of {} is applied, not what the profile says")
-            .of(&[2.2, 2.0, 1.8, 2.4])
-            .at(Encode, |_, at| of_linear(at, |x| x.max(0.0).powf(1.0 / at.value))),
+        row(
+            "ClampForgotten",
+            "colors are not clamped to the range of the profile",
+        )
+        .at(Clamp, |_, at| of_linear(at, |x| x)),
+        row(
+            "SrgbForgotten",
+            "sRGB is not applied: the colors are linear",
+        )
+        .at(Encode, |_, at| of_linear(at, |x| x)),
+        row(
+            "SrgbOnceMore",
+            "sRGB is applied once more than the profile says",
+        )
+        .at(Encode, |x, _| x.map(|c| exact(to_srgb(c.value)))),
+        row(
+            "Gamma",
+            "a gamma of {} is applied, not what the profile says",
+        )
+        .of(&[2.2, 2.0, 1.8, 2.4])
+        .at(Encode, |_, at| {
+            of_linear(at, |x| x.max(0.0).powf(1.0 / at.value))
+        }),
         row("LevelsTruncated", "levels are truncated, not rounded")
             .at(Level, |_, at| level(at, |x, most| (x * most).floor())),
-        row("LevelsOf256", "levels are taken by 256, not 255")
-            .at(Level, |_, at| level(at, |x, most| (x * (most + 1.0)).floor().min(most))),
+        row("LevelsOf256", "levels are taken by 256, not 255").at(Level, |_, at| {
+            level(at, |x, most| (x * (most + 1.0)).floor().min(most))
+        }),
     ]
 }
 
@@ -320,9 +437,12 @@ fn terms() -> Vec<Mistake> {
     ];
     let of_part = |(id, name, part): (&str, &str, Part)| {
         [
-            row(&format!("{id}Times"), &format!("{name} is multiplied by {{}}"))
-                .of(&[0.5, 2.0, FRAC_1_PI, PI, 0.25, 4.0, 0.1, 10.0])
-                .at(part, |x, at| scale(x, at.number())),
+            row(
+                &format!("{id}Times"),
+                &format!("{name} is multiplied by {{}}"),
+            )
+            .of(&[0.5, 2.0, FRAC_1_PI, PI, 0.25, 4.0, 0.1, 10.0])
+            .at(part, |x, at| scale(x, at.number())),
             row(&format!("{id}Forgotten"), &format!("{name} is missing")).at(part, |_, _| BLACK),
         ]
     };

@@ -20,14 +20,19 @@ pub fn color(line: &str) -> Result<Triple, String> {
 /// others write strings.
 fn number(text: &str) -> Option<f64> {
     let text = text.trim();
-    let text = text.strip_prefix('"').and_then(|text| text.strip_suffix('"')).unwrap_or(text);
+    let text = text
+        .strip_prefix('"')
+        .and_then(|text| text.strip_suffix('"'))
+        .unwrap_or(text);
     if let Ok(number) = text.parse() {
         return Some(number);
     }
     let lower = text.to_ascii_lowercase();
     let size = lower.trim_start_matches(['-', '+']);
-    let is_of_windows =
-        |name: &str| size.strip_prefix("1.#").is_some_and(|rest| rest.starts_with(name));
+    let is_of_windows = |name: &str| {
+        size.strip_prefix("1.#")
+            .is_some_and(|rest| rest.starts_with(name))
+    };
     match size {
         "null" | "none" => Some(f64::NAN),
         _ if size.starts_with("nan(") && size.ends_with(')') => Some(f64::NAN),
@@ -67,17 +72,33 @@ mod tests {
             "-1.#IND00",
         ] {
             let read = color(&format!("[0,{nan},1]")).expect(nan);
-            assert!(read[1].is_nan() && read[0] == 0.0 && read[2] == 1.0, "{nan}");
+            assert!(
+                read[1].is_nan() && read[0] == 0.0 && read[2] == 1.0,
+                "{nan}"
+            );
         }
-        for infinity in
-            ["Infinity", "-Infinity", "inf", "-inf", "1.#INF", "-1.#INF00", "\"Infinity\"", "1e999"]
-        {
+        for infinity in [
+            "Infinity",
+            "-Infinity",
+            "inf",
+            "-inf",
+            "1.#INF",
+            "-1.#INF00",
+            "\"Infinity\"",
+            "1e999",
+        ] {
             let sign = if infinity.starts_with('-') { -1.0 } else { 1.0 };
             let read = color(&format!("[{infinity},0,0]")).expect(infinity);
             assert_eq!(read[0], sign * f64::INFINITY, "{infinity}");
         }
-        for nonsense in ["[banana,0,0]", "[1.#x,0,0]", "[,0,0]", "[nan(,0,0]", "null", "[\"\",0,0]"]
-        {
+        for nonsense in [
+            "[banana,0,0]",
+            "[1.#x,0,0]",
+            "[,0,0]",
+            "[nan(,0,0]",
+            "null",
+            "[\"\",0,0]",
+        ] {
             assert!(color(nonsense).is_err(), "{nonsense}");
         }
     }

@@ -19,7 +19,11 @@ use piped::Piped;
 ///
 /// The renderer reads scenes from its standard input and writes colors to its standard output.
 #[derive(Parser)]
-#[command(version, args_conflicts_with_subcommands = true, disable_help_subcommand = true)]
+#[command(
+    version,
+    args_conflicts_with_subcommands = true,
+    disable_help_subcommand = true
+)]
 #[command(
     after_help = "The exit status is 0 if all laws hold, 1 if one is broken, 2 if nothing was found before the renderer \
     ended or answered with nonsense, and 3 if nothing was found before the time was up or Ctrl-C was pressed."
@@ -46,8 +50,8 @@ struct Options {
     /// Try other scenes: the seed from which they are generated
     #[arg(long, default_value = "0")]
     seed: u64,
-    /// The number of random cases of each law; the laws of one scene share 16 times as many
-    #[arg(long, default_value = "64")]
+    /// The number of random scenes, beside the fixed ones
+    #[arg(long, default_value = "1024")]
     cases: usize,
     /// Try this law alone; may be repeated
     #[arg(long = "law", value_name = "NAME", hide_possible_values = true)]
@@ -62,10 +66,10 @@ struct Options {
     /// The laws that are known to be broken: a file with a name a line
     #[arg(long, value_name = "FILE")]
     known: Option<PathBuf>,
-    /// Try the cases of this file first, which --save has written
+    /// Try the scenes of this file first, which --save has written
     #[arg(long, value_name = "FILE")]
     replay: Option<PathBuf>,
-    /// Write the smallest case of each broken law to this file
+    /// Write the smallest scene of each broken law to this file
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
     /// The most batches in which the smallest case of a broken law is looked for
@@ -212,8 +216,15 @@ fn told(report: &Report, options: &Options) -> Outcome {
     if let Some(why) = report.error.as_ref().filter(|_| !report.is_broken()) {
         return Err(why.clone());
     }
-    let text = if options.json { report.to_json() + "\n" } else { report.to_string() };
-    let is_found = report.laws.iter().any(|law| law.is_broken() && !law.is_known);
+    let text = if options.json {
+        report.to_json() + "\n"
+    } else {
+        report.to_string()
+    };
+    let is_found = report
+        .laws
+        .iter()
+        .any(|law| law.is_broken() && !law.is_known);
     let status = match () {
         () if report.passes() => 0,
         () if report.is_cut_short() && !is_found => CUT_SHORT,

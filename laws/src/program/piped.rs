@@ -99,7 +99,10 @@ impl Piped {
     }
 
     fn profile_line(&mut self) -> Result<Profile, String> {
-        let late = format!("no line within {:?}; does it flush its output?", self.timeout);
+        let late = format!(
+            "no line within {:?}; does it flush its output?",
+            self.timeout
+        );
         let line = self.line(self.timeout)?.ok_or(late)?;
         Profile::from_json(&line).map_err(|why| format!("{why}, in {}", quoted(&line)))
     }
@@ -179,7 +182,11 @@ impl Piped {
         }
         self.told = Instant::now();
         let seconds = self.start.elapsed().as_secs();
-        let done = if asked > of { "all" } else { &asked.to_string() };
+        let done = if asked > of {
+            "all"
+        } else {
+            &asked.to_string()
+        };
         let line = format!("{done} of {of} scenes after {seconds} s; broken laws: {broken}");
         let _ = writeln!(io::stderr(), "shading-laws: {line}");
     }
@@ -274,7 +281,9 @@ impl Drop for Piped {
 }
 
 fn write(mut stdin: ChildStdin, texts: &Receiver<String>) -> Option<()> {
-    texts.iter().try_for_each(|text| stdin.write_all(text.as_bytes()).ok())
+    texts
+        .iter()
+        .try_for_each(|text| stdin.write_all(text.as_bytes()).ok())
 }
 
 /// Hands on each line, with its end, and the beginning of one that is too long or has no end.

@@ -57,7 +57,11 @@ fn shade(engine: &mut K3dengine, scene: &Scene) -> Triple {
         let [k_d, k_s] = [scene.k_d, scene.k_s].map(|k| k[i] * light.intensity[i]);
         let mode = match scene.model.as_str() {
             "lambert" => RenderMode::GouraudLightDir(light_dir),
-            _ => RenderMode::BlinnPhong { light_dir, specular_intensity: k_s, shininess: scene.m },
+            _ => RenderMode::BlinnPhong {
+                light_dir,
+                specular_intensity: k_s,
+                shininess: scene.m,
+            },
         };
         let mut mesh = K3dMesh::new(triangle);
         // the engine takes level 63 for 63/64

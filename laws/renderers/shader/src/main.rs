@@ -19,7 +19,11 @@ fn main() -> Result<(), Box<dyn Error>> {
             continue;
         }
         for [r, g, b] in shader.shade(&batch)? {
-            writeln!(out, "{}", format!("[{r},{g},{b}]").replace("inf", "Infinity"))?;
+            writeln!(
+                out,
+                "{}",
+                format!("[{r},{g},{b}]").replace("inf", "Infinity")
+            )?;
         }
         out.flush()?;
         batch.clear();

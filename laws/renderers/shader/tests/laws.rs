@@ -13,7 +13,6 @@ fn the_shader_follows_the_laws() {
 }
 
 /// The right code, a usual mistake in its place, and its name.
-#[rustfmt::skip] // a table
 const MISTAKES: [(&str, &str, &str); 11] = [
     ("normalize(scene.n)", "scene.n", "NormalNotNormalized"),
     ("normalize(scene.v)", "scene.v", "ViewNotNormalized"),
@@ -21,8 +20,16 @@ const MISTAKES: [(&str, &str, &str); 11] = [
     ("reflect(-l, n)", "reflect(l, n)", "ReflectionReversed"),
     ("normalize(l + v)", "l + v", "HalfVectorNotNormalized"),
     ("normalize(l + v)", "(l + v) / 2", "HalfVectorHalved"),
-    ("let n_dot_l = dot(n, l);\n        if n_dot_l <= 0 { continue; }", "let n_dot_l = max(dot(n, l), 0);", "HighlightNotGated"),
-    ("color += scene.k_s * intensity", "color += scene.k_s * light.intensity", "HighlightNotAttenuated"),
+    (
+        "let n_dot_l = dot(n, l);\n        if n_dot_l <= 0 { continue; }",
+        "let n_dot_l = max(dot(n, l), 0);",
+        "HighlightNotGated",
+    ),
+    (
+        "color += scene.k_s * intensity",
+        "color += scene.k_s * light.intensity",
+        "HighlightNotAttenuated",
+    ),
     ("i < scene.count", "i < min(scene.count, 1)", "LightsAtMost"),
     ("dot(-l, light.axis)", "dot(l, light.axis)", "ConeReversed"),
     ("cos_angle { continue; }", "cos_angle { }", "ConeForgotten"),
