@@ -118,11 +118,11 @@ fn edges_agree<L: Simd>() {
         ]
     }
     fn powers<T: Real, M: Lobe<T>>(cosine: T, m: M) -> [T; 3] {
-        let share = cosine.at_least(T::ZERO).at_most(T::ONE);
+        let fraction = cosine.at_least(T::ZERO).at_most(T::ONE);
         [
             term::phong(UnitVec3::Z, tilted(cosine), m),
             term::blinn(tilted(cosine), UnitVec3::Z, m),
-            m.raise_root(share),
+            m.raise_root(fraction),
         ]
     }
     let edges = L::Lane::EDGES;

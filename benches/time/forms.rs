@@ -101,14 +101,14 @@ macro_rules! forms {
                 form!("lamps.filter(not blocked)" * 4:
                     |p, _| lamps.iter().map(|l| l.at(p)).filter(|l| !blocked(p.z, l.l().z, l.distance())); |sum| {
                     let z = sum.p.z;
-                    let share = |l: V, q| if blocked(z, l.z, q) { 0.0 } else { 1.0 };
-                    for lamp in by_hand { sum.add(lamp, share); }
+                    let fraction = |l: V, q| if blocked(z, l.z, q) { 0.0 } else { 1.0 };
+                    for lamp in by_hand { sum.add(lamp, fraction); }
                 });
                 form!("lamps.filter(in front, not blocked)" * 4: |p, n|
                     lamps.iter().map(|l| l.at(p)).filter(|l| l.is_in_front(n) && !blocked(p.z, l.l().z, l.distance())); |sum| {
                     let z = sum.p.z;
-                    let share = |l: V, q| if blocked(z, l.z, q) { 0.0 } else { 1.0 };
-                    for lamp in by_hand { sum.add(lamp, share); }
+                    let fraction = |l: V, q| if blocked(z, l.z, q) { 0.0 } else { 1.0 };
+                    for lamp in by_hand { sum.add(lamp, fraction); }
                 });
                 form!("lights of mixed kinds" * 4: |p, _| mixed.iter().map(|l| l.at(p)); |sum| for kind in kinds {
                     match kind {

@@ -65,18 +65,18 @@ macro_rules! hand {
                     }
                 }
 
-                /// Adds a lamp. `share` is how much of its light arrives, from L and q.
+                /// Adds a lamp. `fraction` is how much of its light arrives, from L and q.
                 #[inline(always)]
-                pub fn add(&mut self, lamp: &Lamp, share: impl Fn(V, $float) -> $float) {
+                pub fn add(&mut self, lamp: &Lamp, fraction: impl Fn(V, $float) -> $float) {
                     let to_light = lamp.position - self.p;
                     let q = to_light.length();
                     let l = to_light / q;
                     let n_dot_l = self.n.dot(l);
                     if n_dot_l > 0.0 {
-                        let share = share(l, q);
-                        if share > 0.0 {
+                        let fraction = fraction(l, q);
+                        if fraction > 0.0 {
                             let [a, b, c] = lamp.abc;
-                            let reflected = self.reflected(l, n_dot_l) * share;
+                            let reflected = self.reflected(l, n_dot_l) * fraction;
                             self.sum += lamp.intensity * reflected / (a + b * q + c * q * q);
                         }
                     }

@@ -50,17 +50,17 @@ fn halves_give_the_long_products() {
                 long::upper_unsigned(a, half),
                 "{a} {half}"
             );
-            let share = b % ((1 << 16) + 1);
+            let fraction = b % ((1 << 16) + 1);
             assert_eq!(
-                halves::product_by_share(a, share),
-                long::product_by_share(a, share),
-                "{a} {share}"
+                halves::product_by_fraction(a, fraction),
+                long::product_by_fraction(a, fraction),
+                "{a} {fraction}"
             );
-            let share = share.cast_signed();
+            let fraction = fraction.cast_signed();
             assert_eq!(
-                halves::times_share(x, share),
-                long::times_share(x, share),
-                "{x} {share}"
+                halves::times_fraction(x, fraction),
+                long::times_fraction(x, fraction),
+                "{x} {fraction}"
             );
         }
     }

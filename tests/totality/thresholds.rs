@@ -149,8 +149,8 @@ fn error<T: Float>(computed: UnitVec3<T>, exact: Vec3<f64>, lengths: f64) -> f64
 /// A number from the least exponent to `end`, for one from −1 to 1.
 #[allow(clippy::cast_possible_truncation)]
 fn exponent<T: Float>(number: f64, end: i32) -> i32 {
-    let share = 0.5 + 0.5 * number;
-    (f64::from(least::<T>()) * (1.0 - share) + f64::from(end) * share).round() as i32
+    let fraction = 0.5 + 0.5 * number;
+    (f64::from(least::<T>()) * (1.0 - fraction) + f64::from(end) * fraction).round() as i32
 }
 
 /// Each column has its own size. The lengths are off by 2.5u and the directions by 3.5u, so that a

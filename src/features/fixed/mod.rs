@@ -55,7 +55,7 @@ use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 pub use types::*;
-use wide::{HALVES, product, times_share};
+use wide::{HALVES, product, times_fraction};
 
 /// A fixed-point number: 32 bits, 16 of them after the binary point.
 ///
@@ -224,7 +224,7 @@ impl Mul for Fixed {
     fn mul(self, other: Self) -> Self {
         if HALVES && other.0 as u32 <= ONE as u32 {
             // as most reflectances are; it cannot leave the range
-            return Self(times_share(self.0, other.0));
+            return Self(times_fraction(self.0, other.0));
         }
         // not by the sign of the product, which LLVM would compute again
         rounded(product(self.0, other.0), 16, self.0 ^ other.0)

@@ -1,7 +1,7 @@
 //! [`Real`] and [`Elementary`].
 
 use super::root::{Scaled, halfway_cosine, reciprocal, root, unit_and_length};
-use super::wide::{product, product_by_share, product_unsigned, upper_rounded, upper_unsigned};
+use super::wide::{product, product_by_fraction, product_unsigned, upper_rounded, upper_unsigned};
 use super::{Fixed, ONE, edges, rounded};
 use crate::elementary::Elementary;
 use crate::real::{Dimmed, LightSum, Lobe, Measured, Real, Toward};
@@ -329,7 +329,7 @@ impl LightSum<Fixed> for Exact {
             within_1(factor).min(ONE as u32) // which the compiler knows then
         };
         let plus = |sum: u64, light: Fixed| {
-            sum.wrapping_add(product_by_share(light.0.max(0) as u32, factor))
+            sum.wrapping_add(product_by_fraction(light.0.max(0) as u32, factor))
         };
         let Self(Rgb { r, g, b }) = self;
         let color = light.color;

@@ -22,9 +22,9 @@ either! {
     /// The whole product of unsigned numbers.
     product_unsigned(a: u32, b: u32) -> u64;
     /// The whole product with a number of at most 2¹⁶.
-    product_by_share(a: u32, share: u32) -> u64;
+    product_by_fraction(a: u32, fraction: u32) -> u64;
     /// The product with a number of at most 2¹⁶, over 2¹⁶, rounded to the nearest.
-    times_share(a: i32, share: i32) -> i32;
+    times_fraction(a: i32, fraction: i32) -> i32;
     /// The upper half of a product, rounded down.
     upper(a: i32, b: i32) -> i32;
     /// The upper half of a product of unsigned numbers, the second below 2³¹, rounded down.
@@ -43,12 +43,12 @@ pub mod long {
         a as u64 * b as u64
     }
 
-    pub const fn product_by_share(a: u32, share: u32) -> u64 {
-        product_unsigned(a, share)
+    pub const fn product_by_fraction(a: u32, fraction: u32) -> u64 {
+        product_unsigned(a, fraction)
     }
 
-    pub const fn times_share(a: i32, share: i32) -> i32 {
-        ((product(a, share) + (1 << 15)) >> 16) as i32
+    pub const fn times_fraction(a: i32, fraction: i32) -> i32 {
+        ((product(a, fraction) + (1 << 15)) >> 16) as i32
     }
 
     pub const fn upper(a: i32, b: i32) -> i32 {
@@ -75,15 +75,15 @@ pub mod halves {
         (upper as u64) << 32 | a.wrapping_mul(b) as u64
     }
 
-    pub const fn product_by_share(a: u32, share: u32) -> u64 {
+    pub const fn product_by_fraction(a: u32, fraction: u32) -> u64 {
         // both fit 32 bits
-        let (high, low) = ((a >> 16) * share, (a & 0xFFFF) * share);
+        let (high, low) = ((a >> 16) * fraction, (a & 0xFFFF) * fraction);
         ((high as u64) << 16) + low as u64
     }
 
-    pub const fn times_share(a: i32, share: i32) -> i32 {
+    pub const fn times_fraction(a: i32, fraction: i32) -> i32 {
         let (high, low) = (a >> 16, a as u32 & 0xFFFF);
-        high * share + ((low * share as u32 + (1 << 15)) >> 16) as i32
+        high * fraction + ((low * fraction as u32 + (1 << 15)) >> 16) as i32
     }
 
     pub const fn upper(a: i32, b: i32) -> i32 {

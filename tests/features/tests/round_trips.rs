@@ -107,7 +107,8 @@ fn map<V: Stored>(value: V) {
 /// Any finite number, with any exponent and any last bit.
 fn number<T: Elementary + Scalar + Debug>() -> impl Strategy<Value = T> {
     let parts = (any::<u32>(), 0.5..=1.0);
-    let number = parts.prop_map(|(bits, share)| T::of_f32(f32::from_bits(bits)) * T::of(share));
+    let number =
+        parts.prop_map(|(bits, fraction)| T::of_f32(f32::from_bits(bits)) * T::of(fraction));
     number.prop_filter("finite", |x| x.abs() <= T::MAX)
 }
 

@@ -13,22 +13,22 @@ pub fn absorb(digest: &mut Fnv) {
     for _ in 0..4096 {
         let [v, w] = [(); 2].map(|()| Vec3::from([(); 3].map(|()| numbers.next_bits())));
         let [p, q] = [(); 2].map(|()| Vec3::from([(); 3].map(|()| numbers.next_fixed())));
-        let (x, share) = (numbers.next_bits(), numbers.next_share());
-        digest.absorb([x, share].map(|x| [v * x, v / x, q * x, q / x]));
+        let (x, fraction) = (numbers.next_bits(), numbers.next_fraction());
+        digest.absorb([x, fraction].map(|x| [v * x, v / x, q * x, q / x]));
         digest.absorb([v + w, v - w, -v, v.cross(w), p.cross(q)]);
         digest.absorb([v.dot(w), p.dot(q), v.length(), q.length(), x.sqrt()]);
         digest.absorb([v.unit(), q.unit()]);
-        digest.absorb([1, 2, 33, 1000, u32::MAX].map(|m| m.raise(share)));
+        digest.absorb([1, 2, 33, 1000, u32::MAX].map(|m| m.raise(fraction)));
         digest.absorb(Fixed::halfway_power(p, Fixed::measured(q), p, 5));
         let [a, b, c] = p.map(Elementary::abs).into();
         let mut lamp = PointLight {
             position: q,
-            intensity: Rgb::new(x, share, Fixed::ONE).map(Elementary::abs),
+            intensity: Rgb::new(x, fraction, Fixed::ONE).map(Elementary::abs),
             attenuation: Attenuation::new(a, b, c).unwrap_or_default(),
         };
-        let points = [v, p, q + Vec3::splat(share)];
+        let points = [v, p, q + Vec3::splat(fraction)];
         digest.absorb(points.map(|p| lamp.at(p)));
-        let ended = lamp.attenuation.clamped().within(share);
+        let ended = lamp.attenuation.clamped().within(fraction);
         lamp.attenuation = ended.unwrap_or(lamp.attenuation);
         digest.absorb(points.map(|p| lamp.at(p)));
     }

@@ -38,7 +38,7 @@ impl Numbers {
 
     /// A number in [0, 1).
     #[cfg(feature = "fixed")]
-    pub fn next_share(&mut self) -> Fixed {
+    pub fn next_fraction(&mut self) -> Fixed {
         Fixed::from_bits(self.next_i32() >> 16 & 0xFFFF)
     }
 
@@ -97,10 +97,10 @@ fn input<T: Number>(numbers: &mut Numbers, vector: fn(&mut Numbers) -> Vec3<T>) 
     let coefficients = vector(numbers);
     let Vec3 { x, y, .. } = coefficients;
 
-    let share = T::draw(numbers).abs();
-    let near_one = T::ONE - share * T::of_f32(64.0) * T::EPSILON;
+    let fraction = T::draw(numbers).abs();
+    let near_one = T::ONE - fraction * T::of_f32(64.0) * T::EPSILON;
     let any = T::draw_any(numbers).abs().at_most(T::ONE);
-    let cosine = numbers.choose([share, share, near_one, any]);
+    let cosine = numbers.choose([fraction, fraction, near_one, any]);
     Input {
         is_valid: true,
         p,

@@ -42,7 +42,7 @@ pub fn at_most_pi_long<T: Number>(_: &Given<T>, r: &[f64]) -> bool {
 }
 
 /// From 0 to 1.
-pub fn share<T: Number>(_: &Given<T>, r: &[f64]) -> bool {
+pub fn fraction<T: Number>(_: &Given<T>, r: &[f64]) -> bool {
     r.iter().all(|x| (0.0..=1.0).contains(x))
 }
 

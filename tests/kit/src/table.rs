@@ -168,10 +168,10 @@ macro_rules! for_each_function {
                 => nothing;
             phong_sweep "term::phong, every integer m" |g|
                 INTEGER.map(|m| term::phong(g.l, g.v, m))
-                => share;
+                => fraction;
             blinn_sweep "term::blinn, every integer m" |g|
                 INTEGER.map(|m| term::blinn(g.n, g.v, m))
-                => share;
+                => fraction;
             slivers "normal::triangle, slivers" |g|
                 normal::triangle(g.p, g.p + g.a, g.p + g.a * g.cosine)
                 => unit;
@@ -219,7 +219,7 @@ macro_rules! for_each_function {
             } => arriving;
             smooth_factor "Cone::smoothstep" |g|
                 g.soft_spot.cone.smoothstep().factor(g.n, g.l)
-                => share;
+                => fraction;
             every_lamp "PointLight::at, every lamp" |g| g.lamps.map(|lamp| lamp.at(g.p)) => nothing;
             every_light "Light::at, every light" |g| g.lights.map(|light| light.at(g.p)) => nothing;
             light_arrival "IncidentLight::arrival" |g| g.soft_spot.at(g.p).arrival() => nothing;
@@ -242,13 +242,13 @@ macro_rules! for_each_function {
                     [t.n_dot_w, T::cosine(*g.n, &t)]
                 })
                 => nothing;
-            hook_cosine "Real::cosine" |g| T::cosine(*g.n, &T::toward(*g.n, *g.l)) => share;
+            hook_cosine "Real::cosine" |g| T::cosine(*g.n, &T::toward(*g.n, *g.l)) => fraction;
             hook_whole_power "Real::whole_power" |g|
                 INTEGER.map(|m| g.cosine.whole_power(m))
                 => nothing;
             hook_halfway_power "Real::halfway_power" |g|
                 T::halfway_power(*g.n, T::measured(g.a), *g.v, g.integer.m)
-                => share;
+                => fraction;
             raise_root "Lobe::raise_root" |g| INTEGER.map(|m| m.raise_root(g.cosine)) => nothing;
             hook_attenuated "Real::attenuated" |g|
                 light(T::attenuated(
@@ -341,10 +341,10 @@ macro_rules! for_each_function {
                 => nothing;
             phong_real_sweep "term::phong, every real m" |g|
                 REAL.map(|m| term::phong(g.l, g.v, T::from(m)))
-                => share;
+                => fraction;
             blinn_real_sweep "term::blinn, every real m" |g|
                 REAL.map(|m| term::blinn(g.n, g.v, T::from(m)))
-                => share;
+                => fraction;
             number_before_dual "Dual, after a number" |g| g.y.before(g.f) => nothing;
             every_phong_real "shade::phong, real m, every light" |g|
                 shade::phong(g.n, g.v, &g.real, g.rgb, g.from_lights())
@@ -358,12 +358,12 @@ macro_rules! for_each_function {
             from_srgb8 "Rgb::from_srgb8" |g| {
                 let [r, g, b, _] = g.bits.to_le_bytes();
                 Rgb::<T>::from_srgb8([r, g, b])
-            } => share;
+            } => fraction;
             to_rgb565 "Rgb::to_rgb565" |g| g.rgb.map(T::single).to_rgb565() => nothing;
             from_rgb565 "Rgb::from_rgb565" |g| {
                 let [low, high, ..] = g.bits.to_le_bytes();
                 Rgb::<T>::from_rgb565(u16::from_le_bytes([low, high]))
-            } => share;
+            } => fraction;
             to_linear8 "Rgb::to_linear8" |g| g.rgb.map(T::single).to_linear8() => nothing;
         }
         ANGLES: Number {
@@ -406,7 +406,7 @@ macro_rules! for_each_function {
             unit "Vec3::unit" |g| g.a.unit() => unit;
             unit_or "Vec3::unit_or" |g| g.a.unit_or(g.n) => unit_or_n;
             unit_vec3_new "UnitVec3::new" |g| UnitVec3::new(g.n.x, g.n.y, g.n.z) => unit;
-            clamped "Rgb::clamped" |g| (g.rgb - g.integer.k_a).clamped() => share;
+            clamped "Rgb::clamped" |g| (g.rgb - g.integer.k_a).clamped() => fraction;
 
             dual_sqrt "Dual::sqrt" |g| g.f.abs().sqrt() => nothing;
             dual_powi "Dual::powi" |g| g.f.powi(7) => nothing;
@@ -440,8 +440,8 @@ macro_rules! for_each_function {
             half_vector "half_vector" |g| shading::half_vector(g.l, g.v) => unit;
             term_ambient "term::ambient" |g| term::ambient(g.integer.k_a, g.rgb) => light;
             term_lambert "term::lambert" |g| term::lambert(g.n, g.l) => not_negative;
-            term_phong "term::phong, integer m" |g| term::phong(g.l, g.v, g.integer.m) => share;
-            term_blinn "term::blinn, integer m" |g| term::blinn(g.n, g.v, g.integer.m) => share;
+            term_phong "term::phong, integer m" |g| term::phong(g.l, g.v, g.integer.m) => fraction;
+            term_blinn "term::blinn, integer m" |g| term::blinn(g.n, g.v, g.integer.m) => fraction;
             phong_normalization "term::phong_normalization" |g|
                 term::phong_normalization(g.real.m)
                 => positive;
@@ -461,11 +461,11 @@ macro_rules! for_each_function {
                 let c = g.cosine + g.cosine - T::ONE;
                 Cone::from_cosine(c).map(Cone::cosines)
             } => cosines;
-            cone_factor "Cone::factor" |g| g.spot.cone.factor(g.n, g.l) => share;
+            cone_factor "Cone::factor" |g| g.spot.cone.factor(g.n, g.l) => fraction;
             cone_from_cosines "Cone::from_cosines" |g|
                 Cone::from_cosines(g.cosine, -g.cosine).map(Cone::cosines)
                 => cosines;
-            soft_cone_factor "Cone::factor, soft" |g| g.soft_spot.cone.factor(g.n, g.l) => share;
+            soft_cone_factor "Cone::factor, soft" |g| g.soft_spot.cone.factor(g.n, g.l) => fraction;
 
             directional_light "DirectionalLight::at" |g| g.sun.at(g.p) => arriving;
             point_light "PointLight::at" |g| g.lamps[0].at(g.p) => arriving;
@@ -488,8 +488,8 @@ macro_rules! for_each_function {
         }
         REAL_M: Float {
             raise_real "Lobe::raise, real m" |g| g.real.m.raise(g.cosine) => nothing;
-            term_phong_real "term::phong, real m" |g| term::phong(g.l, g.v, g.real.m) => share;
-            term_blinn_real "term::blinn, real m" |g| term::blinn(g.n, g.v, g.real.m) => share;
+            term_phong_real "term::phong, real m" |g| term::phong(g.l, g.v, g.real.m) => fraction;
+            term_blinn_real "term::blinn, real m" |g| term::blinn(g.n, g.v, g.real.m) => fraction;
             blinn_normalization "term::blinn_normalization" |g|
                 term::blinn_normalization(g.real.m)
                 => positive;
@@ -535,16 +535,19 @@ pub mod row {
     }
 
     /// The cosine whose power is close to the smallest normal number, below which it becomes 0.
-    fn vanishing<T: Float>(m: u16, share: T) -> T {
-        let power = T::from(126.0) + share * T::from(4.0);
+    fn vanishing<T: Float>(m: u16, fraction: T) -> T {
+        let power = T::from(126.0) + fraction * T::from(4.0);
         (power / T::from(m.into())).raise(T::from(0.5))
     }
 
     /// An odd m, and a cosine next to √½: there the series of the logarithm and of the exponential
     /// have their largest arguments.
-    fn difficult<T: Float>(i: u8, share: T) -> (T, T) {
+    fn difficult<T: Float>(i: u8, fraction: T) -> (T, T) {
         let i = T::from(i.into());
-        (i + i + T::ONE, T::from(0.707) + (i + share) * T::from(1e-5))
+        (
+            i + i + T::ONE,
+            T::from(0.707) + (i + fraction) * T::from(1e-5),
+        )
     }
 
     pub fn torus<T: Real>(p: Vec3<T>) -> T {
