@@ -66,8 +66,8 @@ const fn color(r: f64, g: f64, b: f64) -> Rgb {
 
 /// Pixels are placed on a ball of this radius, because fixed point divides it 64 times as finely as
 /// a radius of 1. To floating point, a power of two makes no difference.
-const RADIUS: Number = number(64.0);
-const RADIUS_SQUARED: Number = number(64.0 * 64.0);
+const RADIUS: f64 = 64.0;
+const RADIUS_SQUARED: Number = number(RADIUS * RADIUS);
 
 /// How far the ball has turned about its axis: the cosine and the sine of the angle, times 64.
 #[derive(Clone, Copy)]
@@ -95,17 +95,21 @@ pub fn draw<D>(display: &mut D, turn: Turn) -> Result<(), D::Error>
 where
     D: DrawTarget<Color = Rgb565> + OriginDimensions,
 {
+    // constants, because a chip would convert literals in double precision
     const HALF: Number = number(0.5);
+    const SHARE: Number = number(23.0 / 50.0);
+    const SCALE: Number = number(256.0 * RADIUS);
+    const BACK: Number = number(1.0 / 256.0);
     let Size { width, height } = display.size();
     let pixels = |count: u32| Number::from(count as i16);
-    let radius = number(23.0) * pixels(width.min(height)) / number(50.0);
+    let radius = SHARE * pixels(width.min(height));
     // by a factor 256 times as large and by 1/256, since RADIUS / radius alone would lose bits
-    let (scale, back) = (number(256.0) * RADIUS / radius, number(1.0 / 256.0));
+    let scale = SCALE / radius;
     let center = (HALF * pixels(width), HALF * pixels(height));
     for row in 0..height {
-        let y = (center.1 - pixels(row) - HALF) * scale * back;
+        let y = (center.1 - pixels(row) - HALF) * scale * BACK;
         let colors = (0..width).map(|column| {
-            let x = (pixels(column) + HALF - center.0) * scale * back;
+            let x = (pixels(column) + HALF - center.0) * scale * BACK;
             let light = ball(x, y, turn).unwrap_or(BEHIND);
             Rgb565::from(RawU16::new(light.to_rgb565()))
         });

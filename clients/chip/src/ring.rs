@@ -163,6 +163,7 @@ impl Corner {
     /// Turns a corner about the y axis and leans it toward the eye; shades it; and places it on the display.
     fn new(p: Vec3, n: UnitVec3, [cosine, sine]: [Fixed; 2], [width, height]: [i32; 2]) -> Self {
         const LEAN: [Fixed; 2] = [number(0.8), number(0.6)];
+        const SHARE: Fixed = number(0.34);
         let turned = |v: Vec3| {
             let (x, z) = (cosine * v.x + sine * v.z, cosine * v.z - sine * v.x);
             Vec3::new(x, LEAN[0] * v.y - LEAN[1] * z, LEAN[1] * v.y + LEAN[0] * z)
@@ -170,7 +171,7 @@ impl Corner {
         let (p, n) = (turned(p), UnitVec3::assume_unit(turned(*n)));
         let lights = LAMPS.iter().map(|lamp| lamp.at(p));
         let light = shade::blinn_phong(n, UnitVec3::Z, &BRASS, SURROUNDINGS, lights).total();
-        let scale = Fixed::from(width.min(height) as i16) * number(0.34);
+        let scale = Fixed::from(width.min(height) as i16) * SHARE;
         let sixteenths = |x: Fixed| (x * scale).to_bits() >> 12;
         // Encoded levels are interpolated, which saves an encoding for each pixel. Half a level is added, so that the
         // fraction can be cut off.

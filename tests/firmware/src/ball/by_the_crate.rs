@@ -37,8 +37,8 @@ macro_rules! ball {
                 let z = Real::sqrt(<$number>::ONE - x * x - y * y);
                 let p = Vec3::new(x, y, z);
                 let Some(n) = p.unit() else { return 0 };
-                let i_a = color([AMBIENT; 3]);
-                let shaded = shade::blinn_phong(n, UnitVec3::Z, &BRASS, i_a, [LIGHT.at(p)]);
+                const I_A: Rgb = color([AMBIENT; 3]);
+                let shaded = shade::blinn_phong(n, UnitVec3::Z, &BRASS, I_A, [LIGHT.at(p)]);
                 $encode(shaded.total())
             }
         }
