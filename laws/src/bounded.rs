@@ -97,10 +97,6 @@ impl Bounded {
         }
     }
 
-    pub fn at_most(self, limit: f64) -> Self {
-        self.with(self.value.min(limit))
-    }
-
     /// `then` where this is positive. If the error leaves the sign undecided, the renderer may have
     /// taken either.
     pub fn if_positive(self, then: Self, otherwise: Self) -> Self {

@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 
 use serde::Serialize;
 
-use crate::bounded::{Bounded, rounded};
+use crate::bounded::Bounded;
 use crate::formula::Formula;
 use crate::mistakes::{Fault, SCOPES, formula};
 use crate::profile::Profile;
@@ -298,21 +298,14 @@ impl Evidence {
         causes.min_by_key(|cause| (cause.errors, Reverse(cause.explained)))
     }
 
-    /// The cause if the colors are as if they were rounded so: nearly all of them, and, where not each of them shows it,
-    /// some too bright and some too dark.
+    /// The cause if the colors are as if they were rounded so: nearly all of them, some too bright and some too dark.
     fn roughness(&self, profile: &Profile, fault: Fault) -> Option<Cause> {
         let [right, rough] = [formula(profile, &[]), formula(profile, &[fault])];
-        let u = (-fault.value).exp2();
-        let is_in_bits = fault.id() == "InBits";
-        // a decimal fraction may be cut off
-        let is_short =
-            |c: &f64| !c.is_finite() || (rounded(*c, u) - c).abs() <= profile.roundoff * c.abs();
         let (mut explained, mut of, mut brighter) = (0, 0, 0);
         for (scene, reply) in &self.wrong {
             // with so few bits, hardly anything is known of some colors
             let is_vague = |c: &Bounded| c.error * 2.0 > c.value;
-            let fits = rough.fits(scene, *reply);
-            match fits.map(|fits| fits && (!is_in_bits || reply.iter().all(is_short))) {
+            match rough.fits(scene, *reply) {
                 Some(true) if !rough.linear(scene).iter().all(is_vague) => explained += 1,
                 Some(false) => {}
                 _ => continue,
@@ -325,7 +318,7 @@ impl Evidence {
         }
         let is_balanced = brighter.min(of - brighter) * 8 >= of;
         let is_so = explained * 50 >= of * 49 && of * 2 >= self.wrong.len();
-        (is_so && (is_in_bits || is_balanced)).then(|| Cause {
+        (is_so && is_balanced).then(|| Cause {
             explained,
             of,
             ..Cause::of(vec![fault])

@@ -10,7 +10,6 @@ use crate::scene::{
 /// An ingredient, in the order of the computation. A number is a triple of three alike, so that one operation fits any.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Part {
-    Model,
     V,
     N,
     /// What N is multiplied by: 1 or −1.
@@ -44,7 +43,6 @@ pub enum Part {
     /// Ambient light that comes with a light.
     AmbientToo,
     Sum,
-    Clamp,
     Encode,
     Level,
 }
@@ -52,8 +50,7 @@ pub enum Part {
 /// What is known when an ingredient is computed: all before it.
 #[derive(Clone, Default)]
 pub struct At {
-    /// The range of the renderer's colors, and the distance of their levels.
-    range: Option<[f64; 2]>,
+    /// The distance of the renderer's levels.
     pub level: Option<f64>,
     /// The unit roundoff.
     pub u: f64,
@@ -90,9 +87,7 @@ pub struct At {
     /// L + V.
     pub sum: Bounded3,
     pub cosine: Bounded,
-    /// The sums over the lights, and that of the ambient light.
-    pub diffuse: Bounded3,
-    pub specular: Bounded3,
+    /// The sum over the lights, and that of the ambient light.
     pub lit: Bounded3,
     pub ambients: Bounded3,
     /// What is clamped or encoded.
@@ -145,12 +140,6 @@ impl At {
             _ => (BLACK, 0.0),
         }
     }
-
-    /// A color in the range of the renderer, or in that from 0 to 1.
-    pub fn clamped(&self, color: Bounded3) -> Bounded3 {
-        let [low, high] = self.range.unwrap_or([0.0, 1.0]);
-        color.map(|c| c.if_positive(c, Bounded::exact(low)).at_most(high))
-    }
 }
 
 /// The formulas as a renderer has them: with what it departs from on purpose, and with mistakes.
@@ -181,7 +170,6 @@ impl<'a> Formula<'a> {
     fn at(&self) -> At {
         At {
             u: self.u,
-            range: self.profile.range(),
             level: self.profile.level(),
             ..At::default()
         }
@@ -223,13 +211,6 @@ impl<'a> Formula<'a> {
     fn surface(&self, scene: &Scene, at: &mut At) {
         let u = self.u;
         at.model = scene.model;
-        let model = Bounded::exact(f64::from(scene.model as u8));
-        let model = self.number(Part::Model, at, model);
-        at.model = Model::ALL[if model.value < 2.0 {
-            usize::from(model.value > 0.0)
-        } else {
-            2
-        }];
         at.p = given3(scene.p, u);
         // the renderer may know the position of the eye, and subtract p from it
         let of_eye = 2.0 * u * (size(scene.p) + size(scene.v));
@@ -304,8 +285,6 @@ impl<'a> Formula<'a> {
         }
         let of_light = self.hook(Part::OfLight, at, add(diffuse, specular));
         let too = self.hook(Part::AmbientToo, at, BLACK);
-        at.diffuse = add(at.diffuse, diffuse);
-        at.specular = add(at.specular, specular);
         at.lit = add(at.lit, of_light);
         at.ambients = add(at.ambients, too);
     }
@@ -400,22 +379,18 @@ impl<'a> Formula<'a> {
     /// What becomes of linear light on its way out.
     fn encoded(&self, linear: f64) -> f64 {
         let at = &mut self.at();
-        let mut of = |part, before: f64, x: f64| {
+        let mut of = |part, before: f64, right: f64| {
             at.linear = before;
-            self.number(part, at, Bounded::exact(x)).value
+            self.number(part, at, Bounded::exact(right)).value
         };
-        let clamped = |of: &mut dyn FnMut(Part, f64, f64) -> f64, x: f64| {
-            let right = match self.profile.range() {
-                // as in a shader, NaN becomes the lower end
-                Some([low, high]) => x.max(low).min(high),
-                None => x,
-            };
-            of(Part::Clamp, x, right)
+        let clamped = |x: f64| match self.profile.range() {
+            // as in a shader, NaN becomes the lower end
+            Some([low, high]) => x.max(low).min(high),
+            None => x,
         };
-        let x = clamped(&mut of, linear);
+        let x = clamped(linear);
         let right = if self.profile.srgb { to_srgb(x) } else { x };
-        let y = of(Part::Encode, x, right);
-        let y = clamped(&mut of, y);
+        let y = clamped(of(Part::Encode, x, right));
         if self.profile.bits.is_some() {
             of(Part::Level, y, y)
         } else {

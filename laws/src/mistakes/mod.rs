@@ -42,7 +42,7 @@ pub struct Scope {
 impl Mistake {
     /// Whether it explains any color that is off by so little.
     pub fn is_rough(&self) -> bool {
-        ["InBits", "Imprecise"].contains(&&*self.id)
+        self.id == "Imprecise"
     }
 }
 

@@ -7,13 +7,13 @@ use std::sync::LazyLock;
 use super::{Mistake, Scope};
 use crate::bounded::{Bounded, Bounded3};
 use crate::formula::Part::{
-    self, Against, Ambient, AmbientToo, Angle, Clamp, Cone, Cosine, Denominator, Diffuse, Encode,
-    Falloff, Gate, Half, Intensity, L, Lambert, Level, M, N, OfLight, Once, Power, Q, ShinyFalloff,
-    Side, Specular, Sum, ToLight, V, Within,
+    self, Against, Ambient, AmbientToo, Angle, Cone, Cosine, Denominator, Diffuse, Encode, Falloff,
+    Gate, Half, Intensity, L, Lambert, Level, M, N, OfLight, Once, Power, Q, ShinyFalloff, Side,
+    Specular, Sum, ToLight, V, Within,
 };
-use crate::formula::{At, BLACK, Change, ONE, ZERO};
+use crate::formula::{At, BLACK, Change, ONE};
 use crate::profile::to_srgb;
-use crate::scene::{Kind, Model, add, dot, mul, scale, sub};
+use crate::scene::{Kind, Model, add, dot, mul, scale};
 
 /// Which lights or models have a mistake, the whole first.
 pub static SCOPES: [Scope; 11] = [
@@ -103,16 +103,6 @@ fn side_of_eye(at: &At) -> Bounded {
     }
 }
 
-/// A factor of the highlight that follows from the shininess.
-fn normalized(x: Bounded3, at: &At, by: impl Fn(f64) -> f64) -> Bounded3 {
-    scale(x, Bounded::computed(by(at.m), 16.0, at.u))
-}
-
-/// x where a number is positive, black elsewhere.
-fn if_positive(number: Bounded, x: Bounded3) -> Bounded3 {
-    x.map(|c| number.if_positive(c, ZERO))
-}
-
 /// From 0 at the edge of a cone to 1 on its axis.
 fn within(at: &At) -> Bounded {
     ((at.against - at.edge) / (ONE - at.edge)).at_least_zero()
@@ -144,43 +134,41 @@ fn of_linear(at: &At, f: impl Fn(f64) -> f64) -> Bounded3 {
     one(exact(f(at.linear)))
 }
 
-/// A level of the color that is told, of so many.
-fn level(at: &At, f: impl Fn(f64, f64) -> f64) -> Bounded3 {
-    let most = 1.0 / at.level.unwrap_or(1.0);
-    of_linear(at, |x| f(x, most) / most)
-}
-
 /// Every known mistake.
-pub static MISTAKES: LazyLock<Vec<Mistake>> = LazyLock::new(|| {
-    let tables = [
-        directions(),
-        lamps(),
-        diffuse(),
-        highlight(),
-        ambient(),
-        sum(),
-        reply(),
-        terms(),
-    ];
-    let mut all: Vec<Mistake> = tables.into_iter().flatten().collect();
-    all.extend([
+pub static MISTAKES: LazyLock<Vec<Mistake>> =
+    LazyLock::new(|| {
+        let tables = [
+            directions(),
+            lamps(),
+            diffuse(),
+            highlight(),
+            ambient(),
+            sum(),
+            reply(),
+            terms(),
+        ];
+        let mut all: Vec<Mistake> = tables.into_iter().flatten().collect();
+        all.extend([
         // what is no change of one ingredient
-        row("InBits", "colors are computed in {} bits; half precision has 11, bfloat 8").of(&[8.0, 11.0]),
         row(
             "Imprecise",
-            "it behaves like a roundoff of 2^-{}, lower than the profile says, as half precision, bfloat, a table or \
-             a fast inverse root would",
+            "it behaves like a roundoff of 2^-{}, lower than the profile says, as half precision, \
+             bfloat, a table or a fast inverse root would",
         )
         .of(&[24.0, 22.0, 20.0, 18.0, 16.0, 14.0, 13.0, 12.0, 11.0, 10.0, 9.0, 8.0, 7.0]),
         row("Leak", "a scene changes the color of the scenes after it"),
         row("NotRepeatable", "the same scene, asked again, has another color"),
     ]);
-    all
-});
+        all
+    });
 
 fn directions() -> Vec<Mistake> {
     vec![
-        row("NormalNotNormalized", "N is not normalized after interpolation").at(N, |_, at| at.raw_n),
+        row(
+            "NormalNotNormalized",
+            "N is not normalized after interpolation",
+        )
+        .at(N, |_, at| at.raw_n),
         row("NormalReversed", "N points into the surface").at(N, |x, _| minus(x)),
         row(
             "NormalTowardEye",
@@ -191,19 +179,28 @@ fn directions() -> Vec<Mistake> {
         row("ViewReversed", "V points from the eye to the surface").at(V, |x, _| minus(x)),
         row("LightNotNormalized", "L is not normalized").at(L, |_, at| at.to_light),
         row("LightReversed", "L points from the light to the surface").at(L, |x, _| minus(x)),
-        row("PointForgotten", "L is the position of the lamp, from which p is not subtracted")
-            .at(ToLight, |_, at| at.position),
+        row(
+            "PointForgotten",
+            "L is the position of the lamp, from which p is not subtracted",
+        )
+        .at(ToLight, |_, at| at.position),
         row(
             "FastInverseRoot",
-            "vectors are normalized by a fast inverse square root with one step of Newton's, which is off by up to \
-             0.18 %",
+            "vectors are normalized by a fast inverse square root with one step of Newton's, \
+             which is off by up to 0.18 %",
         )
         .at(V, |_, at| unit_by_bits(at.raw_v, at))
         .at(N, |_, at| unit_by_bits(at.raw_n, at))
-        .at(Q, |x, at| either(x, one(ONE / fast_inverse_root(x[0] * x[0], at))))
+        .at(Q, |x, at| {
+            either(x, one(ONE / fast_inverse_root(x[0] * x[0], at)))
+        })
         .at(L, |x, at| {
             let by_bits = unit_by_bits(at.to_light, at);
-            if is_lamp(at) { by_bits } else { either(x, by_bits) }
+            if is_lamp(at) {
+                by_bits
+            } else {
+                either(x, by_bits)
+            }
         })
         .at(Half, |_, at| unit_by_bits(at.sum, at)),
     ]
@@ -290,11 +287,6 @@ fn highlight() -> Vec<Mistake> {
         }),
         row("HalfVectorNotNormalized", "H = L + V is not normalized").at(Half, |_, at| at.sum),
         row(
-            "HalfVectorHalved",
-            "H = (L + V)/2 is not normalized: half of a sum is not its direction",
-        )
-        .at(Half, |_, at| scale(at.sum, exact(0.5))),
-        row(
             "HalfVectorUnguarded",
             "H is NaN where L = -V: the length of L + V is not checked before the division",
         )
@@ -307,31 +299,17 @@ fn highlight() -> Vec<Mistake> {
                 x
             }
         }),
-        row(
-            "OtherModel",
-            "Phong's highlight is used for Blinn's, or Blinn's for Phong's",
-        )
-        .at(Part::Model, |x, _| {
-            x.map(|m| if m.value > 0.0 { exact(3.0) - m } else { m })
-        }),
         row("ShininessTimes", "the shininess is multiplied by {}")
             .of(&[4.0, 2.0, 0.5, 0.25, 3.0, 128.0])
             .at(M, |x, at| x.map(|m| exact(m.value * at.value))),
-        row("ShininessAtMost", "the shininess is at most {}")
-            .of(&[
-                128.0, 127.0, 100.0, 64.0, 32.0, 200.0, 255.0, 256.0, 500.0, 512.0, 1000.0, 1024.0,
-            ])
-            .at(M, |x, at| x.map(|m| m.at_most(at.value))),
         row(
             "NormalizedByEight",
             "the highlight is normalized by (m + 8)/(8π)",
         )
-        .at(Power, |x, at| normalized(x, at, |m| (m + 8.0) / (8.0 * PI))),
-        row(
-            "NormalizedByTwo",
-            "the highlight is normalized by (m + 2)/(2π)",
-        )
-        .at(Power, |x, at| normalized(x, at, |m| (m + 2.0) / (2.0 * PI))),
+        .at(Power, |x, at| {
+            let factor = (at.m + 8.0) / (8.0 * PI);
+            scale(x, Bounded::computed(factor, 16.0, at.u))
+        }),
         row("HighlightTimesCosine", "the highlight is multiplied by N·L")
             .at(Specular, |x, at| scale(x, at.n_dot_l.at_least_zero())),
     ]
@@ -373,20 +351,6 @@ fn sum() -> Vec<Mistake> {
                 4.0, 1.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 32.0, 64.0,
             ])
             .at(OfLight, |x, at| if at.i >= at.value { BLACK } else { x }),
-        row(
-            "LightsAssigned",
-            "each light replaces the color, in place of adding to it: = for +=",
-        )
-        .at(OfLight, |x, at| {
-            if_positive(at.n_dot_l, sub(x, add(at.lit, at.ambients)))
-        }),
-        row(
-            "DiffuseClamped",
-            "ambient and diffuse light are clamped before the highlight is added",
-        )
-        .at(Sum, |_, at| {
-            add(at.clamped(add(at.ambients, at.diffuse)), at.specular)
-        }),
         row("ChannelsSwapped", "red and blue are swapped").at(Sum, |[r, g, b], _| [b, g, r]),
         row("Scaled", "all colors are multiplied by {}")
             .of(&[0.5, 2.0, FRAC_1_PI, PI, 1.0 / 255.0, 255.0])
@@ -396,11 +360,6 @@ fn sum() -> Vec<Mistake> {
 
 fn reply() -> Vec<Mistake> {
     vec![
-        row(
-            "ClampForgotten",
-            "colors are not clamped to the range of the profile",
-        )
-        .at(Clamp, |_, at| of_linear(at, |x| x)),
         row(
             "SrgbForgotten",
             "sRGB is not applied: the colors are linear",
@@ -419,10 +378,9 @@ fn reply() -> Vec<Mistake> {
         .at(Encode, |_, at| {
             of_linear(at, |x| x.max(0.0).powf(1.0 / at.value))
         }),
-        row("LevelsTruncated", "levels are truncated, not rounded")
-            .at(Level, |_, at| level(at, |x, most| (x * most).floor())),
-        row("LevelsOf256", "levels are taken by 256, not 255").at(Level, |_, at| {
-            level(at, |x, most| (x * (most + 1.0)).floor().min(most))
+        row("LevelsTruncated", "levels are truncated, not rounded").at(Level, |_, at| {
+            let most = 1.0 / at.level.unwrap_or(1.0);
+            of_linear(at, |x| (x * most).floor() / most)
         }),
     ]
 }

@@ -13,13 +13,12 @@ fn the_shader_follows_the_laws() {
 }
 
 /// The right code, a usual mistake in its place, and its name.
-const MISTAKES: [(&str, &str, &str); 11] = [
+const MISTAKES: [(&str, &str, &str); 10] = [
     ("normalize(scene.n)", "scene.n", "NormalNotNormalized"),
     ("normalize(scene.v)", "scene.v", "ViewNotNormalized"),
     ("l = to_light / q", "l = to_light", "LightNotNormalized"),
     ("reflect(-l, n)", "reflect(l, n)", "ReflectionReversed"),
     ("normalize(l + v)", "l + v", "HalfVectorNotNormalized"),
-    ("normalize(l + v)", "(l + v) / 2", "HalfVectorHalved"),
     (
         "let n_dot_l = dot(n, l);\n        if n_dot_l <= 0 { continue; }",
         "let n_dot_l = max(dot(n, l), 0);",
