@@ -473,7 +473,7 @@ mod fixed {
     use shading::fixed::Fixed;
     use shading::{
         Attenuation, Cone, Dual, IncidentLight, Material, PointLight, Real, Rgb, SpotLight,
-        UnitVec3, Vec3, shade,
+        UnitVec3, Vec3, normal, shade,
     };
 
     use kit::random::Random;
@@ -540,6 +540,41 @@ mod fixed {
             );
             let duals: Vec<_> = duals.into_iter().map(|x| x.value).collect();
             assert_eq!(duals, plain, "{p:?}");
+        }
+    }
+
+    /// Fixed point chooses the length of a cross product, and the gradient follows: a normal turns as it does in `f64`, up to
+    /// eight steps, half of one for each product, sum and quotient on the way.
+    #[test]
+    fn the_slope_of_a_normal_in_fixed_point_is_that_of_f64() {
+        fn slopes<T: Real + PartialOrd>(p: Vec3<T>, [b, c]: [Vec3<T>; 2]) -> Vec<T> {
+            let moving = Dual::point(p);
+            let [b, c] = [b, c].map(|v| v.map(Dual::constant));
+            let triangle = normal::triangle(moving, b, c).expect("a triangle");
+            let sphere = normal::sphere(b, moving).expect("a direction");
+            let gradients = [triangle, sphere].map(|n| [n.x, n.y, n.z].map(|x| x.gradient));
+            let numbers = gradients.concat().into_iter();
+            numbers.flat_map(<[T; 3]>::from).collect()
+        }
+
+        let mut random = Random(11);
+        for size in [2.0, 6.0, 30.0] {
+            for _ in 0..100 {
+                let mut near = |at: [f64; 3]| {
+                    Vec3::from(at.map(|x| Fixed::new(size * (x + 0.2 * random.signed()))))
+                };
+                let [p, b, c] = [[0.0, 0.0, 0.3], [1.0, 0.1, 0.0], [-0.2, 1.0, 0.4]].map(&mut near);
+                let exact = |v: Vec3<Fixed>| v.map(f64::from);
+                let should = slopes(exact(p), [b, c].map(exact));
+                let is = slopes(p, [b, c]);
+                for (is, should) in is.into_iter().zip(should) {
+                    let error = (f64::from(is) - should).abs();
+                    assert!(
+                        error <= 8.0 / 65_536.0,
+                        "{is} for {should} at {p:?}, {b:?}, {c:?}"
+                    );
+                }
+            }
         }
     }
 }

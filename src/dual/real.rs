@@ -204,7 +204,8 @@ impl<T: Real> Real for Dual<T> {
     #[inline(always)]
     fn crossed(origin: Vec3<Self>, a: Vec3<Self>, b: Vec3<Self>) -> Vec3<Self> {
         let value = T::crossed(values(origin), values(a), values(b));
-        rescaled(length::crossed(origin, a, b), value)
+        let (a, b) = (Self::between(origin, a), Self::between(origin, b));
+        rescaled(a.cross(b), value)
     }
 
     #[inline]
