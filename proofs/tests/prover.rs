@@ -180,6 +180,38 @@ fn false_claims_are_not_proved() {
         let (x, y) = (given.not_negative("x"), given.not_negative("y"));
         within(x * y + x / y, 0.0, INF)
     });
+    // NaN lies not below the edge, so 2 is chosen of the first two, and 1 of the others
+    let chosen = |x: Range| {
+        move |given: Given| {
+            let (x, y) = (given.number("x", x), number(given, "y", 2.0, 9.0));
+            let choose = |x: Term, [below, other]: [f64; 2]| {
+                let [edge, below, other] = [5.0, below, other].map(Real::of);
+                Real::above(edge, x).select(below, other)
+            };
+            let (first, second) = (choose(x, [0.0, 2.0]), choose(y, [1.0, 3.0]));
+            vec![Goal::AtMost(first, second)]
+        }
+    };
+    refutes(chosen(Range::within(0.0, 1.0).or_nan()));
+    proves(chosen(Range::within(0.0, 1.0)));
+    // a sum is at least one of its terms if the other is not negative, whichever that is
+    for less in [-1.0, 0.0] {
+        for is_first in [false, true] {
+            let claim = move |given: Given| {
+                let (x, more) = (
+                    number(given, "x", -9.0, 9.0),
+                    number(given, "more", less, 1.0),
+                );
+                let sum = if is_first { more + x } else { x + more };
+                vec![Goal::AtMost(x, sum)]
+            };
+            if less < 0.0 {
+                refutes(claim);
+            } else {
+                proves(claim);
+            }
+        }
+    }
     // a range whose ends are no numbers holds nothing
     let [low, high] = [f64::NAN; 2];
     let nothing = Range {
