@@ -298,7 +298,7 @@ impl Evidence {
         causes.min_by_key(|cause| (cause.errors, Reverse(cause.explained)))
     }
 
-    /// The cause if the colors are as if they were rounded so: nearly all of them, some too bright and some too dark.
+    /// The cause if all colors are as if they were rounded so, some too bright and some too dark.
     fn roughness(&self, profile: &Profile, fault: Fault) -> Option<Cause> {
         let [right, rough] = [formula(profile, &[]), formula(profile, &[fault])];
         let (mut explained, mut of, mut brighter) = (0, 0, 0);
@@ -317,7 +317,7 @@ impl Evidence {
             brighter += usize::from(is_brighter);
         }
         let is_balanced = brighter.min(of - brighter) * 8 >= of;
-        let is_so = explained * 50 >= of * 49 && of * 2 >= self.wrong.len();
+        let is_so = explained == of && of * 2 >= self.wrong.len();
         (is_so && is_balanced).then(|| Cause {
             explained,
             of,

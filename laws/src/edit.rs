@@ -11,7 +11,7 @@ pub struct Edit {
     change: fn(&mut Scene, &Profile),
     /// It takes light away. Where there is more than 1, ambient light makes up for it, because a color that is no longer
     /// clamped would be mistaken for one that the edit repairs.
-    darkens: bool,
+    pub darkens: bool,
 }
 
 impl Edit {

@@ -87,12 +87,12 @@ fn places_of(cases: &[Scene], profile: &Profile, ask: &mut Ask, depth: u32) -> O
             }
         }
         merge(&mut all);
-        let is_told = |place: &Place| {
-            place
-                .only_with
-                .iter()
-                .any(|id| !whole.only_with.contains(id))
+        // what takes away a part of the light may take away what is wrong with it, and tells of no place of its own
+        let darkens = |id: &str| EDITS.iter().any(|edit| edit.id == id && edit.darkens);
+        let is_more = |id: &&str| {
+            !whole.only_with.contains(id) && (whole.only_with.len() < 2 || !darkens(id))
         };
+        let is_told = |place: &Place| place.only_with.iter().any(is_more);
         if all.len() > 1 && all.iter().all(is_told) {
             found.push(all);
         }
