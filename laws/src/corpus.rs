@@ -30,26 +30,17 @@ struct Corpus<'a> {
 
 impl Corpus<'_> {
     /// A surface that shows all terms, seen from v.
-    fn scene(&self, n: Triple, v: Triple, lights: Vec<Light>) -> Scene {
-        let k_s = [0.5, 0.25, 1.0];
+    fn scene(n: Triple, v: Triple, lights: Vec<Light>) -> Scene {
         Scene {
             model: Model::BlinnPhong,
             p: BLACK,
-            n: self.profile.direction(n),
-            v: self.profile.direction(v),
+            n,
+            v,
             k_a: [0.25, 0.5, 0.125],
             k_d: [0.5, 0.25, 0.75],
-            k_s: if self.profile.gray_highlight {
-                [0.5; 3]
-            } else {
-                k_s
-            },
-            m: 8.0_f64.min(self.profile.most_shiny),
-            i_a: if self.profile.ambient {
-                [0.25, 0.125, 0.5]
-            } else {
-                BLACK
-            },
+            k_s: [0.5, 0.25, 1.0],
+            m: 8.0,
+            i_a: [0.25, 0.125, 0.5],
             lights,
         }
     }
@@ -62,10 +53,10 @@ impl Corpus<'_> {
     }
 
     fn add_as(&mut self, model: Model, scene: &Scene) {
-        let scene = Scene {
+        let scene = self.profile.fitted(Scene {
             model,
             ..scene.clone()
-        };
+        });
         if self.profile.has_all_of(&scene) {
             self.scenes.push(scene);
         }
@@ -73,22 +64,11 @@ impl Corpus<'_> {
 
     /// A light from there, of the kind.
     fn light(&self, kind: Kind, way: Triple, intensity: Triple) -> Light {
-        let attenuation = if self.profile.unattenuated {
-            [1.0, 0.0, 0.0]
-        } else {
-            [0.5, 0.25, 0.25]
-        };
-        let point = Light::point(intensity, way, attenuation);
+        let point = Light::point(intensity, way, [0.5, 0.25, 0.25]);
         match kind {
-            Kind::Directional => Light::Directional {
-                intensity,
-                l: self.profile.unit(way),
-            },
+            Kind::Directional => Light::Directional { intensity, l: way },
             Kind::Point => point,
-            Kind::Spot => {
-                let axis = self.profile.unit(scale(way, -1.0));
-                point.with_cone(axis, self.profile.rounded(0.75))
-            }
+            Kind::Spot => point.with_cone(scale(way, -1.0), self.profile.rounded(0.75)),
         }
     }
 
@@ -101,7 +81,7 @@ impl Corpus<'_> {
     /// A scene with each kind of light from there.
     fn each_kind(&mut self, n: Triple, v: Triple, l: Triple, m: Option<f64>) {
         for light in self.kinds(l, [0.5, 0.75, 0.25]) {
-            let mut scene = self.scene(n, v, vec![light]);
+            let mut scene = Self::scene(n, v, vec![light]);
             scene.m = m.unwrap_or(scene.m);
             self.add(&scene);
         }
@@ -110,7 +90,7 @@ impl Corpus<'_> {
     /// A scene with the kinds of light in turn.
     fn in_turn(&mut self, n: Triple, v: Triple, l: Triple, m: Option<f64>) {
         let kinds = self.kinds(l, [1.0, 0.75, 0.5]);
-        let mut scene = self.scene(
+        let mut scene = Self::scene(
             n,
             v,
             vec![kinds[(self.turn + self.turn / kinds.len()) % kinds.len()]],
@@ -149,7 +129,7 @@ impl Corpus<'_> {
                 self.in_turn(UP, v, l, None);
             }
         }
-        self.add(&self.scene(UP, UP, vec![]));
+        self.add(&Self::scene(UP, UP, vec![]));
         // each kind of light behind the surface, with R and H near what they are compared with
         self.each_kind(UP, [-1.0, 0.0, 0.375], [1.0, 0.0, -0.125], None);
         // R or H below the surface, and an m with which any floor of the cosine shows
@@ -157,7 +137,7 @@ impl Corpus<'_> {
         self.each_kind(UP, [0.0, 0.25, -1.5], [0.6, 0.0, 0.8], Some(1.0));
         // the same, but black, where few levels show a floor
         for light in self.kinds([0.8, 0.0, 0.6], [1.0; 3]) {
-            let mut scene = self.scene(UP, [0.8, 0.0, 0.6], vec![light]);
+            let mut scene = Self::scene(UP, [0.8, 0.0, 0.6], vec![light]);
             (scene.k_d, scene.i_a, scene.m) = (BLACK, BLACK, 1.0);
             self.add(&scene);
         }
@@ -228,7 +208,7 @@ impl Corpus<'_> {
                     if kinds[(i + k) % kinds.len()] == Kind::Spot {
                         light = light.with_cone([0.0, 0.0, -1.0], self.profile.rounded(0.75));
                     }
-                    let mut scene = self.scene(UP, [0.0, -0.5, 1.0], vec![light]);
+                    let mut scene = Self::scene(UP, [0.0, -0.5, 1.0], vec![light]);
                     scene.p = p;
                     if left < 0.1 {
                         scene.i_a = BLACK; // among light, little light is not seen
@@ -253,7 +233,7 @@ impl Corpus<'_> {
                     let angle = self.profile.rounded(f64::to_radians(degrees));
                     let light = self.light(Kind::Spot, UP, [1.0, 0.75, 0.5]);
                     let light = light.with_cone(axis, angle.min(std::f64::consts::FRAC_PI_2));
-                    let scene = self.scene(UP, UP, vec![light]);
+                    let scene = Self::scene(UP, UP, vec![light]);
                     self.add_as(self.model(self.scenes.len()), &scene);
                 }
             }
@@ -314,7 +294,7 @@ impl Corpus<'_> {
                     let kinds = self.kinds(way, color);
                     kinds[(i + brightest) % kinds.len()]
                 });
-                let scene = self.scene(UP, [0.25, 0.0, 1.0], lights.collect());
+                let scene = Self::scene(UP, [0.25, 0.0, 1.0], lights.collect());
                 self.add_as(self.model(brightest), &scene);
             }
         }

@@ -18,7 +18,7 @@ fn vector(v: Triple) -> Triple {
 
 /// A random scene.
 pub fn scene(profile: &Profile, random: &mut Random) -> Scene {
-    Generator { profile, random }.scene()
+    profile.fitted(Generator { profile, random }.scene())
 }
 
 struct Generator<'a> {
@@ -35,7 +35,6 @@ impl Generator<'_> {
         let p = if is_long { self.long_point(p) } else { p };
         let ([k_a, k_d, k_s], m) = self.material(is_long);
         let i_a = self.color(profile.brightest(), is_long);
-        let i_a = if profile.ambient { i_a } else { [0.0; 3] };
         let mut first = n;
         let count = self.random.below(profile.most_lights.min(4) + 1);
         let mut lights = Vec::new();
@@ -62,8 +61,8 @@ impl Generator<'_> {
         let mut scene = Scene {
             model: self.random.one_of(&profile.models),
             p,
-            n: profile.direction(n_of_scene),
-            v: profile.direction(v),
+            n: n_of_scene,
+            v,
             k_a,
             k_d,
             k_s,
@@ -144,10 +143,7 @@ impl Generator<'_> {
 
     /// k_a, k_d and k_s, and the shininess.
     fn material(&mut self, is_long: bool) -> ([Triple; 3], f64) {
-        let [k_a, k_d, mut k_s] = [(); 3].map(|()| self.color(1.0, is_long));
-        if self.profile.gray_highlight {
-            k_s = [k_s[0]; 3];
-        }
+        let [k_a, k_d, k_s] = [(); 3].map(|()| self.color(1.0, is_long));
         let most = self.profile.most_shiny;
         let m = match self.random.below(4) {
             0 | 1 => self.random.integer(4, 40) / 4.0,
@@ -187,10 +183,7 @@ impl Generator<'_> {
         };
         let point = Light::point(intensity, position, attenuation);
         match kind {
-            Kind::Directional => Light::Directional {
-                intensity,
-                l: profile.unit(way),
-            },
+            Kind::Directional => Light::Directional { intensity, l: way },
             Kind::Point => point,
             Kind::Spot => {
                 let (axis, half_angle) = self.spot(way, is_long);
@@ -202,9 +195,6 @@ impl Generator<'_> {
     /// a, b and c: short ones, or such that the light is neither gone nor endless at the distance.
     fn attenuation(&mut self, q: f64, is_long: bool) -> Triple {
         let eighth = |random: &mut Random| random.integer(0, 8) / 8.0;
-        if self.profile.unattenuated {
-            return [1.0, 0.0, 0.0];
-        }
         if !is_long || self.random.once_in(4) {
             let a = self.random.one_of(&[1.0, 0.5, 2.0, 0.0]);
             let (b, c) = (eighth(self.random), eighth(self.random));

@@ -198,6 +198,28 @@ impl Profile {
         (off > 0.01 * level).then_some((off, 0.01 * level))
     }
 
+    /// A scene as the renderer can be given it: with directions of length 1, a gray highlight, lamps that are not attenuated
+    /// and no ambient light, if it needs that.
+    pub(crate) fn fitted(&self, mut scene: Scene) -> Scene {
+        (scene.n, scene.v) = (self.direction(scene.n), self.direction(scene.v));
+        scene.m = scene.m.min(self.most_shiny);
+        if self.gray_highlight {
+            scene.k_s = [scene.k_s[0]; 3];
+        }
+        if !self.ambient {
+            scene.i_a = [0.0; 3];
+        }
+        for light in &mut scene.lights {
+            if let Light::Directional { l: axis, .. } | Light::Spot { axis, .. } = light {
+                *axis = self.unit(*axis);
+            }
+            if let Some((_, abc)) = light.lamp_mut().filter(|_| self.unattenuated) {
+                *abc = [1.0, 0.0, 0.0];
+            }
+        }
+        scene
+    }
+
     /// Whether the renderer has all that a scene needs, and the format allows it.
     pub(crate) fn has_all_of(&self, scene: &Scene) -> bool {
         let is_unit = |v: Triple| (length(v) - 1.0).abs() < 8.0 * self.roundoff;
@@ -218,7 +240,7 @@ impl Profile {
             })
         };
         let is_aimed = |light: &Light| match *light {
-            Light::Directional { l: axis, .. } | Light::Spot { axis, .. } => axis != [0.0; 3],
+            Light::Directional { l: axis, .. } | Light::Spot { axis, .. } => length(axis) > 0.0,
             Light::Point { .. } => true,
         };
         let has_light = |light| self.has(Light::kind(light)) && has_lamp(light) && is_aimed(light);

@@ -105,29 +105,13 @@ pub fn simpler(scene: &Scene, profile: &Profile) -> Vec<Scene> {
         }
     }
     let limit = cost(scene);
-    let found = found.into_iter().map(|scene| directed(scene, profile));
+    let found = found.into_iter().map(|scene| profile.fitted(scene));
     let found = found.map(|scene| (cost(&scene), scene));
     let is_simpler = |(cost, scene): &(u32, Scene)| *cost < limit && profile.has_all_of(scene);
     let mut found: Vec<_> = found.filter(is_simpler).collect();
     found.sort_by_key(|(cost, _)| *cost);
     found.dedup_by(|a, b| a.1 == b.1);
     found.into_iter().map(|(_, scene)| scene).collect()
-}
-
-/// The scene with directions of the length that the renderer needs.
-fn directed(mut scene: Scene, profile: &Profile) -> Scene {
-    let unit = |v: &mut Triple| *v = if *v == ZERO { ZERO } else { profile.unit(*v) };
-    if profile.unit_vectors {
-        unit(&mut scene.n);
-        unit(&mut scene.v);
-    }
-    for light in &mut scene.lights {
-        match light {
-            Light::Directional { l: axis, .. } | Light::Spot { axis, .. } => unit(axis),
-            Light::Point { .. } => {}
-        }
-    }
-    scene
 }
 
 /// Simple numbers, and the old one with fewer digits.
