@@ -714,7 +714,10 @@ mod lights {
             let lights = [sun::<T>(), above().at(at), spot().at(at)];
             let kinds = ["kind: Directional", "kind: Point", "kind: Spot"];
             let mut pairs = lights.iter().zip(kinds);
-            pairs.all(|(light, kind)| format!("{light:?}").contains(kind))
+            pairs.all(|(light, kind)| {
+                let text = format!("{light:?}");
+                text.contains(kind) && text.contains("Vec3 { x: 0.0, y: 0.0, z: ")
+            })
         },
         true
     );
