@@ -1,7 +1,7 @@
 //! Operators, roots, powers and conversions.
 
 use shading::fixed::{Fixed, Rgb};
-use shading::{Elementary, Lobe, Real, Select};
+use shading::{Dimmed, Elementary, LightSum, Lobe, Real, Select};
 
 use crate::{Random, edges, exact, steps};
 
@@ -210,4 +210,19 @@ fn derived_functions_are_near_those_of_f64() {
         near(Fixed::of(x).tan(), x.tan());
     }
     near(Fixed::of(2.0).powf(Fixed::of(1.5)), 2.0_f64.powf(1.5));
+}
+
+/// A sum takes a light times a cosine or a highlight within [0, 1]: a lobe that gives another number, as one of your own
+/// may, counts as the nearer end.
+#[test]
+fn a_sum_limits_what_a_lobe_gives() {
+    let light = Dimmed {
+        color: Rgb::new(Fixed::ONE, Fixed::of(0.5), Fixed::MAX),
+        factor: Fixed::ONE,
+    };
+    for x in edges().into_iter().chain([Fixed::of(0.25)]) {
+        let limited = x.at_least(Fixed::ZERO).at_most(Fixed::ONE);
+        let sum = <Fixed as Real>::Sum::DARK.add(light, x).total();
+        assert_eq!(sum, light.color.map(|channel| channel * limited), "{x}");
+    }
 }
