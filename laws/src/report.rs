@@ -280,14 +280,11 @@ impl Report {
                 writeln!(f, "  Broken: {says} ({law})")?;
             }
         }
-        let of = self
-            .laws
-            .iter()
-            .filter(|law| finding.laws.contains(&law.law));
-        let smallest = of.filter_map(|law| Some((law, law.smallest()?)));
-        // one that rounding does not explain, of few scenes
-        let rank = |it: &Counterexample| (!it.broken.is_clear(), it.scenes.len());
-        if let Some((law, smallest)) = smallest.min_by_key(|(_, smallest)| rank(smallest)) {
+        let of = |name: &&str| self.laws.iter().find(|law| law.law == *name);
+        let of_laws = finding.laws.iter().filter_map(of);
+        let smallest = of_laws.filter_map(|law| Some((law, law.smallest()?)));
+        // the first one that rounding does not explain: one scene tells nothing of what is remembered
+        if let Some((law, smallest)) = smallest.min_by_key(|(_, it)| !it.broken.is_clear()) {
             write!(f, "\n  {}: {}\n{smallest}", law.law, law.says)?;
             let again = self.reproduction(&smallest.scenes);
             writeln!(f, "  To reproduce it:\n{again}")?;

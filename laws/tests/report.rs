@@ -94,6 +94,20 @@ fn colors_that_are_no_numbers_are_found_and_placed() {
     }
 }
 
+/// The light of the scene before: a scene alone shows nothing of it, three do.
+#[test]
+fn what_is_remembered_is_shown_by_three_scenes() {
+    let mut last = [0.0; 3];
+    let laws = Laws {
+        cases: 64,
+        ..Laws::default()
+    };
+    let text = run(&laws, |scene| std::mem::replace(&mut last, scene.k_a)).to_string();
+    let (_, first) = text.split_once("Finding 1 of 1: ").expect("one finding");
+    assert!(first.starts_with("a scene changes the color of the scenes after it"));
+    assert!(first.contains("  color 3: "), "{text}");
+}
+
 struct Answers(Result<Vec<Triple>, String>);
 
 impl Renderer for Answers {
