@@ -177,6 +177,8 @@ macro_rules! pages {
         /// [falloffs]: mod@crate::guide::recipes#falloffs-beams-and-filters-of-your-own
         /// [gltf]: mod@crate::guide::recipes#lights-of-a-gltf-file
         /// [programs]: mod@crate::guide::porting#lights-of-other-programs
+        /// [watts]: mod@crate::guide::recipes#lumen-and-candela
+        /// [display]: mod@crate::guide::embedded#a-mesh-on-a-display
         /// [laws]: https://docs.rs/shading-laws
         /// [embedded]: mod@crate::guide::embedded
         /// [gpu]: mod@crate::guide::gpu
