@@ -277,7 +277,7 @@ fn the_number_that_records_computes_as_floats_do() {
         let single = formulas(x as f32, y as f32).map(f64::from);
         for (format, floats) in [(Format::F32, single), (Format::F64, formulas(x, y))] {
             let claim = |_: Given| {
-                let terms: [Term; 19] = formulas(Real::of(x), Real::of(y));
+                let terms: [Term; 21] = formulas(Real::of(x), Real::of(y));
                 let pairs = terms.into_iter().zip(floats);
                 pairs.map(|(x, y)| Goal::Same(x, Real::of(y))).collect()
             };
@@ -286,12 +286,14 @@ fn the_number_that_records_computes_as_floats_do() {
     }
 }
 
-fn formulas<T: Real + PartialOrd>(x: T, y: T) -> [T; 19] {
+fn formulas<T: Real + PartialOrd>(x: T, y: T) -> [T; 21] {
     [
         x + y,
         x - y,
         x * y,
         x / y,
+        x * T::NEG_ONE,
+        x / T::NEG_ONE,
         x.sqrt(),
         -x,
         x.above(y).select(x, y),
