@@ -1,5 +1,5 @@
-//! Builds the peers in C: over arrays, for the processor of this machine; and one point after the other, as it is written
-//! first.
+//! Builds the peers in C: over arrays, for the processor of this machine; and one point after the
+//! other, as it is written first.
 
 fn main() {
     println!("cargo:rerun-if-changed=c");

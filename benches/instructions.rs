@@ -1,8 +1,9 @@
 //! Counts the instructions of each public function under valgrind, whose counts repeat exactly.
 //!
-//! `cargo bench -p shading-benches --bench instructions` prints the table; with `-- --check`, it fails if a count differs from
-//! `instructions.txt` by more than 3%; with `-- --write`, it writes that file. Each function is called out of line at the
-//! ordinary places of the digests; `nothing` is the cost of that alone.
+//! `cargo bench -p shading-benches --bench instructions` prints the table; with `-- --check`, it
+//! fails if a count differs from `instructions.txt` by more than 3%; with `-- --write`, it writes
+//! that file. Each function is called out of line at the ordinary places of the digests; `nothing`
+//! is the cost of that alone.
 
 mod ggx;
 
@@ -51,7 +52,8 @@ const OTHERS: &[Function] = counted! {
     baseline "nothing" |g| g.x;
     by_arrival "GGX, by IncidentLight::arrival" |g| ggx::by_arrival(g);
     by_hand "GGX, by hand" |g| ggx::by_hand(g);
-    into_lanes "Vec3::from_lanes, eight" |g| Vec3::<f32x8>::from_lanes([g.a, g.b, g.p, *g.n, *g.l, *g.v, g.p, g.a]);
+    into_lanes "Vec3::from_lanes, eight" |g|
+        Vec3::<f32x8>::from_lanes([g.a, g.b, g.p, *g.n, *g.l, *g.v, g.p, g.a]);
     out_of_lanes "Rgb::to_lanes, eight" |g| Rgb::new(g.x, g.y, g.cosine).map(f32x8::splat).to_lanes();
     packed "PointLight::packed, eight" |g| PointLight::packed::<f32x8>(&[g.lamps[0]; 8]).next();
     four_integer "shade::blinn_phong, integer m, four lanes" |g| sum::<f32x4, _>(g, g.integer);

@@ -1,7 +1,8 @@
 //! Local illumination as pure functions: Lambert, Phong and Blinn–Phong shading of a point.
 //!
-// Inside the page, because a registry shows no relative links and a page without a network no absolute ones. Renew it by
-// convert docs/pictures/teapot.png -crop 800x530+0+30 -resize 480x -quality 85 -strip jpg:- | base64 --wrap=0
+// Inside the page, because a registry shows no relative links and a page without a network no
+// absolute ones. Renew it by convert docs/pictures/teapot.png -crop 800x530+0+30 -resize 480x
+// -quality 85 -strip jpg:- | base64 --wrap=0
 #![cfg_attr(doc, doc = include_str!("teapot.html"))]
 //!
 //! # Example
@@ -27,10 +28,12 @@
 //! let [red, green, blue] = shaded.total().to_srgb8();
 //! ```
 //!
-//! Vectors of other libraries are converted through arrays: `Vec3::from(array)`, `<[f32; 3]>::from(v)`; `at` takes them as they
-//! are. A direction that is already normalized is [`UnitVec3::assume_unit`]`(array.into())`. The generic types, such as
-//! `shading::PointLight<T>`, accept every number type. The aliases in [`mod@f32`] and [`mod@f64`] fix it, so that literals need no
-//! annotation. Constructors for constants begin with `const_`, such as `Attenuation::const_new`.
+//! Vectors of other libraries are converted through arrays: `Vec3::from(array)`, `<[f32;
+//! 3]>::from(v)`; `at` takes them as they are. A direction that is already normalized is
+//! [`UnitVec3::assume_unit`]`(array.into())`. The generic types, such as `shading::PointLight<T>`,
+//! accept every number type. The aliases in [`mod@f32`] and [`mod@f64`] fix it, so that literals
+//! need no annotation. Constructors for constants begin with `const_`, such as
+//! `Attenuation::const_new`.
 //!
 //! # What it computes
 //!

@@ -51,6 +51,7 @@ impl<T: Real> Vec3<T> {
         T: Scalar,
     {
         let Measured { w, w_length, .. } = T::measured(self);
+        // not `>`, which is a library call without an FPU
         if w_length.above(T::ZERO).any() {
             Some(UnitVec3(w / w_length))
         } else {

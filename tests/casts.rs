@@ -18,7 +18,10 @@ trait Number: Real + PartialOrd + Debug + 'static {
 }
 
 macro_rules! numbers {
-    ($($name:ident: $u:expr, $half_step:expr, max $max:expr, extreme $extreme:expr, |$x:ident| $round:expr;)*) => {$(
+    ($(
+        $name:ident: $u:expr, $half_step:expr, max $max:expr, extreme $extreme:expr,
+        |$x:ident| $round:expr;
+    )*) => {$(
         #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
         struct $name(f64);
 
@@ -152,8 +155,8 @@ fn exact_light(coefficients: [f64; 3], q: f64) -> f64 {
     1.0 / (a + q * (b + c * q))
 }
 
-/// From A to B: the cast is a falloff, and its light that of coefficients off by half a step at most, or by one where
-/// all of them would be 0.
+/// From A to B: the cast is a falloff, and its light that of coefficients off by half a step at
+/// most, or by one where all of them would be 0.
 fn pair<A: Number, B: Number>() {
     let mut random = Random(1);
     for round in 0..2000 {
@@ -206,8 +209,8 @@ fn pair<A: Number, B: Number>() {
     }
 }
 
-/// Of two falloffs, one of which is nowhere brighter, the cast is nowhere brighter, unless the new type can say only
-/// one of them.
+/// Of two falloffs, one of which is nowhere brighter, the cast is nowhere brighter, unless the new
+/// type can say only one of them.
 fn order<A: Number, B: Number>() {
     let mut random = Random(2);
     for _ in 0..2000 {

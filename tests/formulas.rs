@@ -1594,8 +1594,10 @@ macro_rules! short_names {
 }
 
 short_names! {
-    f32: Vec3 UnitVec3 Rgb Dual Attenuation Cone IncidentLight DirectionalLight PointLight SpotLight Light Material Shaded;
-    f64: Vec3 UnitVec3 Rgb Dual Attenuation Cone IncidentLight DirectionalLight PointLight SpotLight Light Material Shaded;
+    f32: Vec3 UnitVec3 Rgb Dual Attenuation Cone IncidentLight DirectionalLight PointLight
+        SpotLight Light Material Shaded;
+    f64: Vec3 UnitVec3 Rgb Dual Attenuation Cone IncidentLight DirectionalLight PointLight
+        SpotLight Light Material Shaded;
 }
 const _: fn(shading::f32::Material<f32>) -> Material<f32, f32> = |material| material;
 

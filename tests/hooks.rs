@@ -543,8 +543,9 @@ mod fixed {
         }
     }
 
-    /// Fixed point chooses the length of a cross product, and the gradient follows: a normal turns as it does in `f64`, up to
-    /// eight steps, half of one for each product, sum and quotient on the way.
+    /// Fixed point chooses the length of a cross product, and the gradient follows: a normal turns
+    /// as it does in `f64`, up to eight steps, half of one for each product, sum and quotient on
+    /// the way.
     #[test]
     fn the_slope_of_a_normal_in_fixed_point_is_that_of_f64() {
         fn slopes<T: Real + PartialOrd>(p: Vec3<T>, [b, c]: [Vec3<T>; 2]) -> Vec<T> {

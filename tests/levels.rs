@@ -1,5 +1,6 @@
-//! The ways to the level of a channel: by steps on a desktop, by a search on a chip, by one comparison on a chip with an FPU.
-//! A processor takes one of them, so a difference would show only on it. Here all three run, for every kind of number.
+//! The ways to the level of a channel: by steps on a desktop, by a search on a chip, by one
+//! comparison on a chip with an FPU. A processor takes one of them, so a difference would show only
+//! on it. Here all three run, for every kind of number.
 
 #[allow(dead_code, clippy::pedantic)]
 #[path = "../src/encoding/edges.rs"]
@@ -10,7 +11,8 @@ mod steps;
 
 use steps::Way;
 
-/// Every edge of every encoding and the numbers beside it; every 997th number of either sign, and NaN; both zeros and the ends.
+/// Every edge of every encoding and the numbers beside it; every 997th number of either sign, and
+/// NaN; both zeros and the ends.
 fn numbers() -> impl Iterator<Item = f32> {
     let edges = edges::next_edges::<256>().into_iter();
     let edges = edges.chain(edges::next_edges::<64>());

@@ -1,5 +1,5 @@
-//! A reflection of one's own over lamps, as a renderer writes it: what arrives by one call, beside the same on `glam` by an
-//! expert.
+//! A reflection of one's own over lamps, as a renderer writes it: what arrives by one call, beside
+//! the same on `glam` by an expert.
 
 use crate::hand::vec3 as hand;
 use crate::ours::f32::{scene, unit};

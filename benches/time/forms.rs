@@ -53,7 +53,8 @@ macro_rules! forms {
                     let spot = |&point| s::SpotLight { axis: axis(&point), cone: cone.unwrap(), point };
                     lamps.iter().map(spot).collect()
                 };
-                let (spots, soft_spots) = (&aimed(s::Cone::from_cosine(OUTER)), &aimed(s::Cone::from_cosines(INNER, OUTER)));
+                let spots = &aimed(s::Cone::from_cosine(OUTER));
+                let soft_spots = &aimed(s::Cone::from_cosines(INNER, OUTER));
                 let ranged = &mut lamps.clone();
                 for lamp in ranged.iter_mut() {
                     lamp.attenuation = lamp.attenuation.within(RANGE).unwrap();
@@ -66,11 +67,15 @@ macro_rules! forms {
                 let with_axis = |lamp: &Lamp| (*lamp, -lamp.position.normalize());
                 let hand_spots: &Vec<_> = &by_hand.iter().map(with_axis).collect();
                 let spot = |(lamp, axis)| Kind::Spot(lamp, axis);
-                let kinds = &[Kind::Sun(V::X), Kind::Lamp(by_hand[1]), spot(hand_spots[2]), Kind::Lamp(by_hand[3])];
+                let lamp = |i: usize| Kind::Lamp(by_hand[i]);
+                let kinds = &[Kind::Sun(V::X), lamp(1), spot(hand_spots[2]), lamp(3)];
                 let theirs = &hand::material();
 
                 macro_rules! form {
-                    ($name:literal * $lights:literal: |$p:ident, $n:pat_param| $lit:expr; |$sum:ident| $added:expr) => {
+                    (
+                        $name:literal * $lights:literal:
+                        |$p:ident, $n:pat_param| $lit:expr; |$sum:ident| $added:expr
+                    ) => {
                         let pair = [
                             pass::<false, _, _>(inputs, $lights, |&[n, v, p]| {
                                 let ($p, $n, m) = (s::Vec3::from(p), unit(n), black_box(ours));
@@ -94,7 +99,8 @@ macro_rules! forms {
                     sum.add_sun(black_box(V::X));
                     sum.add(&by_hand[0], |_, _| 1.0);
                 });
-                form!("once(sun).chain(lamps)" * 5: |p, _| once(sun.at(p)).chain(lamps.iter().map(|l| l.at(p))); |sum| {
+                form!("once(sun).chain(lamps)" * 5: |p, _|
+                    once(sun.at(p)).chain(lamps.iter().map(|l| l.at(p))); |sum| {
                     sum.add_sun(black_box(V::X));
                     for lamp in by_hand { sum.add(lamp, |_, _| 1.0); }
                 });
@@ -105,7 +111,9 @@ macro_rules! forms {
                     for lamp in by_hand { sum.add(lamp, fraction); }
                 });
                 form!("lamps.filter(in front, not blocked)" * 4: |p, n|
-                    lamps.iter().map(|l| l.at(p)).filter(|l| l.is_in_front(n) && !blocked(p.z, l.l().z, l.distance())); |sum| {
+                    lamps.iter().map(|l| l.at(p)).filter(|l| {
+                        l.is_in_front(n) && !blocked(p.z, l.l().z, l.distance())
+                    }); |sum| {
                     let z = sum.p.z;
                     let fraction = |l: V, q| if blocked(z, l.z, q) { 0.0 } else { 1.0 };
                     for lamp in by_hand { sum.add(lamp, fraction); }
@@ -120,8 +128,8 @@ macro_rules! forms {
                 form!("spots" * 4: |p, _| spots.iter().map(|l| l.at(p)); |sum| for (lamp, axis) in hand_spots {
                     sum.add(lamp, |l, _| hard(*axis, l));
                 });
-                form!("spots, soft edges" * 4: |p, _| soft_spots.iter().map(|l| l.at(p)); |sum| for (lamp, axis) in hand_spots {
-                    sum.add(lamp, |l, _| soft(*axis, l));
+                form!("spots, soft edges" * 4: |p, _| soft_spots.iter().map(|l| l.at(p)); |sum| {
+                    for (lamp, axis) in hand_spots { sum.add(lamp, |l, _| soft(*axis, l)); }
                 });
                 form!("lamps with ranges" * 4: |p, _| ranged.iter().map(|l| l.at(p)); |sum| {
                     for lamp in by_hand { sum.add(lamp, |_, q| window(q)); }

@@ -1,4 +1,5 @@
-// What users write with this crate, in terms that earlier versions of it know too: `slower.rs` compiles this file twice.
+// What users write with this crate, in terms that earlier versions of it know too: `slower.rs`
+// compiles this file twice.
 
 use super::subject::{self, Dual, Real, Vec3, normal, shade};
 use crate::race::{Pass, pass};

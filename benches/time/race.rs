@@ -1,15 +1,16 @@
 //! Races two loops over the same data, in turn, and prints a table of their least times.
 //!
-//! The time is that of the wall, because the time of a thread reads too low at times. A pass is short, and the least of
-//! many is one that nothing interrupted. `criterion` and `divan` measure one function after the other, on a machine whose
-//! clock changes meanwhile; `tango-bench` pairs two builds of one function, not two functions.
+//! The time is that of the wall, because the time of a thread reads too low at times. A pass is
+//! short, and the least of many is one that nothing interrupted. `criterion` and `divan` measure
+//! one function after the other, on a machine whose clock changes meanwhile; `tango-bench` pairs
+//! two builds of one function, not two functions.
 
 use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::Instant;
 
-/// How often a ratio above its limit is measured again, if limits are judged. A busy machine disturbs a race, but seldom
-/// five.
+/// How often a ratio above its limit is measured again, if limits are judged. A busy machine
+/// disturbs a race, but seldom five.
 const ATTEMPTS: usize = 5;
 
 /// A loop over inputs. It returns the nanoseconds for a unit and, if asked, the sum of its results.

@@ -1,4 +1,5 @@
-//! A row of pixels, from arrays of structures: eight pixels in lanes, beside one after the other. All bits are equal.
+//! A row of pixels, from arrays of structures: eight pixels in lanes, beside one after the other.
+//! All bits are equal.
 
 use crate::ours::f32::{material, scene, unit};
 use crate::race::{Pass, pass};

@@ -35,8 +35,8 @@ const BRANCHES: usize = 1 << 16;
 
 pub type List<T> = [T; 3];
 
-/// N, V and p of points: random ones on a unit sphere whose eye is before the surface, the pixels of a picture of that
-/// sphere, row by row, or random ones in a cube, with any N and V.
+/// N, V and p of points: random ones on a unit sphere whose eye is before the surface, the pixels
+/// of a picture of that sphere, row by row, or random ones in a cube, with any N and V.
 pub fn points(data: &str, lights: usize) -> Vec<List<List<f64>>> {
     let mut random = fastrand::Rng::with_seed(7);
     // no more than that either: a pass is then too short for a neighbor to interrupt each

@@ -1,5 +1,6 @@
-//! Scene files of any bytes, in JSON, RON and postcard. Each gives an error that says where, or a whole scene, which is written
-//! and read back unchanged. That what was read is valid needs no check here: the constructors made it.
+//! Scene files of any bytes, in JSON, RON and postcard. Each gives an error that says where, or a
+//! whole scene, which is written and read back unchanged. That what was read is valid needs no
+//! check here: the constructors made it.
 #![no_main]
 
 use std::fmt::Debug;

@@ -20,7 +20,8 @@ const NEARLY_ALL: f64 = 0.9;
 /// A scene, and the color that the renderer gave it.
 type Sample = (Scene, Triple);
 
-/// A form of colors in words, the member of the profile that declares it, if it is no departure, and what that changes.
+/// A form of colors in words, the member of the profile that declares it, if it is no departure,
+/// and what that changes.
 type Form = (&'static str, &'static str, fn(&mut Profile));
 
 /// The forms in which renderers give colors that are not linear light.
@@ -209,8 +210,8 @@ impl Evidence {
         })
     }
 
-    /// How well formulas explain the colors, if they give at least this share of the wrong ones and contradict nearly no
-    /// right one.
+    /// How well formulas explain the colors, if they give at least this share of the wrong ones and
+    /// contradict nearly no right one.
     fn score(&self, formula: &Formula, least: f64) -> Option<Cause> {
         #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)]
         #[allow(clippy::cast_sign_loss)] // a part of a small count

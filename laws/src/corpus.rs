@@ -257,8 +257,8 @@ impl Corpus<'_> {
                 self.in_turn(UP, v, UP, Some(m));
             }
         }
-        // the largest, under an N of long components, and at its peak: in few digits, the light of a lamp may not be known
-        // well enough for so large a power
+        // the largest, under an N of long components, and at its peak: in few digits, the light of
+        // a lamp may not be known well enough for so large a power
         for (n, across) in [
             ([0.301, -0.117, 0.946], [0.946, 0.0, -0.301]),
             ([-0.553, 0.719, 0.421], [0.719, 0.553, 0.0]),

@@ -9,8 +9,8 @@ pub struct Edit {
     /// What no longer matters after the edit.
     pub id: &'static str,
     change: fn(&mut Scene, &Profile),
-    /// It takes light away. Where there is more than 1, ambient light makes up for it, because a color that is no longer
-    /// clamped would be mistaken for one that the edit repairs.
+    /// It takes light away. Where there is more than 1, ambient light makes up for it, because a
+    /// color that is no longer clamped would be mistaken for one that the edit repairs.
     pub darkens: bool,
 }
 

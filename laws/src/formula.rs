@@ -1,5 +1,5 @@
-//! The formulas, once: what bounds a renderer's error, and what gives the colors of mistakes. Every ingredient passes a
-//! hook, where a mistake may change it.
+//! The formulas, once: what bounds a renderer's error, and what gives the colors of mistakes. Every
+//! ingredient passes a hook, where a mistake may change it.
 
 use crate::bounded::{Bounded, Bounded3, given3};
 use crate::profile::{Profile, to_srgb};
@@ -7,7 +7,8 @@ use crate::scene::{
     Kind, Light, Model, Scene, Triple, add, dot, length, mul, scale, size, sub, unit,
 };
 
-/// An ingredient, in the order of the computation. A number is a triple of three alike, so that one operation fits any.
+/// An ingredient, in the order of the computation. A number is a triple of three alike, so that one
+/// operation fits any.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Part {
     V,
@@ -110,8 +111,8 @@ pub const ZERO: Bounded = Bounded::ZERO;
 pub const ONE: Bounded = Bounded::exact(1.0);
 pub const BLACK: Bounded3 = [ZERO; 3];
 
-/// A direction, which the renderer may turn to another frame, such as that of the eye. Each coordinate is then a sum of
-/// three products, with factors that are rounded, too.
+/// A direction, which the renderer may turn to another frame, such as that of the eye. Each
+/// coordinate is then a sum of three products, with factors that are rounded, too.
 fn turned(v: Triple, u: f64) -> Bounded3 {
     given3(v, u).map(|c| c.looser(6.0 * u * length(v)))
 }
@@ -297,8 +298,8 @@ impl<'a> Formula<'a> {
         } else {
             let h = self.hook(Part::Half, at, unit(at.sum));
             if h.iter().all(|c| c.value.is_nan()) {
-                // opposite directions have no half vector; where nothing rounds, any that a renderer takes has a power
-                // from 0 to 1
+                // opposite directions have no half vector; where nothing rounds, any that a
+                // renderer takes has a power from 0 to 1
                 let is_exact = at.l.iter().all(|c| c.value.fract() == 0.0);
                 let power = if is_exact {
                     Bounded::exact(0.5).looser(0.5)
@@ -343,7 +344,8 @@ impl<'a> Formula<'a> {
         is_known.then_some(true)
     }
 
-    /// The least and the largest reply that the renderer may give for a channel, where the formulas have an answer.
+    /// The least and the largest reply that the renderer may give for a channel, where the formulas
+    /// have an answer.
     pub fn ends(&self, c: Bounded) -> Option<[f64; 2]> {
         if !c.error.is_finite() {
             return None;

@@ -1,8 +1,8 @@
 //! Random scenes: of short numbers, and of long ones beside them.
 //!
 //! Short numbers are made of small integers, so a scene is exact in `f32`, and special positions
-//! (perpendicular, opposite, mirrored) are hit exactly and often. Long numbers have all the bits of the renderer's type, and
-//! lamps of long scenes stand as near as 2⁻¹⁰ and as far as 2¹⁴.
+//! (perpendicular, opposite, mirrored) are hit exactly and often. Long numbers have all the bits of
+//! the renderer's type, and lamps of long scenes stand as near as 2⁻¹⁰ and as far as 2¹⁴.
 
 use std::array::from_fn;
 use std::f64::consts::FRAC_PI_2;

@@ -26,12 +26,14 @@ pub struct Laws {
     pub only: Vec<String>,
     /// The laws that are expected to be broken: the report passes if they are, and does not if one holds.
     pub known: Vec<String>,
-    /// Scenes that are tried before the others: the text that [`Report::cases`](crate::Report::cases) gives, a scene a line.
+    /// Scenes that are tried before the others: the text that
+    /// [`Report::cases`](crate::Report::cases) gives, a scene a line.
     pub replay: String,
-    /// The most batches of each broken law in which its smallest scene is looked for; it is looked for two seconds in all.
+    /// The most batches of each broken law in which its smallest scene is looked for; it is looked
+    /// for two seconds in all.
     pub shrinks: usize,
-    /// The longest time of the run. Each law is tried at least once. If the time ends before all cases are tried, the report
-    /// does not pass.
+    /// The longest time of the run. Each law is tried at least once. If the time ends before all
+    /// cases are tried, the report does not pass.
     pub time: Option<Duration>,
 }
 

@@ -15,8 +15,8 @@ pub struct Place {
     pub also_without: Vec<&'static str>,
 }
 
-/// Parts that make up one thing, and what else may be told of either: where both are wrong, the highlight, the lamps, the
-/// lights, or everything is.
+/// Parts that make up one thing, and what else may be told of either: where both are wrong, the
+/// highlight, the lamps, the lights, or everything is.
 const PARTS: [([&str; 2], &[&str]); 5] = [
     (
         ["Phong", "Blinn"],
@@ -34,7 +34,8 @@ const PARTS: [([&str; 2], &[&str]); 5] = [
 /// What may be two things.
 const GENERAL: [&str; 3] = ["highlight", "lamps", "lights"];
 
-/// What is wrong without a whole term is not wrong only with it; other edits may change a case in more ways than one.
+/// What is wrong without a whole term is not wrong only with it; other edits may change a case in
+/// more ways than one.
 const TERMS: [&str; 4] = ["highlight", "diffuse", "ambient", "lights"];
 
 /// The most broken cases of an experiment: a bit each.
@@ -87,7 +88,8 @@ fn places_of(cases: &[Scene], profile: &Profile, ask: &mut Ask, depth: u32) -> O
             }
         }
         merge(&mut all);
-        // what takes away a part of the light may take away what is wrong with it, and tells of no place of its own
+        // what takes away a part of the light may take away what is wrong with it, and tells of no
+        // place of its own
         let darkens = |id: &str| EDITS.iter().any(|edit| edit.id == id && edit.darkens);
         let is_more = |id: &&str| {
             !whole.only_with.contains(id) && (whole.only_with.len() < 2 || !darkens(id))

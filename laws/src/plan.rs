@@ -120,12 +120,14 @@ impl Plan {
 }
 
 impl Laws {
-    /// Every scene in the order in which a renderer gets it that says this of itself. They do not depend on its answers; what
-    /// else it is asked for, in search of smaller scenes and of places, does.
+    /// Every scene in the order in which a renderer gets it that says this of itself. They do not
+    /// depend on its answers; what else it is asked for, in search of smaller scenes and of places,
+    /// does.
     ///
     /// # Errors
     ///
-    /// In one line: a contradictory profile; the name of a law that does not exist; no cases at all; a line that is no scene.
+    /// In one line: a contradictory profile; the name of a law that does not exist; no cases at
+    /// all; a line that is no scene.
     pub fn scenes(&self, profile: &Profile) -> Result<Vec<Scene>, String> {
         Ok(handed(&Plan::new(self, profile)?.cases))
     }

@@ -8,8 +8,9 @@ use crate::scene::{Kind, Light, Model, Scene, Triple, length, sub, unit};
 /// The rounding of our own doubles, where the renderer has more digits.
 const OURS: f64 = 1e-15;
 
-/// What a renderer says of itself: how precise it is, what it has, what its replies mean, and where it departs from the
-/// formulas on purpose. A law that needs something the renderer lacks is not tried.
+/// What a renderer says of itself: how precise it is, what it has, what its replies mean, and where
+/// it departs from the formulas on purpose. A law that needs something the renderer lacks is not
+/// tried.
 ///
 /// The default is a renderer in `f32` that has everything, gives linear light without a limit and
 /// follows the formulas.
@@ -64,8 +65,9 @@ pub struct Profile {
     /// The number that it gives for a channel of light 1: 255 if its colors are integers from 0 to 255.
     pub white: f64,
 
-    /// Where it departs from the formulas on purpose: the names that a report gives, such as `HighlightNotGated` or, with
-    /// a number and for some lights only, `ConeExponent=2` and `HighlightNotGated@Spots`.
+    /// Where it departs from the formulas on purpose: the names that a report gives, such as
+    /// `HighlightNotGated` or, with a number and for some lights only, `ConeExponent=2` and
+    /// `HighlightNotGated@Spots`.
     pub departs: Vec<String>,
 }
 
@@ -198,8 +200,8 @@ impl Profile {
         (off > 0.01 * level).then_some((off, 0.01 * level))
     }
 
-    /// A scene as the renderer can be given it: with directions of length 1, a gray highlight, lamps that are not attenuated
-    /// and no ambient light, if it needs that.
+    /// A scene as the renderer can be given it: with directions of length 1, a gray highlight,
+    /// lamps that are not attenuated and no ambient light, if it needs that.
     pub(crate) fn fitted(&self, mut scene: Scene) -> Scene {
         (scene.n, scene.v) = (self.direction(scene.n), self.direction(scene.v));
         scene.m = scene.m.min(self.most_shiny);

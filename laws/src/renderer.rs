@@ -34,8 +34,8 @@ pub trait Renderer {
     /// What prevents an answer, in one line. It ends the run.
     fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String>;
 
-    /// Hears before each batch how far the run is, and says whether it goes on. If it does not, the report has what was
-    /// found until then.
+    /// Hears before each batch how far the run is, and says whether it goes on. If it does not, the
+    /// report has what was found until then.
     fn goes_on(&mut self, progress: &Progress) -> bool {
         let _ = progress;
         true

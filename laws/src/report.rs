@@ -145,7 +145,8 @@ impl Report {
             .any(|law| matches!(law.verdict, Verdict::CutShort { .. }))
     }
 
-    /// Whether all is well: no law is broken but those that are known to be, and those are; and all cases were tried.
+    /// Whether all is well: no law is broken but those that are known to be, and those are; and all
+    /// cases were tried.
     #[must_use]
     pub fn passes(&self) -> bool {
         self.error.is_none() && self.laws.iter().all(|law| law.failure().is_none())
@@ -174,8 +175,8 @@ impl Report {
         format!("{{\"passes\":{},{}", self.passes(), &json(self)[1..])
     }
 
-    /// The report as JUnit's XML: a test case for each law. A law that was not tried is skipped, and so is one that is known
-    /// to be broken.
+    /// The report as JUnit's XML: a test case for each law. A law that was not tried is skipped,
+    /// and so is one that is known to be broken.
     ///
     /// ```
     /// use shading_laws::{Laws, Profile, from_fn};

@@ -96,7 +96,8 @@ struct Run<'a> {
     tried: usize,
     failures: BTreeMap<Law, Vec<Failure>>,
     evidence: Evidence,
-    /// Why the renderer did not answer the first time that it did not, and whether it was the last time that it was asked.
+    /// Why the renderer did not answer the first time that it did not, and whether it was the last
+    /// time that it was asked.
     error: Option<String>,
     is_over: bool,
     /// The renderer does not go on.
@@ -288,7 +289,8 @@ impl Run<'_> {
         }
     }
 
-    /// The smallest case that is still broken; if rounding does not explain the first one, it does not explain that one either.
+    /// The smallest case that is still broken; if rounding does not explain the first one, it does
+    /// not explain that one either.
     fn smaller(&mut self, mut failure: Failure, until: Instant) -> Failure {
         let mut batches = 0;
         let (law, is_clear) = (failure.law, failure.broken.is_clear());
@@ -317,7 +319,8 @@ impl Run<'_> {
         }
     }
 
-    /// The broken laws, together with what is known of their cause: what depends on what was asked before, and all else.
+    /// The broken laws, together with what is known of their cause: what depends on what was asked
+    /// before, and all else.
     fn findings(&mut self) -> Vec<Finding> {
         let broken = self.failures.keys().copied();
         let (mut of_state, others): (Vec<Law>, Vec<Law>) =

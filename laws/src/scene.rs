@@ -9,8 +9,8 @@ pub type Triple = [f64; 3];
 
 /// One place on a surface, and the light on it.
 ///
-/// Positions are in one unit of length, angles in radians, light is linear. The renderer's type holds almost all numbers
-/// exactly.
+/// Positions are in one unit of length, angles in radians, light is linear. The renderer's type
+/// holds almost all numbers exactly.
 ///
 /// ```
 /// use shading_laws::Scene;
@@ -244,14 +244,14 @@ impl Scene {
         serde_json::to_string(self).expect("JSON")
     }
 
-    /// The sum of the largest coordinates of a lamp, of the point and of the way to the eye, to which a renderer that
-    /// works in a frame of its own may round the lamp and the point.
+    /// The sum of the largest coordinates of a lamp, of the point and of the way to the eye, to
+    /// which a renderer that works in a frame of its own may round the lamp and the point.
     pub(crate) fn extent(&self, lamp: Triple) -> f64 {
         size(lamp) + size(self.p) + size(self.v)
     }
 
-    /// Whether a lamp stands so near to the point that a renderer with this roundoff may find it there: in the frame of
-    /// the eye, both positions round by up to u times their size.
+    /// Whether a lamp stands so near to the point that a renderer with this roundoff may find it
+    /// there: in the frame of the eye, both positions round by up to u times their size.
     pub(crate) fn has_lamp_at_the_point(&self, light: &Light, u: f64) -> bool {
         light.lamp().is_some_and(|(position, _)| {
             size(sub(position, self.p)) <= 4.0 * u * self.extent(position)

@@ -32,7 +32,8 @@ fn run(command: &mut Command) -> (Option<i32>, String, String) {
     )
 }
 
-/// Runs a line of a shell, in which the program is `$laws` and a script `$script`, and which must end with this status.
+/// Runs a line of a shell, in which the program is `$laws` and a script `$script`, and which must
+/// end with this status.
 #[track_caller]
 fn shell(folder: &TempDir, script: &str, line: &str, expected: i32) -> String {
     let mut command = Command::new("bash");
@@ -107,8 +108,8 @@ fn examples_keep_all_laws() {
     }
 }
 
-/// The mistakes of a table, made in another program than this: each is found, nearly all have exactly the place that stands
-/// there, and none has another.
+/// The mistakes of a table, made in another program than this: each is found, nearly all have
+/// exactly the place that stands there, and none has another.
 fn mistakes_are_found_and_placed(step: usize) {
     let rows = include_str!("mistakes.txt").lines();
     let rows: Vec<&str> = rows
@@ -141,8 +142,8 @@ fn all_mistakes_in_the_example_are_found_and_placed() {
     mistakes_are_found_and_placed(1);
 }
 
-/// Makes the mistakes of a row, and says what is told if it is not exactly the place of the row. Nothing may be told that is
-/// neither a part of it nor more than it.
+/// Makes the mistakes of a row, and says what is told if it is not exactly the place of the row.
+/// Nothing may be told that is neither a part of it nor more than it.
 fn misplaced(row: &str) -> Option<String> {
     let fields: Vec<&str> = row.rsplitn(3, " => ").collect();
     let [expected, names, edits] = fields[..] else {
@@ -304,7 +305,8 @@ fn nonsense_is_refused() {
     }
 }
 
-/// A pass that did not try every case is no pass; a slow renderer tries each law, and what it is about is told meanwhile.
+/// A pass that did not try every case is no pass; a slow renderer tries each law, and what it is
+/// about is told meanwhile.
 #[test]
 fn a_run_that_is_cut_short_does_not_pass() {
     let slow = PYTHON.replace(

@@ -19,8 +19,8 @@ fn only(law: &str) -> Laws {
     }
 }
 
-/// Light from the eye's side alone, so that much is wrong: the same seed gives the same report, and a law alone has the
-/// scenes that it has among all.
+/// Light from the eye's side alone, so that much is wrong: the same seed gives the same report, and
+/// a law alone has the scenes that it has among all.
 #[test]
 fn the_same_seed_gives_the_same_report() {
     let headlight = |scene: &Scene| scene.k_d.map(|k| k * scene.v[2].max(0.0));

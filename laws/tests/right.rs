@@ -410,8 +410,8 @@ fn what_differs_on_purpose_is_no_mistake() {
     }
 }
 
-/// Tolerances follow the precision: what holds for `f32` is broken for `f64`. A law about what a renderer does not promise
-/// is listed as not tried.
+/// Tolerances follow the precision: what holds for `f32` is broken for `f64`. A law about what a
+/// renderer does not promise is listed as not tried.
 #[test]
 fn single_precision_is_not_double() {
     let profile = Profile {

@@ -93,8 +93,8 @@ pub(super) const ONE: u32 = 1;
 pub(super) const MINUS_ONE: u32 = 2;
 
 impl Graph {
-    /// Records a node in the one way in which it is written: what has the same bits by the rules of signs, and without a
-    /// factor of 1 or −1.
+    /// Records a node in the one way in which it is written: what has the same bits by the rules of
+    /// signs, and without a factor of 1 or −1.
     pub(super) fn node(&mut self, node: Node) -> u32 {
         let parts = node.parts();
         let of = |at: usize| parts.get(at).map(|id| self.nodes[*id as usize]);

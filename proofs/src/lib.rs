@@ -158,7 +158,8 @@ pub fn paths<R>(format: Format, formula: impl Fn(Given) -> R, mut each: impl FnM
     });
 }
 
-/// What the rules say of a claim: the first goal that is open, why the claim is empty, and the cases that have goals.
+/// What the rules say of a claim: the first goal that is open, why the claim is empty, and the
+/// cases that have goals.
 #[derive(Default)]
 struct Derived {
     open: Option<String>,
@@ -203,8 +204,8 @@ fn derive(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Derived {
     derived
 }
 
-/// Tries to prove a claim, and if that fails, to refute it with 20 times as many inputs as must otherwise show that it says
-/// something.
+/// Tries to prove a claim, and if that fails, to refute it with 20 times as many inputs as must
+/// otherwise show that it says something.
 pub fn judge(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Verdict {
     let Derived { open, empty, cases } = derive(format, &claim);
     if let Some(why) = empty {

@@ -68,8 +68,8 @@ fn inputs() -> bool {
     are_witnessed
 }
 
-/// Proves the claims with these names, or all of them: the rules must prove those that are theirs, leave open those that
-/// another tool completes, and refute none.
+/// Proves the claims with these names, or all of them: the rules must prove those that are theirs,
+/// leave open those that another tool completes, and refute none.
 fn prove(names: &[&str]) -> bool {
     let (mut proved, mut left, mut wrong) = (0, 0, 0);
     for claim in chosen(names) {

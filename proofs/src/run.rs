@@ -1,7 +1,7 @@
 //! A run of a formula: what it records, and the answers to its decisions.
 //!
-//! A decision, such as `any_positive` or a comparison, is a fork: the formula runs once for each combination of answers
-//! that the rules do not exclude.
+//! A decision, such as `any_positive` or a comparison, is a fork: the formula runs once for each
+//! combination of answers that the rules do not exclude.
 
 use std::cell::RefCell;
 
@@ -164,8 +164,8 @@ pub(super) fn explore<R>(
     }
 }
 
-/// Runs a formula with the numbers of a sampler, in these cases or in any; `each` sees the run with its result, unless
-/// an assumption does not hold.
+/// Runs a formula with the numbers of a sampler, in these cases or in any; `each` sees the run with
+/// its result, unless an assumption does not hold.
 pub(super) fn calculate<R, S>(
     format: Format,
     sampler: Sampler,

@@ -36,8 +36,8 @@ fn sample(random: &mut Random, range: Range, others: &[f64], format: Format) -> 
     }
 }
 
-/// Runs a formula with random numbers, in these cases or in any; `each` sees those runs for which the assumptions hold,
-/// and says whether to go on.
+/// Runs a formula with random numbers, in these cases or in any; `each` sees those runs for which
+/// the assumptions hold, and says whether to go on.
 pub(super) fn try_out(
     format: Format,
     cases: &[(Test, bool)],

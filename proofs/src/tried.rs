@@ -1,5 +1,6 @@
-//! A claim with every input, in a format of few numbers: the value of each node must lie in the range that the
-//! rules derive for it, each answer of theirs must be that of the numbers, and each goal that they prove must hold.
+//! A claim with every input, in a format of few numbers: the value of each node must lie in the
+//! range that the rules derive for it, each answer of theirs must be that of the numbers, and each
+//! goal that they prove must hold.
 
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -36,7 +37,8 @@ fn derive(run: &Run, goals: &[Goal]) -> Derived {
 /// The first value, answer or goal that the rules get wrong.
 pub fn every(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Result<u64, String> {
     let numbers = Rc::new(format.numbers());
-    // the input: the remainders by how many numbers each variable has; what is left when all have one ends the inputs
+    // the input: the remainders by how many numbers each variable has; what is left when all have
+    // one ends the inputs
     let rest = Rc::new(Cell::new(0));
     let mut derived: HashMap<Vec<(Test, bool)>, Derived> = HashMap::new();
     let (mut compared, mut wrong) = (0, None);

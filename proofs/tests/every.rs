@@ -1,5 +1,6 @@
-//! What the prover does not record, with every number: the operations of floats that are written for a processor, powers by
-//! a real m, constructors for constants, lanes, and the reciprocals of fixed point. `proofs/run.sh --all` runs them.
+//! What the prover does not record, with every number: the operations of floats that are written
+//! for a processor, powers by a real m, constructors for constants, lanes, and the reciprocals of
+//! fixed point. `proofs/run.sh --all` runs them.
 
 #![allow(clippy::float_cmp, clippy::cast_possible_truncation)] // bits are compared, and lanes are eight
 
@@ -42,7 +43,8 @@ fn a_root_is_correctly_rounded() {
     }
 }
 
-/// A comparison of bits gives each float a place in an order. Each differs from its neighbor as numbers do, so all do.
+/// A comparison of bits gives each float a place in an order. Each differs from its neighbor as
+/// numbers do, so all do.
 #[test]
 #[ignore = "every f32"]
 fn comparisons_of_bits_are_those_of_numbers() {
@@ -79,8 +81,8 @@ fn comparisons_of_bits_are_those_of_numbers() {
     }
 }
 
-/// cᵐ = 2^(m log₂ c), for every c and m: where the logarithm is not positive, the product with m is not, and the power of
-/// such a product is within [0, 1].
+/// cᵐ = 2^(m log₂ c), for every c and m: where the logarithm is not positive, the product with m is
+/// not, and the power of such a product is within [0, 1].
 #[test]
 #[ignore = "every f32"]
 fn a_real_power_keeps_its_contract() {

@@ -1,6 +1,7 @@
-//! Every rule of the prover with every operand, in formats of so few numbers that all can be tried: each value must lie
-//! in the range that was derived for it, each answer must be that of the numbers, and each goal that is proved must hold.
-//! The rules do not know in which format they are used.
+//! Every rule of the prover with every operand, in formats of so few numbers that all can be tried:
+//! each value must lie in the range that was derived for it, each answer must be that of the
+//! numbers, and each goal that is proved must hold. The rules do not know in which format they are
+//! used.
 
 use shading::{Elementary, Real, Select};
 use shading_proofs::tried::every;

@@ -23,8 +23,9 @@ const CHIP: bool = cfg!(any(target_arch = "arm", target_arch = "riscv32"));
 /// Whether it has an FPU, beside which a search would take a third of a pixel's time.
 const FPU_CHIP: bool = cfg!(all(target_arch = "arm", target_abi = "eabihf"));
 
-/// Levels by one comparison: the level at the beginning of each interval, in which at most one level begins, and where the
-/// level after each begins. `SHIFT` low bits of a number are the place within its interval. RGB565 takes 0.9 KB.
+/// Levels by one comparison: the level at the beginning of each interval, in which at most one
+/// level begins, and where the level after each begins. `SHIFT` low bits of a number are the place
+/// within its interval. RGB565 takes 0.9 KB.
 struct Near<const N: usize, const LENGTH: usize, const SHIFT: u32> {
     first: [u8; LENGTH],
     next_edges: [u32; N],
@@ -61,8 +62,8 @@ impl<const N: usize, const LENGTH: usize, const SHIFT: u32> Near<N, LENGTH, SHIF
     }
 }
 
-/// The last level that begins at or below a number, by where the level after each begins: one bit of it after the other. It
-/// takes no room beside the edges.
+/// The last level that begins at or below a number, by where the level after each begins: one bit
+/// of it after the other. It takes no room beside the edges.
 // one copy for all encodings
 #[inline(never)]
 const fn found(next_edges: &[u32], bits: u32) -> u32 {
@@ -77,8 +78,8 @@ const fn found(next_edges: &[u32], bits: u32) -> u32 {
     level as u32
 }
 
-/// The levels of fixed-point numbers below 1 with 16 bits after the point: the level at the beginning of each 64th, from which
-/// a few comparisons lead to that of the number.
+/// The levels of fixed-point numbers below 1 with 16 bits after the point: the level at the
+/// beginning of each 64th, from which a few comparisons lead to that of the number.
 #[cfg(feature = "fixed")]
 pub(crate) struct Climb<const N: usize> {
     first: [u8; 64],

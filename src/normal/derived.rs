@@ -61,11 +61,11 @@ pub fn facing<T: Real>(n: UnitVec3<T>, v: UnitVec3<T>, face: UnitVec3<T>) -> Uni
 ///
 /// The result is `None` if M flattens the surface to a line or a point, up to rounding, or if a
 /// number is not finite. A singular M still gives a normal to every other surface, because M is not
-/// inverted. The error is a few u times the conditioning
-/// (|n_x||b||c| + |n_y||c||a| + |n_z||a||b|)/|cof(M) N|, whatever the length of each column from 2⁻¹²⁰
-/// (`f32`) or 2⁻¹⁰⁰⁰ (`f64`) on, where u is the unit roundoff. It is an error of a vector of length 1: a component that M makes much
-/// smaller than the others has fewer correct digits, and below 2⁻⁷⁵ (`f32`) or 2⁻⁶⁶⁰ (`f64`) it may
-/// be 0.
+/// inverted. The error is a few u times the conditioning (|n_x||b||c| + |n_y||c||a| +
+/// |n_z||a||b|)/|cof(M) N|, whatever the length of each column from 2⁻¹²⁰ (`f32`) or 2⁻¹⁰⁰⁰ (`f64`)
+/// on, where u is the unit roundoff. It is an error of a vector of length 1: a component that M
+/// makes much smaller than the others has fewer correct digits, and below 2⁻⁷⁵ (`f32`) or 2⁻⁶⁶⁰
+/// (`f64`) it may be 0.
 ///
 /// Source: Eric Lengyel, *Transforming Normals*, 2024; Ken Turkowski, *Properties of Surface-Normal
 /// Transformations*, in *Graphics Gems*, 1990, for the inverse transpose.

@@ -123,8 +123,8 @@ pub(crate) fn crossed<T: Real>(origin: Vec3<T>, a: Vec3<T>, b: Vec3<T>) -> Vec3<
     }
 }
 
-/// The vector from `origin` to `v` times a power of two. It is scaled down before the subtraction, which may overflow,
-/// and up after it, because the points may be far from the origin.
+/// The vector from `origin` to `v` times a power of two. It is scaled down before the subtraction,
+/// which may overflow, and up after it, because the points may be far from the origin.
 #[inline(always)]
 fn scaled<T: Real>(origin: Vec3<T>, v: Vec3<T>, power: T) -> Vec3<T> {
     let (shrink, grow) = (power.at_most(T::ONE), power.at_least(T::ONE));

@@ -62,8 +62,9 @@ pub(super) fn sqrtf(x: f32) -> f32 {
 }
 
 /// The correctly rounded root of a positive normal number, for constants. The integer root has at
-/// least three bits more than the result. Its lowest bit is set, as the root of most numbers lies above it; that of the
-/// others ends long before. Rounded again, it is the correctly rounded root of an `f32`.
+/// least three bits more than the result. Its lowest bit is set: a root that is not exact lies above
+/// the integer one, and an exact one has at most 27 bits, so that rounding drops the bit. Rounded
+/// again, it is the correctly rounded root of an `f32`.
 #[allow(
     clippy::cast_possible_wrap,
     clippy::cast_precision_loss,

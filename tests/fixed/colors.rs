@@ -170,8 +170,9 @@ fn difference(model: Model, shares: &[f64; SHARES]) -> Option<f64> {
     Some(apart(fixed, double))
 }
 
-/// The levels by which fixed point is off where the light of a lamp ends, whose intensity is up to 4,096: a factor near 0
-/// meets a light that is still large. `None` if the scene is not what is promised.
+/// The levels by which fixed point is off where the light of a lamp ends, whose intensity is up to
+/// 4,096: a factor near 0 meets a light that is still large. `None` if the scene is not what is
+/// promised.
 fn difference_at_an_end(shares: &[f64; SHARES]) -> Option<f64> {
     let mut shares = Shares(shares.iter());
     let p = shares.vector(100.0);

@@ -188,8 +188,8 @@ fn elementary_functions_are_those_of_single_precision() {
     }
 }
 
-/// By the derived formulas of `Elementary`: of the steps of 2⁻¹⁶, each operation may lose one, and the tangent and the power
-/// multiply an error by up to 8.
+/// By the derived formulas of `Elementary`: of the steps of 2⁻¹⁶, each operation may lose one, and
+/// the tangent and the power multiply an error by up to 8.
 #[test]
 fn derived_functions_are_near_those_of_f64() {
     let near = |actual: Fixed, expected: f64| {
@@ -212,8 +212,8 @@ fn derived_functions_are_near_those_of_f64() {
     near(Fixed::of(2.0).powf(Fixed::of(1.5)), 2.0_f64.powf(1.5));
 }
 
-/// A sum takes a light times a cosine or a highlight within [0, 1]: a lobe that gives another number, as one of your own
-/// may, counts as the nearer end.
+/// A sum takes a light times a cosine or a highlight within [0, 1]: a lobe that gives another
+/// number, as one of your own may, counts as the nearer end.
 #[test]
 fn a_sum_limits_what_a_lobe_gives() {
     let light = Dimmed {

@@ -1,5 +1,5 @@
-//! The two ways to each product, by long products and by halves, for every kind of argument: a processor computes by one
-//! of them alone, so a difference would show only on it.
+//! The two ways to each product, by long products and by halves, for every kind of argument: a
+//! processor computes by one of them alone, so a difference would show only on it.
 
 use crate::Random;
 

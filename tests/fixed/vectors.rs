@@ -62,7 +62,8 @@ fn cosines_are_near_the_exact_ones() {
     }
 }
 
-/// The direction halfway is computed with 24 bits: beside the rounding of the result, that is 2⁻²² of |h|⁻² at most.
+/// The direction halfway is computed with 24 bits: beside the rounding of the result, that is 2⁻²²
+/// of |h|⁻² at most.
 #[test]
 fn halfway_cosines_are_near_the_exact_ones() {
     let directions = || vectors().filter_map(|v| Vec3::from(v).unit());

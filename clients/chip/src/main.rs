@@ -1,5 +1,6 @@
-//! A ball on a small display. `cargo run --release` in this folder runs it on an emulated Cortex-M4, whose display is the
-//! terminal; `cargo run --manifest-path chip/Cargo.toml` in the folder above runs it on this machine. Both print the same.
+//! A ball on a small display. `cargo run --release` in this folder runs it on an emulated
+//! Cortex-M4, whose display is the terminal; `cargo run --manifest-path chip/Cargo.toml` in the
+//! folder above runs it on this machine. Both print the same.
 //!
 //! Besides the driver of its display, firmware needs only `ball.rs`.
 #![cfg_attr(target_os = "none", no_std, no_main)]

@@ -1,6 +1,7 @@
-//! A turning ring of 400 triangles under two lamps, in fixed point, on a chip that cannot shade every pixel. It shades the 200
-//! corners and interpolates their colors (Gouraud shading). It draws in strips of eight rows, so it needs no frame buffer: a
-//! chip with 16 KB of RAM suffices. For another mesh, replace the two tables.
+//! A turning ring of 400 triangles under two lamps, in fixed point, on a chip that cannot shade
+//! every pixel. It shades the 200 corners and interpolates their colors (Gouraud shading). It draws
+//! in strips of eight rows, so it needs no frame buffer: a chip with 16 KB of RAM suffices. For
+//! another mesh, replace the two tables.
 
 use embedded_graphics::pixelcolor::Rgb565;
 use embedded_graphics::pixelcolor::raw::RawU16;
@@ -24,7 +25,8 @@ static BRASS: Material = Material {
 
 static SURROUNDINGS: Rgb = color([0.05, 0.05, 0.07]);
 
-/// The mesh: each corner's position and normal, and each triangle's corners, counterclockwise as seen from outside.
+/// The mesh: each corner's position and normal, and each triangle's corners, counterclockwise as
+/// seen from outside.
 static CORNERS: [(Vec3, UnitVec3); AROUND * TUBE] = corners();
 static TRIANGLES: [[u8; 3]; 2 * AROUND * TUBE] = triangles();
 
@@ -173,8 +175,8 @@ impl Corner {
         let light = shade::blinn_phong(n, UnitVec3::Z, &BRASS, SURROUNDINGS, lights).total();
         let scale = Fixed::from(width.min(height) as i16) * SHARE;
         let sixteenths = |x: Fixed| (x * scale).to_bits() >> 12;
-        // Encoded levels are interpolated, which saves an encoding for each pixel. Half a level is added, so that the
-        // fraction can be cut off.
+        // Encoded levels are interpolated, which saves an encoding for each pixel. Half a level is
+        // added, so that the fraction can be cut off.
         let [r, g, b] = light.to_srgb8().map(i32::from);
         let level = |byte, levels| (byte * levels * 256 + 127) / 255 + 128;
         Self {
@@ -214,7 +216,8 @@ struct Linear {
 }
 
 impl Strip<'_> {
-    /// Draws the pixels of a triangle in this strip whose centers are inside it and nearer than what was drawn before.
+    /// Draws the pixels of a triangle in this strip whose centers are inside it and nearer than
+    /// what was drawn before.
     fn draw(&mut self, [a, b, c]: [&Corner; 3]) {
         // twice the area, in squares of a sixteenth
         let area = (b.x - a.x) * (a.y - c.y) - (c.x - a.x) * (a.y - b.y);

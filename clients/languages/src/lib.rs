@@ -1,5 +1,5 @@
-//! `shading` for C and whatever can call C: `shading.h` declares and explains the functions. With the feature `python`, it is
-//! a module for Python.
+//! `shading` for C and whatever can call C: `shading.h` declares and explains the functions. With
+//! the feature `python`, it is a module for Python.
 //!
 //! Nothing here panics. If it did, the panic would end the program and not unwind into C.
 
@@ -149,7 +149,8 @@ pub unsafe extern "C" fn shading_to_srgb8(
     code(encode())
 }
 
-/// Room for so many floats in the module's memory, for JavaScript, until `shading_free` is called with the same number.
+/// Room for so many floats in the module's memory, for JavaScript, until `shading_free` is called
+/// with the same number.
 #[cfg(target_family = "wasm")]
 #[unsafe(no_mangle)]
 pub extern "C" fn shading_room(floats: usize) -> *mut f32 {

@@ -1,5 +1,6 @@
-//! The kernels of the module `shading` for Python. The package around them, `python/shading`, checks the arguments, brings the
-//! arrays into shape and explains the functions. Here, every array is contiguous and has as many rows as there are points, or one.
+//! The kernels of the module `shading` for Python. The package around them, `python/shading`,
+//! checks the arguments, brings the arrays into shape and explains the functions. Here, every array
+//! is contiguous and has as many rows as there are points, or one.
 
 use numpy::{Element, PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
@@ -41,7 +42,8 @@ fn triples<'a, T: Element>(array: &'a PyReadonlyArray2<'_, T>) -> PyResult<Rows<
     Ok(Rows(array.as_slice()?.as_chunks().0))
 }
 
-/// The colors of all points; with `parts`, the ambient ones of all points, then the diffuse, then the specular ones.
+/// The colors of all points; with `parts`, the ambient ones of all points, then the diffuse, then
+/// the specular ones.
 #[allow(clippy::too_many_arguments)]
 fn shade<'py, T: Number + Element>(
     py: Python<'py>,

@@ -1,4 +1,5 @@
-//! The structures of `shading.h`, and the types of the crate that they become. C uses them with `f32`, Python also with `f64`.
+//! The structures of `shading.h`, and the types of the crate that they become. C uses them with
+//! `f32`, Python also with `f64`.
 
 use shading::{
     Attenuation, Cone, DirectionalLight, Elementary, IncidentLight, Lobe, PointLight, Rgb, Scalar,
@@ -122,7 +123,8 @@ pub struct Place<T> {
     pub eye: [T; 3],
 }
 
-/// The light that a point sends to the eye. It is black if the normal has no direction, or if the point is at the eye.
+/// The light that a point sends to the eye. It is black if the normal has no direction, or if the
+/// point is at the eye.
 #[inline]
 pub fn shaded<T: Number>(
     model: Model,

@@ -34,8 +34,8 @@ pub struct Input {
     pub integer: u32,
 }
 
-/// The same as the types of the library, with the names that the table has for them: as far as a shader has them. The point
-/// p is `Input::a`, and the lamps are around `Input::b`.
+/// The same as the types of the library, with the names that the table has for them: as far as a
+/// shader has them. The point p is `Input::a`, and the lamps are around `Input::b`.
 pub struct Given<T> {
     p: Vec3<T>,
     a: Vec3<T>,
@@ -192,7 +192,8 @@ impl<V: Value> Value for Option<V> {
     }
 }
 
-/// `f32`, in generic code: the rows of the table take the operations of the traits, which are the same on every processor.
+/// `f32`, in generic code: the rows of the table take the operations of the traits, which are the
+/// same on every processor.
 pub trait Number: Elementary + PartialOrd + Into<f32> + Value {}
 
 impl Number for f32 {}

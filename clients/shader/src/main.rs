@@ -1,5 +1,5 @@
-//! Runs the kernels on a Vulkan device and compares every number with the CPU's: `shader MODULE [DEVICE]`. It exits with 1
-//! where they differ by more than the bounds below.
+//! Runs the kernels on a Vulkan device and compares every number with the CPU's: `shader MODULE
+//! [DEVICE]`. It exits with 1 where they differ by more than the bounds below.
 
 mod module;
 mod vulkan;
@@ -21,19 +21,21 @@ type Result<T> = std::result::Result<T, Box<dyn Error>>;
 const BATCH: usize = 1 << 16;
 const BATCHES: u64 = 16;
 
-/// What Vulkan allows ÷ to be off by, 2.5 units in the last place, and √, which is 1 over a number that is off by 2 units.
-/// Together with the rounding of the CPU, √ is off by 9.
+/// What Vulkan allows ÷ to be off by, 2.5 units in the last place, and √, which is 1 over a number
+/// that is off by 2 units. Together with the rounding of the CPU, √ is off by 9.
 const DRIVER_BOUND: u64 = 9;
 
-/// A number of the scene differs by less than 2⁻¹¹ on a driver that is as inexact as Vulkan allows. u is 2⁻²⁴; ÷ is off by 5u
-/// and √ by 9u.
+/// A number of the scene differs by less than 2⁻¹¹ on a driver that is as inexact as Vulkan allows.
+/// u is 2⁻²⁴; ÷ is off by 5u and √ by 9u.
 ///
-/// The ring's circle has the radius 0.7 and its tube 0.25. The distance from the axis is at most 0.95 and off by 11u of
-/// itself; less 0.7, it is off by 10.7u, which turns a tube's radius by 43u. The slope of the root is off by 15u and its
-/// products by 3u, the rest of the gradient by 4u, and `unit` by 15.5u: 81u in all, 50u on the CPU. N·L is off by 103u, 60u
-/// on the CPU. R turns by 2 · 81 + 18.5u and has 9u of its own, R·V 3u more: 193u; on the CPU 119u. The 30th power magnifies
-/// this at most 30 times and adds 15u: 5,805u and 3,585u. A highlight has at most k_s I = 0.76, the diffuse part k_d I =
-/// 0.69. With 12u for the sums, the two differ by at most 0.76 · 9,390 + 0.69 · 163 + 1.6 · 24 < 7,300u.
+/// The ring's circle has the radius 0.7 and its tube 0.25. The distance from the axis is at most
+/// 0.95 and off by 11u of itself; less 0.7, it is off by 10.7u, which turns a tube's radius by 43u.
+/// The slope of the root is off by 15u and its products by 3u, the rest of the gradient by 4u, and
+/// `unit` by 15.5u: 81u in all, 50u on the CPU. N·L is off by 103u, 60u on the CPU. R turns by 2 ·
+/// 81 + 18.5u and has 9u of its own, R·V 3u more: 193u; on the CPU 119u. The 30th power magnifies
+/// this at most 30 times and adds 15u: 5,805u and 3,585u. A highlight has at most k_s I = 0.76, the
+/// diffuse part k_d I = 0.69. With 12u for the sums, the two differ by at most 0.76 · 9,390 + 0.69
+/// · 163 + 1.6 · 24 < 7,300u.
 const SCENE_BOUND: f32 = 1.0 / 2048.0;
 
 /// Functions that neither divide nor take a root, and so have the CPU's bits on every device.
@@ -259,7 +261,8 @@ fn scene(gpu: &Gpu, is_exact: bool) -> Result<()> {
     let mut lamps = gpu.buffer::<Lamp>(1)?;
     lamps.numbers()[0] = lamp;
     points.numbers().fill_with(|| random.place());
-    // where N·L is nearly 0, its sign may differ on a device that rounds differently, and a highlight may end there
+    // where N·L is nearly 0, its sign may differ on a device that rounds differently, and a
+    // highlight may end there
     let is_on_horizon = |point: &Point| {
         let n = shading::normal::implicit(ring, point.p);
         n.zip((lamp.position - point.p).unit())

@@ -36,8 +36,8 @@ pub struct Buffer<T> {
 
 impl<T: Pod> Buffer<T> {
     pub fn numbers(&mut self) -> &mut [T] {
-        // SAFETY: `memory` is mapped for as long as the process runs, it is `len` times as large as T, of which every
-        // bit pattern is one, and no kernel runs: `Gpu::run` waits for its end.
+        // SAFETY: `memory` is mapped for as long as the process runs, it is `len` times as large as
+        // T, of which every bit pattern is one, and no kernel runs: `Gpu::run` waits for its end.
         unsafe { slice::from_raw_parts_mut(self.memory, self.len) }
     }
 }

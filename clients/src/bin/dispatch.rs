@@ -1,5 +1,6 @@
-//! One program for all x86-64 processors, which shades in AVX2 where the processor has it. It compares every bit with that
-//! of one point at a time, and fails if AVX2 takes more than 0.75 of the time of SSE2.
+//! One program for all x86-64 processors, which shades in AVX2 where the processor has it. It
+//! compares every bit with that of one point at a time, and fails if AVX2 takes more than 0.75 of
+//! the time of SSE2.
 //!
 //! A function is compiled for AVX2 if it says so, or is inlined into one that does. `Cargo.toml` sets `lto` and
 //! `codegen-units`, so that the sum is inlined into its only caller.
@@ -23,8 +24,8 @@ use wide::f32x8;
 
 const COUNT: usize = 8;
 
-/// Eight numbers in a register. Only `for_avx2` computes with them, and it runs only where there is AVX2: each `unsafe` here
-/// relies on that.
+/// Eight numbers in a register. Only `for_avx2` computes with them, and it runs only where there is
+/// AVX2: each `unsafe` here relies on that.
 #[derive(Clone, Copy)]
 struct Lanes(__m256);
 

@@ -1,5 +1,6 @@
-//! The Utah teapot on `euc`, a software rasterizer with the vectors of `vek`, shaded in three ways: by hand, as the
-//! example `teapot` of `euc` does; the same by this crate; and with lamps and a material. It writes `teapot.png`.
+//! The Utah teapot on `euc`, a software rasterizer with the vectors of `vek`, shaded in three ways:
+//! by hand, as the example `teapot` of `euc` does; the same by this crate; and with lamps and a
+//! material. It writes `teapot.png`.
 
 use std::error::Error;
 
@@ -147,8 +148,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 mod tests {
     use super::*;
 
-    /// A highlight where R·V < 0 is the example's bug: `powf(20.0)` of −0.9 is as large as that of 0.9. Anywhere else, the
-    /// last bits of the light may differ, and truncating it to a byte makes at most one level of that.
+    /// A highlight where R·V < 0 is the example's bug: `powf(20.0)` of −0.9 is as large as that of
+    /// 0.9. Anywhere else, the last bits of the light may differ, and truncating it to a byte makes
+    /// at most one level of that.
     #[test]
     fn a_port_loses_a_highlight_behind_the_teapot_alone() {
         let cosine = |mvp: &Mat4<f32>, (_, n): Vertex| {

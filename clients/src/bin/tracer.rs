@@ -1,5 +1,5 @@
-//! A ray tracer of spheres and a floor, once in the vectors of `glam` (`f32`) and once in those of `nalgebra` (`f64`):
-//! shadows, and rows in parallel. It writes `glam.png` and `nalgebra.png`.
+//! A ray tracer of spheres and a floor, once in the vectors of `glam` (`f32`) and once in those of
+//! `nalgebra` (`f64`): shadows, and rows in parallel. It writes `glam.png` and `nalgebra.png`.
 
 use std::error::Error;
 
@@ -141,7 +141,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     write_png("nalgebra.png", SIZE[0], &on_nalgebra::picture())
 }
 
-/// Only the edges of shadows and spheres, where rays of `f32` and of `f64` may take other ways, differ by more than a level.
+/// Only the edges of shadows and spheres, where rays of `f32` and of `f64` may take other ways,
+/// differ by more than a level.
 #[test]
 fn both_draw_the_same() {
     let [a, b] = [on_glam::picture(), on_nalgebra::picture()];

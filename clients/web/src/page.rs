@@ -94,7 +94,8 @@ impl Page {
         projected.map_or([-1.0; 2], |at| [at.x, at.y])
     }
 
-    /// Where a lamp would be in space if it were moved in the picture and kept its depth. A lamp that is off stays at 0.
+    /// Where a lamp would be in space if it were moved in the picture and kept its depth. A lamp
+    /// that is off stays at 0.
     #[must_use]
     pub fn moved(&self, index: usize, width: usize, height: usize, to: [f32; 2]) -> [f32; 3] {
         let position = self.position(index);

@@ -85,8 +85,8 @@ impl Surface for Plane {
     }
 }
 
-/// A function whose zeros form a surface. It is negative inside, and |f| is at most the distance to the surface. With
-/// `f32` it finds the surface, and with dual numbers it gives the normal.
+/// A function whose zeros form a surface. It is negative inside, and |f| is at most the distance to
+/// the surface. With `f32` it finds the surface, and with dual numbers it gives the normal.
 pub trait Field: Sync {
     fn value<T: Elementary>(&self, p: shading::Vec3<T>) -> T;
 }

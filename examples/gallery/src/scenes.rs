@@ -507,8 +507,8 @@ impl Field for Gyroid {
     fn value<T: Elementary>(&self, p: shading::Vec3<T>) -> T {
         let q = p * T::of(6.0);
         let gyroid = q.x.sin() * q.y.cos() + q.y.sin() * q.z.cos() + q.z.sin() * q.x.cos();
-        // the slope of the gyroid is at most √3: each of its derivatives has the form ab − cd, whose square is at most
-        // (a² + d²)(b² + c²), and the three add up to 3
+        // the slope of the gyroid is at most √3: each of its derivatives has the form ab − cd,
+        // whose square is at most (a² + d²)(b² + c²), and the three add up to 3
         let wall = (gyroid.abs() - T::of(0.3)) * T::of(1.0 / (6.0 * 1.732_050_9));
         wall.at_least(p.length() - T::of(1.3))
     }

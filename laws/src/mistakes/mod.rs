@@ -1,5 +1,5 @@
-//! The mistakes that renderers often make: one table, whose rows name what is wrong, and which a renderer names to say
-//! where it departs from the formulas on purpose.
+//! The mistakes that renderers often make: one table, whose rows name what is wrong, and which a
+//! renderer names to say where it departs from the formulas on purpose.
 
 mod table;
 

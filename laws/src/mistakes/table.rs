@@ -1,5 +1,5 @@
-//! The table of mistakes: those that public trackers of renderers report again and again. What has no row is placed
-//! without one.
+//! The table of mistakes: those that public trackers of renderers report again and again. What has
+//! no row is placed without one.
 
 use std::f64::consts::{FRAC_1_PI, PI};
 use std::sync::LazyLock;

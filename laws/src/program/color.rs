@@ -16,8 +16,8 @@ pub fn color(line: &str) -> Result<Triple, String> {
         .map_err(|_| format!("expected 3 numbers, found {count} in {}", quoted(line)))
 }
 
-/// A number. JavaScript writes `null` for one that is not finite, the C library of Windows `-nan(ind)` and `1.#INF`, and
-/// others write strings.
+/// A number. JavaScript writes `null` for one that is not finite, the C library of Windows
+/// `-nan(ind)` and `1.#INF`, and others write strings.
 fn number(text: &str) -> Option<f64> {
     let text = text.trim();
     let text = text

@@ -1,4 +1,5 @@
-//! A renderer at the other end of two pipes, to which lines are written and from which lines are read, neither forever.
+//! A renderer at the other end of two pipes, to which lines are written and from which lines are
+//! read, neither forever.
 
 use std::ffi::OsString;
 use std::io::{self, BufRead, BufReader, Read, Write};
@@ -30,8 +31,8 @@ const LOOK: Duration = Duration::from_millis(100);
 /// Whether Ctrl-C was pressed.
 static IS_INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
-/// A program that speaks the format. Two threads write and read, because a process that waits for its output to be read
-/// does not read its input.
+/// A program that speaks the format. Two threads write and read, because a process that waits for
+/// its output to be read does not read its input.
 pub struct Piped {
     command: Vec<OsString>,
     child: Child,

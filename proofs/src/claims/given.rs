@@ -1,7 +1,8 @@
 //! What claims are about, and what they say of it.
 //!
-//! The functions that are named `any_` make everything that the crate's constructors make. A test compares the lists here
-//! with the crate's interface, so that a claim about "any light" is about every kind of light that there is.
+//! The functions that are named `any_` make everything that the crate's constructors make. A test
+//! compares the lists here with the crate's interface, so that a claim about "any light" is about
+//! every kind of light that there is.
 
 use shading::{Attenuation, Cone, DirectionalLight, IncidentLight, Light, Material, PointLight};
 use shading::{Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, shade};
@@ -127,8 +128,8 @@ pub fn none<T>(result: Option<T>) -> Vec<Goal> {
     result.map_or(vec![Goal::Same(Term::ZERO, Term::ZERO)], reached)
 }
 
-/// Any attenuation without a range and a limit: what `Attenuation::new` makes of any bits has such coefficients, which
-/// `attenuation_of_any` proves.
+/// Any attenuation without a range and a limit: what `Attenuation::new` makes of any bits has such
+/// coefficients, which `attenuation_of_any` proves.
 pub fn unlimited(given: Given) -> Attenuation<Term> {
     let [a, b, c] = ["a", "b", "c"].map(|name| checked(given, name));
     Attenuation::new(a, b, c).unwrap_or(Attenuation::NONE)
@@ -200,7 +201,8 @@ pub fn any_lamp(given: Given, position: Vec3<Term>) -> Option<Light<Term>> {
     })
 }
 
-/// Any light; one that has a position is at this one. A new kind of light does not compile until it has a place here.
+/// Any light; one that has a position is at this one. A new kind of light does not compile until it
+/// has a place here.
 pub fn light_at(given: Given, position: Vec3<Term>) -> Option<Light<Term>> {
     let light = match given.one_of(2) {
         0 => sun(given, "l").into(),
@@ -228,8 +230,8 @@ pub fn straight(given: Given) -> (UnitVec3<Term>, Term) {
     )
 }
 
-/// A surface, the eye and the ambient light. Of the power by its shininess, which is any bits, only the contract is known,
-/// which integer and real ones have in common.
+/// A surface, the eye and the ambient light. Of the power by its shininess, which is any bits, only
+/// the contract is known, which integer and real ones have in common.
 pub struct Scene {
     pub n: UnitVec3<Term>,
     pub v: UnitVec3<Term>,

@@ -1,7 +1,8 @@
-//! Scripts for Gappa, from recorded formulas: the error bounds of `docs/precision.md` beside which "Gappa" stands, and the
-//! claims that Gappa completes.
+//! Scripts for Gappa, from recorded formulas: the error bounds of `docs/precision.md` beside which
+//! "Gappa" stands, and the claims that Gappa completes.
 //!
-//! A number below 2⁻⁴⁰ is left out of an error bound, because what underflow takes from it is no share of the result.
+//! A number below 2⁻⁴⁰ is left out of an error bound, because what underflow takes from it is no
+//! share of the result.
 
 mod script;
 
@@ -99,8 +100,8 @@ enum Of {
     One,
 }
 
-/// What is proved of a row of the page: its name, the most that it is off by, in units of roundoff, of what, and its
-/// formula.
+/// What is proved of a row of the page: its name, the most that it is off by, in units of roundoff,
+/// of what, and its formula.
 type Bound = (&'static str, f64, Of, fn(Given) -> Formula);
 
 /// By how many u the cosine of two directions is off, which the page derives.
@@ -147,8 +148,8 @@ const BOUNDS: [Bound; 14] = [
     }),
 ];
 
-/// Whether a decision is that a number is out of the range where nothing is lost: a vector that must be scaled, or a
-/// factor that must be limited.
+/// Whether a decision is that a number is out of the range where nothing is lost: a vector that
+/// must be scaled, or a factor that must be limited.
 fn is_rescued(g: &Graph, (test, answer): (Test, bool)) -> bool {
     let Test::Above(inside, _) = test else {
         return false;
@@ -157,8 +158,8 @@ fn is_rescued(g: &Graph, (test, answer): (Test, bool)) -> bool {
     !answer && matches!(inside, Node::Select(Test::AtMost(..), ..))
 }
 
-/// Writes one script for a share of each bound, format and way through the formula, but for ways that rescue a number;
-/// and one for each goal of the claims that Gappa completes.
+/// Writes one script for a share of each bound, format and way through the formula, but for ways
+/// that rescue a number; and one for each goal of the claims that Gappa completes.
 pub fn write(folder: &Path, share: f64) -> std::io::Result<()> {
     fs::create_dir_all(folder)?;
     for format in [Format::F32, Format::F64] {

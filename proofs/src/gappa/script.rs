@@ -1,4 +1,5 @@
-//! A recorded formula in the language of Gappa: n1 is the value of the node 1, and N1 what it would be without rounding.
+//! A recorded formula in the language of Gappa: n1 is the value of the node 1, and N1 what it would
+//! be without rounding.
 
 use std::fmt::Write;
 
@@ -55,8 +56,9 @@ impl<'a> Script<'a> {
         self.text(&format!("at most {most} u"), &goal, "")
     }
 
-    /// That the cosine of two directions n and l, or of −n and l, lies in a range of which `share` is left beyond ±1:
-    /// 2 N·L = |N|² + |L|² − |N − L|² = |N + L|² − |N|² − |L|², and each square is what the path has found it to be.
+    /// That the cosine of two directions n and l, or of −n and l, lies in a range of which `share`
+    /// is left beyond ±1: 2 N·L = |N|² + |L|² − |N − L|² = |N + L|² − |N|² − |L|², and each square
+    /// is what the path has found it to be.
     pub fn within(mut self, cosine: Term, range: Range, share: f64) -> String {
         let root = self.define_below(cosine);
         let [a, b, c, e, f, g] = ["n.x", "n.y", "n.z", "l.x", "l.y", "l.z"].map(|name| {

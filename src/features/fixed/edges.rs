@@ -36,7 +36,8 @@ const fn minor(a: i32, d: i32, b: i32, c: i32) -> i64 {
     product(a, d) - product(b, c)
 }
 
-/// A vector times a power of two, with a component from 16 to 32 unless it is 0. The opposite vector gives the opposite.
+/// A vector times a power of two, with a component from 16 to 32 unless it is 0. The opposite
+/// vector gives the opposite.
 #[inline(never)]
 const fn with_21_bits([x, y, z]: [i64; 3]) -> [Fixed; 3] {
     const fn shifted(x: i64, left: u32) -> Fixed {

@@ -1,12 +1,13 @@
-//! The reciprocal and the reciprocal root on which directions, falloffs and highlights rest, by a table and Newton's
-//! method.
+//! The reciprocal and the reciprocal root on which directions, falloffs and highlights rest, by a
+//! table and Newton's method.
 
 use super::Fixed;
 use super::wide::{upper, upper_unsigned};
 use crate::triple::Vec3;
 
-/// 2⁸/√x for the middle x of each 128th, from ¼ to 1. The numbers are signed, so that the compiler does not know that the
-/// roots are not negative: a product of a signed number with one that it knows takes an Arm core three instructions for one.
+/// 2⁸/√x for the middle x of each 128th, from ¼ to 1. The numbers are signed, so that the compiler
+/// does not know that the roots are not negative: a product of a signed number with one that it
+/// knows takes an Arm core three instructions for one.
 static ROOTS: [i16; 128] = {
     let mut table = [0; 128];
     let mut i = 32;
@@ -84,7 +85,8 @@ pub(super) fn dot(n: Vec3<Fixed>, [x, y, z]: [i32; 3]) -> i32 {
         .wrapping_add(upper(c, z))
 }
 
-/// The cosine of the angle between n and the sum of two directions, with 25 bits after the point; 0 if there is no sum.
+/// The cosine of the angle between n and the sum of two directions, with 25 bits after the point; 0
+/// if there is no sum.
 #[inline]
 pub(super) fn halfway_cosine(n: Vec3<Fixed>, a: Vec3<Fixed>, b: Vec3<Fixed>) -> i32 {
     // from −2³⁰ to 2³⁰, up to what rounding adds

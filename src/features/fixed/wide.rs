@@ -1,5 +1,6 @@
-//! Products of 32 bits by 32 bits. A Cortex-M0 multiplies to 32 bits, and the compiler would call a routine for 64, so
-//! each function is written twice: with the processor's [`long`] products, and by [`halves`] of the factors.
+//! Products of 32 bits by 32 bits. A Cortex-M0 multiplies to 32 bits, and the compiler would call a
+//! routine for 64, so each function is written twice: with the processor's [`long`] products, and
+//! by [`halves`] of the factors.
 //!
 //! A test compares the two for every kind of argument, so this file uses nothing of the crate.
 
@@ -94,8 +95,8 @@ pub mod halves {
         a_1 * b_1 + (middle >> 16) + (other >> 16)
     }
 
-    /// The sign of a stands for 2³², which b takes part in. Without a sign, the compiler would see that this is the half of a
-    /// product of 64 bits, and call the routine.
+    /// The sign of a stands for 2³², which b takes part in. Without a sign, the compiler would see
+    /// that this is the half of a product of 64 bits, and call the routine.
     pub const fn upper_unsigned(a: u32, b: u32) -> u32 {
         let product = upper(a as i32, b as i32) as u32;
         product.wrapping_add((a as i32 >> 31) as u32 & b)

@@ -1,4 +1,5 @@
-//! Vectors, colors and directions as bytes, the shader's struct of `docs/gpu.md`, and conversions by way of `mint`.
+//! Vectors, colors and directions as bytes, the shader's struct of `docs/gpu.md`, and conversions
+//! by way of `mint`.
 
 use shading::f32::{Rgb, UnitVec3, Vec3};
 

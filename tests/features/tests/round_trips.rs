@@ -1,5 +1,6 @@
-//! What is written is read back with the same bits, in every format, also inside a flattened struct and a tagged or an
-//! untagged enum, where serde buffers what it reads. What could not be read back is not written.
+//! What is written is read back with the same bits, in every format, also inside a flattened struct
+//! and a tagged or an untagged enum, where serde buffers what it reads. What could not be read back
+//! is not written.
 
 use std::error::Error;
 use std::fmt::Debug;

@@ -28,8 +28,8 @@ macro_rules! program {
     };
 }
 
-/// Counts with SysTick: under `-icount`, QEMU's clock advances by the same step for each instruction, and the core's timer
-/// counts that clock, down, in 24 bits.
+/// Counts with SysTick: under `-icount`, QEMU's clock advances by the same step for each
+/// instruction, and the core's timer counts that clock, down, in 24 bits.
 #[cfg(target_arch = "arm")]
 mod counter {
     const CONTROL: *mut u32 = 0xe000_e010 as *mut u32;
@@ -97,8 +97,8 @@ impl Stopwatch {
         }
     }
 
-    /// Counts one piece of work, the call included. The timer of an Arm core wraps: QEMU's `-icount shift=10` lets it count
-    /// half a million instructions, and `shift=7` five million.
+    /// Counts one piece of work, the call included. The timer of an Arm core wraps: QEMU's `-icount
+    /// shift=10` lets it count half a million instructions, and `shift=7` five million.
     #[inline(always)]
     pub fn count(&mut self, work: impl FnOnce()) {
         self.ticks += u64::from(ticks(work).wrapping_sub(self.nothing));
@@ -130,8 +130,9 @@ fn thousand_instructions() {
     unsafe { asm!(".rept 1000", "nop", ".endr", options(nomem, nostack)) }
 }
 
-/// How many bytes of stack the one function that `work` calls takes, measured by painting the memory below the stack pointer.
-/// This function is inlined, so the stack pointer is the caller's, and the caller's own frame does not count.
+/// How many bytes of stack the one function that `work` calls takes, measured by painting the
+/// memory below the stack pointer. This function is inlined, so the stack pointer is the caller's,
+/// and the caller's own frame does not count.
 #[inline(always)]
 pub fn stack(work: impl FnOnce()) -> usize {
     const PAINT: u32 = 0xa5a5_5a5a;
@@ -147,7 +148,8 @@ pub fn stack(work: impl FnOnce()) -> usize {
         asm!("mv {}, sp", out(reg) top, options(nomem, nostack))
     }
     let mut depth = WORDS;
-    // SAFETY: the memory below the stack pointer is unused, nothing interrupts, and nothing is called before `work`.
+    // SAFETY: the memory below the stack pointer is unused, nothing interrupts, and nothing is
+    // called before `work`.
     while depth > 0 {
         unsafe { top.wrapping_sub(depth).write_volatile(PAINT) };
         depth -= 1;

@@ -73,7 +73,10 @@ macro_rules! for_f32_and_f64 {
 }
 
 macro_rules! number {
-    ($number:ident, $epsilon:expr, $sizes:expr, $cone:expr, $draw:expr, $draw_any:expr, $single:expr, $absorb:expr) => {
+    (
+        $number:ident, $epsilon:expr, $sizes:expr, $cone:expr,
+        $draw:expr, $draw_any:expr, $single:expr, $absorb:expr
+    ) => {
         impl Number for $number {
             const EPSILON: Self = $epsilon;
             const SIZES: [Self; 10] = $sizes;

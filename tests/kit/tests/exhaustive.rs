@@ -1,8 +1,8 @@
 //! Checks every `f32` of a domain.
 //!
-//! Checking all of them takes minutes: `cargo test --release -p kit --test exhaustive -- --ignored`. Without `--ignored`, the
-//! tests take every 2039th, or every n-th with `SHADING_STRIDE=n`. An odd stride reaches every pattern of
-//! low-order bits.
+//! Checking all of them takes minutes: `cargo test --release -p kit --test exhaustive --
+//! --ignored`. Without `--ignored`, the tests take every 2039th, or every n-th with
+//! `SHADING_STRIDE=n`. An odd stride reaches every pattern of low-order bits.
 
 use std::env;
 use std::ops::RangeInclusive;
@@ -55,8 +55,8 @@ on_some_and_all! {
     levels: |stride| levels_are_rounded_correctly(stride);
 }
 
-/// As the cosine rises, a smoothstep never falls by more than one unit in the last place. The edge is from 0 to ½, so that t
-/// is twice the cosine, exactly.
+/// As the cosine rises, a smoothstep never falls by more than one unit in the last place. The edge
+/// is from 0 to ½, so that t is twice the cosine, exactly.
 fn smoothstep_rises(stride: u32) {
     let cone = Cone::from_cosines(0.5, 0.0).expect("cosines").smoothstep();
     let mut highest = 0.0_f32;

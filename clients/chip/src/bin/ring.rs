@@ -1,6 +1,7 @@
-//! The ring on an ST7789, a display of 240 × 240 pixels on an SPI bus. In this folder, `cargo run --release --bin ring` draws it
-//! on an emulated chip, and prints the digest of the pixels on the bus and how many instructions each frame takes. In the
-//! folder above, `cargo run --manifest-path chip/Cargo.toml --bin ring -- ring.png` draws the same frames on the simulator of
+//! The ring on an ST7789, a display of 240 × 240 pixels on an SPI bus. In this folder, `cargo run
+//! --release --bin ring` draws it on an emulated chip, and prints the digest of the pixels on the
+//! bus and how many instructions each frame takes. In the folder above, `cargo run --manifest-path
+//! chip/Cargo.toml --bin ring -- ring.png` draws the same frames on the simulator of
 //! `embedded-graphics`, prints the digests of its pixels, and writes the picture.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 

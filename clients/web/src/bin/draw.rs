@@ -1,5 +1,5 @@
-//! Draws what the page draws, on this machine: `draw PART WIDTH HEIGHT SETTING...` writes the picture's bytes to standard
-//! output, red, green, blue and opacity of each pixel.
+//! Draws what the page draws, on this machine: `draw PART WIDTH HEIGHT SETTING...` writes the
+//! picture's bytes to standard output, red, green, blue and opacity of each pixel.
 
 use std::io::{self, Write};
 

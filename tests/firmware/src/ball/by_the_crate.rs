@@ -2,8 +2,8 @@
 
 use shading::fixed::Fixed;
 
-/// The program in a number type: `$of` makes its constants of literals, `$coordinate` divides whole pixels by the radius, and
-/// `$encode` makes RGB565 of light.
+/// The program in a number type: `$of` makes its constants of literals, `$coordinate` divides whole
+/// pixels by the radius, and `$encode` makes RGB565 of light.
 macro_rules! ball {
     ($name:ident, $types:ident, $number:ty, $of:expr, $coordinate:expr, $encode:expr) => {
         pub mod $name {

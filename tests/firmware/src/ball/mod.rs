@@ -1,6 +1,7 @@
-//! One picture by several programs: a ball under one lamp, with Blinn's highlight, 240 × 240 pixels in RGB565. The crate draws it
-//! in each of its numbers. Beside it stands the same as a careful author of firmware writes it by hand: the same formula, in
-//! which nothing is computed twice, and no care for what cannot happen here.
+//! One picture by several programs: a ball under one lamp, with Blinn's highlight, 240 × 240 pixels
+//! in RGB565. The crate draws it in each of its numbers. Beside it stands the same as a careful
+//! author of firmware writes it by hand: the same formula, in which nothing is computed twice, and
+//! no care for what cannot happen here.
 
 mod by_hand;
 mod by_the_crate;

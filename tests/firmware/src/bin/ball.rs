@@ -1,4 +1,5 @@
-//! Draws the ball, by the program that the variable `BALL` names at build time, and does nothing else: for its flash.
+//! Draws the ball, by the program that the variable `BALL` names at build time, and does nothing
+//! else: for its flash.
 #![no_std]
 #![no_main]
 

@@ -1,5 +1,6 @@
-//! Prints how many instructions a point light costs in Blinn–Phong, with attenuation: with an integer and with a real m, and
-//! in fixed point with an integer m. Four points, each lit by four lamps.
+//! Prints how many instructions a point light costs in Blinn–Phong, with attenuation: with an
+//! integer and with a real m, and in fixed point with an integer m. Four points, each lit by four
+//! lamps.
 #![no_std]
 #![no_main]
 

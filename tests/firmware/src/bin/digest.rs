@@ -1,5 +1,5 @@
-//! Prints the digest of every function in the number type that the variable `NUMBER` names at build time: on the host and on
-//! a chip, whose flash does not hold all of them at once.
+//! Prints the digest of every function in the number type that the variable `NUMBER` names at build
+//! time: on the host and on a chip, whose flash does not hold all of them at once.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 #[cfg(target_os = "none")]

@@ -1,5 +1,6 @@
-//! Calls one function of the table and nothing else. Compared with a program that calls `nothing`, this program grows by the
-//! flash that the function takes, with everything that it pulls in. The variable `MEASURED` names the function at build time.
+//! Calls one function of the table and nothing else. Compared with a program that calls `nothing`,
+//! this program grows by the flash that the function takes, with everything that it pulls in. The
+//! variable `MEASURED` names the function at build time.
 #![no_std]
 #![no_main]
 

@@ -1,6 +1,7 @@
-//! Draws the ball by the program that the variable `BALL` names at build time, and prints how many instructions the frame takes
-//! and the digest of the picture. On the host, it draws by every program, prints the digest of each, and compares the pictures
-//! with that in `f64`: the greatest difference of a channel in levels of RGB565, and how many pixels differ by more than one.
+//! Draws the ball by the program that the variable `BALL` names at build time, and prints how many
+//! instructions the frame takes and the digest of the picture. On the host, it draws by every
+//! program, prints the digest of each, and compares the pictures with that in `f64`: the greatest
+//! difference of a channel in levels of RGB565, and how many pixels differ by more than one.
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use firmware::ball::{self, SIDE};

@@ -1,5 +1,6 @@
-//! Proves, if it links, that nothing which the crate computes in `f32` or in fixed point can panic: a panic would call an
-//! undefined function. The finished program is searched for double-precision routines.
+//! Proves, if it links, that nothing which the crate computes in `f32` or in fixed point can panic:
+//! a panic would call an undefined function. The finished program is searched for double-precision
+//! routines.
 #![no_std]
 #![no_main]
 

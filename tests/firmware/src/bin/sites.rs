@@ -1,5 +1,6 @@
-//! Calls a sum over lights in one place, or in five, as the variable `SITES` says at build time, in the number that `NUMBER` names,
-//! for the flash of the sums. The five differ as those of a renderer do.
+//! Calls a sum over lights in one place, or in five, as the variable `SITES` says at build time, in
+//! the number that `NUMBER` names, for the flash of the sums. The five differ as those of a
+//! renderer do.
 #![no_std]
 #![no_main]
 

@@ -1,5 +1,6 @@
-//! Prints how many bytes of stack, below the caller, the sum over a slice of lights takes: Lambert, Phong and Blinn–Phong with
-//! an integer m, the last two with a real m; then, in fixed point, the first three.
+//! Prints how many bytes of stack, below the caller, the sum over a slice of lights takes: Lambert,
+//! Phong and Blinn–Phong with an integer m, the last two with a real m; then, in fixed point, the
+//! first three.
 #![no_std]
 #![no_main]
 
