@@ -81,11 +81,14 @@ fn plain<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
 )]
 fn rescued<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
     let power = taming(square);
-    // the same bits: the product takes less flash, and the other way 11 instructions less of a sum on x86-64
+    // the same bits: the product takes less flash and stack
     let w = if cfg!(any(target_arch = "arm", target_arch = "riscv32")) {
         v * power
     } else {
-        scaled(Vec3::new(T::ZERO, T::ZERO, T::ZERO), v, power)
+        // A loop, out of which the compiler moves nothing: in a sum over an array of one light, it would
+        // compute all that follows for each light (measured: 1.3 times the time).
+        let steps = [power.at_most(T::ONE), power.at_least(T::ONE)];
+        steps.into_iter().fold(v, |w, step| w * step)
     };
     let square = T::dot(w, w);
     let w_length = square.sqrt();
