@@ -716,7 +716,7 @@ mod lights {
             let mut pairs = lights.iter().zip(kinds);
             pairs.all(|(light, kind)| {
                 let text = format!("{light:?}");
-                text.contains(kind) && text.contains("Vec3 { x: 0.0, y: 0.0, z: ")
+                text.contains(kind) && text.contains("to_light: Vec3 { x: 0.0, y: 0.0, z: ")
             })
         },
         true

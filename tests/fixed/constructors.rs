@@ -26,6 +26,7 @@ fn attenuations_are_those_of_any_number() {
         for [a, b, c] in [
             [x, Fixed::ZERO, Fixed::ZERO],
             [Fixed::ZERO, x, Fixed::ONE],
+            [x, x, Fixed::ZERO],
             [-x, x, x],
         ] {
             assert_eq!(Attenuation::const_new(a, b, c), Attenuation::new(a, b, c));

@@ -1,7 +1,7 @@
 //! What distance leaves of a light.
 
 use shading::fixed::{Attenuation, Fixed, PointLight, Rgb, Vec3};
-use shading::{Dimmed, Real, attenuation};
+use shading::{Real, attenuation};
 
 use crate::{Random, exact, steps};
 
@@ -17,6 +17,36 @@ fn of_any_size(random: &mut Random, low: f64, high: f64) -> Fixed {
 /// Where the denominator d is above 1, it is off by 1 + q/2 steps; elsewhere and beyond the range the quotient
 /// is computed from all digits. The reciprocal is off by 2⁻²¹ of itself and 2⁻³¹, and a product with the color
 /// by less than a step.
+fn assert_near_the_exact_one(color: Fixed, [a, b, c]: [Fixed; 3], q: Fixed) {
+    let [wide_a, wide_b, wide_c, wide_q] = [a, b, c, q].map(exact);
+    let d = wide_a + wide_q * (wide_b + wide_c * wide_q);
+    if d == 0.0 {
+        return;
+    }
+    let expected = exact(color) / d;
+    let attenuated = |limit| {
+        let dimmed = Fixed::attenuated(Rgb::gray(color), [a, b, c], q, limit);
+        dimmed.color.r * dimmed.factor
+    };
+    let actual = attenuated(Fixed::MAX);
+    let error = steps(actual) - (65536.0 * expected).min(steps(Fixed::MAX));
+    let of_denominator = if d > 0.999 {
+        expected / d * (1.0 + wide_q / 2.0)
+    } else {
+        0.0
+    };
+    let bound =
+        1.0 + exact(color) / 32_768.0 + of_denominator + 65536.0 * expected / f64::from(1 << 21);
+    assert!(
+        error.abs() <= bound,
+        "{color} at {q} of {a}, {b}, {c}: {error} steps of {bound}"
+    );
+    let error = (attenuated(Fixed::ONE) - actual.at_most(color))
+        .to_bits()
+        .abs();
+    assert!(error <= 1 + color.to_bits() / 65536);
+}
+
 #[test]
 fn attenuated_colors_are_near_the_exact_ones() {
     let mut random = Random(7);
@@ -29,41 +59,37 @@ fn attenuated_colors_are_near_the_exact_ones() {
                 some
             }
         };
-        let [a, b, c] = [coefficient(0.5), coefficient(0.5), coefficient(0.1)];
+        let coefficients = [coefficient(0.5), coefficient(0.5), coefficient(0.1)];
         let q = of_any_size(&mut random, 0.01, 200.0);
         let color = of_any_size(&mut random, 1e-4, 30_000.0);
-        let [wide_a, wide_b, wide_c, wide_q] = [a, b, c, q].map(exact);
-        let d = wide_a + wide_q * (wide_b + wide_c * wide_q);
-        if d == 0.0 {
-            continue;
+        assert_near_the_exact_one(color, coefficients, q);
+    }
+}
+
+/// The slope b + cq and the denominator leave the range at once.
+#[test]
+fn steep_falloff_is_near_the_exact_one() {
+    let mut random = Random(18);
+    for _ in 0..30_000 {
+        let c = of_any_size(&mut random, 1000.0, 32_000.0);
+        let q = of_any_size(&mut random, 0.5, 200.0);
+        assert_near_the_exact_one(x(32_000.0), [Fixed::ZERO, Fixed::ZERO, c], q);
+    }
+}
+
+/// A step from the lamp, 1 − (q/r)⁴ is 1 to the last digit, even where the reciprocal of r² is rounded up.
+#[test]
+fn a_range_takes_nothing_from_a_near_light() {
+    for range in (65_536..i32::MAX).step_by(100_003).map(Fixed::from_bits) {
+        let ranged = Attenuation::NONE.within(range).unwrap();
+        for attenuation in [ranged, Attenuation::NONE.within_gltf(range).unwrap()] {
+            let lamp = PointLight {
+                position: Vec3::new(Fixed::STEP, x(0.0), x(0.0)),
+                intensity: Rgb::WHITE,
+                attenuation,
+            };
+            assert_eq!(lamp.at(Vec3::ZERO).intensity(), Rgb::WHITE, "{range}");
         }
-        let expected = exact(color) / d;
-        let Dimmed {
-            color: actual,
-            factor,
-        } = Fixed::attenuated(Rgb::gray(color), [a, b, c], q, Fixed::MAX);
-        let actual = actual.r * factor;
-        let error = steps(actual) - (65536.0 * expected).min(steps(Fixed::MAX));
-        let of_denominator = if d > 0.999 {
-            expected / d * (1.0 + wide_q / 2.0)
-        } else {
-            0.0
-        };
-        let bound = 1.0
-            + exact(color) / 32_768.0
-            + of_denominator
-            + 65536.0 * expected / f64::from(1 << 21);
-        assert!(
-            error.abs() <= bound,
-            "{color} at {q} of {a}, {b}, {c}: {error} steps of {bound}"
-        );
-        let Dimmed {
-            color: clamped,
-            factor,
-        } = Fixed::attenuated(Rgb::gray(color), [a, b, c], q, Fixed::ONE);
-        let clamped = clamped.r * factor;
-        let error = (clamped - actual.at_most(color)).to_bits().abs();
-        assert!(error <= 1 + color.to_bits() / 65536);
     }
 }
 

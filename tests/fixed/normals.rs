@@ -6,9 +6,13 @@ use shading::{Real, UnitVec3, normal};
 use crate::{Random, exact};
 
 /// A triangle of any size, short or long, thick or thin, near the origin or far from it.
+#[allow(clippy::cast_possible_truncation)] // any bits will do
 fn triangle(random: &mut Random) -> [[Fixed; 3]; 3] {
-    if random.below(4) == 0 {
-        return [random.three(), random.three(), random.three()];
+    match random.below(8) {
+        0 => return [random.three(), random.three(), random.three()],
+        // edges that leave the range in several coordinates at once
+        1 => return [(); 3].map(|()| [(); 3].map(|()| Fixed::from_bits(random.bits() as i32))),
+        _ => {}
     }
     let size = random.below(31);
     let mut vector = |shift: usize| [(); 3].map(|()| random.fixed().to_bits() >> shift);
@@ -87,6 +91,18 @@ fn the_normal_of_a_triangle_of_any_size_is_near_the_exact_one() {
         assert!(error <= 0.56 + turned, "{a:?} {b:?} {c:?}: {error} steps");
     }
     assert!(degenerate > 1000 && halved > 100, "{degenerate}, {halved}");
+}
+
+/// The edges (2³⁰, 2³⁰ − 1, 0) and (2³⁰ + 1, 2³⁰, 0), in steps, have the cross product (0, 0, 1).
+#[test]
+fn the_least_cross_product_has_a_direction() {
+    let corner = |x, y| Vec3::from([x, y, 0].map(Fixed::from_bits));
+    let (b, c) = (
+        corner(1 << 30, (1 << 30) - 1),
+        corner((1 << 30) + 1, 1 << 30),
+    );
+    assert_eq!(normal::triangle(Vec3::ZERO, b, c), Some(UnitVec3::Z));
+    assert_eq!(normal::triangle(Vec3::ZERO, c, b), Some(UnitVec3::NEG_Z));
 }
 
 #[test]
