@@ -81,10 +81,6 @@ impl Bounded {
         Self { value, ..self }
     }
 
-    pub fn abs(self) -> Self {
-        self.with(self.value.abs())
-    }
-
     pub fn at_least_zero(self) -> Self {
         self.if_positive(self, Self::ZERO)
     }

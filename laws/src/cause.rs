@@ -1,4 +1,4 @@
-//! What explains the colors of a run: mistakes of the table, or a form of the reply that the profile does not say.
+//! What explains the colors of a run: a mistake of the table, or a form of the reply that the profile does not say.
 
 use std::cmp::Reverse;
 
@@ -45,10 +45,10 @@ const FORMS: &[Form] = &[
 ];
 
 /// What may have caused the wrong colors of a run.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Cause {
-    /// The mistake, or the mistakes that are made together; none if the colors are only given in another form.
-    pub mistakes: Vec<Fault>,
+    /// The mistake; none if the colors are only given in another form.
+    pub mistake: Option<Fault>,
     /// In words.
     pub says: String,
     /// The members of the profile that say so, if it is on purpose.
@@ -58,48 +58,37 @@ pub struct Cause {
     /// The number of wrong colors that were compared. It is 0 for a cause that another experiment showed.
     pub of: usize,
     /// Other mistakes that give the same colors.
-    pub alternatives: Vec<Vec<Fault>>,
+    pub alternatives: Vec<Fault>,
     /// The number of colors, wrong or right, that this does not give.
     #[serde(skip)]
     errors: usize,
 }
 
 impl Cause {
-    /// Mistakes, in the form in which the profile names them.
-    fn of(mistakes: Vec<Fault>) -> Self {
-        let words: Vec<String> = mistakes.iter().map(ToString::to_string).collect();
-        let never = ["Leak", "NotRepeatable", "HalfVectorUnguarded"];
-        let is_never = |fault: &Fault| never.contains(&fault.id());
-        let declare = match &mistakes[..] {
-            faults if faults.iter().any(is_never) => None,
-            [rough] if rough.mistake.is_rough() => {
-                Some(format!("\"roundoff\":{:e}", (-rough.value).exp2()))
-            }
-            faults => {
-                let names: Vec<String> = faults
-                    .iter()
-                    .map(|fault| format!("\"{}\"", fault.name()))
-                    .collect();
-                Some(format!("\"departs\":[{}]", names.join(",")))
-            }
+    /// A mistake, in the form in which the profile names it, that explains so much.
+    fn of(fault: Fault, score: Self) -> Self {
+        let declare = if fault.mistake.is_rough() {
+            format!("\"roundoff\":{:e}", (-fault.value).exp2())
+        } else {
+            format!("\"departs\":[\"{}\"]", fault.name())
         };
         Self {
-            says: words.join("; and "),
-            mistakes,
-            declare,
-            explained: 0,
-            of: 0,
-            alternatives: Vec::new(),
-            errors: 0,
+            mistake: Some(fault),
+            says: fault.to_string(),
+            // a color that is not finite is always broken
+            declare: Some(declare).filter(|_| fault.id() != "HalfVectorUnguarded"),
+            ..score
         }
     }
 
     /// That colors depend on what was asked before.
     pub(crate) fn state() -> Self {
-        let named = |id| Fault::named(id).into_iter().collect();
         Self {
-            alternatives: vec![named("NotRepeatable")],
-            ..Self::of(named("Leak"))
+            says:
+                "a scene changes the color of the scenes after it, or the same scene, asked again, \
+                   has another color"
+                    .into(),
+            ..Self::default()
         }
     }
 
@@ -110,13 +99,9 @@ impl Cause {
     }
 
     /// What to compare causes by: the fewest errors, and then the simplest.
-    fn rank(&self) -> (usize, usize, usize) {
-        let scoped = self
-            .mistakes
-            .iter()
-            .filter(|fault| fault.of.id != "All")
-            .count();
-        (self.errors, self.mistakes.len(), scoped)
+    fn rank(&self) -> (usize, bool) {
+        let is_scoped = self.mistake.is_some_and(|fault| fault.of.id != "All");
+        (self.errors, is_scoped)
     }
 }
 
@@ -154,59 +139,39 @@ impl Evidence {
         }
         let (rough, exact): (Vec<Fault>, Vec<Fault>) =
             Fault::all().partition(|fault| fault.mistake.is_rough());
-        let alone = |least| self.best(profile, exact.iter().map(|fault| vec![*fault]), least);
-        let mut singles = vec![self.form(profile), alone(NEARLY_ALL)];
+        let alone = |least| self.best(profile, exact.iter().copied(), least);
+        let mut causes = vec![self.form(profile), alone(NEARLY_ALL)];
         let is_exact = |cause: &Cause| cause.explained == cause.of;
-        if !singles.iter().flatten().any(is_exact) {
+        if !causes.iter().flatten().any(is_exact) {
             // of some lights or models alone
             let scoped = exact
                 .iter()
-                .flat_map(|fault| SCOPES[1..].iter().map(|of| vec![Fault { of, ..*fault }]));
-            singles.push(self.best(profile, scoped, NEARLY_ALL));
+                .flat_map(|fault| SCOPES[1..].iter().map(|of| Fault { of, ..*fault }));
+            causes.push(self.best(profile, scoped, NEARLY_ALL));
         }
-        let single = singles.into_iter().flatten().min_by_key(Cause::rank);
-        if let Some(cause) = single {
-            // what one mistake does not explain, another may
-            let left = |cause: &Cause| cause.of - cause.explained;
-            let is_all = left(&cause) * 33 <= cause.of;
-            let pair = (!is_all).then(|| self.pair(profile, &exact)).flatten();
-            return pair
-                .filter(|pair| left(pair) * 2 < left(&cause))
-                .or(Some(cause));
-        }
-        let rough = rough
-            .iter()
-            .find_map(|fault| self.roughness(profile, *fault));
-        rough
-            .or_else(|| self.pair(profile, &exact))
-            .or_else(|| alone(0.5))
+        let cause = causes.into_iter().flatten().min_by_key(Cause::rank);
+        let roughness = || rough.iter().find_map(|it| self.roughness(profile, *it));
+        cause.or_else(roughness).or_else(|| alone(0.5))
     }
 
     /// The best of the candidates.
     fn best(
         &self,
         profile: &Profile,
-        candidates: impl Iterator<Item = Vec<Fault>>,
+        candidates: impl Iterator<Item = Fault>,
         least: f64,
     ) -> Option<Cause> {
-        let scored = candidates.filter_map(|faults| {
-            let score = self.score(&formula(profile, &faults), least)?;
-            Some(Cause {
-                mistakes: faults,
-                ..score
-            })
+        let scored = candidates.filter_map(|fault| {
+            let score = self.score(&formula(profile, Some(fault)), least)?;
+            Some(Cause::of(fault, score))
         });
         let mut ranked: Vec<Cause> = scored.collect();
         ranked.sort_by_key(Cause::rank);
-        let best = ranked.first()?.clone();
-        let others = ranked.into_iter().skip(1);
-        let alike = others.take_while(|cause| cause.rank() == best.rank());
+        let (best, others) = ranked.split_first()?;
+        let alike = others.iter().take_while(|it| it.rank() == best.rank());
         Some(Cause {
-            alternatives: alike.map(|cause| cause.mistakes).collect(),
-            explained: best.explained,
-            of: best.of,
-            errors: best.errors,
-            ..Cause::of(best.mistakes)
+            alternatives: alike.filter_map(|cause| cause.mistake).collect(),
+            ..best.clone()
         })
     }
 
@@ -234,13 +199,10 @@ impl Evidence {
         let contradicted = self.right.iter().filter(is_contradicted).take(3).count();
         let is_enough = unexplained <= part(of, 1.0 - least) && of * 4 >= self.wrong.len();
         (is_enough && contradicted <= 2).then(|| Cause {
-            mistakes: Vec::new(),
-            says: String::new(),
-            declare: None,
             explained: of - unexplained,
             of,
-            alternatives: Vec::new(),
             errors: unexplained + unknown + contradicted,
+            ..Cause::default()
         })
     }
 
@@ -289,7 +251,7 @@ impl Evidence {
                 "colors are {}, which the profile does not say",
                 words.join(", ")
             );
-            let score = evidence.score(&formula(&form, &[]), 0.97)?;
+            let score = evidence.score(&formula(&form, None), 0.97)?;
             Some(Cause {
                 says,
                 declare: Some(members.join(",")),
@@ -301,7 +263,7 @@ impl Evidence {
 
     /// The cause if all colors are as if they were rounded so, some too bright and some too dark.
     fn roughness(&self, profile: &Profile, fault: Fault) -> Option<Cause> {
-        let [right, rough] = [formula(profile, &[]), formula(profile, &[fault])];
+        let [right, rough] = [formula(profile, None), formula(profile, Some(fault))];
         let (mut explained, mut of, mut brighter) = (0, 0, 0);
         for (scene, reply) in &self.wrong {
             // with so few bits, hardly anything is known of some colors
@@ -319,35 +281,11 @@ impl Evidence {
         }
         let is_balanced = brighter.min(of - brighter) * 8 >= of;
         let is_so = explained == of && of * 2 >= self.wrong.len();
-        (is_so && is_balanced).then(|| Cause {
+        let score = Cause {
             explained,
             of,
-            ..Cause::of(vec![fault])
-        })
-    }
-
-    /// Two mistakes together, one of which gives some of the wrong colors alone.
-    fn pair(&self, profile: &Profile, faults: &[Fault]) -> Option<Cause> {
-        let first = &self.wrong[..self.wrong.len().min(160)];
-        let gives = |fault: &Fault| {
-            let formula = formula(profile, std::slice::from_ref(fault));
-            let gives = |(scene, reply): &&Sample| formula.fits(scene, *reply) == Some(true);
-            let (few, others) = first.split_at(first.len() / 2);
-            // what gives none of the first few hardly ever gives enough
-            match few.iter().filter(gives).count() {
-                0 => 0,
-                of_few => of_few + others.iter().filter(gives).count(),
-            }
+            ..Cause::default()
         };
-        let mut some: Vec<(usize, Fault)> =
-            faults.iter().map(|fault| (gives(fault), *fault)).collect();
-        some.retain(|(count, _)| count * 40 >= first.len());
-        some.sort_by_key(|(count, _)| Reverse(*count));
-        some.truncate(8);
-        let pairs = some.iter().flat_map(|(_, a)| {
-            let others = faults.iter().filter(|b| b.id() != a.id());
-            others.map(move |b| vec![*a, *b])
-        });
-        self.best(profile, pairs, 0.97)
+        (is_so && is_balanced).then(|| Cause::of(fault, score))
     }
 }

@@ -23,7 +23,6 @@ pub enum Part {
     ToLight,
     Q,
     L,
-    Denominator,
     Falloff,
     /// The cosine of the angle to the axis of the cone.
     Against,
@@ -77,8 +76,6 @@ pub struct At {
     pub to_light: Bounded3,
     pub q: Bounded,
     pub l: Bounded3,
-    pub abc: Bounded3,
-    pub denominator: Bounded,
     pub falloff: Bounded,
     pub against: Bounded,
     pub edge: Bounded,
@@ -251,11 +248,9 @@ impl<'a> Formula<'a> {
             at.to_light = self.hook(Part::ToLight, at, to_light);
             at.q = self.number(Part::Q, at, length(at.to_light));
             at.l = self.hook(Part::L, at, unit(at.to_light));
-            at.abc = given3(abc, u);
-            let [a, b, c] = at.abc;
+            let [a, b, c] = given3(abc, u);
             let denominator = a + b * at.q + c * (at.q * at.q);
-            at.denominator = self.number(Part::Denominator, at, denominator);
-            at.falloff = self.number(Part::Falloff, at, ONE / at.denominator);
+            at.falloff = self.number(Part::Falloff, at, ONE / denominator);
         }
         if at.is_of(Kind::Spot) {
             let (axis, half_angle) = at.spot();

@@ -12,7 +12,6 @@ use crate::scene::Triple;
 pub enum Law {
     Finite,
     Formula,
-    AsSaid,
     NoMemory,
 }
 
@@ -36,13 +35,12 @@ impl Broken {
 
 impl Law {
     /// Every law, in the order of the report.
-    pub const ALL: [Self; 4] = [Self::Finite, Self::Formula, Self::AsSaid, Self::NoMemory];
+    pub const ALL: [Self; 3] = [Self::Finite, Self::Formula, Self::NoMemory];
 
     pub fn name(self) -> &'static str {
         match self {
             Self::Finite => "finite",
             Self::Formula => "formula",
-            Self::AsSaid => "as_said",
             Self::NoMemory => "no_memory",
         }
     }
@@ -50,15 +48,11 @@ impl Law {
     pub fn says(self) -> &'static str {
         match self {
             Self::Finite => "every color is finite",
-            Self::Formula => "the color is that of the formula, within the renderer's precision",
-            Self::AsSaid => "colors are in the range and the levels that the renderer promises",
+            Self::Formula => {
+                "the color is that of the formula, in the renderer's precision and form"
+            }
             Self::NoMemory => "a scene has the same color wherever it is in a batch",
         }
-    }
-
-    /// The law of this name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|law| law.name() == name)
     }
 
     /// How the replies to a scene break the law, if they do: the reply, and, if the scene was asked
@@ -72,8 +66,9 @@ impl Law {
                     let is_lost = reply.is_nan() || reply.is_infinite() && light.error.is_finite();
                     is_lost.then_some((reply, 0.0))
                 }
-                Self::Formula => right.excess(light, reply),
-                Self::AsSaid => right.profile.is_not_as_said(reply),
+                Self::Formula => right
+                    .excess(light, reply)
+                    .or_else(|| right.profile.is_not_as_said(reply)),
                 Self::NoMemory => {
                     let [low, high] = right.ends(light)?;
                     let off = reply - replies.last()?[channel];

@@ -24,11 +24,6 @@ pub struct Laws {
     pub cases: usize,
     /// The laws to try, or none for all. [`Laws::names`] lists the names.
     pub only: Vec<String>,
-    /// The laws that are expected to be broken: the report passes if they are, and does not if one holds.
-    pub known: Vec<String>,
-    /// Scenes that are tried before the others: the text that
-    /// [`Report::cases`](crate::Report::cases) gives, a scene a line.
-    pub replay: String,
     /// The most batches of each broken law in which its smallest scene is looked for; it is looked
     /// for two seconds in all.
     pub shrinks: usize,
@@ -43,8 +38,6 @@ impl Default for Laws {
             seed: 0,
             cases: 1024,
             only: Vec::new(),
-            known: Vec::new(),
-            replay: String::new(),
             shrinks: 200,
             time: None,
         }
@@ -70,8 +63,8 @@ impl Laws {
         if self.cases == 0 {
             return Some("the number of cases is 0".into());
         }
-        let mut names = self.only.iter().chain(&self.known);
-        let unknown = names.find(|name| Law::named(name).is_none())?;
+        let is_unknown = |only: &&String| Self::names().all(|(name, _)| name != *only);
+        let unknown = self.only.iter().find(is_unknown)?;
         Some(format!("there is no law {unknown}"))
     }
 }

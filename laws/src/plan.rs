@@ -76,23 +76,16 @@ impl Plan {
         if let Some(complaint) = laws.complaint(profile) {
             return Err(complaint);
         }
-        let mut scenes = Vec::new();
-        for (i, line) in laws.replay.lines().enumerate() {
-            let scene = Scene::from_json(line);
-            scenes.push(scene.map_err(|why| format!("replayed case {}: {why}", i + 1))?);
-        }
-        scenes.retain(|scene| profile.has_all_of(scene));
-        let replayed = scenes.len();
-        scenes.extend(corpus::edges(profile));
+        let mut scenes = corpus::edges(profile);
         let mut random = Random::new(laws.seed, "scenes");
         let any = std::iter::repeat_with(|| generator::scene(profile, &mut random));
         let most = 20 * laws.cases;
         let some = any.take(most).filter(|scene| profile.has_all_of(scene));
         scenes.extend(some.take(laws.cases));
-        Random::new(laws.seed, "order").shuffle(&mut scenes[replayed..]);
-        let right = formula(profile, &[]);
+        Random::new(laws.seed, "order").shuffle(&mut scenes);
+        let right = formula(profile, None);
         let cases = scenes.into_iter().enumerate().map(|(i, scene)| {
-            let is_again = laws.tries(Law::NoMemory) && (i < replayed || i % AGAIN == 0);
+            let is_again = laws.tries(Law::NoMemory) && i % AGAIN == 0;
             Case::new(scene, &right, is_again)
         });
         let is_judged = |case: &Case| {
@@ -126,8 +119,7 @@ impl Laws {
     ///
     /// # Errors
     ///
-    /// In one line: a contradictory profile; the name of a law that does not exist; no cases at
-    /// all; a line that is no scene.
+    /// In one line: a contradictory profile; the name of a law that does not exist; no cases at all.
     pub fn scenes(&self, profile: &Profile) -> Result<Vec<Scene>, String> {
         Ok(handed(&Plan::new(self, profile)?.cases))
     }

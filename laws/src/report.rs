@@ -1,4 +1,4 @@
-//! What a run found, as text, as JSON and as JUnit's XML.
+//! What a run found, as text and as JSON.
 
 use std::fmt;
 
@@ -6,7 +6,6 @@ use serde::Serialize;
 
 use crate::cause::Cause;
 use crate::law::Broken;
-use crate::mistakes::Fault;
 use crate::place::Place;
 use crate::profile::Profile;
 use crate::scene::{Scene, Triple};
@@ -48,9 +47,6 @@ pub struct LawReport {
     pub law: &'static str,
     /// What it says.
     pub says: &'static str,
-    /// It is expected to be broken.
-    #[serde(rename = "known")]
-    pub is_known: bool,
     /// Whether it holds.
     #[serde(flatten)]
     pub verdict: Verdict,
@@ -73,11 +69,6 @@ pub enum Verdict {
         failures: usize,
         /// The smallest case that was found.
         smallest: Box<Counterexample>,
-    },
-    /// The law is about what the renderer does not promise.
-    NotTried {
-        /// Why it is not tried.
-        because: &'static str,
     },
     /// It holds in every case that was tried, but the run ended before all were.
     CutShort {
@@ -117,17 +108,6 @@ impl LawReport {
             _ => None,
         }
     }
-
-    /// Why the law fails the run, if it does.
-    fn failure(&self) -> Option<&'static str> {
-        match self.verdict {
-            Verdict::Broken { .. } => (!self.is_known).then_some(self.says),
-            Verdict::CutShort { .. } => Some("the run ended before all of its cases were tried"),
-            _ => self
-                .is_known
-                .then_some("it is not broken, but is known as broken"),
-        }
-    }
 }
 
 impl Report {
@@ -145,20 +125,10 @@ impl Report {
             .any(|law| matches!(law.verdict, Verdict::CutShort { .. }))
     }
 
-    /// Whether all is well: no law is broken but those that are known to be, and those are; and all
-    /// cases were tried.
+    /// Whether all is well: every law holds, and all cases were tried.
     #[must_use]
     pub fn passes(&self) -> bool {
-        self.error.is_none() && self.laws.iter().all(|law| law.failure().is_none())
-    }
-
-    /// The smallest scene of each broken law, one a line, to be stored and given to
-    /// [`Laws`](crate::Laws).
-    #[must_use]
-    pub fn cases(&self) -> String {
-        let smallest = self.laws.iter().filter_map(LawReport::smallest);
-        let line = |smallest: &Counterexample| smallest.scenes[0].to_json() + "\n";
-        smallest.map(line).collect()
+        self.error.is_none() && !self.is_broken() && !self.is_cut_short()
     }
 
     /// The report as one JSON object.
@@ -168,63 +138,11 @@ impl Report {
     ///
     /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
     /// let json = Laws::default().run(&mut black).unwrap().to_json();
-    /// assert!(json.starts_with(r#"{"passes":false,"version":6,"seed":0,"#));
+    /// assert!(json.starts_with(r#"{"passes":false,"version":7,"seed":0,"#));
     /// ```
     #[must_use]
     pub fn to_json(&self) -> String {
         format!("{{\"passes\":{},{}", self.passes(), &json(self)[1..])
-    }
-
-    /// The report as JUnit's XML: a test case for each law. A law that was not tried is skipped,
-    /// and so is one that is known to be broken.
-    ///
-    /// ```
-    /// use shading_laws::{Laws, Profile, from_fn};
-    ///
-    /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
-    /// let laws = Laws { only: vec!["no_memory".into()], ..Laws::default() };
-    /// let report = laws.run(&mut black).unwrap();
-    /// assert!(report.to_junit().contains("<testcase classname=\"shading-laws\" name=\"no_memory\"></testcase>"));
-    /// ```
-    #[must_use]
-    pub fn to_junit(&self) -> String {
-        let laws = self.laws.iter().map(|law| {
-            let text = law.smallest().map_or(String::new(), ToString::to_string);
-            let mark = match (law.failure(), &law.verdict) {
-                (Some(why), _) => Some(("failure", why, text)),
-                (None, Verdict::NotTried { because }) => Some(("skipped", *because, String::new())),
-                (None, Verdict::Broken { .. }) => Some(("skipped", "known to be broken", text)),
-                (None, _) => None,
-            };
-            (law.law, mark)
-        });
-        let error = self.error.iter();
-        let error = error.map(|why| ("run", Some(("error", why.as_str(), String::new()))));
-        let cases: Vec<_> = laws.chain(error).collect();
-        let count = |of: &str| {
-            let marks = cases.iter().filter_map(|(_, mark)| mark.as_ref());
-            marks.filter(|(is, ..)| *is == of).count()
-        };
-        let counts = ["failure", "error", "skipped"].map(count);
-        let [failures, errors, skipped] = counts;
-        let counts = format!(
-            "tests=\"{}\" failures=\"{failures}\" errors=\"{errors}\" skipped=\"{skipped}\"",
-            cases.len()
-        );
-        let (name, seed) = (escaped(&printable(&self.profile.name)), self.seed);
-        let mut xml = format!(
-            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {counts}>\n\
-             <testsuite name=\"{name}, seed {seed}\" {counts}>\n"
-        );
-        for (name, mark) in cases {
-            let mark = mark.map_or(String::new(), |(of, why, text)| {
-                let (why, text) = (escaped(why), escaped(&text));
-                format!("<{of} message=\"{why}\">{text}</{of}>")
-            });
-            let case = format!("<testcase classname=\"shading-laws\" name=\"{name}\">");
-            xml.extend([&case, &mark, "</testcase>\n"]);
-        }
-        xml + "</testsuite>\n</testsuites>\n"
     }
 
     /// What gives the colors of these scenes again.
@@ -249,7 +167,7 @@ impl Report {
                 let part = whole.map_or("part of it: ", |_| "");
                 writeln!(f, "{part}{}", cause.says)?;
                 for other in cause.alternatives.iter().take(3) {
-                    writeln!(f, "  or, with the same colors: {}", words(other))?;
+                    writeln!(f, "  or, with the same colors: {other}")?;
                 }
                 if *of > 0 {
                     writeln!(f, "  This explains {explained} of {of} wrong colors.")?;
@@ -304,38 +222,18 @@ impl fmt::Display for Report {
             write!(f, "Finding {} of {}: ", i + 1, self.findings.len())?;
             self.show(f, finding)?;
         }
-        let mut holds = Vec::new();
-        for law in &self.laws {
-            let name = law.law;
-            let is = match &law.verdict {
-                Verdict::Holds { cases } if !law.is_known => {
-                    holds.push(format!("{name} ({cases})"));
-                    continue;
-                }
-                Verdict::Holds { .. } => "holds".into(),
-                Verdict::NotTried { because } => format!("is not tried: {because}"),
+        for LawReport { law, verdict, .. } in &self.laws {
+            match verdict {
+                Verdict::Holds { cases } => writeln!(f, "{law} holds in {cases} cases")?,
                 Verdict::CutShort { cases, of } => {
-                    format!(
-                        "holds in {cases} cases, but the run ended before the other {}",
-                        of - cases
-                    )
+                    let left = of - cases;
+                    let but = format!("but the run ended before the other {left}");
+                    writeln!(f, "{law} holds in {cases} cases, {but}")?;
                 }
                 Verdict::Broken {
                     cases, failures, ..
-                } => {
-                    format!("is BROKEN in {failures} of {cases} cases")
-                }
-            };
-            let known = match law.is_known {
-                true if law.is_broken() => ", as is known",
-                true => ", but is known as broken",
-                false => "",
-            };
-            writeln!(f, "{name} {is}{known}")?;
-        }
-        if !holds.is_empty() {
-            let (count, holds) = (holds.len(), holds.join(", "));
-            writeln!(f, "{count} laws hold, in so many cases: {holds}")?;
+                } => writeln!(f, "{law} is BROKEN in {failures} of {cases} cases")?,
+            }
         }
         match &self.error {
             Some(why) => writeln!(f, "the run ended early: {why}"),
@@ -371,11 +269,6 @@ fn json(value: &impl Serialize) -> String {
     serde_json::to_string(value).expect("plain data is JSON")
 }
 
-fn words(faults: &[Fault]) -> String {
-    let words: Vec<String> = faults.iter().map(ToString::to_string).collect();
-    words.join("; and ")
-}
-
 /// A text without control characters.
 fn printable(text: &str) -> String {
     let escaped = |c: char| match c {
@@ -383,17 +276,4 @@ fn printable(text: &str) -> String {
         c => c.into(),
     };
     text.chars().map(escaped).collect()
-}
-
-/// A text in XML, which has no control characters but the ends of lines.
-fn escaped(text: &str) -> String {
-    let escape = |c: char| match c {
-        '&' => "&amp;".into(),
-        '<' => "&lt;".into(),
-        '>' => "&gt;".into(),
-        '"' => "&quot;".into(),
-        c if c.is_control() && c != '\n' => "\u{fffd}".into(),
-        c => c.to_string(),
-    };
-    text.chars().map(escape).collect()
 }

@@ -34,7 +34,7 @@ impl Laws {
         let mut run = Run {
             renderer,
             plan: &plan,
-            right: formula(&plan.profile, &[]),
+            right: formula(&plan.profile, None),
             start,
             deadline: self.time.map(|time| start + time),
             asked: 0,
@@ -213,13 +213,12 @@ impl Run<'_> {
                 laws.push(LawReport {
                     law: law.name(),
                     says: law.says(),
-                    is_known: self.plan.laws.known.iter().any(|known| known == law.name()),
                     verdict: self.verdict(law, until),
                 });
             }
         }
         Report {
-            version: 6,
+            version: 7,
             seed: self.plan.laws.seed,
             error: self.error,
             findings,
@@ -247,11 +246,6 @@ impl Run<'_> {
                     Box::new(self.counterexample(smallest))
                 },
             },
-            None if law == Law::AsSaid && self.plan.profile.range().is_none() => {
-                Verdict::NotTried {
-                    because: "its colors are neither clamped nor levels",
-                }
-            }
             None if cases < of => Verdict::CutShort { cases, of },
             None => Verdict::Holds { cases },
         }

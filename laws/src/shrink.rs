@@ -5,26 +5,22 @@ use serde_json::Value;
 use crate::bounded::rounded;
 use crate::edit::EDITS;
 use crate::profile::Profile;
-use crate::scene::{Light, Model, Scene, Triple, size};
+use crate::scene::{Model, Scene, Triple, size};
 
-const ZERO: Triple = [0.0; 3];
-
-/// The paths of a scene's numbers, and of its lists of three.
+/// The paths of a scene's numbers and lists.
 fn paths(value: &Value, path: &str, found: &mut Vec<String>) {
     match value {
         Value::Number(_) => found.push(path.into()),
         Value::Array(list) => {
-            if list.len() == 3 && list[0].is_number() {
-                found.push(path.into());
-            }
+            found.push(path.into());
             for (i, value) in list.iter().enumerate() {
                 paths(value, &format!("{path}/{i}"), found);
             }
         }
         Value::Object(members) => {
-            members
-                .iter()
-                .for_each(|(name, value)| paths(value, &format!("{path}/{name}"), found));
+            for (name, value) in members {
+                paths(value, &format!("{path}/{name}"), found);
+            }
         }
         _ => {}
     }
@@ -43,60 +39,12 @@ pub fn cost(scene: &Scene) -> u32 {
 
 /// Simpler scenes, the simplest first.
 pub fn simpler(scene: &Scene, profile: &Profile) -> Vec<Scene> {
-    let mut found: Vec<Scene> = EDITS
-        .iter()
-        .filter_map(|edit| edit.of(scene, profile))
-        .collect();
-    found.extend(Model::ALL.map(|model| Scene {
-        model,
-        ..scene.clone()
-    }));
-    // half of the lights, all but one, or one
-    let with = |lights: &[Light]| Scene {
-        lights: lights.to_vec(),
-        ..scene.clone()
-    };
-    let (first, second) = scene.lights.split_at(scene.lights.len() / 2);
-    found.extend([first, second].map(with));
-    for (i, light) in scene.lights.iter().enumerate().take(32) {
-        found.push(with(&[*light]));
-        found.push(with(&[&scene.lights[..i], &scene.lights[i + 1..]].concat()));
-    }
-    // all but one of the terms at once
-    let Scene {
-        k_a, k_d, k_s, i_a, ..
-    } = *scene;
-    for (k_a, k_d, k_s, i_a) in [
-        (k_a, ZERO, ZERO, i_a),
-        (ZERO, k_d, ZERO, ZERO),
-        (ZERO, ZERO, k_s, ZERO),
-    ] {
-        found.push(Scene {
-            k_a,
-            k_d,
-            k_s,
-            i_a,
-            ..scene.clone()
-        });
-    }
+    let edited = EDITS.iter().filter_map(|edit| edit.of(scene, profile));
+    let mut found: Vec<Scene> = edited.collect();
     let (json, mut places) = (serde_json::to_value(scene).unwrap_or_default(), Vec::new());
     paths(&json, "", &mut places);
     for path in places.iter().take(160) {
-        let Some(old) = json.pointer(path) else {
-            continue;
-        };
-        let shorter: Vec<Value> = match (old.as_f64(), serde_json::from_value(old.clone())) {
-            (Some(number), _) => shorter_number(number)
-                .into_iter()
-                .map(Value::from)
-                .collect(),
-            (None, Ok(triple)) => shorter(triple)
-                .into_iter()
-                .map(|v| Value::from(v.to_vec()))
-                .collect(),
-            _ => continue,
-        };
-        for new in shorter {
+        for new in json.pointer(path).map(shorter).unwrap_or_default() {
             let mut edited = json.clone();
             if let Some(place) = edited.pointer_mut(path) {
                 *place = new;
@@ -114,8 +62,24 @@ pub fn simpler(scene: &Scene, profile: &Profile) -> Vec<Scene> {
     found.into_iter().map(|(_, scene)| scene).collect()
 }
 
+/// Simpler numbers and vectors, and one light or all but one of the lights.
+fn shorter(old: &Value) -> Vec<Value> {
+    if let Some(number) = old.as_f64() {
+        return numbers(number).into_iter().map(Value::from).collect();
+    }
+    if let Ok(vector) = serde_json::from_value(old.clone()) {
+        return vectors(vector).map(|v| Value::from(v.to_vec())).collect();
+    }
+    let lights = old.as_array().map_or(&[][..], Vec::as_slice);
+    let some = (0..lights.len().min(32)).flat_map(|i| {
+        let others = [&lights[..i], &lights[i + 1..]].concat();
+        [vec![lights[i].clone()], others].map(Value::from)
+    });
+    some.collect()
+}
+
 /// Simple numbers, and the old one with fewer digits.
-fn shorter_number(old: f64) -> Vec<f64> {
+fn numbers(old: f64) -> Vec<f64> {
     let mut found = vec![0.0, 0.25, 0.5, 1.0, 1.5, 2.0, 8.0, 32.0, 128.0];
     found.extend([1.0, 2.0, 8.0, 256.0].map(|steps| (old * steps).round() / steps));
     // few significant bits, for numbers that are very small or large
@@ -124,31 +88,18 @@ fn shorter_number(old: f64) -> Vec<f64> {
 }
 
 /// Simple vectors, and the old one along one axis or with fewer digits.
-fn shorter(old: Triple) -> Vec<Triple> {
-    let mut found = vec![ZERO, [1.0; 3], [0.5; 3]];
-    for axis in 0..3 {
-        for c in [
-            1.0,
-            -1.0,
-            0.5,
-            2.0,
-            4.0,
-            1024.0,
-            16384.0,
-            1.0 / 128.0,
-            old[axis],
-        ] {
-            let mut v = ZERO;
+fn vectors(old: Triple) -> impl Iterator<Item = Triple> {
+    let on_axes = (0..3).flat_map(move |axis| {
+        [1.0, -1.0, 2.0, 1024.0, 1.0 / 128.0, old[axis]].map(|c| {
+            let mut v = [0.0; 3];
             v[axis] = c;
-            found.push(v);
-        }
-    }
+            v
+        })
+    });
     let largest = size(old).max(f64::MIN_POSITIVE).log2().floor().exp2();
-    for unit in [1.0, largest] {
-        found.extend(
-            [1.0, 2.0, 8.0, 256.0]
-                .map(|steps| old.map(|c| (c / unit * steps).round() * unit / steps)),
-        );
-    }
-    found.into_iter().map(|v| v.map(|c| c + 0.0)).collect() // no -0
+    let of_few = [1.0, 2.0, 8.0, 256.0]
+        .map(|steps| old.map(|c| (c / largest * steps).round() * largest / steps));
+    let simple = [[0.0; 3], [0.5; 3], [1.0; 3]].into_iter();
+    let all = simple.chain(on_axes).chain(of_few);
+    all.map(|v| v.map(|c| c + 0.0)) // no -0
 }

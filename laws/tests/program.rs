@@ -90,11 +90,6 @@ fn examples_keep_all_laws() {
         ("python", "true", "python3 file.python"),
         ("javascript", "true", "node file.javascript"),
         ("c", "cc -x c -O2 file.c -o by_c -lm", "./by_c"),
-        (
-            "rust",
-            "rustc -O --edition 2021 file.rust -o by_rust",
-            "./by_rust",
-        ),
     ] {
         // JavaScript's engine is not on every machine
         let is_there = Command::new("node").arg("--version").output().is_ok();
@@ -104,7 +99,7 @@ fn examples_keep_all_laws() {
         let line =
             format!("$laws example {language} >file.{language} && {build} && $laws {command}");
         let report = shell(&folder, "", &line, 0);
-        assert!(report.contains("0 of 4 laws broken"), "{report}");
+        assert!(report.contains("0 of 3 laws broken"), "{report}");
     }
 }
 
@@ -316,19 +311,15 @@ fn a_run_that_is_cut_short_does_not_pass() {
     assert_ne!(slow, PYTHON);
     let line = r#"$laws --time 1 python3 -c "$script""#;
     let report = shell(&temporary(), &slow, line, 3);
-    assert!(
-        report.contains("0 of 4 laws broken") && report.contains("formula holds in"),
-        "{report}"
-    );
+    assert!(report.contains("0 of 3 laws broken"), "{report}");
+    assert!(report.contains("formula holds in"), "{report}");
     assert!(!report.contains("holds in 0 cases"), "{report}");
     // Ctrl-C tells what was found
     let interrupt = r#"$laws python3 -c "$script" & sleep 4; kill -INT $!; wait $!"#;
     let report = shell(&temporary(), &slow, interrupt, 3);
-    assert!(report.contains(" s; broken laws: 0"), "{report}");
-    assert!(
-        report.contains("but the run ended before the other"),
-        "{report}"
-    );
+    for part in [" s; broken laws: 0", "but the run ended before the other"] {
+        assert!(report.contains(part), "{report}");
+    }
 }
 
 /// A renderer that does not end by itself is ended.
@@ -339,19 +330,14 @@ fn an_endless_renderer_is_ended() {
     shell(&temporary(), &endless, line, 0);
 }
 
-/// What was found before a renderer ended is told, and is in the files.
+/// What was found before a renderer ended is told.
 #[test]
 fn a_renderer_that_dies_leaves_what_was_found() {
-    let folder = temporary();
     let script = python("if n == 500: sys.exit(3)");
-    let line = r#"$laws --junit junit.xml --save cases python3 -c "$script""#;
-    let report = shell(&folder, &script, line, 1);
+    let report = shell(&temporary(), &script, r#"$laws python3 -c "$script""#, 1);
+    assert!(report.contains("formula is BROKEN in"), "{report}");
     let why = "the run ended early: scene 500: it ended (exit status: 3)";
     assert!(report.contains(why), "{report}");
-    let of = |name| fs::read_to_string(folder.path().join(name)).expect("a file");
-    let (xml, cases) = (of("junit.xml"), of("cases"));
-    assert!(xml.contains("<error message=\"scene 500: it ended") && xml.contains("<failure"));
-    assert!(cases.starts_with(r#"{"model":"#));
 }
 
 #[test]
@@ -379,67 +365,4 @@ fn a_file_of_colors_is_judged() {
     let few = format!("head -1 colors >few; $laws judge {options} few");
     let report = shell(&folder, "", &few, 2);
     assert!(report.contains("1 colors for") && report.contains("need the same options"));
-}
-
-/// What is known to be broken passes, and what is known and holds does not; stored cases are tried again.
-#[test]
-fn known_failures_and_stored_cases() {
-    let folder = temporary();
-    let go = |setup: &str, options: &str, status: i32, expected: &str| {
-        let laws = "--law formula --law finite --cases 8";
-        let line = format!(r#"{setup} $laws {laws} {options} python3 -c "$script""#);
-        let text = shell(&folder, &python(""), &line, status);
-        assert!(text.contains(expected), "{text}");
-    };
-    let broken = "formula is BROKEN in";
-    go("", "--save cases", 1, broken);
-    go(
-        "grep -q '^{\"model\":' cases &&",
-        "--replay cases",
-        1,
-        broken,
-    );
-    let known = "--known known";
-    go("echo 'formula # black' >known;", known, 0, "as is known");
-    go(
-        "echo finite >>known;",
-        known,
-        1,
-        "finite holds, but is known as broken",
-    );
-    go(
-        "echo gravity >>known;",
-        known,
-        2,
-        "known: line 3: there is no law gravity",
-    );
-    go(
-        "echo {} >cases;",
-        "--replay cases",
-        2,
-        "replayed case 1: missing field",
-    );
-}
-
-/// Another program's parser reads the XML and finds what the report has; control characters of a name are escaped.
-#[test]
-fn reports_come_as_junit() {
-    let folder = temporary();
-    let named = r#"say('{"name":"<&\\u0007>"}')"#;
-    let black = python("").replace(r#"say("{}")"#, named);
-    let count = "
-import xml.etree.ElementTree as E
-root = E.parse('junit.xml').getroot()
-of = lambda name: len(root.findall('.//' + name))
-name = root.find('testsuite').get('name')
-print(root.get('tests'), of('testcase'), root.get('failures'), of('failure'), of('skipped'), name)
-";
-    let laws = "--law formula --law finite --law as_said --cases 8";
-    let line = format!(r#"$laws {laws} --junit junit.xml python3 -c "$script""#);
-    let report = shell(&folder, &black, &line, 1);
-    assert!(report.starts_with("<&\\u{7}>, seed 0"), "{report}");
-    let read = shell(&folder, count, r#"python3 -c "$script""#, 0);
-    assert_eq!(read.trim(), r"3 3 1 1 1 <&\u{7}>, seed 0");
-    let xml = fs::read_to_string(folder.path().join("junit.xml")).expect("a file");
-    assert!(xml.contains("the color is that of the formula"), "{xml}");
 }

@@ -22,42 +22,22 @@ fn real<T: Float>(x: f64) -> T {
     T::from(x).expect("a number")
 }
 
-/// The matrix of a view: an orthonormal one, whose rows are those of a rotation that a quaternion gives.
+/// The matrix of a view: an orthonormal one, the reflection at a plane with the normal u. Two rows exchanged,
+/// it turns; otherwise it is a mirrored frame, such as a left-handed one.
 fn view<T: Float>(form: Form) -> [[T; 3]; 3] {
-    let i = f64::from(u32::try_from(form.0).expect("a small number"));
-    let [w, x, y, z] = match form.way(11, 3) {
-        0 => [
-            (i * 0.7).sin(),
-            (i * 1.1).cos(),
-            (i * 1.7).sin(),
-            (i * 2.3).cos(),
-        ],
-        1 => [1.0, f64::from(form.0 as u32 % 2), 0.0, 0.0], // about an axis, by 90° or not at all
-        _ => [0.5, 0.5, 0.5, 0.5],                          // an exchange of the axes
+    let i = f64::from(form.0 as u32);
+    let u = match form.way(11, 3) {
+        0 => [(i * 0.7).sin(), (i * 1.1).cos(), (i * 1.7).sin()],
+        1 => [1.0, 0.0, 0.0],
+        _ => [1.0, -1.0, 0.0],
     };
-    let square = w * w + x * x + y * y + z * z;
-    let s = 2.0 / square;
-    let mut rows = [
-        [
-            1.0 - s * (y * y + z * z),
-            s * (x * y - w * z),
-            s * (x * z + w * y),
-        ],
-        [
-            s * (x * y + w * z),
-            1.0 - s * (x * x + z * z),
-            s * (y * z - w * x),
-        ],
-        [
-            s * (x * z - w * y),
-            s * (y * z + w * x),
-            1.0 - s * (x * x + y * y),
-        ],
-    ];
+    let square = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
+    let entry = |i: usize, j: usize| f64::from(u8::from(i == j)) - 2.0 * u[i] * u[j] / square;
+    let mut rows = [0, 1, 2].map(|i| [0, 1, 2].map(|j| real(entry(i, j))));
     if form.way(13, 2) == 1 {
-        rows[2] = rows[2].map(|c| -c); // a mirrored frame, such as a left-handed one
+        rows.swap(1, 2);
     }
-    rows.map(|row| row.map(real))
+    rows
 }
 
 /// A renderer in one piece, in the numbers of a type.
@@ -410,8 +390,7 @@ fn what_differs_on_purpose_is_no_mistake() {
     }
 }
 
-/// Tolerances follow the precision: what holds for `f32` is broken for `f64`. A law about what a
-/// renderer does not promise is listed as not tried.
+/// Tolerances follow the precision: what holds for `f32` is broken for `f64`.
 #[test]
 fn single_precision_is_not_double() {
     let profile = Profile {
@@ -421,12 +400,7 @@ fn single_precision_is_not_double() {
     };
     let report = run(&profile, 0, 1024, renderer::<f32>(Form(0), &profile));
     let text = report.to_string();
-    let lines = [
-        "\nformula is BROKEN",
-        "a roundoff of 2^-2",
-        "as_said is not tried",
-    ];
-    for line in lines {
+    for line in ["\nformula is BROKEN", "a roundoff of 2^-2"] {
         assert!(text.contains(line), "{text}");
     }
 }

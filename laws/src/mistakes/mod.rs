@@ -13,14 +13,17 @@ pub use table::{MISTAKES, SCOPES};
 use crate::formula::{Applied, At, Change, Formula, Part};
 use crate::profile::Profile;
 
+/// The ingredients that a mistake changes.
+type Changes = &'static [(Part, Change)];
+
 /// A known mistake: what it changes in the formulas.
 pub struct Mistake {
-    pub id: String,
+    pub id: &'static str,
     /// What is wrong, in words; `{}` stands for a number that the renderer has in its code.
-    pub says: String,
+    pub says: &'static str,
     /// The numbers that are tried for `{}`.
     pub values: &'static [f64],
-    pub changes: Vec<(Part, Change)>,
+    pub changes: Changes,
 }
 
 /// A known mistake with its number, and the lights or models that have it.
@@ -50,7 +53,7 @@ impl Fault {
     /// The name of the mistake, which does not change.
     #[must_use]
     pub fn id(&self) -> &'static str {
-        &self.mistake.id
+        self.mistake.id
     }
 
     /// The mistake as a profile names it in `departs`: `ConeExponent=2`, `HighlightNotGated@Spots`.
@@ -65,11 +68,6 @@ impl Fault {
             some => format!("@{some}"),
         };
         format!("{}{value}{of}", self.id())
-    }
-
-    /// The mistake of this name, with the first of its numbers.
-    pub(crate) fn named(id: &str) -> Option<Self> {
-        Self::all().find(|fault| fault.mistake.id == id)
     }
 
     /// Every mistake with every number that is tried for it.
@@ -94,7 +92,7 @@ impl FromStr for Fault {
         let (id, value) = rest
             .split_once('=')
             .map_or((rest, None), |(id, x)| (id, Some(x)));
-        let fault = Self::named(id).filter(|fault| !fault.mistake.is_rough());
+        let fault = Self::all().find(|fault| fault.id() == id && !fault.mistake.is_rough());
         let mut fault = fault.ok_or(format!("there is no departure {id}"))?;
         let scope = SCOPES.iter().find(|scope| scope.id == of);
         fault.of = scope.ok_or(format!("{name}: there are no {of}"))?;
@@ -142,15 +140,13 @@ pub fn departures(profile: &Profile) -> Result<Vec<Fault>, String> {
     profile.departs.iter().map(|name| name.parse()).collect()
 }
 
-/// The formulas as a renderer has them, with what it departs from on purpose and with these mistakes.
-pub fn formula<'a>(profile: &'a Profile, faults: &[Fault]) -> Formula<'a> {
+/// The formulas as a renderer has them, with what it departs from on purpose and with this mistake.
+pub fn formula(profile: &Profile, fault: Option<Fault>) -> Formula<'_> {
     let departures = departures(profile).unwrap_or_default().into_iter();
-    let is_made = |on_purpose: &Fault| faults.iter().any(|fault| fault.id() == on_purpose.id());
-    let faults_and_departures = faults
-        .iter()
-        .copied()
-        .chain(departures.filter(|it| !is_made(it)));
-    let changes = faults_and_departures.flat_map(|fault| {
+    let is_made = |it: &Fault| fault.is_some_and(|fault| fault.id() == it.id());
+    let all = fault.into_iter();
+    let all = all.chain(departures.filter(|it| !is_made(it)));
+    let changes = all.flat_map(|fault| {
         let Fault { mistake, value, of } = fault;
         let changes = mistake.changes.iter();
         changes.map(move |&(part, change)| Applied {
@@ -160,8 +156,8 @@ pub fn formula<'a>(profile: &'a Profile, faults: &[Fault]) -> Formula<'a> {
             has: of.has,
         })
     });
-    let formula = Formula::new(profile, changes.collect(), !faults.is_empty());
-    match faults.iter().find(|fault| fault.mistake.is_rough()) {
+    let formula = Formula::new(profile, changes.collect(), fault.is_some());
+    match fault.filter(|fault| fault.mistake.is_rough()) {
         Some(rough) => formula.in_precision((-rough.value).exp2()),
         None => formula,
     }

@@ -2,21 +2,20 @@
 //! no row is placed without one.
 
 use std::f64::consts::{FRAC_1_PI, PI};
-use std::sync::LazyLock;
 
-use super::{Mistake, Scope};
+use super::{Changes, Mistake, Scope};
 use crate::bounded::{Bounded, Bounded3};
 use crate::formula::Part::{
-    self, Against, Ambient, AmbientToo, Angle, Cone, Cosine, Denominator, Diffuse, Encode, Falloff,
-    Gate, Half, Intensity, L, Lambert, Level, M, N, OfLight, Once, Power, Q, ShinyFalloff, Side,
-    Specular, Sum, ToLight, V, Within,
+    Against, Ambient, AmbientToo, Angle, Cone, Cosine, Diffuse, Encode, Falloff, Gate, Half,
+    Intensity, L, Lambert, Level, M, N, OfLight, Once, Power, Q, ShinyFalloff, Side, Specular, Sum,
+    ToLight, V, Within,
 };
-use crate::formula::{At, BLACK, Change, ONE};
+use crate::formula::{At, BLACK, ONE};
 use crate::profile::to_srgb;
 use crate::scene::{Kind, Model, add, dot, mul, scale};
 
 /// Which lights or models have a mistake, the whole first.
-pub static SCOPES: [Scope; 11] = [
+pub static SCOPES: [Scope; 7] = [
     scope("All", "", |_| true),
     scope("Suns", ", of directional lights only", |at| {
         at.is_of(Kind::Directional)
@@ -32,51 +31,28 @@ pub static SCOPES: [Scope; 11] = [
     scope("Blinn", ", in Blinn's model only", |at| {
         at.model == Model::BlinnPhong
     }),
-    scope("First", ", of the first light only", |at| {
-        is_light(at) && at.i == 0.0
-    }),
-    scope("Later", ", of all lights but the first", |at| {
-        is_light(at) && at.i > 0.0
-    }),
-    scope("Last", ", of the last light only", |at| {
-        is_light(at) && at.i + 1.0 == at.count
-    }),
-    scope("Earlier", ", of all lights but the last", |at| {
-        is_light(at) && at.i + 1.0 < at.count
-    }),
 ];
 
 const fn scope(id: &'static str, says: &'static str, has: fn(&At) -> bool) -> Scope {
     Scope { id, says, has }
 }
 
-fn is_light(at: &At) -> bool {
-    at.light.is_some()
-}
-
 fn is_lamp(at: &At) -> bool {
     at.is_of(Kind::Point) || at.is_of(Kind::Spot)
 }
 
-fn row(id: &str, says: &str) -> Mistake {
-    let (id, says) = (id.into(), says.into());
+const fn row(id: &'static str, says: &'static str, changes: Changes) -> Mistake {
     Mistake {
         id,
         says,
         values: &[],
-        changes: Vec::new(),
+        changes,
     }
 }
 
 impl Mistake {
-    /// Changes an ingredient.
-    fn at(mut self, part: Part, change: Change) -> Self {
-        self.changes.push((part, change));
-        self
-    }
-
     /// Has one of these numbers.
-    fn of(self, values: &'static [f64]) -> Self {
+    const fn of(self, values: &'static [f64]) -> Self {
         Self { values, ..self }
     }
 }
@@ -101,11 +77,6 @@ fn side_of_eye(at: &At) -> Bounded {
     } else {
         cosine.if_positive(ONE, -ONE)
     }
-}
-
-/// From 0 at the edge of a cone to 1 on its axis.
-fn within(at: &At) -> Bounded {
-    ((at.against - at.edge) / (ONE - at.edge)).at_least_zero()
 }
 
 /// 1/√x by the bits of x and one step of Newton's.
@@ -134,163 +105,156 @@ fn of_linear(at: &At, f: impl Fn(f64) -> f64) -> Bounded3 {
     one(exact(f(at.linear)))
 }
 
+/// What a term, or a light, may be multiplied by; it is missing if that is 0.
+const FACTORS: &[f64] = &[0.0, 0.5, 2.0, FRAC_1_PI, PI, 0.25, 4.0, 0.1, 10.0];
+
 /// Every known mistake.
-pub static MISTAKES: LazyLock<Vec<Mistake>> =
-    LazyLock::new(|| {
-        let tables = [
-            directions(),
-            lamps(),
-            diffuse(),
-            highlight(),
-            ambient(),
-            sum(),
-            reply(),
-            terms(),
-        ];
-        let mut all: Vec<Mistake> = tables.into_iter().flatten().collect();
-        all.extend([
-        // what is no change of one ingredient
-        row(
-            "Imprecise",
-            "it behaves like a roundoff of 2^-{}, lower than the profile says, as half precision, \
-             bfloat, a table or a fast inverse root would",
-        )
-        .of(&[24.0, 22.0, 20.0, 18.0, 16.0, 14.0, 13.0, 12.0, 11.0, 10.0, 9.0, 8.0, 7.0]),
-        row("Leak", "a scene changes the color of the scenes after it"),
-        row("NotRepeatable", "the same scene, asked again, has another color"),
-    ]);
-        all
-    });
-
-fn directions() -> Vec<Mistake> {
-    vec![
-        row(
-            "NormalNotNormalized",
-            "N is not normalized after interpolation",
-        )
-        .at(N, |_, at| at.raw_n),
-        row("NormalReversed", "N points into the surface").at(N, |x, _| minus(x)),
-        row(
-            "NormalTowardEye",
-            "N is turned toward the eye, so the back of a surface is lit like its front",
-        )
-        .at(Side, |x, at| one(x[0] * side_of_eye(at))),
-        row("ViewNotNormalized", "V is not normalized").at(V, |_, at| at.raw_v),
-        row("ViewReversed", "V points from the eye to the surface").at(V, |x, _| minus(x)),
-        row("LightNotNormalized", "L is not normalized").at(L, |_, at| at.to_light),
-        row("LightReversed", "L points from the light to the surface").at(L, |x, _| minus(x)),
-        row(
-            "PointForgotten",
-            "L is the position of the lamp, from which p is not subtracted",
-        )
-        .at(ToLight, |_, at| at.position),
-        row(
-            "FastInverseRoot",
-            "vectors are normalized by a fast inverse square root with one step of Newton's, \
-             which is off by up to 0.18 %",
-        )
-        .at(V, |_, at| unit_by_bits(at.raw_v, at))
-        .at(N, |_, at| unit_by_bits(at.raw_n, at))
-        .at(Q, |x, at| {
-            either(x, one(ONE / fast_inverse_root(x[0] * x[0], at)))
-        })
-        .at(L, |x, at| {
-            let by_bits = unit_by_bits(at.to_light, at);
-            if is_lamp(at) {
-                by_bits
-            } else {
-                either(x, by_bits)
-            }
-        })
-        .at(Half, |_, at| unit_by_bits(at.sum, at)),
-    ]
-}
-
-fn lamps() -> Vec<Mistake> {
-    vec![
-        row(
-            "InverseSquareAlone",
-            "the attenuation is 1/q², whatever a, b and c",
-        )
-        .at(Denominator, |_, at| one(at.q * at.q)),
-        row("NotAttenuated", "the light is not attenuated").at(Falloff, |_, _| one(ONE)),
-        row("HighlightNotAttenuated", "the highlight is not attenuated")
-            .at(ShinyFalloff, |_, _| one(ONE)),
-        row(
-            "DegreesForRadians",
-            "the angle of the cone is taken for degrees",
-        )
-        .at(Angle, |x, at| one(at.given(x[0].value.to_radians()))),
-        row(
-            "HalfAngleHalved",
-            "the half-angle of the cone is taken for the whole one, and halved",
-        )
-        .at(Angle, |x, _| scale(x, exact(0.5))),
-        row("ConeReversed", "the cone opens against its axis").at(Against, |x, _| minus(x)),
-        row("ConeForgotten", "the cone of a spot is ignored").at(Cone, |_, at| one(at.within)),
-        row(
-            "ConeExponent",
-            "the light of a spot falls off within its cone, as the cosine to the power of {}",
-        )
-        .of(&[1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 3.0, 5.0, 10.0])
-        .at(Within, |_, at| {
+pub static MISTAKES: &[Mistake] = &[
+    // directions
+    row(
+        "NormalNotNormalized",
+        "N is not normalized after interpolation",
+        &[(N, |_, at| at.raw_n)],
+    ),
+    row(
+        "NormalReversed",
+        "N points into the surface",
+        &[(N, |x, _| minus(x))],
+    ),
+    row(
+        "NormalTowardEye",
+        "N is turned toward the eye, so the back of a surface is lit like its front",
+        &[(Side, |x, at| one(x[0] * side_of_eye(at)))],
+    ),
+    row(
+        "ViewNotNormalized",
+        "V is not normalized",
+        &[(V, |_, at| at.raw_v)],
+    ),
+    row(
+        "ViewReversed",
+        "V points from the eye to the surface",
+        &[(V, |x, _| minus(x))],
+    ),
+    row(
+        "LightNotNormalized",
+        "L is not normalized",
+        &[(L, |_, at| at.to_light)],
+    ),
+    row(
+        "LightReversed",
+        "L points from the light to the surface",
+        &[(L, |x, _| minus(x))],
+    ),
+    row(
+        "PointForgotten",
+        "L is the position of the lamp, from which p is not subtracted",
+        &[(ToLight, |_, at| at.position)],
+    ),
+    row(
+        "FastInverseRoot",
+        "vectors are normalized by a fast inverse square root with one step of Newton's, \
+         which is off by up to 0.18 %",
+        &[
+            (V, |_, at| unit_by_bits(at.raw_v, at)),
+            (N, |_, at| unit_by_bits(at.raw_n, at)),
+            (Q, |x, at| {
+                either(x, one(ONE / fast_inverse_root(x[0] * x[0], at)))
+            }),
+            (L, |x, at| {
+                let by_bits = unit_by_bits(at.to_light, at);
+                if is_lamp(at) {
+                    by_bits
+                } else {
+                    either(x, by_bits)
+                }
+            }),
+            (Half, |_, at| unit_by_bits(at.sum, at)),
+        ],
+    ),
+    // lamps
+    row(
+        "NotAttenuated",
+        "the light is not attenuated",
+        &[(Falloff, |_, _| one(ONE))],
+    ),
+    row(
+        "HighlightNotAttenuated",
+        "the highlight is not attenuated",
+        &[(ShinyFalloff, |_, _| one(ONE))],
+    ),
+    row(
+        "DegreesForRadians",
+        "the angle of the cone is taken for degrees",
+        &[(Angle, |x, at| one(at.given(x[0].value.to_radians())))],
+    ),
+    row(
+        "HalfAngleHalved",
+        "the half-angle of the cone is taken for the whole one, and halved",
+        &[(Angle, |x, _| scale(x, exact(0.5)))],
+    ),
+    row(
+        "ConeReversed",
+        "the cone opens against its axis",
+        &[(Against, |x, _| minus(x))],
+    ),
+    row(
+        "ConeForgotten",
+        "the cone of a spot is ignored",
+        &[(Cone, |_, at| one(at.within))],
+    ),
+    row(
+        "ConeExponent",
+        "the light of a spot falls off within its cone, as the cosine to the power of {}",
+        &[(Within, |_, at| {
             one(at.against.at_least_zero().power(at.value))
-        }),
-        row(
-            "ConeSmooth",
-            "the light of a spot fades from its axis to its edge, by smoothstep",
-        )
-        .at(Within, |_, at| {
-            let t = within(at);
+        })],
+    )
+    .of(&[1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 3.0, 5.0, 10.0]),
+    row(
+        "ConeSmooth",
+        "the light of a spot fades from its axis to its edge, by smoothstep",
+        &[(Within, |_, at| {
+            let t = ((at.against - at.edge) / (ONE - at.edge)).at_least_zero();
             one(t * t * (exact(3.0) - t - t))
-        }),
-    ]
-}
-
-fn diffuse() -> Vec<Mistake> {
-    vec![
-        row(
-            "DiffuseNotClamped",
-            "N·L is not clamped to 0, so light from behind is subtracted",
-        )
-        .at(Lambert, |_, at| one(at.n_dot_l)),
-        row(
-            "DiffuseTwoSided",
-            "the diffuse term takes |N·L|, so light from behind is added",
-        )
-        .at(Lambert, |_, at| one(at.n_dot_l.abs())),
-        row(
-            "HalfLambert",
-            "the diffuse term takes half-Lambert, (N·L + 1)/2",
-        )
-        .at(Lambert, |_, at| one((at.n_dot_l + ONE) / exact(2.0))),
-    ]
-}
-
-fn highlight() -> Vec<Mistake> {
-    vec![
-        row(
-            "HighlightNotGated",
-            "the highlight is not gated on N·L > 0, so faces turned away from a light have one",
-        )
-        .at(Gate, |_, _| one(ONE)),
-        row(
-            "ReflectionReversed",
-            "R points the wrong way: reflect() of GLSL and HLSL takes −L",
-        )
-        .at(Cosine, |x, at| {
+        })],
+    ),
+    // terms
+    row(
+        "DiffuseNotClamped",
+        "N·L is not clamped to 0, so light from behind is subtracted",
+        &[(Lambert, |_, at| one(at.n_dot_l))],
+    ),
+    row(
+        "HalfLambert",
+        "the diffuse term takes half-Lambert, (N·L + 1)/2",
+        &[(Lambert, |_, at| one((at.n_dot_l + ONE) / exact(2.0)))],
+    ),
+    row(
+        "HighlightNotGated",
+        "the highlight is not gated on N·L > 0, so faces turned away from a light have one",
+        &[(Gate, |_, _| one(ONE))],
+    ),
+    row(
+        "ReflectionReversed",
+        "R points the wrong way: reflect() of GLSL and HLSL takes −L",
+        &[(Cosine, |x, at| {
             if at.model == Model::Phong {
                 minus(x)
             } else {
                 x
             }
-        }),
-        row("HalfVectorNotNormalized", "H = L + V is not normalized").at(Half, |_, at| at.sum),
-        row(
-            "HalfVectorUnguarded",
-            "H is NaN where L = -V: the length of L + V is not checked before the division",
-        )
-        .at(OfLight, |x, at| {
+        })],
+    ),
+    row(
+        "HalfVectorNotNormalized",
+        "H = L + V is not normalized",
+        &[(Half, |_, at| at.sum)],
+    ),
+    row(
+        "HalfVectorUnguarded",
+        "H is NaN where L = -V: the length of L + V is not checked before the division",
+        &[(OfLight, |x, at| {
             let is_none = at.sum.iter().all(|c| c.value.abs() <= c.error);
             let nan = exact(f64::NAN).looser(f64::INFINITY);
             if is_none && at.model == Model::BlinnPhong {
@@ -298,111 +262,122 @@ fn highlight() -> Vec<Mistake> {
             } else {
                 x
             }
-        }),
-        row("ShininessTimes", "the shininess is multiplied by {}")
-            .of(&[4.0, 2.0, 0.5, 0.25, 3.0, 128.0])
-            .at(M, |x, at| x.map(|m| exact(m.value * at.value))),
-        row(
-            "NormalizedByEight",
-            "the highlight is normalized by (m + 8)/(8π)",
-        )
-        .at(Power, |x, at| {
-            let factor = (at.m + 8.0) / (8.0 * PI);
-            scale(x, Bounded::computed(factor, 16.0, at.u))
-        }),
-        row("HighlightTimesCosine", "the highlight is multiplied by N·L")
-            .at(Specular, |x, at| scale(x, at.n_dot_l.at_least_zero())),
-    ]
-}
-
-fn ambient() -> Vec<Mistake> {
-    vec![
-        row(
-            "AmbientPerLight",
-            "the ambient term is added once for each light",
-        )
-        .at(Once, |_, _| BLACK)
-        .at(AmbientToo, |_, at| at.ambient),
-        row(
-            "AmbientTimesDiffuse",
-            "the ambient term is multiplied by k_d",
-        )
-        .at(Ambient, |x, at| mul(x, at.k_d)),
-        row(
-            "BlackWithoutLights",
-            "without lights there is no ambient term",
-        )
-        .at(Once, |x, at| if at.count == 0.0 { BLACK } else { x }),
-        row(
-            "UnlitWithoutLights",
-            "without lights the surface is shown unlit: k_d is added",
-        )
-        .at(
+        })],
+    ),
+    row(
+        "ShininessTimes",
+        "the shininess is multiplied by {}",
+        &[(M, |x, at| x.map(|m| exact(m.value * at.value)))],
+    )
+    .of(&[4.0, 2.0, 0.5, 0.25, 3.0, 128.0]),
+    row(
+        "NormalizedByEight",
+        "the highlight is normalized by (m + 8)/(8π)",
+        &[(Power, |x, at| {
+            scale(x, Bounded::computed((at.m + 8.0) / (8.0 * PI), 16.0, at.u))
+        })],
+    ),
+    row(
+        "HighlightTimesCosine",
+        "the highlight is multiplied by N·L",
+        &[(Specular, |x, at| scale(x, at.n_dot_l.at_least_zero()))],
+    ),
+    row(
+        "AmbientPerLight",
+        "the ambient term is added once for each light",
+        &[(Once, |_, _| BLACK), (AmbientToo, |_, at| at.ambient)],
+    ),
+    row(
+        "AmbientTimesDiffuse",
+        "the ambient term is multiplied by k_d",
+        &[(Ambient, |x, at| mul(x, at.k_d))],
+    ),
+    row(
+        "BlackWithoutLights",
+        "without lights there is no ambient term",
+        &[(Once, |x, at| if at.count == 0.0 { BLACK } else { x })],
+    ),
+    row(
+        "UnlitWithoutLights",
+        "without lights the surface is shown unlit: k_d is added",
+        &[(
             Once,
             |x, at| if at.count == 0.0 { add(x, at.k_d) } else { x },
-        ),
-    ]
-}
-
-fn sum() -> Vec<Mistake> {
-    vec![
-        row("LightsAtMost", "lights beyond number {} are left out")
-            .of(&[
-                4.0, 1.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 32.0, 64.0,
-            ])
-            .at(OfLight, |x, at| if at.i >= at.value { BLACK } else { x }),
-        row("ChannelsSwapped", "red and blue are swapped").at(Sum, |[r, g, b], _| [b, g, r]),
-        row("Scaled", "all colors are multiplied by {}")
-            .of(&[0.5, 2.0, FRAC_1_PI, PI, 1.0 / 255.0, 255.0])
-            .at(Sum, |x, at| scale(x, at.number())),
-    ]
-}
-
-fn reply() -> Vec<Mistake> {
-    vec![
-        row(
-            "SrgbForgotten",
-            "sRGB is not applied: the colors are linear",
-        )
-        .at(Encode, |_, at| of_linear(at, |x| x)),
-        row(
-            "SrgbOnceMore",
-            "sRGB is applied once more than the profile says",
-        )
-        .at(Encode, |x, _| x.map(|c| exact(to_srgb(c.value)))),
-        row(
-            "Gamma",
-            "a gamma of {} is applied, not what the profile says",
-        )
-        .of(&[2.2, 2.0, 1.8, 2.4])
-        .at(Encode, |_, at| {
+        )],
+    ),
+    row(
+        "AmbientTimes",
+        "the ambient term is multiplied by {}",
+        &[(Ambient, |x, at| scale(x, at.number()))],
+    )
+    .of(FACTORS),
+    row(
+        "DiffuseTimes",
+        "the diffuse term is multiplied by {}",
+        &[(Diffuse, |x, at| scale(x, at.number()))],
+    )
+    .of(FACTORS),
+    row(
+        "HighlightTimes",
+        "the highlight is multiplied by {}",
+        &[(Specular, |x, at| scale(x, at.number()))],
+    )
+    .of(FACTORS),
+    row(
+        "LightTimes",
+        "the color of a light is multiplied by {}",
+        &[(Intensity, |x, at| scale(x, at.number()))],
+    )
+    .of(FACTORS),
+    // the sum, and the reply
+    row(
+        "LightsAtMost",
+        "lights beyond number {} are left out",
+        &[(OfLight, |x, at| if at.i >= at.value { BLACK } else { x })],
+    )
+    .of(&[
+        4.0, 1.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 32.0, 64.0,
+    ]),
+    row(
+        "ChannelsSwapped",
+        "red and blue are swapped",
+        &[(Sum, |[r, g, b], _| [b, g, r])],
+    ),
+    row(
+        "Scaled",
+        "all colors are multiplied by {}",
+        &[(Sum, |x, at| scale(x, at.number()))],
+    )
+    .of(&[0.5, 2.0, FRAC_1_PI, PI, 1.0 / 255.0, 255.0]),
+    row(
+        "SrgbOnceMore",
+        "sRGB is applied once more than the profile says",
+        &[(Encode, |x, _| x.map(|c| exact(to_srgb(c.value))))],
+    ),
+    row(
+        "Gamma",
+        "a gamma of {} is applied, not what the profile says",
+        &[(Encode, |_, at| {
             of_linear(at, |x| x.max(0.0).powf(1.0 / at.value))
-        }),
-        row("LevelsTruncated", "levels are truncated, not rounded").at(Level, |_, at| {
+        })],
+    )
+    .of(&[1.0, 2.2, 2.0, 1.8, 2.4]),
+    row(
+        "LevelsTruncated",
+        "levels are truncated, not rounded",
+        &[(Level, |_, at| {
             let most = 1.0 / at.level.unwrap_or(1.0);
             of_linear(at, |x| (x * most).floor() / most)
-        }),
-    ]
-}
-
-/// What each of the terms, or a light, may suffer.
-fn terms() -> Vec<Mistake> {
-    let parts = [
-        ("Ambient", "the ambient term", Ambient),
-        ("Diffuse", "the diffuse term", Diffuse),
-        ("Highlight", "the highlight", Specular),
-        ("Light", "the color of a light", Intensity),
-    ];
-    let of_part = |(id, name, part): (&str, &str, Part)| {
-        [
-            row(
-                &format!("{id}Times"),
-                &format!("{name} is multiplied by {{}}"),
-            )
-            .of(&[0.5, 2.0, FRAC_1_PI, PI, 0.25, 4.0, 0.1, 10.0])
-            .at(part, |x, at| scale(x, at.number())),
-            row(&format!("{id}Forgotten"), &format!("{name} is missing")).at(part, |_, _| BLACK),
-        ]
-    };
-    parts.into_iter().flat_map(of_part).collect()
-}
+        })],
+    ),
+    // what is no change of one ingredient
+    row(
+        "Imprecise",
+        "it behaves like a roundoff of 2^-{}, lower than the profile says, as half precision, \
+         bfloat, a table or a fast inverse root would",
+        &[],
+    )
+    .of(&[
+        24.0, 22.0, 20.0, 18.0, 16.0, 14.0, 13.0, 12.0, 11.0, 10.0, 9.0, 8.0, 7.0,
+    ]),
+];
