@@ -30,13 +30,6 @@ const FUNCTION: f64 = 5.0;
 
 impl Bounded {
     pub const ZERO: Self = Self::exact(0.0);
-    /// The formula has no answer, so any is right.
-    pub const UNKNOWN: Self = Self {
-        value: 0.0,
-        error: f64::INFINITY,
-        u: 0.0,
-    };
-
     pub const fn exact(value: f64) -> Self {
         let (error, u) = (0.0, 0.0);
         Self { value, error, u }

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use crate::bounded::Bounded;
 use crate::formula::Formula;
-use crate::mistakes::{Fault, SCOPES, formula};
+use crate::mistakes::{Fault, formula};
 use crate::profile::Profile;
 use crate::random::Random;
 use crate::scene::{Scene, Triple};
@@ -14,8 +14,8 @@ use crate::scene::{Scene, Triple};
 /// The most colors that are kept, wrong ones and right ones.
 const MOST: [usize; 2] = [600, 600];
 
-/// A share of the wrong colors that is nearly all.
-const NEARLY_ALL: f64 = 0.9;
+/// The percentage of the wrong colors that is nearly all.
+const NEARLY_ALL: usize = 90;
 
 /// A scene, and the color that the renderer gave it.
 type Sample = (Scene, Triple);
@@ -45,7 +45,7 @@ const FORMS: &[Form] = &[
 ];
 
 /// What may have caused the wrong colors of a run.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Cause {
     /// The mistake; none if the colors are only given in another form.
     pub mistake: Option<Fault>,
@@ -95,13 +95,7 @@ impl Cause {
     /// Whether it explains nearly all wrong colors.
     #[must_use]
     pub fn is_nearly_all(&self) -> bool {
-        self.explained * 10 >= self.of * 9
-    }
-
-    /// What to compare causes by: the fewest errors, and then the simplest.
-    fn rank(&self) -> (usize, bool) {
-        let is_scoped = self.mistake.is_some_and(|fault| fault.of.id != "All");
-        (self.errors, is_scoped)
+        self.explained * 100 >= self.of * NEARLY_ALL
     }
 }
 
@@ -125,7 +119,7 @@ impl Evidence {
 
     /// Keeps some colors, in random order, so that the first ones are like all.
     pub fn sample(&mut self) {
-        let mut random = Random::new(0, "evidence");
+        let mut random = Random::new(0);
         for (samples, most) in [&mut self.wrong, &mut self.right].into_iter().zip(MOST) {
             random.shuffle(samples);
             samples.truncate(most);
@@ -140,18 +134,10 @@ impl Evidence {
         let (rough, exact): (Vec<Fault>, Vec<Fault>) =
             Fault::all().partition(|fault| fault.mistake.is_rough());
         let alone = |least| self.best(profile, exact.iter().copied(), least);
-        let mut causes = vec![self.form(profile), alone(NEARLY_ALL)];
-        let is_exact = |cause: &Cause| cause.explained == cause.of;
-        if !causes.iter().flatten().any(is_exact) {
-            // of some lights or models alone
-            let scoped = exact
-                .iter()
-                .flat_map(|fault| SCOPES[1..].iter().map(|of| Fault { of, ..*fault }));
-            causes.push(self.best(profile, scoped, NEARLY_ALL));
-        }
-        let cause = causes.into_iter().flatten().min_by_key(Cause::rank);
+        let causes = [self.form(profile), alone(NEARLY_ALL)];
+        let cause = causes.into_iter().flatten().min_by_key(|it| it.errors);
         let roughness = || rough.iter().find_map(|it| self.roughness(profile, *it));
-        cause.or_else(roughness).or_else(|| alone(0.5))
+        cause.or_else(roughness).or_else(|| alone(50))
     }
 
     /// The best of the candidates.
@@ -159,28 +145,25 @@ impl Evidence {
         &self,
         profile: &Profile,
         candidates: impl Iterator<Item = Fault>,
-        least: f64,
+        least: usize,
     ) -> Option<Cause> {
         let scored = candidates.filter_map(|fault| {
             let score = self.score(&formula(profile, Some(fault)), least)?;
             Some(Cause::of(fault, score))
         });
         let mut ranked: Vec<Cause> = scored.collect();
-        ranked.sort_by_key(Cause::rank);
+        ranked.sort_by_key(|it| it.errors);
         let (best, others) = ranked.split_first()?;
-        let alike = others.iter().take_while(|it| it.rank() == best.rank());
+        let alike = others.iter().take_while(|it| it.errors == best.errors);
         Some(Cause {
             alternatives: alike.filter_map(|cause| cause.mistake).collect(),
             ..best.clone()
         })
     }
 
-    /// How well formulas explain the colors, if they give at least this share of the wrong ones and
+    /// How well formulas explain the colors, if they give at least this percentage of the wrong ones and
     /// contradict nearly no right one.
-    fn score(&self, formula: &Formula, least: f64) -> Option<Cause> {
-        #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)]
-        #[allow(clippy::cast_sign_loss)] // a part of a small count
-        let part = |count: usize, share: f64| (count as f64 * share) as usize;
+    fn score(&self, formula: &Formula, least: usize) -> Option<Cause> {
         let (mut unexplained, mut unknown) = (0, 0);
         for (i, (scene, reply)) in self.wrong.iter().enumerate() {
             match formula.fits(scene, *reply) {
@@ -189,7 +172,7 @@ impl Evidence {
                 None => unknown += 1, // such as that of the eye in the surface, which has no direction
             }
             // what fails so often at the beginning hardly ever explains enough in the end
-            if unexplained > part(i, 2.0 * (1.0 - least)) + 3 {
+            if unexplained * 100 > 2 * i * (100 - least) + 300 {
                 return None;
             }
         }
@@ -197,7 +180,7 @@ impl Evidence {
         let is_contradicted = |(scene, reply): &&Sample| formula.fits(scene, *reply) == Some(false);
         // a right color that is wrong with the mistake shows that it is not made there; rounding may decide of few
         let contradicted = self.right.iter().filter(is_contradicted).take(3).count();
-        let is_enough = unexplained <= part(of, 1.0 - least) && of * 4 >= self.wrong.len();
+        let is_enough = unexplained * 100 <= of * (100 - least) && of * 4 >= self.wrong.len();
         (is_enough && contradicted <= 2).then(|| Cause {
             explained: of - unexplained,
             of,
@@ -220,38 +203,25 @@ impl Evidence {
                 }
             }
             let ratio = profile.white / form.white;
-            let as_form = |samples: &[Sample]| -> Vec<Sample> {
-                let samples = samples.iter();
-                samples
-                    .map(|(scene, reply)| (scene.clone(), reply.map(|c| c * ratio)))
-                    .collect()
-            };
-            let mut replies = self
-                .wrong
-                .iter()
-                .chain(&self.right)
-                .flat_map(|(_, reply)| reply);
-            if replies.any(|c| form.is_not_as_said(c * ratio).is_some()) {
+            let mut replies = self.wrong.iter().chain(&self.right);
+            let is_other = |c: &f64| form.is_not_as_said(c * ratio).is_some();
+            if replies.any(|(_, reply)| reply.iter().any(is_other)) {
                 return None;
             }
+            let as_form = |(scene, reply): &Sample| (scene.clone(), reply.map(|c| c * ratio));
             let evidence = Self {
-                wrong: as_form(&self.wrong),
-                right: as_form(&self.right),
+                wrong: self.wrong.iter().map(as_form).collect(),
+                right: self.right.iter().map(as_form).collect(),
             };
             let words: Vec<&str> = chosen.iter().map(|(words, ..)| *words).collect();
-            let mut members: Vec<String> = chosen
-                .iter()
-                .map(|(_, member, _)| (*member).into())
-                .collect();
-            members.retain(|member| !member.is_empty());
+            let words = words.join(", ");
+            let says = format!("colors are {words}, which the profile does not say");
+            let members = chosen.iter().map(|(_, member, _)| (*member).to_owned());
+            let mut members: Vec<String> = members.filter(|member| !member.is_empty()).collect();
             if form.departs != profile.departs {
                 members.push(format!("\"departs\":{:?}", form.departs));
             }
-            let says = format!(
-                "colors are {}, which the profile does not say",
-                words.join(", ")
-            );
-            let score = evidence.score(&formula(&form, None), 0.97)?;
+            let score = evidence.score(&formula(&form, None), 97)?;
             Some(Cause {
                 says,
                 declare: Some(members.join(",")),

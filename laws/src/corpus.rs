@@ -90,12 +90,9 @@ impl Corpus<'_> {
     /// A scene with the kinds of light in turn.
     fn in_turn(&mut self, n: Triple, v: Triple, l: Triple, m: Option<f64>) {
         let kinds = self.kinds(l, [1.0, 0.75, 0.5]);
-        let mut scene = Self::scene(
-            n,
-            v,
-            vec![kinds[(self.turn + self.turn / kinds.len()) % kinds.len()]],
-        );
+        let light = kinds[(self.turn + self.turn / kinds.len()) % kinds.len()];
         self.turn += 1;
+        let mut scene = Self::scene(n, v, vec![light]);
         scene.m = m.unwrap_or(scene.m);
         self.add(&scene);
     }
@@ -284,11 +281,8 @@ impl Corpus<'_> {
             for brightest in [0, count / 2, count - 1] {
                 let lights = (0..count).map(|i| {
                     let [x, y, z] = [i % 3, i % 5, i % 2].map(|step| step as f64);
-                    let share = if i == brightest {
-                        0.5
-                    } else {
-                        0.25 / count as f64
-                    };
+                    let dim = 0.25 / count as f64;
+                    let share = if i == brightest { 0.5 } else { dim };
                     let color = self.long(scale([1.0, 0.5, 1.0], share));
                     let way = [0.5 - x / 2.0, y / 4.0 - 0.5, 1.0 + z / 2.0];
                     let kinds = self.kinds(way, color);

@@ -3,9 +3,7 @@
 
 use crate::bounded::{Bounded, Bounded3, given3};
 use crate::profile::{Profile, to_srgb};
-use crate::scene::{
-    Kind, Light, Model, Scene, Triple, add, dot, length, mul, scale, size, sub, unit,
-};
+use crate::scene::{Light, Model, Scene, Triple, add, dot, length, mul, scale, size, sub, unit};
 
 /// An ingredient, in the order of the computation. A number is a triple of three alike, so that one
 /// operation fits any.
@@ -95,13 +93,12 @@ pub struct At {
 /// What a mistake makes of an ingredient.
 pub type Change = fn(Bounded3, &At) -> Bounded3;
 
-/// A change with its number, where it applies.
+/// A change with its number.
 #[derive(Clone, Copy)]
 pub struct Applied {
     pub part: Part,
     pub change: Change,
     pub value: f64,
-    pub has: fn(&At) -> bool,
 }
 
 pub const ZERO: Bounded = Bounded::ZERO;
@@ -123,20 +120,6 @@ impl At {
     /// The number of the mistake, as the renderer has it.
     pub fn number(&self) -> Bounded {
         self.given(self.value)
-    }
-
-    pub fn is_of(&self, kind: Kind) -> bool {
-        self.light.is_some_and(|light| light.kind() == kind)
-    }
-
-    /// The axis and the half-angle of a spot.
-    pub fn spot(&self) -> (Bounded3, f64) {
-        match self.light {
-            Some(Light::Spot {
-                axis, half_angle, ..
-            }) => (turned(axis, self.u), half_angle),
-            _ => (BLACK, 0.0),
-        }
     }
 }
 
@@ -176,9 +159,6 @@ impl<'a> Formula<'a> {
     fn hook(&self, part: Part, at: &mut At, right: Bounded3) -> Bounded3 {
         let of_part = self.changes.iter().filter(|applied| applied.part == part);
         of_part.fold(right, |x, applied| {
-            if !(applied.has)(at) {
-                return x;
-            }
             at.value = applied.value;
             (applied.change)(x, at)
         })
@@ -252,9 +232,11 @@ impl<'a> Formula<'a> {
             let denominator = a + b * at.q + c * (at.q * at.q);
             at.falloff = self.number(Part::Falloff, at, ONE / denominator);
         }
-        if at.is_of(Kind::Spot) {
-            let (axis, half_angle) = at.spot();
-            at.against = self.number(Part::Against, at, -dot(axis, at.l));
+        if let Light::Spot {
+            axis, half_angle, ..
+        } = light
+        {
+            at.against = self.number(Part::Against, at, -dot(turned(axis, u), at.l));
             let angle = self.number(Part::Angle, at, Bounded::given(half_angle, u));
             at.edge = angle.cos();
             at.within = self.number(Part::Within, at, ONE);
@@ -299,7 +281,7 @@ impl<'a> Formula<'a> {
                 let power = if is_exact {
                     Bounded::exact(0.5).looser(0.5)
                 } else {
-                    Bounded::UNKNOWN
+                    ZERO.looser(f64::INFINITY)
                 };
                 return self.number(Part::Power, at, power);
             }
@@ -313,11 +295,6 @@ impl<'a> Formula<'a> {
         self.number(Part::Power, at, power)
     }
 
-    /// Whether a channel is NaN or infinity, or what a clamp to the range leaves of them.
-    pub fn is_lost(&self, c: f64) -> bool {
-        !c.is_finite() || self.profile.range().is_some_and(|ends| ends.contains(&c))
-    }
-
     /// Whether a renderer like this may give this color; nothing where it may give any.
     pub fn fits(&self, scene: &Scene, reply: Triple) -> Option<bool> {
         self.fits_linear(self.linear(scene), reply)
@@ -326,12 +303,15 @@ impl<'a> Formula<'a> {
     /// The same, where the color in linear light is known.
     pub fn fits_linear(&self, linear: Bounded3, reply: Triple) -> Option<bool> {
         let mut is_known = false;
+        let range = self.profile.range();
+        // NaN or infinity, or what a clamp to the range leaves of them
+        let is_lost = |c: f64| !c.is_finite() || range.is_some_and(|ends| ends.contains(&c));
         for (linear, c) in linear.into_iter().zip(reply) {
             match self.ends(linear) {
                 Some([low, high]) if !(low..=high).contains(&c) => return Some(false),
                 Some(_) => is_known = true,
                 // a division by 0 or the power of a negative number
-                None if self.is_wrong && self.is_lost(c) => is_known = true,
+                None if self.is_wrong && is_lost(c) => is_known = true,
                 None if !c.is_finite() => return Some(false),
                 None => {}
             }

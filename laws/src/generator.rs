@@ -35,16 +35,12 @@ impl Generator<'_> {
         let p = if is_long { self.long_point(p) } else { p };
         let ([k_a, k_d, k_s], m) = self.material(is_long);
         let i_a = self.color(profile.brightest(), is_long);
-        let mut first = n;
         let count = self.random.below(profile.most_lights.min(4) + 1);
-        let mut lights = Vec::new();
-        for i in 0..count {
-            let way = self.way(n);
-            if i == 0 {
-                first = way;
-            }
-            lights.push(self.light(p, vector(way), is_long));
-        }
+        let ways: Vec<Triple> = (0..count).map(|_| self.way(n)).collect();
+        let lights = ways.iter();
+        let lights = lights.map(|way| self.light(p, vector(*way), is_long));
+        let mut lights: Vec<Light> = lights.collect();
+        let first = ways.first().copied().unwrap_or(n);
         let far = self.random.one_of(&[1.0, 2.0, 0.25, 8.0]);
         let v = if self.random.once_in(5) {
             self.mirrored(n, first, m, is_long)
@@ -104,10 +100,7 @@ impl Generator<'_> {
     fn mirrored(&mut self, n: Triple, first: Triple, m: f64, is_long: bool) -> Triple {
         let (twice, square) = (2.0 * dot(n, first), dot(n, n));
         let exact = vector(sub(scale(n, twice), scale(first, square)));
-        if !is_long {
-            return exact;
-        }
-        let off = 2.0 / m.sqrt();
+        let off = if is_long { 2.0 / m.sqrt() } else { 0.0 };
         exact.map(|c| c + off * self.random.real(-1.0, 1.0))
     }
 
@@ -166,21 +159,13 @@ impl Generator<'_> {
         };
         let position = add(p, scale(way, distance));
         let position = position.map(|c| if is_long { profile.rounded(c) } else { c });
-        let (position, distance) = if position == p {
-            (add(p, scale(way, short)), short)
-        } else {
-            (position, distance)
-        };
-        let attenuation = self.attenuation(distance * length(way), is_long);
-        // a lamp that the attenuation brightens is dim
         let q = distance * length(way);
+        let attenuation = self.attenuation(q, is_long);
+        // a lamp that the attenuation brightens is dim
         let left = 1.0 / (attenuation[0] + attenuation[1] * q + attenuation[2] * q * q);
-        let is_lamp = kind != Kind::Directional;
-        let intensity = if is_lamp && is_long && left > 1.0 {
-            intensity.map(|c| profile.rounded(c / left))
-        } else {
-            intensity
-        };
+        let is_bright = is_long && kind != Kind::Directional && left > 1.0;
+        let less = if is_bright { 1.0 / left } else { 1.0 };
+        let intensity = intensity.map(|c| profile.rounded(c * less));
         let point = Light::point(intensity, position, attenuation);
         match kind {
             Kind::Directional => Light::Directional { intensity, l: way },

@@ -37,22 +37,23 @@ impl Law {
     /// Every law, in the order of the report.
     pub const ALL: [Self; 3] = [Self::Finite, Self::Formula, Self::NoMemory];
 
-    pub fn name(self) -> &'static str {
+    /// Its name, and what it says.
+    pub fn told(self) -> (&'static str, &'static str) {
         match self {
-            Self::Finite => "finite",
-            Self::Formula => "formula",
-            Self::NoMemory => "no_memory",
+            Self::Finite => ("finite", "every color is finite"),
+            Self::Formula => (
+                "formula",
+                "the color is that of the formula, in the renderer's precision and form",
+            ),
+            Self::NoMemory => (
+                "no_memory",
+                "a scene has the same color wherever it is in a batch",
+            ),
         }
     }
 
-    pub fn says(self) -> &'static str {
-        match self {
-            Self::Finite => "every color is finite",
-            Self::Formula => {
-                "the color is that of the formula, in the renderer's precision and form"
-            }
-            Self::NoMemory => "a scene has the same color wherever it is in a batch",
-        }
+    pub fn name(self) -> &'static str {
+        self.told().0
     }
 
     /// How the replies to a scene break the law, if they do: the reply, and, if the scene was asked

@@ -47,7 +47,7 @@ impl Default for Laws {
 impl Laws {
     /// The name of each law, and what it says.
     pub fn names() -> impl Iterator<Item = (&'static str, &'static str)> {
-        Law::ALL.into_iter().map(|law| (law.name(), law.says()))
+        Law::ALL.into_iter().map(Law::told)
     }
 
     pub(crate) fn tries(&self, law: Law) -> bool {

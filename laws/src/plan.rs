@@ -77,26 +77,21 @@ impl Plan {
             return Err(complaint);
         }
         let mut scenes = corpus::edges(profile);
-        let mut random = Random::new(laws.seed, "scenes");
+        let mut random = Random::new(laws.seed);
         let any = std::iter::repeat_with(|| generator::scene(profile, &mut random));
         let most = 20 * laws.cases;
         let some = any.take(most).filter(|scene| profile.has_all_of(scene));
         scenes.extend(some.take(laws.cases));
-        Random::new(laws.seed, "order").shuffle(&mut scenes);
+        Random::new(laws.seed).shuffle(&mut scenes);
         let right = formula(profile, None);
         let cases = scenes.into_iter().enumerate().map(|(i, scene)| {
             let is_again = laws.tries(Law::NoMemory) && i % AGAIN == 0;
             Case::new(scene, &right, is_again)
         });
-        let is_judged = |case: &Case| {
-            Law::ALL
-                .iter()
-                .any(|&law| laws.tries(law) && case.is_of(law))
-        };
         Ok(Self {
             laws: laws.clone(),
             profile: profile.clone(),
-            cases: cases.filter(is_judged).collect(),
+            cases: cases.collect(),
         })
     }
 
@@ -109,18 +104,5 @@ impl Plan {
             start = end;
         }
         batches
-    }
-}
-
-impl Laws {
-    /// Every scene in the order in which a renderer gets it that says this of itself. They do not
-    /// depend on its answers; what else it is asked for, in search of smaller scenes and of places,
-    /// does.
-    ///
-    /// # Errors
-    ///
-    /// In one line: a contradictory profile; the name of a law that does not exist; no cases at all.
-    pub fn scenes(&self, profile: &Profile) -> Result<Vec<Scene>, String> {
-        Ok(handed(&Plan::new(self, profile)?.cases))
     }
 }

@@ -66,8 +66,7 @@ pub struct Profile {
     pub white: f64,
 
     /// Where it departs from the formulas on purpose: the names that a report gives, such as
-    /// `HighlightNotGated` or, with a number and for some lights only, `ConeExponent=2` and
-    /// `HighlightNotGated@Spots`.
+    /// `HighlightNotGated` or, with a number, `ConeExponent=2`.
     pub departs: Vec<String>,
 }
 

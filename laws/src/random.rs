@@ -6,14 +6,8 @@ use fastrand::Rng;
 pub struct Random(Rng);
 
 impl Random {
-    /// The stream of a seed and a name.
-    pub fn new(seed: u64, name: &str) -> Self {
-        let mut rng = Rng::with_seed(seed);
-        for byte in name.bytes() {
-            let next = rng.u64(..) ^ u64::from(byte);
-            rng.seed(next);
-        }
-        Self(rng)
+    pub fn new(seed: u64) -> Self {
+        Self(Rng::with_seed(seed))
     }
 
     /// From 0 to below `count`.

@@ -54,13 +54,6 @@ pub struct Progress {
 }
 
 /// Makes a renderer of a function that gives the color of one scene.
-///
-/// ```
-/// use shading_laws::{Profile, Renderer, from_fn};
-///
-/// let black = from_fn(Profile::default(), |_scene| [0.0; 3]);
-/// assert!(black.profile().ambient);
-/// ```
 pub fn from_fn(profile: Profile, color: impl FnMut(&Scene) -> Triple) -> impl Renderer {
     struct OfFunction<F>(Profile, F);
 

@@ -133,6 +133,10 @@ impl Report {
 
     /// The report as one JSON object.
     ///
+    /// # Panics
+    ///
+    /// Never: plain data is JSON.
+    ///
     /// ```
     /// use shading_laws::{Laws, Profile, from_fn};
     ///
@@ -142,7 +146,8 @@ impl Report {
     /// ```
     #[must_use]
     pub fn to_json(&self) -> String {
-        format!("{{\"passes\":{},{}", self.passes(), &json(self)[1..])
+        let json = serde_json::to_string(self).expect("plain data is JSON");
+        format!("{{\"passes\":{},{}", self.passes(), &json[1..])
     }
 
     /// What gives the colors of these scenes again.
@@ -190,15 +195,6 @@ impl Report {
                 writeln!(f, "  Also without: {}{dots}", few.join(", "))?;
             }
         }
-        if whole.is_some() {
-            writeln!(f, "  Broken laws: {}", finding.laws.join(", "))?;
-        } else {
-            // what they say is what is known
-            let of = |law: &&LawReport| finding.laws.contains(&law.law);
-            for LawReport { law, says, .. } in self.laws.iter().filter(of) {
-                writeln!(f, "  Broken: {says} ({law})")?;
-            }
-        }
         let of = |name: &&str| self.laws.iter().find(|law| law.law == *name);
         let of_laws = finding.laws.iter().filter_map(of);
         let smallest = of_laws.filter_map(|law| Some((law, law.smallest()?)));
@@ -215,8 +211,9 @@ impl Report {
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let broken = self.laws.iter().filter(|law| law.is_broken()).count();
-        let (name, of) = (printable(&self.profile.name), self.laws.len());
-        let seed = self.seed;
+        // a terminal obeys control characters
+        let name = self.profile.name.escape_debug();
+        let (seed, of) = (self.seed, self.laws.len());
         writeln!(f, "{name}, seed {seed}: {broken} of {of} laws broken\n")?;
         for (i, finding) in self.findings.iter().enumerate() {
             write!(f, "Finding {} of {}: ", i + 1, self.findings.len())?;
@@ -244,36 +241,16 @@ impl fmt::Display for Report {
 
 impl fmt::Display for Counterexample {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Broken {
-            channel,
-            off,
-            allowed,
-        } = self.broken;
-        let channel = ["red", "green", "blue"][channel];
+        let Broken { off, allowed, .. } = self.broken;
+        let channel = ["red", "green", "blue"][self.broken.channel];
         for (i, (color, right)) in self.colors.iter().zip(&self.right).enumerate() {
             let i = i + 1;
             writeln!(f, "  color {i}: {color:?}; the formula gives {right:?}")?;
         }
-        if off.is_finite() {
-            writeln!(
-                f,
-                "  {channel} is off by {off:.3e}; rounding explains {allowed:.1e}"
-            )
-        } else {
-            writeln!(f, "  {channel} is {off}")
+        if !off.is_finite() {
+            return writeln!(f, "  {channel} is {off}");
         }
+        let explained = format!("rounding explains {allowed:.1e}");
+        writeln!(f, "  {channel} is off by {off:.3e}; {explained}")
     }
-}
-
-fn json(value: &impl Serialize) -> String {
-    serde_json::to_string(value).expect("plain data is JSON")
-}
-
-/// A text without control characters.
-fn printable(text: &str) -> String {
-    let escaped = |c: char| match c {
-        c if c.is_control() => c.escape_default().to_string(),
-        c => c.into(),
-    };
-    text.chars().map(escaped).collect()
 }

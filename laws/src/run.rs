@@ -1,7 +1,6 @@
 //! Tries a renderer by the laws.
 
 use std::collections::BTreeMap;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
 use crate::cause::{Cause, Evidence};
@@ -27,7 +26,7 @@ impl Laws {
     ///
     /// # Errors
     ///
-    /// As [`scenes`](Laws::scenes).
+    /// In one line: a contradictory profile; the name of a law that does not exist; no cases at all.
     pub fn run(&self, renderer: &mut impl Renderer) -> Result<Report, String> {
         let plan = Plan::new(self, &renderer.profile())?;
         let start = Instant::now();
@@ -156,6 +155,9 @@ impl Run<'_> {
 
     /// The colors of scenes, with 1 for white, if the renderer answers.
     fn ask(&mut self, scenes: &[Scene]) -> Option<Vec<Triple>> {
+        if scenes.is_empty() {
+            return Some(Vec::new()); // a batch has scenes
+        }
         let progress = Progress {
             asked: self.asked,
             of: self.of,
@@ -168,28 +170,18 @@ impl Run<'_> {
         }
         self.asked += scenes.len();
         let asked = Instant::now();
-        let mut shade = |scenes: &[Scene]| {
-            let shade = AssertUnwindSafe(|| self.renderer.shade(scenes));
-            catch_unwind(shade).ok()
-        };
-        let answer = shade(scenes).unwrap_or_else(|| {
-            let mut alone = scenes.iter();
-            let alone = alone.find(|scene| shade(std::slice::from_ref(scene)).is_none());
-            let scene = alone.map_or("none alone".into(), Scene::to_json);
-            Err(format!("the renderer panicked; the scene: {scene}"))
-        });
+        let answer = self.renderer.shade(scenes);
         self.waited += asked.elapsed();
-        let answer = answer.and_then(|colors| match (colors.len(), scenes.len()) {
-            (few, many) if few != many => Err(format!("{few} colors for {many} scenes")),
-            _ => Ok(colors),
-        });
         match answer {
-            Ok(mut colors) => {
+            Ok(mut colors) if colors.len() == scenes.len() => {
                 let white = self.plan.profile.white;
                 colors.iter_mut().flatten().for_each(|c| *c /= white);
                 Some(colors)
             }
-            Err(why) => {
+            answer => {
+                let few =
+                    |colors: Vec<_>| format!("{} colors for {} scenes", colors.len(), scenes.len());
+                let why = answer.map_or_else(|why| why, few);
                 // that it was interrupted is no error
                 self.is_stopped |= !self.renderer.goes_on(&progress);
                 if !self.is_stopped {
@@ -210,9 +202,10 @@ impl Run<'_> {
         let mut laws = Vec::new();
         for law in Law::ALL {
             if self.plan.laws.tries(law) {
+                let (name, says) = law.told();
                 laws.push(LawReport {
-                    law: law.name(),
-                    says: law.says(),
+                    law: name,
+                    says,
                     verdict: self.verdict(law, until),
                 });
             }
@@ -254,31 +247,25 @@ impl Run<'_> {
     fn counterexample(&self, failure: Failure) -> Counterexample {
         let white = self.plan.profile.white;
         let as_given = |color: Triple| color.map(|c| c * white);
-        let Broken {
-            channel,
-            off,
-            allowed,
-        } = failure.broken;
         let mut scenes = failure.case.scenes();
         if failure.law != Law::NoMemory {
             scenes.truncate(1);
         }
+        let (right, colors) = (
+            scenes.iter().map(|it| self.right.reply(it)),
+            failure.replies,
+        );
+        let mut broken = failure.broken;
+        broken.off *= white;
+        broken.allowed *= white;
         Counterexample {
-            right: scenes
-                .iter()
-                .map(|scene| as_given(self.right.reply(scene)))
-                .collect(),
-            colors: failure
-                .replies
+            right: right.map(as_given).collect(),
+            colors: colors
                 .into_iter()
                 .take(scenes.len())
                 .map(as_given)
                 .collect(),
-            broken: Broken {
-                channel,
-                off: off * white,
-                allowed: allowed * white,
-            },
+            broken,
             scenes,
         }
     }
@@ -363,12 +350,13 @@ impl Run<'_> {
         if self.is_over {
             return None;
         }
-        let asked = f64::from(u32::try_from(self.asked.max(1)).unwrap_or(u32::MAX));
-        let per_scene = self.waited.as_secs_f64() / asked;
+        let waited = self.waited.as_secs_f64();
         let until_end = |end: Instant| end.saturating_duration_since(Instant::now()).min(SEARCH);
         let left = self.deadline.map_or(SEARCH, until_end).as_secs_f64();
+        // so many cases without each of so many things
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 2 to 60
-        let most = (left / (per_scene * 22.0).max(1e-9)).clamp(2.0, 60.0) as usize;
+        #[allow(clippy::cast_precision_loss)] // the count of scenes
+        let most = (left / waited * self.asked as f64 / 22.0).clamp(2.0, 60.0) as usize;
         let of_law = self
             .failures
             .iter()

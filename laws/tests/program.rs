@@ -155,9 +155,7 @@ fn misplaced(row: &str) -> Option<String> {
     let line = r#"$laws --law formula --law finite --cases 128 --shrink 0 --json python3 -c "$script" 2>/dev/null"#;
     let report = shell(&temporary(), &script, line, 1);
     for name in names.split(", ").filter(|name| *name != "-") {
-        let (id, rest) = name.split_once(['=', '@']).unwrap_or((name, ""));
-        let is_named = report.contains(&format!("\"id\":\"{id}\"")) && report.contains(rest);
-        let is_named = is_named || report.contains(name);
+        let is_named = report.contains(&format!("\"{name}"));
         assert!(is_named, "{row}: not named {name}: {report}");
     }
     let report: Value = serde_json::from_str(&report).expect("JSON");
@@ -198,14 +196,11 @@ fn nan_breaks_a_law_and_the_report_names_the_scene() {
 fn laws_are_listed_and_chosen() {
     let folder = temporary();
     let list = shell(&folder, "", "$laws --list", 0);
-    let names = list.lines().filter_map(|line| line.split("  ").next());
-    let names: Vec<&str> = names.collect();
-    assert!(names.len() > 2, "{list}");
-    let (first, second) = (names[0], names[1]);
-    let line = format!(r#"$laws --law {first} --law {second} --cases 16 python3 -c "$script""#);
-    let report = shell(&folder, PYTHON, &line, 0);
-    let is_named = |name: &&str| report.contains(*name);
-    assert!(names[..2].iter().all(is_named) && !is_named(&names[2]));
+    assert!(list.contains("no_memory"), "{list}");
+    let line = r#"$laws --law finite --law formula --cases 16 python3 -c "$script""#;
+    let report = shell(&folder, PYTHON, line, 0);
+    assert!(report.contains("finite holds in") && report.contains("formula holds in"));
+    assert!(!report.contains("no_memory"), "{report}");
     let stderr = shell(&folder, "", "$laws --law gravity true", 2);
     assert!(stderr.contains("gravity"), "{stderr}");
 }
@@ -216,8 +211,8 @@ fn a_wrong_command_is_refused() {
     fs::write(folder.path().join("renderer"), "").expect("a file");
     for (command, part) in [
         ("./no_such_renderer", "No such file"),
-        ("renderer", "write ./renderer"),
-        ("./renderer", "is it executable?"),
+        ("renderer", "do you mean ./?"),
+        ("./renderer", "is it executable"),
     ] {
         refused(program().arg(command).current_dir(&folder), &[part]);
     }
@@ -347,22 +342,4 @@ fn output_that_cannot_be_written_is_no_panic() {
         assert!(stderr.contains("cannot write the report: No space left"));
     }
     assert_eq!(shell(&temporary(), "", "$laws --list | true", 0), "");
-}
-
-/// Without a pipe: scenes to a file, colors from a file, and the same verdicts.
-#[test]
-fn a_file_of_colors_is_judged() {
-    let folder = temporary();
-    let options = r#"--cases 8 --profile '{"roundoff":1.2e-16}'"#;
-    let answer = format!(
-        r#"$laws scenes {options} | sed '1i {{}}' | python3 -c "$script" | tail -n +2 >colors
-        $laws judge {options} colors"#
-    );
-    shell(&folder, PYTHON, &answer, 0);
-    let black = format!("sed 's/.*/[0,0,0]/' colors >black; $laws judge {options} black");
-    let report = shell(&folder, "", &black, 1);
-    assert!(!report.contains("the run ended early"), "{report}");
-    let few = format!("head -1 colors >few; $laws judge {options} few");
-    let report = shell(&folder, "", &few, 2);
-    assert!(report.contains("1 colors for") && report.contains("need the same options"));
 }

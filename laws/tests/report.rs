@@ -19,32 +19,22 @@ fn only(law: &str) -> Laws {
     }
 }
 
-/// Light from the eye's side alone, so that much is wrong: the same seed gives the same report, and
-/// a law alone has the scenes that it has among all.
+/// Light from the eye's side alone, so that much is wrong.
 #[test]
 fn the_same_seed_gives_the_same_report() {
     let headlight = |scene: &Scene| scene.k_d.map(|k| k * scene.v[2].max(0.0));
-    let of = |seed, only: &str| {
-        let only = only.split_whitespace().map(Into::into).collect();
+    let of = |seed| {
         let laws = Laws {
             seed,
-            only,
-            cases: 320,
-            shrinks: 0,
-            ..Laws::default()
+            ..only("formula")
         };
-        run(&laws, headlight)
+        run(&laws, headlight).to_json()
     };
-    let (all, again, other) = (of(1, ""), of(1, ""), of(2, ""));
-    assert_eq!(all.to_json(), again.to_json());
-    assert_ne!(format!("{:?}", all.laws), format!("{:?}", other.laws));
-    let one = &of(1, "formula").laws[0];
-    let same = all
-        .laws
-        .iter()
-        .find(|law| law.law == "formula")
-        .expect("it");
-    assert_eq!(format!("{:?}", same.verdict), format!("{:?}", one.verdict));
+    assert_eq!(of(1), of(1));
+    assert_ne!(
+        of(1).replace("\"seed\":1", ""),
+        of(2).replace("\"seed\":2", "")
+    );
 }
 
 /// A light that is too bright: one light, one reflectance and one color are enough to show it.
@@ -62,15 +52,9 @@ fn a_counterexample_is_small() {
     let [scene] = &smallest.scenes[..] else {
         panic!("{report}");
     };
-    assert!(
-        scene.lights.len() <= 1 && scene.p == [0.0; 3] && scene.m == 1.0,
-        "{report}"
-    );
-    let text = report.to_string();
-    assert!(
-        text.contains(&format!("Scene::from_json(r#\"{}\"#)", scene.to_json())),
-        "{text}"
-    );
+    let is_small = scene.lights.len() <= 1 && scene.p == [0.0; 3] && scene.m == 1.0;
+    let line = format!("Scene::from_json(r#\"{}\"#)", scene.to_json());
+    assert!(is_small && report.to_string().contains(&line), "{report}");
     assert_eq!(Scene::from_json(&scene.to_json()).as_ref(), Ok(scene));
 }
 
@@ -78,15 +62,12 @@ fn a_counterexample_is_small() {
 fn colors_that_are_no_numbers_are_found_and_placed() {
     for (nonsense, word) in [(f64::NAN, "NaN"), (f64::INFINITY, "inf")] {
         let color = |scene: &Scene| {
-            [
-                0.0,
-                0.0,
-                if scene.lights.len() > 1 {
-                    nonsense
-                } else {
-                    0.0
-                },
-            ]
+            let blue = if scene.lights.len() > 1 {
+                nonsense
+            } else {
+                0.0
+            };
+            [0.0, 0.0, blue]
         };
         let text = run(&only("finite"), color).to_string();
         assert!(text.contains(&format!("blue is {word}")), "{text}");
@@ -143,14 +124,19 @@ fn what_prevents_a_report_is_said_in_one_line() {
     assert_eq!(refused(only("gravity"), |_| {}), "there is no law gravity");
 }
 
-/// A renderer that panics: the scene is known.
+/// A device may not take a batch without scenes. What asks for none is all that holds.
+struct NeverEmpty;
+
+impl Renderer for NeverEmpty {
+    fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
+        assert!(!scenes.is_empty());
+        Ok(vec![[0.0; 3]; scenes.len()])
+    }
+}
+
 #[test]
-fn a_panic_names_its_scene() {
-    let report = run(&only("finite"), |scene| {
-        assert!(scene.lights.len() < 2, "two lights are too many");
-        [0.0; 3]
-    });
-    let error = report.error.expect("a panic");
-    assert!(error.starts_with("the renderer panicked; the scene: {"));
-    assert!(error.matches("\"kind\"").count() > 1, "{error}");
+fn no_batch_is_empty() {
+    for law in ["finite", "formula"] {
+        assert!(only(law).run(&mut NeverEmpty).is_ok());
+    }
 }

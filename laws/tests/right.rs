@@ -45,20 +45,9 @@ struct Renderer<'a, T> {
     form: Form,
     profile: &'a Profile,
     view: [[T; 3]; 3],
-    /// It normalizes by a fast inverse square root.
-    is_fast: bool,
 }
 
-impl<'a, T: Float> Renderer<'a, T> {
-    fn new(form: Form, profile: &'a Profile) -> Self {
-        Self {
-            form,
-            profile,
-            view: view(form),
-            is_fast: false,
-        }
-    }
-
+impl<T: Float> Renderer<'_, T> {
     fn dot(&self, a: [T; 3], b: [T; 3]) -> T {
         match self.form.way(1, 4) {
             0 => a[0] * b[0] + a[1] * b[1] + a[2] * b[2],
@@ -75,12 +64,6 @@ impl<'a, T: Float> Renderer<'a, T> {
             v = v.map(|c| c / largest);
         }
         let square = self.dot(v, v);
-        if self.is_fast {
-            let x = square.to_f32().expect("a number");
-            let y = f32::from_bits(0x5f37_59df - (x.to_bits() >> 1));
-            let y: T = real((y * (1.5 - 0.5 * x * y * y)).into());
-            return v.map(|c| c * y);
-        }
         match way {
             0 => v.map(|c| c / square.sqrt()),
             1 => v.map(|c| c * square.sqrt().recip()),
@@ -251,30 +234,26 @@ impl<'a, T: Float> Renderer<'a, T> {
 }
 
 fn renderer<T: Float>(form: Form, profile: &Profile) -> impl Fn(&Scene) -> Triple {
-    move |scene| Renderer::<T>::new(form, profile).shade(scene)
+    let renderer = Renderer::<T> {
+        form,
+        profile,
+        view: view(form),
+    };
+    move |scene| renderer.shade(scene)
 }
 
 /// The colors as a profile says: clamped, encoded, in levels, and times what is white.
 fn told(color: Triple, profile: &Profile) -> Triple {
+    let range = profile.clamps.or(profile.bits.map(|_| [0.0, 1.0]));
+    let most = profile.bits.map(|bits| f64::from(bits).exp2() - 1.0);
     color.map(|c| {
-        let c = profile
-            .clamps
-            .or(profile.bits.map(|_| [0.0, 1.0]))
-            .map_or(c, |[low, high]| c.clamp(low, high));
+        let c = range.map_or(c, |[low, high]| c.clamp(low, high));
         let c = match c {
             c if !profile.srgb => c,
             c if c <= 0.003_130_8 => 12.92 * c,
             c => 1.055 * c.powf(1.0 / 2.4) - 0.055,
         };
-        let most = profile
-            .bits
-            .map_or(1.0, |bits| f64::from(bits).exp2() - 1.0);
-        let c = if profile.bits.is_some() {
-            (c * most).round() / most
-        } else {
-            c
-        };
-        c * profile.white
+        most.map_or(c, |most| (c * most).round() / most) * profile.white
     })
 }
 
@@ -403,21 +382,4 @@ fn single_precision_is_not_double() {
     for line in ["\nformula is BROKEN", "a roundoff of 2^-2"] {
         assert!(text.contains(line), "{text}");
     }
-}
-
-/// A fast inverse square root with one step of Newton's is no roundoff: it is found and named.
-#[test]
-fn a_fast_inverse_root_is_named() {
-    let profile = Profile::default();
-    let report = run(&profile, 0, 256, |scene| {
-        Renderer::<f32> {
-            is_fast: true,
-            ..Renderer::new(Form(0), &profile)
-        }
-        .shade(scene)
-    });
-    assert!(
-        report.to_string().contains("fast inverse square root"),
-        "{report}"
-    );
 }

@@ -8,15 +8,16 @@ use std::fmt;
 use std::str::FromStr;
 
 use serde::{Serialize, Serializer};
-pub use table::{MISTAKES, SCOPES};
+pub use table::MISTAKES;
 
-use crate::formula::{Applied, At, Change, Formula, Part};
+use crate::formula::{Applied, Change, Formula, Part};
 use crate::profile::Profile;
 
 /// The ingredients that a mistake changes.
 type Changes = &'static [(Part, Change)];
 
 /// A known mistake: what it changes in the formulas.
+#[derive(Debug)]
 pub struct Mistake {
     pub id: &'static str,
     /// What is wrong, in words; `{}` stands for a number that the renderer has in its code.
@@ -26,20 +27,11 @@ pub struct Mistake {
     pub changes: Changes,
 }
 
-/// A known mistake with its number, and the lights or models that have it.
-#[derive(Clone, Copy)]
+/// A known mistake with its number.
+#[derive(Clone, Copy, Debug)]
 pub struct Fault {
     pub(crate) mistake: &'static Mistake,
     pub(crate) value: f64,
-    pub(crate) of: &'static Scope,
-}
-
-/// Which lights or models have a mistake.
-pub struct Scope {
-    pub id: &'static str,
-    /// In words, after those of the mistake.
-    pub says: &'static str,
-    pub has: fn(&At) -> bool,
 }
 
 impl Mistake {
@@ -56,18 +48,13 @@ impl Fault {
         self.mistake.id
     }
 
-    /// The mistake as a profile names it in `departs`: `ConeExponent=2`, `HighlightNotGated@Spots`.
+    /// The mistake as a profile names it in `departs`: `HighlightNotGated`, `ConeExponent=2`.
     #[must_use]
     pub fn name(&self) -> String {
-        let value = match self.mistake.values {
-            [] => String::new(),
-            _ => format!("={}", self.value),
-        };
-        let of = match self.of.id {
-            "All" => String::new(),
-            some => format!("@{some}"),
-        };
-        format!("{}{value}{of}", self.id())
+        match self.mistake.values {
+            [] => self.id().into(),
+            _ => format!("{}={}", self.id(), self.value),
+        }
     }
 
     /// Every mistake with every number that is tried for it.
@@ -78,8 +65,7 @@ impl Fault {
             } else {
                 mistake.values
             };
-            let of = &SCOPES[0];
-            values.iter().map(move |&value| Self { mistake, value, of })
+            values.iter().map(move |&value| Self { mistake, value })
         })
     }
 }
@@ -88,14 +74,12 @@ impl FromStr for Fault {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Self, String> {
-        let (rest, of) = name.split_once('@').unwrap_or((name, "All"));
-        let (id, value) = rest
-            .split_once('=')
-            .map_or((rest, None), |(id, x)| (id, Some(x)));
+        let (id, value) = match name.split_once('=') {
+            Some((id, value)) => (id, Some(value)),
+            None => (name, None),
+        };
         let fault = Self::all().find(|fault| fault.id() == id && !fault.mistake.is_rough());
         let mut fault = fault.ok_or(format!("there is no departure {id}"))?;
-        let scope = SCOPES.iter().find(|scope| scope.id == of);
-        fault.of = scope.ok_or(format!("{name}: there are no {of}"))?;
         if let Some(value) = value {
             let number = value.parse().ok().filter(|x: &f64| x.is_finite());
             fault.value = number.ok_or(format!("{name}: {value} is no number"))?;
@@ -104,24 +88,9 @@ impl FromStr for Fault {
     }
 }
 
-impl PartialEq for Fault {
-    fn eq(&self, other: &Self) -> bool {
-        self.id() == other.id() && self.of.id == other.of.id && self.value == other.value
-    }
-}
-
 impl Serialize for Fault {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let (of, says) = (self.of.id, self.to_string());
-        let told =
-            serde_json::json!({ "id": self.id(), "value": self.value, "of": of, "says": says });
-        told.serialize(serializer)
-    }
-}
-
-impl fmt::Debug for Fault {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(&self.name())
+        serializer.serialize_str(&self.name())
     }
 }
 
@@ -130,8 +99,7 @@ impl fmt::Display for Fault {
         let named = [(PI, "π"), (FRAC_1_PI, "1/π"), (1.0 / 255.0, "1/255")];
         let name = named.iter().find(|(value, _)| *value == self.value);
         let number = name.map_or(self.value.to_string(), |(_, name)| (*name).into());
-        let says = self.mistake.says.replace("{}", &number);
-        write!(f, "{says}{}", self.of.says)
+        f.write_str(&self.mistake.says.replace("{}", &number))
     }
 }
 
@@ -147,13 +115,11 @@ pub fn formula(profile: &Profile, fault: Option<Fault>) -> Formula<'_> {
     let all = fault.into_iter();
     let all = all.chain(departures.filter(|it| !is_made(it)));
     let changes = all.flat_map(|fault| {
-        let Fault { mistake, value, of } = fault;
-        let changes = mistake.changes.iter();
+        let (changes, value) = (fault.mistake.changes.iter(), fault.value);
         changes.map(move |&(part, change)| Applied {
             part,
             change,
             value,
-            has: of.has,
         })
     });
     let formula = Formula::new(profile, changes.collect(), fault.is_some());

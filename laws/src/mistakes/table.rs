@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_1_PI, PI};
 
-use super::{Changes, Mistake, Scope};
+use super::{Changes, Mistake};
 use crate::bounded::{Bounded, Bounded3};
 use crate::formula::Part::{
     Against, Ambient, AmbientToo, Angle, Cone, Cosine, Diffuse, Encode, Falloff, Gate, Half,
@@ -12,33 +12,10 @@ use crate::formula::Part::{
 };
 use crate::formula::{At, BLACK, ONE};
 use crate::profile::to_srgb;
-use crate::scene::{Kind, Model, add, dot, mul, scale};
-
-/// Which lights or models have a mistake, the whole first.
-pub static SCOPES: [Scope; 7] = [
-    scope("All", "", |_| true),
-    scope("Suns", ", of directional lights only", |at| {
-        at.is_of(Kind::Directional)
-    }),
-    scope("Points", ", of point lights only", |at| {
-        at.is_of(Kind::Point)
-    }),
-    scope("Spots", ", of spots only", |at| at.is_of(Kind::Spot)),
-    scope("Lamps", ", of point lights and spots only", is_lamp),
-    scope("Phong", ", in Phong's model only", |at| {
-        at.model == Model::Phong
-    }),
-    scope("Blinn", ", in Blinn's model only", |at| {
-        at.model == Model::BlinnPhong
-    }),
-];
-
-const fn scope(id: &'static str, says: &'static str, has: fn(&At) -> bool) -> Scope {
-    Scope { id, says, has }
-}
+use crate::scene::{Model, add, dot, mul, scale};
 
 fn is_lamp(at: &At) -> bool {
-    at.is_of(Kind::Point) || at.is_of(Kind::Spot)
+    at.light.is_some_and(|light| light.lamp().is_some())
 }
 
 const fn row(id: &'static str, says: &'static str, changes: Changes) -> Mistake {
@@ -226,11 +203,6 @@ pub static MISTAKES: &[Mistake] = &[
         &[(Lambert, |_, at| one(at.n_dot_l))],
     ),
     row(
-        "HalfLambert",
-        "the diffuse term takes half-Lambert, (N·L + 1)/2",
-        &[(Lambert, |_, at| one((at.n_dot_l + ONE) / exact(2.0)))],
-    ),
-    row(
         "HighlightNotGated",
         "the highlight is not gated on N·L > 0, so faces turned away from a light have one",
         &[(Gate, |_, _| one(ONE))],
@@ -291,11 +263,6 @@ pub static MISTAKES: &[Mistake] = &[
         "AmbientTimesDiffuse",
         "the ambient term is multiplied by k_d",
         &[(Ambient, |x, at| mul(x, at.k_d))],
-    ),
-    row(
-        "BlackWithoutLights",
-        "without lights there is no ambient term",
-        &[(Once, |x, at| if at.count == 0.0 { BLACK } else { x })],
     ),
     row(
         "UnlitWithoutLights",

@@ -5,13 +5,12 @@ mod piped;
 
 use std::ffi::OsString;
 use std::io::{self, Write};
-use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
 use clap::builder::PossibleValuesParser;
-use clap::{Args, Parser, Subcommand};
-use shading_laws::{Laws, Profile, Renderer, Report, Scene, Triple};
+use clap::{Parser, Subcommand};
+use shading_laws::Laws;
 
 use piped::Piped;
 
@@ -32,21 +31,6 @@ struct Arguments {
     /// The renderer: a program and its arguments
     #[arg(trailing_var_arg = true, required_unless_present = "list")]
     command: Vec<OsString>,
-    #[command(flatten)]
-    options: Options,
-    /// The longest wait for the renderer's next line
-    #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = seconds)]
-    timeout: Duration,
-    /// List the laws
-    #[arg(long)]
-    list: bool,
-    #[command(subcommand)]
-    subcommand: Option<Other>,
-}
-
-/// What is tried, and how it is reported.
-#[derive(Args)]
-struct Options {
     /// Try other scenes: the seed from which they are generated
     #[arg(long, default_value = "0")]
     seed: u64,
@@ -66,27 +50,14 @@ struct Options {
     /// The longest time of the run; a law of which not all cases are tried by then is no pass
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     time: Option<Duration>,
-}
-
-/// A run without a renderer at the other end of a pipe.
-#[derive(Args)]
-struct Filed {
-    /// What the renderer says of itself: one line of JSON, as it would write it
-    #[arg(long, value_name = "JSON", default_value = "{}")]
-    profile: String,
-    #[command(flatten)]
-    options: Options,
-}
-
-impl Filed {
-    /// The profile, the laws, and the scenes, which do not depend on the answers.
-    fn planned(&self) -> Result<(Profile, Laws, Vec<Scene>), String> {
-        let profile = Profile::from_json(&self.profile);
-        let profile = profile.map_err(|why| format!("--profile: {why}"))?;
-        let laws = laws(&self.options);
-        let scenes = laws.scenes(&profile)?;
-        Ok((profile, laws, scenes))
-    }
+    /// The longest wait for the renderer's next line
+    #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = seconds)]
+    timeout: Duration,
+    /// List the laws
+    #[arg(long)]
+    list: bool,
+    #[command(subcommand)]
+    subcommand: Option<Other>,
 }
 
 #[derive(Subcommand)]
@@ -95,15 +66,6 @@ enum Other {
     Example {
         #[arg(value_parser = ["python", "javascript", "c"])]
         language: String,
-    },
-    /// Print the scenes, one a line, for a renderer that cannot be piped
-    Scenes(Filed),
-    /// Judge a file with the color of each scene, one a line, that `scenes` with the same options has printed
-    Judge {
-        #[command(flatten)]
-        run: Filed,
-        /// The file with the colors
-        colors: PathBuf,
     },
 }
 
@@ -148,66 +110,43 @@ fn run(arguments: &Arguments) -> Outcome {
             };
             Ok((text.into(), 0))
         }
-        Some(Other::Scenes(run)) => {
-            let (_, _, scenes) = run.planned()?;
-            let lines = scenes.iter().map(|scene| scene.to_json() + "\n");
-            Ok((lines.collect(), 0))
-        }
-        Some(Other::Judge { run, colors }) => {
-            let (profile, laws, scenes) = run.planned()?;
-            let text = std::fs::read_to_string(colors)
-                .map_err(|why| format!("cannot read {}: {why}", colors.display()))?;
-            let lines = text.lines().enumerate();
-            let color =
-                |(i, line)| color::color(line).map_err(|why| format!("line {}: {why}", i + 1));
-            let colors: Vec<Triple> = lines.map(color).collect::<Result<_, _>>()?;
-            if colors.len() != scenes.len() {
-                return Err(format!(
-                    "{} colors for {} scenes; `scenes` and `judge` need the same options",
-                    colors.len(),
-                    scenes.len()
-                ));
-            }
-            let mut report = laws.run(&mut Colors(profile, colors.into_iter()))?;
-            report.error = None; // more is asked for than the file has: smaller scenes, and places
-            told(&report, &run.options)
-        }
         None if arguments.list => {
             let lines = Laws::names().map(|(name, says)| format!("{name:17}  {says}\n"));
             Ok((lines.collect(), 0))
         }
-        None => {
-            let laws = laws(&arguments.options);
-            piped::listen_to_interrupts();
-            let mut renderer = Piped::start(&arguments.command, arguments.timeout)?;
-            let mut report = laws.run(&mut renderer)?;
-            if report.error.is_none() && !report.is_cut_short() {
-                report.error = renderer.finish().err();
-            }
-            let words = arguments.command.iter();
-            let words: Vec<String> = words.map(|word| quoted(&word.to_string_lossy())).collect();
-            report.command = Some(words.join(" "));
-            told(&report, &arguments.options)
-        }
+        None => judged(arguments),
     }
 }
 
-/// The report in the form that was asked for, and the exit status.
-fn told(report: &Report, options: &Options) -> Outcome {
-    if let Some(why) = report.error.as_ref().filter(|_| !report.is_broken()) {
-        return Err(why.clone());
+/// What a run with a renderer finds, in the form that was asked for.
+fn judged(arguments: &Arguments) -> Outcome {
+    let laws = Laws {
+        seed: arguments.seed,
+        cases: arguments.cases,
+        only: arguments.laws.clone(),
+        shrinks: arguments.shrink,
+        time: arguments.time,
+    };
+    piped::listen_to_interrupts();
+    let mut renderer = Piped::start(&arguments.command, arguments.timeout)?;
+    let mut report = laws.run(&mut renderer)?;
+    if report.error.is_none() && !report.is_cut_short() {
+        report.error = renderer.finish().err();
     }
-    let text = if options.json {
+    let words = arguments.command.iter();
+    let words: Vec<String> = words.map(|word| quoted(&word.to_string_lossy())).collect();
+    report.command = Some(words.join(" "));
+    let text = if arguments.json {
         report.to_json() + "\n"
     } else {
         report.to_string()
     };
-    let status = match () {
-        () if report.passes() => 0,
-        () if report.is_cut_short() && !report.is_broken() => CUT_SHORT,
-        () => 1,
-    };
-    Ok((text, status))
+    match &report.error {
+        _ if report.passes() => Ok((text, 0)),
+        _ if report.is_broken() => Ok((text, 1)),
+        Some(why) => Err(why.clone()),
+        None => Ok((text, CUT_SHORT)),
+    }
 }
 
 /// A word for a shell.
@@ -217,29 +156,5 @@ fn quoted(word: &str) -> String {
         word.to_owned()
     } else {
         format!("'{}'", word.replace('\'', r"'\''"))
-    }
-}
-
-/// The laws as the options have them.
-fn laws(options: &Options) -> Laws {
-    Laws {
-        seed: options.seed,
-        cases: options.cases,
-        only: options.laws.clone(),
-        shrinks: options.shrink,
-        time: options.time,
-    }
-}
-
-/// A renderer that answers with the colors of a file, in their order, as long as there are any.
-struct Colors(Profile, std::vec::IntoIter<Triple>);
-
-impl Renderer for Colors {
-    fn profile(&self) -> Profile {
-        self.0.clone()
-    }
-
-    fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
-        Ok(self.1.by_ref().take(scenes.len()).collect())
     }
 }

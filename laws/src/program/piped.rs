@@ -61,12 +61,11 @@ impl Piped {
         std::os::unix::process::CommandExt::process_group(&mut to_start, 0);
         let mut child = to_start.spawn().map_err(|error| {
             let name = program.to_string_lossy();
-            let hint = match error.kind() {
-                io::ErrorKind::NotFound if std::path::Path::new(program).exists() => {
-                    format!("; to start the file in this folder, write ./{name}")
-                }
-                io::ErrorKind::PermissionDenied => "; is it executable?".into(),
-                _ => String::new(),
+            let is_here = std::path::Path::new(program).is_file();
+            let hint = if is_here {
+                "; is it executable, and do you mean ./?"
+            } else {
+                ""
             };
             format!("cannot start {name}: {error}{hint}")
         })?;
