@@ -12,7 +12,7 @@ use crate::random::Random;
 use crate::scene::{Scene, Triple};
 
 /// The most colors that are kept, wrong ones and right ones.
-const MOST: [usize; 2] = [600, 600];
+const MOST: usize = 600;
 
 /// The percentage of the wrong colors that is nearly all.
 const NEARLY_ALL: usize = 90;
@@ -120,9 +120,9 @@ impl Evidence {
     /// Keeps some colors, in random order, so that the first ones are like all.
     pub fn sample(&mut self) {
         let mut random = Random::new(0);
-        for (samples, most) in [&mut self.wrong, &mut self.right].into_iter().zip(MOST) {
+        for samples in [&mut self.wrong, &mut self.right] {
             random.shuffle(samples);
-            samples.truncate(most);
+            samples.truncate(MOST);
         }
     }
 

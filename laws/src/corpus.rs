@@ -30,7 +30,7 @@ struct Corpus<'a> {
 
 impl Corpus<'_> {
     /// A surface that shows all terms, seen from v.
-    fn scene(n: Triple, v: Triple, lights: Vec<Light>) -> Scene {
+    fn scene(n: Triple, v: Triple, m: f64, lights: Vec<Light>) -> Scene {
         Scene {
             model: Model::BlinnPhong,
             p: BLACK,
@@ -39,7 +39,7 @@ impl Corpus<'_> {
             k_a: [0.25, 0.5, 0.125],
             k_d: [0.5, 0.25, 0.75],
             k_s: [0.5, 0.25, 1.0],
-            m: 8.0,
+            m,
             i_a: [0.25, 0.125, 0.5],
             lights,
         }
@@ -79,22 +79,18 @@ impl Corpus<'_> {
     }
 
     /// A scene with each kind of light from there.
-    fn each_kind(&mut self, n: Triple, v: Triple, l: Triple, m: Option<f64>) {
+    fn each_kind(&mut self, n: Triple, v: Triple, l: Triple, m: f64) {
         for light in self.kinds(l, [0.5, 0.75, 0.25]) {
-            let mut scene = Self::scene(n, v, vec![light]);
-            scene.m = m.unwrap_or(scene.m);
-            self.add(&scene);
+            self.add(&Self::scene(n, v, m, vec![light]));
         }
     }
 
     /// A scene with the kinds of light in turn.
-    fn in_turn(&mut self, n: Triple, v: Triple, l: Triple, m: Option<f64>) {
+    fn in_turn(&mut self, n: Triple, v: Triple, l: Triple, m: f64) {
         let kinds = self.kinds(l, [1.0, 0.75, 0.5]);
         let light = kinds[(self.turn + self.turn / kinds.len()) % kinds.len()];
         self.turn += 1;
-        let mut scene = Self::scene(n, v, vec![light]);
-        scene.m = m.unwrap_or(scene.m);
-        self.add(&scene);
+        self.add(&Self::scene(n, v, m, vec![light]));
     }
 
     fn directions(&mut self) {
@@ -108,7 +104,7 @@ impl Corpus<'_> {
             ([1.0, 2.0, 2.0], [1.0, 2.0, 2.0]),
             ([0.0, -1.0, 0.0], [3.0, -4.0, 0.0]),
         ] {
-            self.each_kind(n, scale(l, -1.0), l, None);
+            self.each_kind(n, scale(l, -1.0), l, 8.0);
         }
         // N·L and N·V above, at and below 0; L and V along N and mirrored
         let ways = [
@@ -123,25 +119,25 @@ impl Corpus<'_> {
         ];
         for l in ways {
             for v in ways {
-                self.in_turn(UP, v, l, None);
+                self.in_turn(UP, v, l, 8.0);
             }
         }
-        self.add(&Self::scene(UP, UP, vec![]));
+        self.add(&Self::scene(UP, UP, 8.0, vec![]));
         // each kind of light behind the surface, with R and H near what they are compared with
-        self.each_kind(UP, [-1.0, 0.0, 0.375], [1.0, 0.0, -0.125], None);
+        self.each_kind(UP, [-1.0, 0.0, 0.375], [1.0, 0.0, -0.125], 8.0);
         // R or H below the surface, and an m with which any floor of the cosine shows
-        self.each_kind(UP, [0.8, 0.0, 0.6], [0.8, 0.0, 0.6], Some(1.0));
-        self.each_kind(UP, [0.0, 0.25, -1.5], [0.6, 0.0, 0.8], Some(1.0));
+        self.each_kind(UP, [0.8, 0.0, 0.6], [0.8, 0.0, 0.6], 1.0);
+        self.each_kind(UP, [0.0, 0.25, -1.5], [0.6, 0.0, 0.8], 1.0);
         // the same, but black, where few levels show a floor
         for light in self.kinds([0.8, 0.0, 0.6], [1.0; 3]) {
-            let mut scene = Self::scene(UP, [0.8, 0.0, 0.6], vec![light]);
-            (scene.k_d, scene.i_a, scene.m) = (BLACK, BLACK, 1.0);
+            let mut scene = Self::scene(UP, [0.8, 0.0, 0.6], 1.0, vec![light]);
+            (scene.k_d, scene.i_a) = (BLACK, BLACK);
             self.add(&scene);
         }
         // N·L just above 0, seen in the mirror direction, where the highlight is bright
         for height in [0.07, 0.03, 0.008, 0.0008, 0.00008, 0.000_008] {
             let v = self.long([-1.0, 0.0, height]);
-            self.in_turn(UP, v, [1.0, 0.0, height], None);
+            self.in_turn(UP, v, [1.0, 0.0, height], 8.0);
         }
         // N and V of other lengths than 1
         for (n, v) in [
@@ -153,7 +149,7 @@ impl Corpus<'_> {
         ] {
             let n = self.long(scale([0.6, 0.0, 0.8], n));
             let v = self.long(scale([0.0, 0.28, 0.96], v));
-            self.each_kind(n, v, [0.5, 0.25, 1.0], None);
+            self.each_kind(n, v, [0.5, 0.25, 1.0], 8.0);
         }
     }
 
@@ -205,7 +201,7 @@ impl Corpus<'_> {
                     if kinds[(i + k) % kinds.len()] == Kind::Spot {
                         light = light.with_cone([0.0, 0.0, -1.0], self.profile.rounded(0.75));
                     }
-                    let mut scene = Self::scene(UP, [0.0, -0.5, 1.0], vec![light]);
+                    let mut scene = Self::scene(UP, [0.0, -0.5, 1.0], 8.0, vec![light]);
                     scene.p = p;
                     if left < 0.1 {
                         scene.i_a = BLACK; // among light, little light is not seen
@@ -230,7 +226,7 @@ impl Corpus<'_> {
                     let angle = self.profile.rounded(f64::to_radians(degrees));
                     let light = self.light(Kind::Spot, UP, [1.0, 0.75, 0.5]);
                     let light = light.with_cone(axis, angle.min(std::f64::consts::FRAC_PI_2));
-                    let scene = Self::scene(UP, UP, vec![light]);
+                    let scene = Self::scene(UP, UP, 8.0, vec![light]);
                     self.add_as(self.model(self.scenes.len()), &scene);
                 }
             }
@@ -251,7 +247,7 @@ impl Corpus<'_> {
             let m = self.profile.shininess(m);
             for off in [0.0, 0.5, 1.5] {
                 let v = self.long([off / m.sqrt(), 0.0, 1.0]);
-                self.in_turn(UP, v, UP, Some(m));
+                self.in_turn(UP, v, UP, m);
             }
         }
         // the largest, under an N of long components, and at its peak: in few digits, the light of
@@ -263,10 +259,10 @@ impl Corpus<'_> {
             for off in [1.0, 2.0, -1.5] {
                 let way = self.long(add(n, scale(across, off / most.sqrt())));
                 let n = self.profile.direction(self.long(n));
-                self.in_turn(n, n, way, Some(most));
+                self.in_turn(n, n, way, most);
             }
         }
-        self.each_kind(UP, UP, UP, Some(most));
+        self.each_kind(UP, UP, UP, most);
     }
 
     /// As many lights as it has: all alike, and each in turn the brightest.
@@ -288,7 +284,7 @@ impl Corpus<'_> {
                     let kinds = self.kinds(way, color);
                     kinds[(i + brightest) % kinds.len()]
                 });
-                let scene = Self::scene(UP, [0.25, 0.0, 1.0], lights.collect());
+                let scene = Self::scene(UP, [0.25, 0.0, 1.0], 8.0, lights.collect());
                 self.add_as(self.model(brightest), &scene);
             }
         }

@@ -97,11 +97,11 @@ pub static EDITS: &[Edit] = &[
     edit("cone", |s, profile| {
         let p = s.p;
         for light in &mut s.lights {
-            if light.kind() == Kind::Spot {
+            if let (Kind::Spot, Some((position, abc))) = (light.kind(), light.lamp()) {
                 let (l, arriving) = light.arriving(p);
                 let is_dark = arriving == [0.0; 3];
                 *light = if profile.has(Kind::Point) {
-                    light.without_cone()
+                    Light::point(light.intensity(), position, abc)
                 } else {
                     light.with_cone(profile.unit(scale(l, -1.0)), profile.rounded(1.0))
                 };

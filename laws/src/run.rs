@@ -357,10 +357,8 @@ impl Run<'_> {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 2 to 60
         #[allow(clippy::cast_precision_loss)] // the count of scenes
         let most = (left / waited * self.asked as f64 / 22.0).clamp(2.0, 60.0) as usize;
-        let of_law = self
-            .failures
-            .iter()
-            .filter(|(law, _)| **law != Law::NoMemory);
+        // what is remembered has no place, and is the last law
+        let of_law = self.failures.range(..Law::NoMemory);
         let of_law: Vec<&Vec<Failure>> = of_law.map(|(_, failures)| failures).collect();
         let most = (most.min(place::MOST) / of_law.len().max(1)).max(1);
         let mut scenes = Vec::new();
@@ -376,11 +374,8 @@ impl Run<'_> {
                 let case = |scene: &Scene| Case::new(scene.clone(), &self.right, false);
                 let cases: Vec<Case> = some.iter().map(case).collect();
                 let replies = self.replies(&cases)?;
-                let judged = cases
-                    .iter()
-                    .zip(&replies)
-                    .map(|(case, it)| self.judge(case, it));
-                are_wrong.extend(judged.map(|broken| !broken.is_empty()));
+                let is_wrong = |(case, it): (_, &Vec<_>)| !self.judge(case, it).is_empty();
+                are_wrong.extend(cases.iter().zip(&replies).map(is_wrong));
             }
             Some(are_wrong)
         };

@@ -142,13 +142,6 @@ impl Light {
         }
     }
 
-    /// A lamp without its cone.
-    pub(crate) fn without_cone(self) -> Self {
-        self.lamp().map_or(self, |(position, attenuation)| {
-            Self::point(self.intensity(), position, attenuation)
-        })
-    }
-
     /// What it is.
     #[must_use]
     pub fn kind(&self) -> Kind {

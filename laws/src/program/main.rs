@@ -81,9 +81,6 @@ fn seconds(text: &str) -> Result<Duration, String> {
 /// What to print, and the exit status.
 type Outcome = Result<(String, u8), String>;
 
-/// What was found before the time was up is no pass.
-const CUT_SHORT: u8 = 3;
-
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let (text, mut status) = run(&arguments).unwrap_or_else(|why| {
@@ -145,7 +142,7 @@ fn judged(arguments: &Arguments) -> Outcome {
         _ if report.passes() => Ok((text, 0)),
         _ if report.is_broken() => Ok((text, 1)),
         Some(why) => Err(why.clone()),
-        None => Ok((text, CUT_SHORT)),
+        None => Ok((text, 3)), // what was found before the time was up is no pass
     }
 }
 

@@ -89,22 +89,17 @@ impl Piped {
             told: Instant::now(),
         };
         piped.write(format!("{VERSION}\n"));
-        let profile = piped.profile_line();
+        let late = format!("no line within {timeout:?}; does it flush its output?");
+        let profile = piped.line(timeout).and_then(|line| {
+            let line = line.ok_or(late)?;
+            Profile::from_json(&line).map_err(|why| format!("{why}, in {}", quoted(&line)))
+        });
         piped.profile = profile.map_err(|why| format!("in answer to {VERSION}: {why}"))?;
         if piped.profile.name == Profile::default().name {
             let words: Vec<_> = command.iter().map(|word| word.to_string_lossy()).collect();
             piped.profile.name = words.join(" ");
         }
         Ok(piped)
-    }
-
-    fn profile_line(&mut self) -> Result<Profile, String> {
-        let late = format!(
-            "no line within {:?}; does it flush its output?",
-            self.timeout
-        );
-        let line = self.line(self.timeout)?.ok_or(late)?;
-        Profile::from_json(&line).map_err(|why| format!("{why}, in {}", quoted(&line)))
     }
 
     /// Closes the renderer's input, and sees to it that it ends.
