@@ -57,17 +57,11 @@ pub(super) const fn root(x: Fixed) -> Fixed {
     let bits = x.0 as u32;
     let even = bits.leading_zeros() & !1;
     let normal = bits << even;
-    // within one step of √(2¹⁶ x)
+    // √(2¹⁶ x), or a step less
     let root = (upper_unsigned(normal, reciprocal_root(normal) as u32) >> (3 + even / 2)) as i32;
     // 2¹⁶ x − root², which 32 bits hold
     let rest = (bits << 16).wrapping_sub(root.wrapping_mul(root) as u32) as i32;
-    Fixed(if rest > root {
-        root + 1
-    } else if rest <= -root {
-        root - 1
-    } else {
-        root
-    })
+    Fixed(if rest > root { root + 1 } else { root })
 }
 
 /// |v|²/2³², less up to three roundings down.
