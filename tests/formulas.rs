@@ -890,6 +890,25 @@ mod sums {
         units(8.0)
     );
 
+    /// A lobe that has no other method than the one it must have.
+    #[derive(Clone, Copy)]
+    struct Square;
+    impl<T: Real> Lobe<T> for Square {
+        fn raise(self, cosine: T) -> T {
+            cosine * cosine
+        }
+    }
+    // (N·H)² = 9/10, off by 11u; its root by 5.5u and 1u, and the square of that by 13u and 1u
+    value!(
+        lobe_of_ones_own,
+        {
+            let (n, material) = (UnitVec3::Z, material([1.0; 3], Square));
+            shade::blinn_phong(n, n, &material, Rgb::BLACK, [from(slanted::<T>())]).specular
+        },
+        [0.9; 3],
+        units(14.0)
+    );
+
     /// A white surface under the sun from above or below.
     fn white<T: Float>(l: UnitVec3<T>) -> Shaded<T> {
         shade::phong(
