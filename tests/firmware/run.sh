@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Tests the crate's promises on microcontrollers: builds the programs in this folder, runs them in emulators, and fails if a
-# digest differs or a budget is exceeded. `run.sh renew` writes flash.txt. Installs what it needs.
+# digest differs or a budget is exceeded. `run.sh renew` writes flash.txt; `run.sh approximate` also draws the ball with
+# approximate roots. Installs what it needs.
 set -euo pipefail
 cd "$(dirname "$0")"
 . ../../.ci/toolchain
@@ -81,6 +82,7 @@ for NUMBER in f32 f64 fixed; do
     expected=$(cargo run --quiet --release --bin digest)
     for target in $chips; do
         for profile in release small; do
+            [ "$NUMBER $profile" != "f64 small" ] || continue # doubles on a chip are slow, and rare
             got=$(run "$target" $profile digest) || got=none
             [ "$got" = "$expected" ] || complain "$target $profile, $NUMBER: the digest is $got, but $expected on the host"
         done
@@ -121,6 +123,7 @@ ball() {
     echo "$(bytes "$program")" "$(run "$1" ball frame $icount)"
 }
 pictures=$(cargo run --quiet --profile ball --bin frame)
+approximate=$([ "${1-}" != approximate ] || echo f32_by_micromath)
 # bytes and thousands of instructions
 declare -A limit=(
     [$m4f fixed]="3400 21500" [$m0 fixed]="4900 75000" [$riscv fixed]="4550 33000"
@@ -128,13 +131,13 @@ declare -A limit=(
 )
 declare -A flash_of thousands
 for target in $m4f $m0 $riscv; do
-    for program in f32 f32_by_hand f32_by_micromath fixed fixed_by_hand; do
+    for program in f32 f32_by_hand $approximate fixed fixed_by_hand; do
         read -r flash_of[$program] instructions digest <<<"$(ball "$target" $program)"
         thousands[$program]=$((instructions / 1000))
         read -r _ expected levels wrong <<<"$(grep "^$program " <<<"$pictures")"
         echo "$target $program: ${flash_of[$program]} bytes, ${thousands[$program]} thousand; $wrong pixels by up to $levels levels"
         [ "$digest" = "$expected" ] || complain "$target $program: the picture is not the host's"
-        [ $program = f32_by_micromath ] || within "$target $program: levels" "$levels" 1
+        [ "$program" = f32_by_micromath ] || within "$target $program: levels" "$levels" 1
     done
     for program in f32 fixed; do
         read -r most_bytes most_thousands <<<"${limit[$target $program]}"
