@@ -1,8 +1,8 @@
 //! Local illumination as pure functions: Lambert, Phong and Blinn–Phong shading of a point.
 //!
-// Inside the page, because a registry shows no relative links and a page without a network no
-// absolute ones. Renew it by convert docs/pictures/teapot.png -crop 800x530+0+30 -resize 480x
-// -quality 85 -strip jpg:- | base64 --wrap=0
+// The picture is part of the page, because a registry shows no relative links, and a page without
+// a network no absolute ones. To renew it, run convert docs/pictures/teapot.png -crop 800x530+0+30
+// -resize 480x -quality 85 -strip jpg:- | base64 --wrap=0
 #![cfg_attr(doc, doc = include_str!("teapot.html"))]
 //!
 //! # Example
@@ -28,12 +28,12 @@
 //! let [red, green, blue] = shaded.total().to_srgb8();
 //! ```
 //!
-//! Vectors of other libraries are converted through arrays: `Vec3::from(array)`, `<[f32;
-//! 3]>::from(v)`; `at` takes them as they are. A direction that is already normalized is
-//! [`UnitVec3::assume_unit`]`(array.into())`. The generic types, such as `shading::PointLight<T>`,
-//! accept every number type. The aliases in [`mod@f32`] and [`mod@f64`] fix it, so that literals
-//! need no annotation. Constructors for constants begin with `const_`, such as
-//! `Attenuation::const_new`.
+//! Vectors of other libraries are converted through arrays, by `Vec3::from(array)` and
+//! `<[f32; 3]>::from(v)`; `at` accepts every type that converts to an array. For a direction that is
+//! already normalized, write [`UnitVec3::assume_unit`]`(array.into())`. The generic types, such as
+//! `shading::PointLight<T>`, accept every number type. The aliases in [`mod@f32`] and [`mod@f64`]
+//! name one, so that literals need no annotation. Constructors for constants begin with `const_`,
+//! such as `Attenuation::const_new`.
 //!
 //! # What it computes
 //!
@@ -63,7 +63,7 @@
 //! | normal map | x t + y b + z N, length 1 | [`normal::mapped`] |
 //! | encodings | linear light to sRGB bytes or RGB565, and back | [`Rgb::to_srgb8`](Rgb::<f32>::to_srgb8), [`Rgb::to_rgb565`](Rgb::<f32>::to_rgb565), [`Rgb::from_srgb8`], [`Rgb::from_rgb565`] |
 //!
-//! F is the normal of the face, N the one to shade with.
+//! F is the normal of the face; N is the normal that you shade with.
 //!
 //! # Conventions
 //!
