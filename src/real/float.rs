@@ -63,7 +63,7 @@ macro_rules! float {
                 // limited from below before the division, which is also shorter
                 let cosine = Self::dot(n, measured.w).at_least(0.0) / measured.w_length;
                 // 0/0, of a w that overflowed, counts as 1: its light is black. `min` keeps the compiler from
-                // comparing in vectors and choosing by branches (a sum −3 % of instructions); elsewhere it
+                // comparing in vectors and choosing by branches (a sum −2 to −4 % of instructions); elsewhere it
                 // may be a call.
                 if cfg!(target_feature = "sse2") {
                     cosine.min(1.0)
