@@ -292,8 +292,52 @@ fn gathered<L: Simd>(places: &[Place<L::Lane>]) -> Place<L> {
     }
 }
 
+/// A highlight that is infinite, and NaN at a cosine of 0.
+#[derive(Clone, Copy)]
+struct Infinite;
+
+impl<T: Real> Lobe<T> for Infinite {
+    fn raise(self, cosine: T) -> T {
+        cosine / T::ZERO
+    }
+}
+
+/// Any highlight, so that [`everything`] is compiled once for each number, which takes a while.
+#[derive(Clone, Copy)]
+enum Any<S> {
+    Whole(u32),
+    Real(S),
+    Infinite,
+}
+
+impl<T: Real, S: Lobe<T>> Lobe<T> for Any<S> {
+    fn raise(self, cosine: T) -> T {
+        match self {
+            Self::Whole(m) => m.raise(cosine),
+            Self::Real(m) => m.raise(cosine),
+            Self::Infinite => Infinite.raise(cosine),
+        }
+    }
+
+    fn raise_root(self, square: T) -> T {
+        match self {
+            Self::Whole(m) => m.raise_root(square),
+            Self::Real(m) => m.raise_root(square),
+            Self::Infinite => Infinite.raise_root(square),
+        }
+    }
+
+    fn raise_quotient(self, square: T, of: T) -> T {
+        match self {
+            Self::Whole(m) => m.raise_quotient(square, of),
+            Self::Real(m) => m.raise_quotient(square, of),
+            Self::Infinite => Infinite.raise_quotient(square, of),
+        }
+    }
+}
+
 /// Everything that can be computed of a number that is not compared.
-fn everything<T: Real, M: Lobe<T>>(c: &Place<T>, m: M) -> Vec<T> {
+fn everything<T: Real, S: Lobe<T>>(c: &Place<T>, m: Any<S>) -> Vec<T> {
     let &Place {
         p, n, v, q, rgb, ..
     } = c;
@@ -393,27 +437,17 @@ impl<S: Scalar> Debug for Place<S> {
 }
 
 fn everything_agrees<L: Simd>() {
-    fn agree<L: Simd, M: Lobe<L> + Lobe<L::Lane>>(places: &[Place<L::Lane>], m: M) {
+    fn agree<L: Simd>(places: &[Place<L::Lane>], m: Any<L::Lane>) {
         let lanes = everything(&gathered::<L>(places), m);
         for (i, place) in places.iter().enumerate() {
             let lane: Vec<_> = lanes.iter().map(|x| x.lane(i)).collect();
-            assert_same(&lane, &everything(place, m), format!("lane {i}, {place:?}"));
+            assert_same(&lane, &everything(place, m), ("lane", i, place));
         }
     }
     proptest!(config(96), |(places in places::<L::Lane>(L::COUNT), m in 0..300_u32, real in 0.0..300.0)| {
-        agree::<L, u32>(&places, m);
-        agree::<L, L::Lane>(&places, L::Lane::of(real));
+        agree::<L>(&places, Any::Whole(m));
+        agree::<L>(&places, Any::Real(L::Lane::of(real)));
     });
-}
-
-/// A highlight that is infinite, and NaN at a cosine of 0.
-#[derive(Clone, Copy)]
-struct Infinite;
-
-impl<T: Real> Lobe<T> for Infinite {
-    fn raise(self, cosine: T) -> T {
-        cosine / T::ZERO
-    }
 }
 
 /// Lights of each kind that are behind the surface in one lane or in all but one, with each edge as
@@ -446,30 +480,30 @@ fn behind<L: Simd>() {
             rgb: Rgb::WHITE,
         }
     };
-    let agree = |places: &[Place<L::Lane>]| {
-        let lanes = everything(&gathered::<L>(places), 3);
-        let infinite = everything(&gathered::<L>(places), Infinite);
-        for (i, place) in places.iter().enumerate() {
-            for (lanes, alone) in [
-                (&lanes, everything(place, 3)),
-                (&infinite, everything(place, Infinite)),
-            ] {
-                let lane: Vec<_> = lanes.iter().map(|x| x.lane(i)).collect();
-                assert_same(&lane, &alone, format!("lane {i}, {places:?}"));
-            }
-        }
-    };
+    let highlights = [Any::Whole(3), Any::<L::Lane>::Infinite];
+    // each edge alone, in front of the surface and behind it
+    let alone = edges.map(|edge| {
+        [false, true].map(|is_behind| {
+            let place = place(edge, is_behind);
+            highlights.map(|m| everything(&place, m))
+        })
+    });
     for first in 0..edges.len() {
         for (lane, is_behind) in (0..L::COUNT).flat_map(|lane| [(lane, true), (lane, false)]) {
+            let edge = |i: usize| (first + 5 * i) % edges.len();
+            let is_behind = |i: usize| (i == lane) == is_behind;
             let places: Vec<_> = (0..L::COUNT)
-                .map(|i| {
-                    place(
-                        edges[(first + 5 * i) % edges.len()],
-                        (i == lane) == is_behind,
-                    )
-                })
+                .map(|i| place(edges[edge(i)], is_behind(i)))
                 .collect();
-            agree(&places);
+            let gathered = gathered::<L>(&places);
+            let lanes = highlights.map(|m| everything(&gathered, m));
+            for i in 0..L::COUNT {
+                let alone = &alone[edge(i)][usize::from(is_behind(i))];
+                for (lanes, alone) in lanes.iter().zip(alone) {
+                    let lane: Vec<_> = lanes.iter().map(|x| x.lane(i)).collect();
+                    assert_same(&lane, alone, ("lane", i, &places));
+                }
+            }
         }
     }
 }
