@@ -1,12 +1,9 @@
 //! What every function gives where its formula has no answer, and at the ends of the number types,
 //! for `f32` and `f64`: a test for each row of `docs/totality.md`, which names them. Beside the
-//! rows stand the sweeps that no row holds, and the promise of every function whatever the bits of
-//! its arguments.
+//! rows stand the sweeps that no row holds.
 
 #![allow(clippy::float_cmp)] // results are compared exactly
 
-#[path = "totality/any_bits.rs"]
-mod any_bits;
 #[path = "totality/casts.rs"]
 mod casts;
 #[path = "totality/duals.rs"]
