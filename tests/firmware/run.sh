@@ -20,7 +20,9 @@ within() { [ "$2" -le "$3" ] || complain "$1: $2 exceeds $3"; }
 
 # build TARGET PROFILE PROGRAM: prints the path of the program
 build() {
-    cargo build --quiet --target "$1" --profile "$2" --bin "$3" >&2 && echo "target/$1/$2/$3"
+    local features=""
+    [[ $3 != ball && $3 != frame ]] || features=ball
+    cargo build --quiet --target "$1" --profile "$2" --bin "$3" --features "$features" >&2 && echo "target/$1/$2/$3"
 }
 
 # run TARGET PROFILE PROGRAM ARGUMENT...: prints what the program prints in the emulator
@@ -122,7 +124,7 @@ ball() {
     # shellcheck disable=SC2086 # two words
     echo "$(bytes "$program")" "$(run "$1" ball frame $icount)"
 }
-pictures=$(cargo run --quiet --profile ball --bin frame)
+pictures=$(cargo run --quiet --profile ball --bin frame --features ball)
 approximate=$([ "${1-}" != approximate ] || echo f32_by_micromath)
 # bytes and thousands of instructions
 declare -A limit=(

@@ -1,6 +1,7 @@
 //! What the firmware programs share: the board, a scene in flash, and the digest of every function.
 #![no_std]
 
+#[cfg(feature = "ball")]
 pub mod ball;
 #[cfg(target_os = "none")]
 pub mod board;
@@ -98,3 +99,12 @@ pub static LIGHTS: [Light; 7] = [
     Light::Point(lamp(0.28, 0.0, 0.96)),
     Light::Point(lamp(f32::INFINITY, f32::NAN, 0.0)),
 ];
+
+/// Whether two texts are the same, for what the environment chooses at build time.
+pub const fn is_same(a: &[u8], b: &[u8]) -> bool {
+    let mut i = 0;
+    while i < a.len() && i < b.len() && a[i] == b[i] {
+        i += 1;
+    }
+    i == a.len() && i == b.len()
+}

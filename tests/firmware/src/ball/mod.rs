@@ -6,6 +6,8 @@
 mod by_hand;
 mod by_the_crate;
 
+use crate::is_same;
+
 /// The sides of the picture in pixels.
 pub const SIDE: i16 = 240;
 const RADIUS: i16 = SIDE / 2;
@@ -76,12 +78,4 @@ pub const fn chosen() -> Pixel {
         i += 1;
     }
     panic!("BALL names no program")
-}
-
-pub const fn is_same(a: &[u8], b: &[u8]) -> bool {
-    let mut i = 0;
-    while i < a.len() && i < b.len() && a[i] == b[i] {
-        i += 1;
-    }
-    i == a.len() && i == b.len()
 }

@@ -7,7 +7,7 @@
 use core::hint::black_box;
 use core::sync::atomic::AtomicU32;
 
-use firmware::ball::is_same;
+use firmware::is_same;
 use shading::fixed::Fixed;
 use shading::shade::{blinn_phong, lambert, phong};
 use shading::{DirectionalLight, Light, Material, PointLight, Real, Rgb, Shaded, UnitVec3, Vec3};
