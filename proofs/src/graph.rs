@@ -28,7 +28,8 @@ pub enum Node {
 
 impl Node {
     /// The nodes that it is made of, and those that it tests.
-    pub(super) fn parts(self) -> Vec<u32> {
+    #[must_use]
+    pub fn parts(self) -> Vec<u32> {
         match self {
             Self::Var(_) | Self::Constant(_) => vec![],
             Self::Neg(a) | Self::Sqrt(a) | Self::Call(_, a) => vec![a],
@@ -44,7 +45,8 @@ impl Node {
 
 impl Test {
     /// The nodes that it compares.
-    pub(super) fn parts(self) -> Vec<u32> {
+    #[must_use]
+    pub fn parts(self) -> Vec<u32> {
         match self {
             Self::Above(a, b) | Self::AtMost(a, b) | Self::Equal(a, b) => vec![a, b],
             Self::Case(_) => vec![],

@@ -63,8 +63,7 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
         // most. Two more products put x and y off by 2u each: 6.42u. √(6.42² + 3.5²)u = 7.32u.
         row("`normal::implicit`, a torus", "of 1", 3.66, &implicit::<T>),
         // (u, v, u² + uv + v²): one coordinate of each tangent is rounded, and their product is
-        // exact: √(1 + 3.5²)u = 3.65u. Gappa proves 5.4u: it adds the error of a coordinate to that
-        // of the length, though one that is too large makes both so.
+        // exact: √(1 + 3.5²)u = 3.65u.
         row(
             "`normal::parametric`, a paraboloid",
             "of 1",
@@ -162,6 +161,9 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
             power,
             &real_power::<T>(32.5, 0.125),
         ),
+        // The product of a power by a, off by (a − 1)u of itself, and of one by b, off by (b − 1)u,
+        // is off by the sum of both and 1u: (a + b − 1)u. So a power by m is off by (m − 1)u, in
+        // whatever order the products are taken.
         row(
             "`Lobe::raise`, m = 1000",
             "of the result",
@@ -180,6 +182,10 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
             3.0,
             &normalization(term::phong_normalization::<T>, phong_normalization),
         ),
+        // (m + 2)(m + 4)/(8π(m + 2^(−m/2))). √½ is off by at most u/2, which its power by m magnifies
+        // at most m√½^(m − 1) ≤ 1½ times, and what raises it adds 4u of 1: 4¾u of m + 2^(−m/2), which
+        // is least for m = 0, where it is 1. The three sums, the constant, the quotient and the two
+        // products add 1u each: 11¾u.
         row(
             "`blinn_normalization`",
             "of the result",
