@@ -112,12 +112,8 @@ impl Graph {
             (Node::Add(a, _), _, Some(Node::Neg(y))) => self.insert(Node::Sub(a, y)),
             (Node::Add(_, b), Some(Node::Neg(x)), _) => self.insert(Node::Sub(b, x)),
             (Node::Sub(a, _), _, Some(Node::Neg(y))) => self.node(Node::Add(a, y)),
-            (Node::Mul(..), Some(Node::Neg(x)), Some(Node::Neg(y))) => self.node(Node::Mul(x, y)),
-            (Node::Div(..), Some(Node::Neg(x)), Some(Node::Neg(y))) => self.node(Node::Div(x, y)),
             (Node::Mul(_, b), Some(Node::Neg(x)), _) => self.negated(Node::Mul(x, b)),
             (Node::Mul(a, _), _, Some(Node::Neg(y))) => self.negated(Node::Mul(a, y)),
-            (Node::Div(_, b), Some(Node::Neg(x)), _) => self.negated(Node::Div(x, b)),
-            (Node::Div(a, _), _, Some(Node::Neg(y))) => self.negated(Node::Div(a, y)),
             (Node::Add(a, b), ..) => self.insert(Node::Add(a.min(b), a.max(b))),
             (Node::Mul(a, b), ..) => self.insert(Node::Mul(a.min(b), a.max(b))),
             _ => self.insert(node),
@@ -184,18 +180,6 @@ impl Graph {
             Test::Equal(a, b) => v(a) == v(b),
             Test::Case(_) => unreachable!("a case is no property of the numbers"),
         }
-    }
-
-    /// Whether one constant is above another.
-    pub(super) fn of_constants(&self, test: Test) -> Option<bool> {
-        let Test::Above(a, b) = test else {
-            return None;
-        };
-        let constant = |id: u32| match self.nodes[id as usize] {
-            Node::Constant(bits) => Some(f64::from_bits(bits)),
-            _ => None,
-        };
-        Some(constant(a)? > constant(b)?)
     }
 
     /// The variables' values, in a run with numbers.

@@ -17,18 +17,6 @@ pub struct Known {
     pub impossible: bool,
 }
 
-fn constant(x: f64) -> Range {
-    if x.is_nan() {
-        return Range::NAN;
-    }
-    let minus_zero = x == 0.0 && x.is_sign_negative();
-    let range = Range::within(x, x);
-    Range {
-        minus_zero,
-        ..range
-    }
-}
-
 fn above(x: f64, f: Format) -> Range {
     Range::within(f.next_up(x), INF)
 }
@@ -57,10 +45,13 @@ impl Known {
             return id;
         };
         for (x, y) in [(x, y), (y, x)] {
+            let of_y = self.range(g, y);
             let has_its_bits = match g.nodes[id as usize] {
                 // x + 0 = x, whatever the sign of that zero, unless x is −0
-                Node::Add(..) => self.is_zero(g, y) && !self.range(g, x).minus_zero,
-                _ => self.range(g, y).only() == Some(1.0),
+                Node::Add(..) => {
+                    Range::within(0.0, 0.0).covers(of_y) && !self.range(g, x).minus_zero
+                }
+                _ => of_y.only() == Some(1.0),
             };
             if has_its_bits {
                 return self.reduced(g, x);
@@ -76,48 +67,37 @@ impl Known {
         if a == b || x == y && (x.only().is_some() || x == Range::NAN) {
             return true;
         }
-        let mut are = |c, d, e, f| self.same(g, c, e) && self.same(g, d, f);
+        let mut are = |pairs: &[(u32, u32)]| pairs.iter().all(|(a, b)| self.same(g, *a, *b));
         match (g.nodes[a as usize], g.nodes[b as usize]) {
             (Node::Mul(c, d), Node::Mul(e, f)) | (Node::Add(c, d), Node::Add(e, f)) => {
-                are(c, d, e, f) || are(c, d, f, e)
-            }
-            (Node::Div(c, d), Node::Div(e, f)) | (Node::Sub(c, d), Node::Sub(e, f)) => {
-                are(c, d, e, f)
+                are(&[(c, e), (d, f)])
             }
             (Node::Select(Test::Above(x, y), c, d), Node::Select(Test::Above(z, w), e, f)) => {
-                are(x, y, z, w) && are(c, d, e, f)
+                are(&[(x, z), (y, w), (c, e), (d, f)])
             }
             _ => false,
         }
     }
 
-    fn is_zero(&mut self, g: &Graph, id: u32) -> bool {
-        Range::within(0.0, 0.0).covers(self.range(g, id))
-    }
-
     /// The values that a node can have on this path.
     pub fn range(&mut self, g: &Graph, id: u32) -> Range {
         while self.memo.len() <= id as usize {
-            let next = self.memo.len();
-            #[allow(clippy::cast_possible_truncation)] // it is at most `id`
-            let derived = self.derived(g, next as u32);
-            #[allow(clippy::cast_possible_truncation)] // likewise
-            let range = self.related(g, next as u32, derived);
-            let shown = self.shown.get(next).copied().flatten();
-            let range = shown.map_or(range, |shown| range.meet(shown));
-            self.memo.push(range);
+            let at = self.memo.len();
+            let next = u32::try_from(at).expect("it is at most `id`");
+            let derived = self.derived(g, next);
+            let range = self.related(g, next, derived);
+            let shown = self.shown.get(at).copied().flatten();
+            self.memo
+                .push(shown.map_or(range, |shown| range.meet(shown)));
         }
         self.memo[id as usize]
     }
 
     /// Whether no values remain for a node.
     pub(super) fn is_impossible(&mut self, g: &Graph) -> bool {
-        for id in (0..)
-            .zip(&self.shown.clone())
-            .filter_map(|(id, shown)| shown.map(|_| id))
-        {
-            self.impossible |= self.range(g, id).is_empty();
-        }
+        let shown: Vec<_> = (0..).zip(self.shown.iter().map(Option::is_some)).collect();
+        let mut of_shown = shown.into_iter().filter(|(_, is_shown)| *is_shown);
+        self.impossible |= of_shown.any(|(id, _)| self.range(g, id).is_empty());
         self.impossible
     }
 
@@ -125,7 +105,7 @@ impl Known {
         let f = g.format;
         match g.nodes[id as usize] {
             Node::Var(index) => g.names[index as usize].1,
-            Node::Constant(bits) => constant(f64::from_bits(bits)),
+            Node::Constant(bits) => Range::exactly(f64::from_bits(bits)),
             Node::Neg(a) => self.range(g, a).opposite(),
             Node::Sqrt(a) => self.range(g, a).sqrt(f),
             Node::Add(a, b) => self.range(g, a).add(self.range(g, b), f),
@@ -133,7 +113,11 @@ impl Known {
             Node::Sub(a, b) if a == b => {
                 let a = self.range(g, a);
                 let nan = a.nan || a.is_infinite();
-                let zero = if a.finite { constant(0.0) } else { Range::NONE };
+                let zero = if a.finite {
+                    Range::unsigned(0.0, 0.0)
+                } else {
+                    Range::NONE
+                };
                 Range { nan, ..zero }
             }
             Node::Sub(a, b) => self.range(g, a).sub(self.range(g, b), f),
@@ -171,24 +155,20 @@ impl Known {
         if let Some((_, answer)) = self.facts.iter().find(|(known, _)| *known == test) {
             return Some(*answer);
         }
-        let (Test::Above(a, b) | Test::AtMost(a, b) | Test::Equal(a, b)) = test else {
+        let (Test::Above(a, b) | Test::AtMost(a, b)) = test else {
             return None;
         };
         let (x, y) = (self.range(g, a), self.range(g, b));
-        let are_numbers = !x.nan && !y.nan;
-        let has_none = !x.has_numbers() || !y.has_numbers();
+        let is_above = x.low > y.high || self.facts.contains(&(Test::Above(a, b), true));
+        let is_at_most = x.high <= y.low || self.is_at_most(g, a, b);
         let (is_true, is_false) = match test {
-            Test::Above(..) => (x.low > y.high, x.high <= y.low || self.is_at_most(g, a, b)),
-            Test::AtMost(..) => (
-                x.high <= y.low || self.is_at_most(g, a, b),
-                x.low > y.high || self.is_told_above(a, b),
-            ),
-            _ => (false, false),
+            Test::Above(..) => (is_above, is_at_most),
+            _ => (is_at_most, is_above),
         };
-        if has_none || is_false {
+        if is_false {
             Some(false)
         } else {
-            (is_true && are_numbers).then_some(true)
+            (is_true && !x.nan && !y.nan).then_some(true)
         }
     }
 
@@ -208,47 +188,29 @@ impl Known {
 
     /// Learns the answer to a test.
     pub fn refine(&mut self, g: &Graph, test: Test, answer: bool) {
-        match self.answer(g, test) {
-            Some(known) if known != answer => {
-                self.impossible = true;
-                return;
-            }
-            _ => self.facts.push((test, answer)),
+        if self.answer(g, test) == Some(!answer) {
+            self.impossible = true;
+            return;
         }
-        let (Test::Above(a, b) | Test::AtMost(a, b) | Test::Equal(a, b)) = test else {
+        self.facts.push((test, answer));
+        let (Test::Above(a, b) | Test::AtMost(a, b)) = test else {
             return;
         };
-        let f = g.format;
         let (of_a, of_b) = (self.range(g, a), self.range(g, b));
         // a range that is remembered too long is too wide, and never wrong
         self.memo.truncate(a.min(b) as usize);
-        match (test, answer) {
-            (Test::Above(..), true) => {
-                self.learn(g, a, above(of_b.low, f));
-                self.learn(g, b, below(of_a.high, f));
+        let (to_a, to_b) = if matches!(test, Test::Above(..)) == answer {
+            (above(of_b.low, g.format), below(of_a.high, g.format))
+        } else {
+            (Range::within(-INF, of_b.high), Range::within(of_a.low, INF))
+        };
+        for (id, range, other) in [(a, to_a, of_b), (b, to_b, of_a)] {
+            if answer {
+                self.learn(g, id, range);
+            } else if !other.nan {
+                // a test that does not hold may be one of NaN
+                self.learn(g, id, range.or_nan());
             }
-            (Test::AtMost(..), true) => {
-                self.learn(g, a, Range::within(-INF, of_b.high));
-                self.learn(g, b, Range::within(of_a.low, INF));
-            }
-            // the other answers are also those of NaN
-            (Test::Above(..), false) => {
-                if !of_b.nan {
-                    self.learn(g, a, Range::within(-INF, of_b.high).or_nan());
-                }
-                if !of_a.nan {
-                    self.learn(g, b, Range::within(of_a.low, INF).or_nan());
-                }
-            }
-            (Test::AtMost(..), false) => {
-                if !of_b.nan {
-                    self.learn(g, a, above(of_b.low, f).or_nan());
-                }
-                if !of_a.nan {
-                    self.learn(g, b, below(of_a.high, f).or_nan());
-                }
-            }
-            _ => {}
         }
     }
 
@@ -280,25 +242,14 @@ impl Known {
                 self.learn(g, if b { then } else { otherwise }, now);
             }
         }
-        if now.nan {
-            return;
-        }
         match node {
-            // a rounded sum is at least each of its terms, if they are not negative
-            Node::Add(a, b) => {
-                let both = self.range(g, a).low >= 0.0 && self.range(g, b).low >= 0.0;
-                let high = if both { now.high } else { INF };
+            // a sum is a number only if its terms are
+            Node::Add(a, b) if !now.nan => {
                 for id in [a, b] {
-                    self.learn(g, id, Range::within(-INF, high));
+                    self.learn(g, id, Range::within(-INF, INF));
                 }
             }
-            // x − y is positive only if x > y
-            Node::Sub(a, b) if now.low > 0.0 => {
-                let (of_a, of_b) = (self.range(g, a), self.range(g, b));
-                self.learn(g, a, above(of_b.low, f));
-                self.learn(g, b, below(of_a.high, f));
-            }
-            Node::Mul(a, b) if a == b => {
+            Node::Mul(a, b) if a == b && !now.nan => {
                 // the next number also covers half of the smallest one, which rounding may take away
                 let root = f.next_up(f.round(f.next_up(now.high).sqrt()));
                 self.learn(g, a, Range::within(-root, root));
@@ -307,28 +258,20 @@ impl Known {
         }
     }
 
-    /// The first selection below these nodes that is still open.
+    /// A selection below these nodes that is still open.
     pub(super) fn open_test(&mut self, g: &Graph, mut roots: Vec<u32>) -> Option<Test> {
-        let (mut is_seen, mut first) = (vec![false; g.nodes.len()], None);
+        let mut is_seen = vec![false; g.nodes.len()];
         while let Some(id) = roots.pop() {
             if std::mem::replace(&mut is_seen[id as usize], true) {
                 continue;
             }
             let node = g.nodes[self.resolved(g, id) as usize];
-            if let Node::Select(test, ..) = node
-                && first.is_none_or(|(earlier, _)| id < earlier)
-            {
-                first = Some((id, test));
+            if let Node::Select(test, ..) = node {
+                return Some(test);
             }
             roots.extend(node.parts());
         }
-        first.map(|(_, test)| test)
-    }
-
-    /// Whether this node is 0, or positive, or NaN, and never −0.
-    pub(super) fn is_plus(&mut self, g: &Graph, id: u32) -> bool {
-        let range = self.range(g, id);
-        range.low >= 0.0 && !range.minus_zero
+        None
     }
 }
 

@@ -171,41 +171,40 @@ fn derive(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Derived {
     let (mut derived, mut without_goal) = (Derived::default(), Vec::new());
     run::explore(format, &|| claim(Given(format)), |run, goals| {
         let Run { graph, known, .. } = run;
-        let is_empty = |(_, range): &&(String, Range)| range.is_empty();
-        if let Some((name, _)) = graph.names.iter().find(is_empty) {
+        if let Some((name, _)) = graph.names.iter().find(|(_, range)| range.is_empty()) {
             derived.empty = Some(format!("no number lies in the range of {name}"));
         }
-        let goals = goals.unwrap_or_default();
+        let (case, goals) = (run.cases(), goals.unwrap_or_default());
         if goals.is_empty() {
-            without_goal.push(run.cases());
-            return;
-        }
-        if derived.open.is_some() {
-            return;
-        }
-        if !derived.cases.contains(&run.cases()) {
-            derived.cases.push(run.cases());
-        }
-        if let Some(goal) = goals.iter().find(|goal| !goal.is_proved(graph, known)) {
-            let mut known = known.clone();
-            let nodes = goal.nodes().into_iter();
-            let ranges: Vec<_> = nodes.map(|id| known.range(graph, id)).collect();
-            derived.open = Some(format!("{goal:?} has {ranges:?}"));
+            without_goal.push(case);
+        } else if derived.open.is_none() {
+            if !derived.cases.contains(&case) {
+                derived.cases.push(case);
+            }
+            derived.open = goals
+                .iter()
+                .find(|goal| !goal.is_proved(graph, known))
+                .map(|goal| {
+                    let mut known = known.clone();
+                    let nodes = goal.nodes().into_iter();
+                    let ranges: Vec<_> = nodes.map(|id| known.range(graph, id)).collect();
+                    format!("{goal:?} has {ranges:?}")
+                });
         }
     });
     let has_goal = |case: &Vec<_>| derived.cases.iter().any(|other| other.starts_with(case));
-    if derived.cases.is_empty() {
-        let nowhere = "it has no goal on any path".into();
-        derived.empty = derived.empty.or(Some(nowhere));
-    } else if derived.open.is_none() && !without_goal.iter().all(has_goal) {
-        let without = "one of its cases has no goal".into();
-        derived.empty = derived.empty.or(Some(without));
+    if derived.empty.is_none() {
+        if derived.cases.is_empty() {
+            derived.empty = Some("it has no goal on any path".into());
+        } else if derived.open.is_none() && !without_goal.iter().all(has_goal) {
+            derived.empty = Some("one of its cases has no goal".into());
+        }
     }
     derived
 }
 
 /// Tries to prove a claim, and if that fails, to refute it with 20 times as many inputs as must
-/// otherwise show that it says something.
+/// otherwise show that each of its cases says something.
 pub fn judge(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Verdict {
     let Derived { open, empty, cases } = derive(format, &claim);
     if let Some(why) = empty {
@@ -214,60 +213,21 @@ pub fn judge(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> V
     if let Some(open) = open {
         return refute(format, claim, 20 * runs).map_or(Verdict::Open(open), Verdict::Refuted);
     }
-    match witnesses(format, claim, &cases, runs) {
-        Some(_) => Verdict::Proved,
-        None => Verdict::Empty("no input was found that satisfies what it assumes".into()),
+    let is_witnessed = |case: &Vec<_>| {
+        let is_witness = |run: &Run, goals: &[Goal]| !goals.is_empty() && run.cases() == *case;
+        sample::find(format, case, &claim, runs, is_witness).is_some()
+    };
+    if cases.iter().all(is_witnessed) {
+        Verdict::Proved
+    } else {
+        Verdict::Empty("no input was found that satisfies what it assumes".into())
     }
 }
 
 /// Looks for an input that refutes a claim, among random and extreme ones.
 pub fn refute(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Option<Input> {
-    let mut input = None;
-    sample::try_out(format, &[], &|| claim(Given(format)), runs, |run, goals| {
-        let holds = goals.iter().all(|goal| goal.holds(&run.graph));
-        if !holds {
-            input = Some(run.graph.input());
-        }
-        holds
-    });
-    input
-}
-
-/// An input for which goals were evaluated, if there is one for each of these cases.
-fn witnesses(
-    format: Format,
-    claim: impl Fn(Given) -> Vec<Goal>,
-    cases: &[Vec<(Test, bool)>],
-    runs: u64,
-) -> Option<Input> {
-    let mut input = None;
-    for case in cases {
-        input = None;
-        sample::try_out(
-            format,
-            case,
-            &|| claim(Given(format)),
-            runs,
-            |run, goals| {
-                let is_of_case = !goals.is_empty() && run.cases() == *case;
-                input = is_of_case.then(|| run.graph.input());
-                !is_of_case
-            },
-        );
-        input.as_ref()?;
-    }
-    input
-}
-
-/// An input for which a goal of a claim was evaluated, if one is found.
-#[doc(hidden)]
-pub fn witness(format: Format, claim: impl Fn(Given) -> Vec<Goal>, runs: u64) -> Option<Input> {
-    let mut input = None;
-    sample::try_out(format, &[], &|| claim(Given(format)), runs, |run, goals| {
-        input = (!goals.is_empty()).then(|| run.graph.input());
-        input.is_none()
-    });
-    input
+    let is_refuted = |run: &Run, goals: &[Goal]| !goals.iter().all(|goal| goal.holds(&run.graph));
+    sample::find(format, &[], &claim, runs, is_refuted)
 }
 
 /// Proves a claim for every `f32` and every `f64`, as a test: panics if it does not hold, or if the rules do

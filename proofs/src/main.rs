@@ -8,10 +8,9 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use claims::{By, CLAIMS, Claim};
-use shading_proofs::{Format, Verdict, judge, smt, witness};
+use shading_proofs::{Format, Verdict, judge, smt};
 
-const USAGE: &str =
-    "claims | inputs | prove [CLAIM]… | queries FOLDER [CLAIM]… | bounds FOLDER [SHARE]";
+const USAGE: &str = "claims | prove [CLAIM]… | queries FOLDER [CLAIM]… | bounds FOLDER [SHARE]";
 const FORMATS: [Format; 2] = [Format::F32, Format::F64];
 
 fn main() -> ExitCode {
@@ -19,7 +18,6 @@ fn main() -> ExitCode {
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let is_right = match arguments[..] {
         ["claims"] => claims(),
-        ["inputs"] => inputs(),
         ["prove", ref names @ ..] => prove(names),
         ["queries", folder, ref names @ ..] => queries(Path::new(folder), names).is_ok(),
         ["bounds", folder] => gappa::write(Path::new(folder), 1.0).is_ok(),
@@ -51,21 +49,6 @@ fn claims() -> bool {
         println!("| `{}` | {} | {by} |", claim.name, claim.promise);
     }
     true
-}
-
-/// Prints the claims, each with an input for which it was evaluated.
-fn inputs() -> bool {
-    let mut are_witnessed = true;
-    for claim in CLAIMS {
-        print!("{}:", claim.name);
-        let input = witness(Format::F32, claim.formula, 100_000);
-        are_witnessed &= input.is_some();
-        for (name, x) in input.unwrap_or_default() {
-            print!(" {name} = {x:e}");
-        }
-        println!();
-    }
-    are_witnessed
 }
 
 /// Proves the claims with these names, or all of them: the rules must prove those that are theirs,

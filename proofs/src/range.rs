@@ -182,18 +182,49 @@ impl Range {
         Self { nan: true, ..self }
     }
 
-    /// The hull of some numbers, each as likely NaN as not.
-    fn of(candidates: &[f64], nan: bool, minus_zero: bool, finite: bool) -> Self {
-        let numbers = candidates.iter().filter(|x| !x.is_nan());
-        let (low, high) = numbers.fold((INF, -INF), |(low, high), x| (low.min(*x), high.max(*x)));
+    /// This value alone.
+    pub(super) fn exactly(x: f64) -> Self {
+        if x.is_nan() {
+            return Self::NAN;
+        }
+        let minus_zero = x == 0.0 && x.is_sign_negative();
         Self {
-            low,
-            high,
-            nan,
             minus_zero,
-            finite,
+            ..Self::within(x, x)
+        }
+    }
+
+    /// The ends, and 0 if it is among the numbers, for an infinite end may give NaN where 0 gives a number.
+    fn ends(self) -> impl Iterator<Item = f64> + Clone {
+        let ends = [self.low, self.high, 0.0].into_iter();
+        ends.filter(move |x| self.has(*x))
+    }
+
+    /// The range of a rounded operation, from what it gives for the ends, and for those of the other operand,
+    /// between which it rises or falls. Where it can give NaN, it gives that for some of these, and where it can
+    /// give a finite number, likewise.
+    fn combined(
+        self,
+        other: Self,
+        ends: impl Iterator<Item = f64> + Clone,
+        f: Format,
+        operation: fn(f64, f64) -> f64,
+        minus_zero: bool,
+    ) -> Self {
+        let nan = self.nan || other.nan;
+        let pairs = self.ends().flat_map(|x| ends.clone().map(move |y| (x, y)));
+        let results = pairs.map(|(x, y)| Self::exactly(f.round(operation(x, y))));
+        let range = results.fold(Self { nan, ..Self::NONE }, Self::join);
+        Self {
+            minus_zero,
+            ..range
         }
         .tidy()
+    }
+
+    /// Whether a value may have the other sign than one of the other range.
+    fn has_other_sign(self, b: Self) -> bool {
+        self.has_minus() && b.has_plus() || self.has_plus() && b.has_minus()
     }
 }
 
@@ -211,45 +242,19 @@ impl Range {
     }
 
     pub fn add(self, b: Self, f: Format) -> Self {
-        if !self.has_numbers() || !b.has_numbers() {
-            return Self::NAN;
-        }
-        let opposite = |a: Self, b: Self| a.has(INF) && b.has(-INF);
-        Self {
-            low: or(self.low + b.low, -INF, f),
-            high: or(self.high + b.high, INF, f),
-            nan: self.nan || b.nan || opposite(self, b) || opposite(b, self),
-            minus_zero: self.minus_zero && b.minus_zero,
-            finite: self.finite && b.finite,
-        }
-        .tidy()
+        let minus_zero = self.minus_zero && b.minus_zero;
+        self.combined(b, b.ends(), f, |x, y| x + y, minus_zero)
     }
 
     pub fn sub(self, b: Self, f: Format) -> Self {
         // x − y = 0 has no sign, except −0 − 0
         let minus_zero = self.minus_zero && b.has(0.0);
-        Self {
-            minus_zero,
-            ..self.add(b.opposite(), f)
-        }
-        .tidy()
+        self.combined(b, b.ends(), f, |x, y| x - y, minus_zero)
     }
 
     pub fn mul(self, b: Self, f: Format) -> Self {
-        if !self.has_numbers() || !b.has_numbers() {
-            return Self::NAN;
-        }
-        let lost = self.has(0.0) && b.is_infinite() || b.has(0.0) && self.is_infinite();
-        let minus = self.has_minus() && b.has_plus() || self.has_plus() && b.has_minus();
-        // 0 · ∞, if both are ends, stands for the 0 that a finite factor gives
-        let candidates = [
-            or(self.low * b.low, 0.0, f),
-            or(self.low * b.high, 0.0, f),
-            or(self.high * b.low, 0.0, f),
-            or(self.high * b.high, 0.0, f),
-        ];
-        let nan = self.nan || b.nan || lost;
-        Self::of(&candidates, nan, minus, self.finite && b.finite)
+        let minus_zero = self.has_other_sign(b);
+        self.combined(b, b.ends(), f, |x, y| x * y, minus_zero)
     }
 
     pub fn square(self, f: Format) -> Self {
@@ -259,58 +264,20 @@ impl Range {
     }
 
     pub fn div(self, b: Self, f: Format) -> Self {
-        if !self.has_numbers() || !b.has_numbers() {
-            return Self::NAN;
-        }
-        let nan = self.has(0.0) && b.has(0.0) || self.is_infinite() && b.is_infinite();
-        let minus = self.has_minus() && b.has_plus() || self.has_plus() && b.has_minus();
-        let mut candidates = Vec::new();
-        let mut by = |low: f64, high: f64, sign: f64| {
-            for x in [self.low, self.high] {
-                candidates.extend([sign * f.round(x / low), sign * f.round(x / high)]);
-            }
-        };
-        if b.high > 0.0 {
-            by(b.low.max(f.tiny()), b.high, 1.0);
-        }
-        if b.low < 0.0 {
-            by((-b.high).max(f.tiny()), -b.low, -1.0);
-        }
-        if b.is_infinite() && self.finite {
-            candidates.push(0.0);
-        }
-        if b.has(0.0) {
-            let signs: &[f64] = if b.minus_zero { &[1.0, -1.0] } else { &[1.0] };
-            for sign in signs {
-                if self.high > 0.0 {
-                    candidates.push(sign * INF);
-                }
-                if self.low < 0.0 {
-                    candidates.push(-sign * INF);
-                }
-            }
-        }
-        let is_by_zero = b.low == 0.0 && b.high == 0.0;
-        let finite = self.finite && !is_by_zero;
-        Self::of(&candidates, self.nan || b.nan || nan, minus, finite)
+        // quotients end beside 0, too, and at both zeros
+        let beside = [f.tiny(), -f.tiny(), -0.0].into_iter();
+        let divisors = b.ends().chain(beside).filter(|y| b.contains(*y));
+        let minus_zero = self.has_other_sign(b);
+        self.combined(b, divisors, f, |x, y| x / y, minus_zero)
     }
 
     pub fn sqrt(self, f: Format) -> Self {
-        let nan = self.nan || self.low < 0.0;
-        if !self.has_numbers() || self.high < 0.0 {
-            return Self { nan, ..Self::NONE };
-        }
-        Self {
-            low: f.round(self.low.max(0.0).sqrt()),
-            high: f.round(self.high.sqrt()),
-            nan,
-            ..self
-        }
-        .tidy()
+        self.combined(
+            Self::exactly(0.0),
+            [0.0].into_iter(),
+            f,
+            |x, _| x.sqrt(),
+            self.minus_zero,
+        )
     }
-}
-
-/// A rounded number, or the limit if it is NaN.
-fn or(x: f64, limit: f64, f: Format) -> f64 {
-    if x.is_nan() { limit } else { f.round(x) }
 }

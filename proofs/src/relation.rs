@@ -72,92 +72,85 @@ impl Known {
             return true;
         }
         let (a, b) = (self.resolved(g, a), self.resolved(g, b));
-        if a == b || self.is_told(a, b) || self.range(g, a).high <= self.range(g, b).low {
+        if a == b || self.range(g, a).high <= self.range(g, b).low {
             return true;
         }
         if depth == 0 {
             return false;
         }
+        let (of_a, of_b) = (g.nodes[a as usize], g.nodes[b as usize]);
         let is = |known: &mut Self, x, y| known.is_ordered(g, x, y, depth - 1);
-        // a share of a number that is not negative
-        if let Node::Mul(p, q) = g.nodes[a as usize]
-            && self.range(g, p).low.min(self.range(g, q).low) >= 0.0
-            && (is(self, p, b) && is(self, q, ONE) || is(self, q, b) && is(self, p, ONE))
-        {
+        let is_light = |known: &mut Self, x| known.range(g, x).low >= 0.0;
+        // the operands of a sum and of a product, in either order
+        let either = |p, q| [(p, q), (q, p)].into_iter();
+
+        let is_at_most = match of_a {
+            // a share of a number that is not negative
+            Node::Mul(p, q) => {
+                is_light(self, p)
+                    && is_light(self, q)
+                    && either(p, q).any(|(p, q)| is(self, p, b) && is(self, q, ONE))
+            }
+            // a sum of a number that is not positive, and another
+            Node::Add(p, q) => {
+                either(p, q).any(|(p, q)| self.range(g, p).high <= 0.0 && is(self, q, b))
+            }
+            // a minimum, which passes over a limit that is NaN, and a maximum
+            Node::Select(Test::Above(x, y), p, q) if (p, q) == (y, x) => {
+                is(self, x, b) || !self.range(g, y).nan && is(self, y, b)
+            }
+            Node::Select(Test::Above(x, y), p, q) if (p, q) == (x, y) => {
+                is(self, x, b) && is(self, y, b)
+            }
+            _ => false,
+        };
+        if is_at_most {
             return true;
         }
-        // a sum of a number that is not positive, and another
-        if let Node::Add(p, q) = g.nodes[a as usize]
-            && (self.range(g, p).high <= 0.0 && is(self, q, b)
-                || self.range(g, q).high <= 0.0 && is(self, p, b))
-        {
+        let is_at_least = match of_b {
+            // a sum of a number that is not negative, and another
+            Node::Add(r, s) => either(r, s).any(|(r, s)| is_light(self, r) && is(self, a, s)),
+            // a minimum, and a maximum, which passes over a number that is NaN
+            Node::Select(Test::Above(x, y), p, q) if (p, q) == (y, x) => {
+                is(self, a, x) && is(self, a, y)
+            }
+            Node::Select(Test::Above(x, y), p, q) if (p, q) == (x, y) => {
+                is(self, a, y) || !self.range(g, x).nan && is(self, a, x)
+            }
+            _ => false,
+        };
+        if is_at_least {
             return true;
         }
-        // another, and a sum of it and a number that is not negative
-        if let Node::Add(r, s) = g.nodes[b as usize]
-            && (self.range(g, r).low >= 0.0 && is(self, a, s)
-                || self.range(g, s).low >= 0.0 && is(self, a, r))
-        {
-            return true;
-        }
-        // what is selected below an edge, and what is selected of a number that is not less
-        if let Node::Select(Test::Above(edge, x), below, other) = g.nodes[a as usize]
-            && let Node::Select(Test::Above(same, y), less, more) = g.nodes[b as usize]
-            && edge == same
-            && is(self, below, less)
-            && (x == y || !self.range(g, x).nan && is(self, x, y) && is(self, below, more))
-            && is(self, other, more)
-        {
-            return true;
-        }
-        match (g.nodes[a as usize], g.nodes[b as usize]) {
+        match (of_a, of_b) {
             (Node::Add(p, q), Node::Add(r, s)) => {
-                is(self, p, r) && is(self, q, s) || is(self, p, s) && is(self, q, r)
+                either(r, s).any(|(r, s)| is(self, p, r) && is(self, q, s))
             }
             (Node::Sub(p, q), Node::Sub(r, s)) => is(self, p, r) && is(self, s, q),
             (Node::Mul(p, q), Node::Mul(r, s)) => {
-                self.range(g, p).low.min(self.range(g, q).low) >= 0.0
-                    && (is(self, p, r) && is(self, q, s) || is(self, p, s) && is(self, q, r))
+                is_light(self, p)
+                    && is_light(self, q)
+                    && either(r, s).any(|(r, s)| is(self, p, r) && is(self, q, s))
             }
             // 1/−0 is −∞
             (Node::Div(p, q), Node::Div(r, s)) => {
-                (q == s || self.range(g, p).low >= 0.0)
-                    && self.is_plus(g, s)
+                (q == s || is_light(self, p))
+                    && is_light(self, s)
+                    && !self.range(g, s).minus_zero
                     && is(self, p, r)
                     && is(self, s, q)
             }
-            // a minimum passes over a limit that is NaN, and a maximum over a number that is NaN
-            (x, y) => {
-                let of_first = match limit(x) {
-                    Some(Limit::Most(x, l)) => {
-                        is(self, x, b) || !self.range(g, l).nan && is(self, l, b)
-                    }
-                    Some(Limit::Least(x, l)) => is(self, x, b) && is(self, l, b),
-                    None => false,
-                };
-                match limit(y) {
-                    _ if of_first => true,
-                    Some(Limit::Most(y, m)) => is(self, a, y) && is(self, a, m),
-                    Some(Limit::Least(y, m)) => {
-                        is(self, a, m) || !self.range(g, y).nan && is(self, a, y)
-                    }
-                    None => false,
-                }
+            // what is selected below an edge, and what is selected of a number that is not less
+            (
+                Node::Select(Test::Above(edge, x), below, other),
+                Node::Select(Test::Above(same, y), less, more),
+            ) => {
+                edge == same
+                    && is(self, below, less)
+                    && (x == y || !self.range(g, x).nan && is(self, x, y) && is(self, below, more))
+                    && is(self, other, more)
             }
+            _ => false,
         }
-    }
-}
-
-/// A number, and the most or the least that is selected instead of it.
-enum Limit {
-    Most(u32, u32),
-    Least(u32, u32),
-}
-
-fn limit(node: Node) -> Option<Limit> {
-    match node {
-        Node::Select(Test::Above(x, y), a, b) if (a, b) == (x, y) => Some(Limit::Least(x, y)),
-        Node::Select(Test::Above(x, y), a, b) if (a, b) == (y, x) => Some(Limit::Most(x, y)),
-        _ => None,
     }
 }

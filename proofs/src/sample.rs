@@ -2,11 +2,8 @@
 
 use kit::random::Random;
 
-use super::format::Format;
-use super::goal::Goal;
-use super::graph::Test;
-use super::range::Range;
 use super::run::{Run, calculate};
+use super::{Format, Given, Goal, Input, Range, Test};
 
 /// A number of a range, which is often one that another variable has, too.
 #[allow(clippy::cast_possible_truncation)] // any bits will do
@@ -36,21 +33,22 @@ fn sample(random: &mut Random, range: Range, others: &[f64], format: Format) -> 
     }
 }
 
-/// Runs a formula with random numbers, in these cases or in any; `each` sees those runs for which
-/// the assumptions hold, and says whether to go on.
-pub(super) fn try_out(
+/// Runs a claim with random numbers, in these cases or in any, until a run for which the assumptions hold is
+/// wanted; returns its input.
+pub(super) fn find(
     format: Format,
     cases: &[(Test, bool)],
-    formula: &impl Fn() -> Vec<Goal>,
+    claim: &impl Fn(Given) -> Vec<Goal>,
     runs: u64,
-    mut each: impl FnMut(&Run, Vec<Goal>) -> bool,
-) {
-    for seed in 1..=runs {
+    is_wanted: impl Fn(&Run, &[Goal]) -> bool,
+) -> Option<Input> {
+    (1..=runs).find_map(|seed| {
         let mut random = Random(seed);
         let sampler =
             move |range: Range, others: &[f64]| sample(&mut random, range, others, format);
-        if calculate(format, Box::new(sampler), cases, formula, &mut each) == Some(false) {
-            return;
-        }
-    }
+        let formula = || claim(Given(format));
+        calculate(format, Box::new(sampler), cases, &formula, |run, goals| {
+            is_wanted(run, &goals).then(|| run.graph.input())
+        })?
+    })
 }

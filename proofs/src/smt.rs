@@ -28,14 +28,9 @@ pub fn queries(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Vec<String
             Some(goals) => {
                 let nodes: Vec<u32> = goals.iter().flat_map(Goal::nodes).collect();
                 let goals = goals.iter().map(|goal| violated(format, *goal));
-                let any: BTreeSet<String> = goals.collect();
-                let any: Vec<String> = any.into_iter().collect();
-                add(query(
-                    run,
-                    &run.path,
-                    &nodes,
-                    &format!("(or false {})", any.join(" ")),
-                ));
+                let any: Vec<String> = goals.collect::<BTreeSet<_>>().into_iter().collect();
+                let any = format!("(or false {})", any.join(" "));
+                add(query(run, &run.path, &nodes, &any));
             }
         }
     });
@@ -104,23 +99,13 @@ fn violated(format: Format, goal: Goal) -> String {
 /// What a node is, or what is known of it.
 fn defined(g: &Graph, id: u32) -> String {
     let f = g.format;
-    let known = |what: String| (None, what);
-    let (value, known) = match g.nodes[id as usize] {
-        Node::Var(index) => known(within(f, id, g.names[index as usize].1)),
-        Node::Call(function, a) => known(called(f, function, id, a)),
-        Node::Power(c, m) => known(raised(f, id, c, m)),
-        node => (Some(value(g, node)), String::new()),
-    };
     let name = format!("(_ FloatingPoint {})", sort(f));
-    match value {
-        Some(value) => format!("(define-fun n{id} () {name} {value})\n"),
-        None => format!("(declare-const n{id} {name})\n(assert {known})\n"),
-    }
-}
-
-fn value(g: &Graph, node: Node) -> String {
-    match node {
-        Node::Constant(bits) => constant(g.format, f64::from_bits(bits)),
+    let declared = |known| format!("(declare-const n{id} {name})\n(assert {known})\n");
+    let value = match g.nodes[id as usize] {
+        Node::Var(index) => return declared(within(f, id, g.names[index as usize].1)),
+        Node::Call(function, a) => return declared(called(f, function, id, a)),
+        Node::Power(c, m) => return declared(raised(f, id, c, m)),
+        Node::Constant(bits) => constant(f, f64::from_bits(bits)),
         Node::Neg(a) => format!("(fp.neg n{a})"),
         Node::Sqrt(a) => format!("(fp.sqrt RNE n{a})"),
         Node::Add(a, b) => format!("(fp.add RNE n{a} n{b})"),
@@ -128,8 +113,8 @@ fn value(g: &Graph, node: Node) -> String {
         Node::Mul(a, b) => format!("(fp.mul RNE n{a} n{b})"),
         Node::Div(a, b) => format!("(fp.div RNE n{a} n{b})"),
         Node::Select(test, a, b) => format!("(ite {} n{a} n{b})", assertion(test, true)),
-        Node::Var(_) | Node::Call(..) | Node::Power(..) => unreachable!("{node:?} has no value"),
-    }
+    };
+    format!("(define-fun n{id} () {name} {value})\n")
 }
 
 /// Whether there is an input that takes this path, and then this.

@@ -135,7 +135,7 @@ impl Select<Term> for Above {
         if then.0 == otherwise.0 {
             return then;
         }
-        match with(|g| g.of_constants(test)).or_else(|| told(test)) {
+        match told(test) {
             Some(answer) => [otherwise, then][usize::from(answer)],
             None => Term(node(Node::Select(test, then.0, otherwise.0))),
         }
@@ -151,20 +151,16 @@ impl Mask for Above {
     }
 }
 
-impl Elementary for Term {
-    fn sin(self) -> Self {
-        Self(node(Node::Call(Function::Sin, self.0)))
-    }
-    fn cos(self) -> Self {
-        Self(node(Node::Call(Function::Cos, self.0)))
-    }
-    fn exp(self) -> Self {
-        Self(node(Node::Call(Function::Exp, self.0)))
-    }
-    fn ln(self) -> Self {
-        Self(node(Node::Call(Function::Ln, self.0)))
-    }
+macro_rules! functions {
+    ($($function:ident::$method:ident)*) => {
+        impl Elementary for Term {
+            $(fn $method(self) -> Self {
+                Self(node(Node::Call(Function::$function, self.0)))
+            })*
+        }
+    };
 }
+functions!(Sin::sin Cos::cos Exp::exp Ln::ln);
 
 impl Lobe<Self> for Term {
     fn raise(self, cosine: Self) -> Self {

@@ -152,7 +152,7 @@ pub const CLAIMS: &[Claim] = claims! {
          handedness in [−1, 1]"
     normals::tangent_of_none Rules
         "`normal::tangent` is `None` if two vertices have the same texture coordinates"
-    normals::corner_of_none Bitwuzla
+    normals::corner_of_none Rules
         "`normal::corner` is 0 if two vertices are equal, or one is infinite or NaN"
     normals::mapped_of_any Rules
         "`normal::mapped` of any bits is `None` or has components up to 1.25 in size"
