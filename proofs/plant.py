@@ -104,6 +104,7 @@ def quote(folder, lines):
         assert originals[file].count(before + old + after) == 1, f"{file} has not exactly one {where}"
         path = folder / f"{file}.rs"
         text = path.read_text()
+        assert before + old + after in text, f"another line changes {file} around {where}"
         start = text.rfind(before + old + after) + len(before)
         choice = " else ".join(f"if crate::planted({number}) {{ {new} }}" for number, new in of_it)
         path.write_text(f"{text[:start]}({choice} else {{ {old} }}){text[start + len(old):]}")

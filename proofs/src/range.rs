@@ -264,9 +264,9 @@ impl Range {
     }
 
     pub fn div(self, b: Self, f: Format) -> Self {
-        // quotients end beside 0, too, and at both zeros
-        let beside = [f.tiny(), -f.tiny(), -0.0].into_iter();
-        let divisors = b.ends().chain(beside).filter(|y| b.contains(*y));
+        // 0 is one of the ends; those below it end at −0, or without that at the nearest number
+        let below = [-f.tiny(), -0.0];
+        let divisors = b.ends().chain(below).filter(|y| b.contains(*y));
         let minus_zero = self.has_other_sign(b);
         self.combined(b, divisors, f, |x, y| x / y, minus_zero)
     }
