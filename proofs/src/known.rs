@@ -83,7 +83,8 @@ impl Known {
     pub fn range(&mut self, g: &Graph, id: u32) -> Range {
         while self.memo.len() <= id as usize {
             let at = self.memo.len();
-            let next = u32::try_from(at).expect("it is at most `id`");
+            #[allow(clippy::cast_possible_truncation)] // it is at most `id`
+            let next = at as u32;
             let derived = self.derived(g, next);
             let range = self.related(g, next, derived);
             let shown = self.shown.get(at).copied().flatten();

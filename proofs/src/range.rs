@@ -206,7 +206,7 @@ impl Range {
     fn combined(
         self,
         other: Self,
-        ends: impl Iterator<Item = f64> + Clone,
+        ends: &(impl Iterator<Item = f64> + Clone),
         f: Format,
         operation: fn(f64, f64) -> f64,
         minus_zero: bool,
@@ -243,18 +243,18 @@ impl Range {
 
     pub fn add(self, b: Self, f: Format) -> Self {
         let minus_zero = self.minus_zero && b.minus_zero;
-        self.combined(b, b.ends(), f, |x, y| x + y, minus_zero)
+        self.combined(b, &b.ends(), f, |x, y| x + y, minus_zero)
     }
 
     pub fn sub(self, b: Self, f: Format) -> Self {
         // x − y = 0 has no sign, except −0 − 0
         let minus_zero = self.minus_zero && b.has(0.0);
-        self.combined(b, b.ends(), f, |x, y| x - y, minus_zero)
+        self.combined(b, &b.ends(), f, |x, y| x - y, minus_zero)
     }
 
     pub fn mul(self, b: Self, f: Format) -> Self {
         let minus_zero = self.has_other_sign(b);
-        self.combined(b, b.ends(), f, |x, y| x * y, minus_zero)
+        self.combined(b, &b.ends(), f, |x, y| x * y, minus_zero)
     }
 
     pub fn square(self, f: Format) -> Self {
@@ -268,13 +268,13 @@ impl Range {
         let below = [-f.tiny(), -0.0];
         let divisors = b.ends().chain(below).filter(|y| b.contains(*y));
         let minus_zero = self.has_other_sign(b);
-        self.combined(b, divisors, f, |x, y| x / y, minus_zero)
+        self.combined(b, &divisors, f, |x, y| x / y, minus_zero)
     }
 
     pub fn sqrt(self, f: Format) -> Self {
         self.combined(
             Self::exactly(0.0),
-            [0.0].into_iter(),
+            &[0.0].into_iter(),
             f,
             |x, _| x.sqrt(),
             self.minus_zero,

@@ -182,7 +182,7 @@ impl<'a> Script<'a> {
                 _ => panic!("{node:?} is not on this way"),
             }
         };
-        self.definitions += &match node {
+        let definition = match node {
             Node::Constant(bits) => format!("n{id} = {};\n", binary(f64::from_bits(bits))),
             Node::Var(_) => format!("n{id} = rnd(v{id});\n"),
             _ => {
@@ -196,6 +196,7 @@ impl<'a> Script<'a> {
                 format!("n{id} {rnd}= {rounded};\nN{id} = {exact};\n")
             }
         };
+        self.definitions.push_str(&definition);
     }
 
     /// What is known of a node whose error is bounded.
