@@ -43,6 +43,7 @@ doc:
 page:
     clients/web/build.sh --serve
 
-# test every f32 of a domain: takes minutes
+# test every f32 of a domain, and each mistake that the laws must find: takes minutes
 exhaustive:
     cargo test --release -p kit --test exhaustive -- --ignored
+    cargo test -p shading-laws -- --ignored
