@@ -74,7 +74,7 @@ use crate::unit::UnitVec3;
 ///
 /// A reflectance is 0 or more; at 1, the surface reflects all the light. It is the fraction that the
 /// surface reflects, not a color of light: the color of the light belongs to the light. `M` is the type of the
-/// shininess, an [`Lobe`]; a `u32` is faster than a float.
+/// shininess, a [`Lobe`]; a `u32` is faster than a float.
 ///
 /// ```
 /// use shading::f32::{Material, Rgb};

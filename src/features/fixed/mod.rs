@@ -42,6 +42,7 @@
 
 mod constants;
 mod edges;
+mod falloff;
 mod real;
 mod root;
 mod wide;
