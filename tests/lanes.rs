@@ -90,7 +90,7 @@ lanes! {
     f64: f64x2 f64x4;
 }
 
-// elsewhere, no processor has instructions for them, and `wide` makes pairs of the others
+// in `wide`, they are pairs of the others, but with AVX-512; elsewhere, the others suffice
 #[cfg(target_arch = "x86_64")]
 lanes! {
     f32: f32x16;
