@@ -1,8 +1,16 @@
 //! Where each level begins: the least number whose encoding reaches the level minus one half. The
 //! compiler decides it in whole numbers, so the tables are right to the last bit.
 
+/// The edges of N levels. Constants, so that the compiler searches for them once and not in each table.
+struct Levels<const N: usize>;
+
+impl<const N: usize> Levels<N> {
+    const EDGES: [f64; N] = edges();
+    const NEXT: [u32; N] = next(Self::EDGES);
+}
+
 /// The least `f64` of each level of N, and 0 for the lowest.
-pub(super) const fn edges<const N: usize>() -> [f64; N] {
+const fn edges<const N: usize>() -> [f64; N] {
     let (mut edges, mut level) = ([0.0; N], 1);
     while level < N {
         let mut bits = decoded((level as f64 - 0.5) / (N - 1) as f64).to_bits();
@@ -20,7 +28,11 @@ pub(super) const fn edges<const N: usize>() -> [f64; N] {
 
 /// The bits of the least `f32` of the next level, and of NaN above the highest level.
 pub(super) const fn next_edges<const N: usize>() -> [u32; N] {
-    let (edges, mut next, mut level) = (edges::<N>(), [u32::MAX; N], 1);
+    Levels::<N>::NEXT
+}
+
+const fn next<const N: usize>(edges: [f64; N]) -> [u32; N] {
+    let (mut next, mut level) = ([u32::MAX; N], 1);
     while level < N {
         let nearest = edges[level] as f32;
         let is_below = (nearest as f64) < edges[level];
@@ -34,7 +46,7 @@ pub(super) const fn next_edges<const N: usize>() -> [u32; N] {
 /// of 16 bits above the highest level.
 #[cfg(feature = "fixed")]
 pub(super) const fn next_fixed_edges<const N: usize>() -> [u16; N] {
-    let (edges, mut next, mut level) = (edges::<N>(), [u16::MAX; N], 1);
+    let (edges, mut next, mut level) = (Levels::<N>::EDGES, [u16::MAX; N], 1);
     while level < N {
         let steps = edges[level] * 65536.0;
         let floor = steps as u16;
