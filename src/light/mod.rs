@@ -51,7 +51,7 @@ impl<T: Real> DirectionalLight<T> {
     #[inline]
     pub fn at(&self, _p: impl Into<[T; 3]>) -> IncidentLight<T> {
         let mut light = IncidentLight::new(*self.l, self.intensity, Attenuation::NONE);
-        light.kind = Kind::DIRECTIONAL;
+        light.kind = Kind::Directional;
         light
     }
 
@@ -180,7 +180,7 @@ impl<T: Real> SpotLight<T> {
     #[inline]
     pub fn at(&self, p: impl Into<[T; 3]>) -> IncidentLight<T> {
         let mut light = self.point.at(p);
-        (light.kind, light.axis, light.cone) = (Kind::SPOT, self.axis, self.cone);
+        (light.kind, light.axis, light.cone) = (Kind::Spot, self.axis, self.cone);
         light
     }
 
