@@ -1,10 +1,9 @@
-//! The floats. [`soft`](super::soft) has what a processor without an FPU does in another order.
+//! The floats.
 
 use super::Real;
 #[cfg(not(any(target_arch = "arm", target_arch = "riscv32")))]
 use super::Toward;
 use super::root::{sqrt, sqrtf};
-use super::soft::{self, SOFT};
 use crate::triple::Rgb;
 #[cfg(not(any(target_arch = "arm", target_arch = "riscv32")))]
 use crate::triple::Vec3;
@@ -41,11 +40,7 @@ macro_rules! float {
 
             #[inline]
             fn above(self, other: Self) -> bool {
-                if SOFT {
-                    soft::$float::above(self, other)
-                } else {
-                    self > other
-                }
+                self > other
             }
 
             // Positive floats are ordered as their bits are, so one integer comparison replaces two
@@ -72,12 +67,6 @@ macro_rules! float {
                 } else {
                     1.0
                 }
-            }
-
-            #[cfg(any(target_arch = "arm", target_arch = "riscv32"))]
-            #[inline]
-            fn whole_power(self, m: u32) -> Self {
-                soft::$float::whole_power(self, m)
             }
         }
     };

@@ -81,18 +81,12 @@ fn plain<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
 )]
 fn rescued<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
     let power = taming(square);
-    // the same bits: the product takes less flash and stack
-    let w = if cfg!(any(target_arch = "arm", target_arch = "riscv32")) {
-        v * power
-    } else {
-        // A loop, out of which the compiler moves nothing: in a sum over an array of one light, it would
-        // compute all that follows for each light (measured: 1.3 times the time).
-        let (mut w, mut step) = (v, power.at_most(T::ONE));
-        for _ in 0..2 {
-            (w, step) = (w * step, power.at_least(T::ONE));
-        }
-        w
-    };
+    // w = v · power, in a loop, out of which the compiler moves nothing: in a sum over an array of one light,
+    // it would compute all that follows for each light.
+    let (mut w, mut step) = (v, power.at_most(T::ONE));
+    for _ in 0..2 {
+        (w, step) = (w * step, power.at_least(T::ONE));
+    }
     let square = T::dot(w, w);
     let w_length = square.sqrt();
     let length = (w_length / power).at_most(T::MAX);

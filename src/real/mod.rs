@@ -8,7 +8,6 @@ pub(crate) mod lobe;
 mod mask;
 pub(crate) mod power;
 mod root;
-mod soft;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
