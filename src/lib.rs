@@ -132,6 +132,7 @@
 mod angle;
 mod elementary;
 mod real;
+mod target;
 mod triple;
 
 mod encoding;

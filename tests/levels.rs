@@ -2,6 +2,10 @@
 //! comparison on a chip with an FPU. A processor takes one of them, so a difference would show only
 //! on it. Here all three run, for every kind of number.
 
+#[allow(dead_code)]
+#[path = "../src/target.rs"]
+mod target; // which the others read
+
 #[allow(dead_code, clippy::pedantic)]
 #[path = "../src/encoding/edges.rs"]
 mod edges;

@@ -8,6 +8,7 @@
 use super::edges::next_edges;
 #[cfg(feature = "fixed")]
 use super::edges::next_fixed_edges;
+use crate::target::{FPU, SCARCE_FLASH};
 
 /// The intervals of the levels of an encoding. `SHIFT` low bits of a number are the place within its
 /// interval.
@@ -16,12 +17,6 @@ struct Steps<const LENGTH: usize, const SHIFT: u32>([u32; LENGTH]);
 static EIGHT_BITS: Steps<2048, 16> = Steps::of(next_edges::<256>());
 static SIX_BITS: Steps<512, 18> = Steps::of(next_edges::<64>());
 static FIVE_BITS: Steps<256, 19> = Steps::of(next_edges::<32>());
-
-/// Whether flash is scarce: on the processors of microcontrollers.
-const CHIP: bool = cfg!(any(target_arch = "arm", target_arch = "riscv32"));
-
-/// Whether it has an FPU, beside which a search would take a third of a pixel's time.
-const FPU_CHIP: bool = cfg!(all(target_arch = "arm", target_abi = "eabihf"));
 
 /// Levels by one comparison: the level at the beginning of each interval, in which at most one
 /// level begins, and where the level after each begins. `SHIFT` low bits of a number are the place
@@ -125,12 +120,12 @@ pub(super) enum Way {
 
 /// The way for so many levels.
 const fn way(levels: usize) -> Way {
-    if FPU_CHIP && levels <= 64 {
-        Way::Near
-    } else if CHIP {
-        Way::Search
-    } else {
+    if !SCARCE_FLASH {
         Way::Steps
+    } else if FPU && levels <= 64 {
+        Way::Near // beside an FPU, a search would take a third of a pixel's time
+    } else {
+        Way::Search
     }
 }
 
@@ -207,10 +202,10 @@ pub(super) const fn clamped(x: f32, low: f32, high: f32) -> u32 {
     } else {
         x
     };
-    let bits = if CHIP && !FPU_CHIP {
-        at_least_by_bits(x, low)
-    } else {
+    let bits = if FPU {
         at_least(x, low)
+    } else {
+        at_least_by_bits(x, low)
     };
     // The second comparison is one of integers, because the compiler would make a branch of two of
     // floats: it sees that the result has only one level then.

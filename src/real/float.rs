@@ -1,12 +1,10 @@
 //! The floats.
 
 use super::Real;
-#[cfg(not(any(target_arch = "arm", target_arch = "riscv32")))]
-use super::Toward;
 use super::root::{sqrt, sqrtf};
-use crate::triple::Rgb;
-#[cfg(not(any(target_arch = "arm", target_arch = "riscv32")))]
-use crate::triple::Vec3;
+use super::{Toward, length};
+use crate::target::SCARCE_FLASH;
+use crate::triple::{Rgb, Vec3};
 
 macro_rules! float {
     ($float:ident, $extreme:expr, $sqrt:path) => {
@@ -52,9 +50,12 @@ macro_rules! float {
             }
 
             // A desktop computes n·w anew, after the root: that is faster than keeping n·v meanwhile.
-            #[cfg(not(any(target_arch = "arm", target_arch = "riscv32")))]
             #[inline(always)]
-            fn cosine(n: Vec3<Self>, Toward { measured, .. }: &Toward<Self>) -> Self {
+            fn cosine(n: Vec3<Self>, toward: &Toward<Self>) -> Self {
+                let Toward { measured, n_dot_w } = toward;
+                if SCARCE_FLASH {
+                    return length::cosine(*n_dot_w, measured.w_length);
+                }
                 // limited from below before the division, which is also shorter
                 let cosine = Self::dot(n, measured.w).at_least(0.0) / measured.w_length;
                 // 0/0, of a w that overflowed, counts as 1: its light is black. `min` keeps the compiler from

@@ -2,6 +2,7 @@
 //! vectors.
 
 use super::{Lobe, Measured, Real, Select, Toward};
+use crate::target::FPU;
 use crate::triple::Vec3;
 
 #[inline(always)]
@@ -64,22 +65,22 @@ fn plain<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
     }
 }
 
-// Without an FPU a call: inline, the compiler computes it for every vector, beside the other, and chooses.
-#[cfg_attr(
-    any(
-        all(target_arch = "arm", not(target_abi = "eabihf")),
-        target_arch = "riscv32"
-    ),
-    inline(never)
-)]
-#[cfg_attr(
-    not(any(
-        all(target_arch = "arm", not(target_abi = "eabihf")),
-        target_arch = "riscv32"
-    )),
-    inline(always)
-)]
+/// A call without an FPU: inline, the compiler would compute it for every vector, beside the other, and choose.
+#[inline(always)]
 fn rescued<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
+    #[inline(never)]
+    fn called<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
+        scaled_and_measured(v, square)
+    }
+    if FPU {
+        scaled_and_measured(v, square)
+    } else {
+        called(v, square)
+    }
+}
+
+#[inline(always)]
+fn scaled_and_measured<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
     let power = taming(square);
     // w = v · power, in a loop, out of which the compiler moves nothing: in a sum over an array of one light,
     // it would compute all that follows for each light.

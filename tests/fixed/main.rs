@@ -7,6 +7,9 @@ mod falloff;
 mod normals;
 mod numbers;
 mod products;
+#[allow(dead_code)]
+#[path = "../../src/target.rs"]
+mod target; // which `products` reads
 mod vectors;
 
 use kit::random::Random;

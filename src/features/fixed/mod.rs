@@ -55,8 +55,9 @@ mod types {
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::target::NARROW_PRODUCT;
 pub use types::*;
-use wide::{HALVES, product, times_fraction};
+use wide::{product, times_fraction};
 
 /// A fixed-point number: 32 bits, 16 of them after the binary point.
 ///
@@ -218,18 +219,24 @@ impl Neg for Fixed {
 
 impl Mul for Fixed {
     type Output = Self;
-    // a Cortex-M0 takes a hundred bytes for each of forty products
-    #[cfg_attr(all(target_arch = "arm", not(target_has_atomic = "32")), inline(never))]
-    #[cfg_attr(not(all(target_arch = "arm", not(target_has_atomic = "32"))), inline)]
-    #[allow(clippy::suspicious_arithmetic_impl)] // ^ is of the signs
+    #[inline]
     fn mul(self, other: Self) -> Self {
-        if HALVES && other.0 as u32 <= ONE as u32 {
-            // as most reflectances are; it cannot leave the range
-            return Self(times_fraction(self.0, other.0));
+        if NARROW_PRODUCT {
+            return narrow_product(self, other);
         }
         // not by the sign of the product, which LLVM would compute again
         rounded(product(self.0, other.0), 16, self.0 ^ other.0)
     }
+}
+
+/// Not inline, because each of forty products takes a hundred bytes.
+#[inline(never)]
+fn narrow_product(x: Fixed, other: Fixed) -> Fixed {
+    if other.0 as u32 <= ONE as u32 {
+        // as most reflectances are; it cannot leave the range
+        return Fixed(times_fraction(x.0, other.0));
+    }
+    rounded(product(x.0, other.0), 16, x.0 ^ other.0)
 }
 
 impl Div for Fixed {

@@ -3,6 +3,7 @@
 
 use super::Fixed;
 use super::wide::{upper, upper_unsigned};
+use crate::target::{NARROW_PRODUCT, SCARCE_FLASH};
 use crate::triple::Vec3;
 
 /// 2⁸/√x for the middle x of each 128th, from ¼ to 1. The numbers are signed, so that the compiler
@@ -117,22 +118,21 @@ pub(super) struct Scaled {
 }
 
 impl Scaled {
-    // one copy for all callers where it is long: without long products, and without a count of leading zeros
-    #[cfg_attr(
-        any(
-            target_arch = "riscv32",
-            all(target_arch = "arm", not(target_has_atomic = "32"))
-        ),
-        inline(never)
-    )]
-    #[cfg_attr(
-        not(any(
-            target_arch = "riscv32",
-            all(target_arch = "arm", not(target_has_atomic = "32"))
-        )),
-        inline
-    )]
-    pub(super) const fn of([x, y, z]: [Fixed; 3]) -> Self {
+    #[inline]
+    pub(super) const fn of(v: [Fixed; 3]) -> Self {
+        #[inline(never)]
+        const fn one_copy(v: [Fixed; 3]) -> Scaled {
+            Scaled::of_inline(v)
+        }
+        if NARROW_PRODUCT {
+            one_copy(v)
+        } else {
+            Self::of_inline(v)
+        }
+    }
+
+    #[inline(always)]
+    const fn of_inline([x, y, z]: [Fixed; 3]) -> Self {
         let bits = x.0.unsigned_abs() | y.0.unsigned_abs() | z.0.unsigned_abs();
         let shift = (bits | bits << 1 | 1).leading_zeros(); // 0 for −2³¹, too
         let [x, y, z] = [x.0 << shift, y.0 << shift, z.0 << shift];
@@ -179,10 +179,21 @@ impl Scaled {
 }
 
 /// The direction and the length of a vector; for the zero vector, 0.
-// on a chip, one copy for all callers
-#[cfg_attr(any(target_arch = "arm", target_arch = "riscv32"), inline(never))]
-#[cfg_attr(not(any(target_arch = "arm", target_arch = "riscv32")), inline)]
+#[inline]
 pub(super) const fn unit_and_length(v: [Fixed; 3]) -> ([Fixed; 3], Fixed) {
+    #[inline(never)]
+    const fn one_copy(v: [Fixed; 3]) -> ([Fixed; 3], Fixed) {
+        unit_and_length_inline(v)
+    }
+    if SCARCE_FLASH {
+        one_copy(v)
+    } else {
+        unit_and_length_inline(v)
+    }
+}
+
+#[inline(always)]
+const fn unit_and_length_inline(v: [Fixed; 3]) -> ([Fixed; 3], Fixed) {
     let [x, y, z] = v;
     if (x.0 | y.0 | z.0) == 0 {
         return (v, Fixed(0));

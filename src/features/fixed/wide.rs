@@ -4,15 +4,12 @@
 //!
 //! A test compares the two for every kind of argument, so this file uses nothing of the crate.
 
-/// Whether the processor has no long products: on a Cortex-M0.
-pub(super) const HALVES: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
-
 macro_rules! either {
     ($($(#[$doc:meta])* $name:ident($($argument:ident: $type:ty),*) -> $result:ty;)*) => {$(
         $(#[$doc])*
         #[inline(always)]
         pub(super) const fn $name($($argument: $type),*) -> $result {
-            if HALVES { halves::$name($($argument),*) } else { long::$name($($argument),*) }
+            if crate::target::NARROW_PRODUCT { halves::$name($($argument),*) } else { long::$name($($argument),*) }
         }
     )*};
 }
