@@ -1,12 +1,42 @@
 //! The cone of a spot light.
 
-use core::f64::consts::PI;
+use core::f64::consts::FRAC_PI_2;
 
-use crate::elementary::Elementary;
 use crate::real::{Dimmed, Measured, Real, Scalar, Select, constant, epsilon, parts};
 use crate::rgb::Rgb;
 use crate::unit::UnitVec3;
 use crate::vector::Vec3;
+
+/// The cosine of a half-angle within [0, π], by + − × ÷ alone: for every number type, and in constants.
+/// It is the sine or the cosine of an angle y of at most π/4, by its Taylor series, with −1 in place of
+/// +1 for the cosine and without the factor y:
+///
+/// ```text
+/// y (1 − y²/(2(2 + 1)) (1 − y²/(4(4 + 1)) (…)))
+/// ```
+///
+/// π/2 is given as a number and the rest that this number leaves.
+macro_rules! cosine {
+    ($angle:expr, $zero:expr, $one:expr, $half_pi:expr, $rest:expr) => {{
+        let (angle, zero, one, half_pi, rest) = ($angle, $zero, $one, $half_pi, $rest);
+        let (two, quarter_pi) = (one + one, half_pi / (one + one));
+        let is_sine = quarter_pi < angle && angle < half_pi + quarter_pi;
+        let (y, sign) = if is_sine {
+            ((half_pi - angle) + rest, one)
+        } else if angle < half_pi {
+            (angle, one)
+        } else {
+            ((half_pi - angle + half_pi) + two * rest, -one)
+        };
+        let odd = if is_sine { one } else { -one };
+        let (square, mut k, mut sum) = (y * y, two + two * two * two * two, one);
+        while k > zero {
+            sum = one - square / (k * (k + odd)) * sum;
+            k = k - two;
+        }
+        if is_sine { y * sum } else { sign * sum }
+    }};
+}
 
 /// The cone of a spot light, given by its **half**-angle: the angle between the axis and the edge,
 /// as in OpenGL, glTF and three.js. Unity and Blender give twice that angle.
@@ -147,7 +177,7 @@ impl<T: Real> Cone<T> {
     #[must_use]
     pub fn from_half_angle(radians: T) -> Option<Self>
     where
-        T: Elementary + Scalar,
+        T: Scalar,
     {
         Self::from_half_angles(radians, radians)
     }
@@ -158,12 +188,14 @@ impl<T: Real> Cone<T> {
     #[must_use]
     pub fn from_half_angles(inner: T, outer: T) -> Option<Self>
     where
-        T: Elementary + Scalar,
+        T: Scalar,
     {
-        if !(T::ZERO <= inner && inner <= outer && outer <= constant(const { parts(PI) })) {
+        let (half_pi, rest) = half_pi::<T>();
+        if !(T::ZERO <= inner && inner <= outer && outer <= half_pi + half_pi) {
             return None;
         }
-        let (inner, outer) = (inner.cos(), outer.cos());
+        let cosine = |angle| cosine!(angle, T::ZERO, T::ONE, half_pi, rest);
+        let (inner, outer) = (cosine(inner), cosine(outer));
         // rounding may have swapped the cosines of nearly equal angles
         Self::from_cosines(inner.at_least(outer), outer)
     }
@@ -227,12 +259,20 @@ impl<T: Real> Cone<T> {
     }
 }
 
+/// π/2 as a number, and the rest that it leaves.
+#[inline]
+fn half_pi<T: Real>() -> (T, T) {
+    const PARTS: [f32; 3] = parts(FRAC_PI_2);
+    let [first, second, third] = PARTS;
+    let half_pi = constant(PARTS);
+    let rest = (T::of_f32(first) - half_pi) + T::of_f32(second) + T::of_f32(third);
+    (half_pi, rest + T::of_f32(6.123_234e-17))
+}
+
 macro_rules! constants {
-    ($float:ident, $half_pi_rounding:literal) => {
+    ($float:ident, $rest:expr) => {
         impl Cone<$float> {
-            /// [`from_half_angle`](Cone::from_half_angle) for constants.
-            ///
-            /// The cosine is computed only with + − × ÷, so it has the same bits on every machine.
+            /// [`from_half_angle`](Cone::from_half_angle) for constants, with the same bits.
             #[must_use]
             pub const fn const_from_half_angle(radians: $float) -> Option<Self> {
                 Self::const_from_half_angles(radians, radians)
@@ -244,7 +284,9 @@ macro_rules! constants {
                 if !(0.0 <= inner && inner <= outer && outer <= core::$float::consts::PI) {
                     return None;
                 }
-                let (inner, outer) = (Self::cosine(inner), Self::cosine(outer));
+                use core::$float::consts::FRAC_PI_2;
+                let inner = cosine!(inner, 0.0, 1.0, FRAC_PI_2, $rest);
+                let outer = cosine!(outer, 0.0, 1.0, FRAC_PI_2, $rest);
                 // rounding may have swapped the cosines of nearly equal angles
                 Self::const_from_cosines(if inner < outer { outer } else { inner }, outer)
             }
@@ -282,39 +324,10 @@ macro_rules! constants {
                     cosine + 0.0 // −0 would flip the sign of the edge's width
                 }
             }
-
-            /// For an angle within [0, π]. Each case needs only the sine of an angle of at most π/4.
-            const fn cosine(radians: $float) -> $float {
-                use core::$float::consts::{FRAC_PI_2, FRAC_PI_4, PI};
-                if radians < FRAC_PI_4 {
-                    Self::cosine_of_small(radians)
-                } else if radians < 3.0 * FRAC_PI_4 {
-                    Self::sine_of_small((FRAC_PI_2 - radians) + $half_pi_rounding)
-                } else {
-                    -Self::cosine_of_small((PI - radians) + 2.0 * $half_pi_rounding)
-                }
-            }
-
-            /// cos x = 1 − 2 sin²(x/2)
-            const fn cosine_of_small(x: $float) -> $float {
-                let sine = Self::sine_of_small(x / 2.0);
-                1.0 - 2.0 * sine * sine
-            }
-
-            /// the Taylor series, for |x| ≤ π/4
-            const fn sine_of_small(x: $float) -> $float {
-                let (mut sum, mut term, mut k) = (0.0, x, 1.0);
-                while k < 20.0 {
-                    sum += term;
-                    term = -term * x * x / ((k + 1.0) * (k + 2.0));
-                    k += 2.0;
-                }
-                sum
-            }
         }
     };
 }
 
-// the amount by which π/2 exceeds the float nearest to it
+// the part of π/2 that the number nearest to it leaves
 constants!(f32, -4.371_139e-8);
-constants!(f64, 6.123_233_995_736_766e-17);
+constants!(f64, 6.123_234e-17_f32 as f64);

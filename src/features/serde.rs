@@ -7,7 +7,7 @@
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser};
 
 use crate::real::magnitude;
-use crate::{Attenuation, Cone, Elementary, Real, Rgb, Scalar, UnitVec3, Vec3};
+use crate::{Attenuation, Cone, Real, Rgb, Scalar, UnitVec3, Vec3};
 
 macro_rules! list {
     ($type:ident by $read:ident) => {
@@ -154,7 +154,7 @@ impl<T: Real + Scalar + Serialize> Serialize for Cone<T> {
     }
 }
 
-impl<'de, T: Elementary + Scalar + Deserialize<'de>> Deserialize<'de> for Cone<T> {
+impl<'de, T: Real + Scalar + Deserialize<'de>> Deserialize<'de> for Cone<T> {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         let (cone, reason, smoothstep) = match RawCone::deserialize(from)? {
             RawCone::Cosine(cosine) => (

@@ -160,7 +160,7 @@ impl<T: Real> PointLight<T> {
         deny_unknown_fields,
         bound(
             serialize = "T: Real + crate::Scalar + serde::Serialize",
-            deserialize = "T: crate::Elementary + crate::Scalar + serde::Deserialize<'de>"
+            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>"
         )
     )
 )]
@@ -218,7 +218,7 @@ impl<T: Real> SpotLight<T> {
         rename_all = "snake_case",
         bound(
             serialize = "T: Real + crate::Scalar + serde::Serialize",
-            deserialize = "T: crate::Elementary + crate::Scalar + serde::Deserialize<'de>"
+            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>"
         )
     )
 )]
