@@ -166,6 +166,7 @@ pub use features::Lanes;
 #[cfg(feature = "fixed")]
 pub use features::fixed;
 pub use light::{Arrival, DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
+pub use real::power;
 pub use real::{Dimmed, LightSum, Lobe, Mask, Measured, Real, Scalar, Select, Toward};
 #[doc(inline)]
 pub use shade::{Material, Shaded};

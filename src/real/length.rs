@@ -118,7 +118,7 @@ pub(crate) fn between<T: Real>(origin: Vec3<T>, v: Vec3<T>) -> Vec3<T> {
 pub(crate) fn crossed<T: Real>(origin: Vec3<T>, a: Vec3<T>, b: Vec3<T>) -> Vec3<T> {
     let cross = (a - origin).cross(b - origin);
     if is_extreme(T::dot(cross, cross)) {
-        between(origin, a).cross(between(origin, b))
+        T::between(origin, a).cross(T::between(origin, b))
     } else {
         cross
     }

@@ -6,7 +6,7 @@ mod known;
 pub(crate) mod length;
 pub(crate) mod lobe;
 mod mask;
-pub(crate) mod power;
+pub mod power;
 mod root;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};

@@ -20,21 +20,32 @@
 //!
 //! The polynomials are summed in pairs, which wait less for each other than the terms of Horner's
 //! scheme do. `benches/minimax.py` finds the coefficients, or their errors.
+//!
+//! [`Lobe`](crate::Lobe) uses them for `f32`, `f64` and lanes. A number of your own that implements
+//! [`Bits`] has them, too.
 
 use super::Real;
 
 /// The operations of the powers on the bits of a float, lane by lane.
-pub(crate) trait Bits: Real {
+///
+/// ```
+/// use shading::power::Bits;
+/// assert_eq!(12.0_f32.split(1.0), (3.0, 1.5)); // 12 = 2³ · 1.5
+/// ```
+pub trait Bits: Real {
     /// For positive normal numbers, returns `(e, z)` such that self = 2^e z and z is within
     /// [`least`, 2 `least`).
+    #[must_use]
     fn split(self, least: Self) -> (Self, Self);
 
     /// 2^(n − 127) for the low byte n of the bits of an `f32`, from 0 to 254, or 2^(n − 1023) for the
     /// low eleven bits n of those of an `f64`, from 0 to 2046; +0 for n = 0.
+    #[must_use]
     fn two_to_low_bits(self) -> Self;
 
     /// self − `shift`, for self = `shift` + n.
     #[inline]
+    #[must_use]
     fn unshifted(self, shift: Self) -> Self {
         self - shift
     }
@@ -109,15 +120,27 @@ const SHIFT: f32 = 12_583_038.0; // 1.5 · 2²³ + 126
 /// The absolute error is below 2⁻²² for every c > 0, subnormal or not, and every m. 1ᵐ and c⁰ are
 /// exactly 1. A result below 2^−125.5 becomes 0, so no result is subnormal, and a processor that
 /// flushes subnormal numbers gives the same bits. The power of 0 is some number within [0, 1].
+///
+/// ```
+/// use shading::power;
+/// assert_eq!(power::single(0.5_f32, 3.0), 0.125);
+/// ```
 #[inline(always)]
-pub(crate) fn single<T: Bits>(c: T, m: T) -> T {
+#[must_use]
+pub fn single<T: Bits>(c: T, m: T) -> T {
     exp2_single(m * log2_single(c, T::ONE))
 }
 
 /// (c/d)ᵐ, by one division in place of two, for c ≥ 0 and d > 0 whose products with 2²⁴ are finite. A
 /// quotient above 1 counts as 1, and the power of NaN is 0.
+///
+/// ```
+/// use shading::power;
+/// assert_eq!(power::single_of_quotient(1.0_f32, 2.0, 3.0), 0.125);
+/// ```
 #[inline(always)]
-pub(crate) fn single_of_quotient<T: Bits>(c: T, d: T, m: T) -> T {
+#[must_use]
+pub fn single_of_quotient<T: Bits>(c: T, d: T, m: T) -> T {
     exp2_single((m * log2_single(c, d)).at_most(T::ZERO))
 }
 
@@ -183,14 +206,26 @@ const SHIFT_DOUBLE: f64 = 6_755_399_441_056_766.0; // 1.5 · 2⁵² + 1022
 
 /// cᵐ in double precision, as [`single`]. The absolute error is below 2⁻⁵¹, and a result below about
 /// 2⁻¹⁰²² becomes 0.
+///
+/// ```
+/// use shading::power;
+/// assert_eq!(power::double(0.5_f64, 3.0), 0.125);
+/// ```
 #[inline(always)]
-pub(crate) fn double<T: Bits>(c: T, m: T) -> T {
+#[must_use]
+pub fn double<T: Bits>(c: T, m: T) -> T {
     exp2_double(m * log2_double(c, T::ONE))
 }
 
 /// (c/d)ᵐ, as [`single_of_quotient`], for products with 2⁵³ that are finite.
+///
+/// ```
+/// use shading::power;
+/// assert_eq!(power::double_of_quotient(1.0_f64, 2.0, 3.0), 0.125);
+/// ```
 #[inline(always)]
-pub(crate) fn double_of_quotient<T: Bits>(c: T, d: T, m: T) -> T {
+#[must_use]
+pub fn double_of_quotient<T: Bits>(c: T, d: T, m: T) -> T {
     exp2_double((m * log2_double(c, d)).at_most(T::ZERO))
 }
 

@@ -5,9 +5,9 @@ use std::fs;
 use std::path::Path;
 
 /// Functions without a row: they store what they are given, apply a function of the user's, round a
-/// literal, differ in nothing but that they work in constants (`tests/totality` compares them), or are those
-/// of lanes (`lanes.txt`, `tests/lanes.rs`).
-const WITHOUT_A_ROW: [&str; 25] = [
+/// literal, differ in nothing but that they work in constants (`tests/totality` compares them), are those
+/// of lanes (`lanes.txt`, `tests/lanes.rs`), or are the parts of a power, which the rows of `Lobe` compute.
+const WITHOUT_A_ROW: [&str; 32] = [
     "new",
     "constant",
     "point",
@@ -33,6 +33,13 @@ const WITHOUT_A_ROW: [&str; 25] = [
     "sum_of_lanes",
     "sum",
     "splat",
+    "split",
+    "two_to_low_bits",
+    "unshifted",
+    "single",
+    "single_of_quotient",
+    "double",
+    "double_of_quotient",
 ];
 
 macro_rules! names {

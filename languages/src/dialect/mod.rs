@@ -1,0 +1,100 @@
+//! How a language writes what the printer has found. A language is a table.
+
+mod c;
+mod glsl;
+mod hlsl;
+mod metal;
+mod wgsl;
+
+pub use c::C;
+pub use glsl::GLSL;
+pub use hlsl::HLSL;
+pub use metal::METAL;
+pub use wgsl::WGSL;
+
+/// A language. In the texts, `{type}`, `{name}` and the like stand for what is meant.
+#[derive(Debug)]
+pub struct Dialect {
+    /// What stands before the names of the functions and the types.
+    pub prefix: &'static str,
+    /// What stands before them in a call from another file.
+    pub namespace: &'static str,
+    /// The types of one number, two and three.
+    pub types: [&'static str; 3],
+    /// The type of what holds or does not.
+    pub truth: &'static str,
+    /// The type of three numbers within a struct.
+    pub stored: &'static str,
+    pub comment: [&'static str; 2],
+    /// The beginning of a struct, a field, and the end.
+    pub structure: [&'static str; 3],
+    /// Whether a struct needs numbers in the places that the others leave empty.
+    pub pads: bool,
+    pub function: &'static str,
+    pub parameter: &'static str,
+    pub variable: &'static str,
+    pub branch: &'static str,
+    pub choice: &'static str,
+    /// How a struct is made: by an expression, or by a variable of its own.
+    pub made: Result<&'static str, &'static str>,
+    /// The function that makes a vector of three numbers, and whether it takes one for all.
+    pub vector: (&'static str, bool),
+    /// What follows a number.
+    pub suffix: &'static str,
+    /// Functions in place of the operators of vectors, in a language without: + − × ÷, a minimum and a sign.
+    pub operators: Option<[&'static str; 7]>,
+    /// The functions whose names differ.
+    pub builtins: &'static [(&'static str, &'static str)],
+    /// The functions of the language itself, which are not prefixed.
+    pub own: &'static [&'static str],
+    /// The beginning of the file and its end.
+    pub file: [&'static str; 2],
+    /// Vectors, in a language without.
+    pub vectors: &'static str,
+    /// The operations on the bits of a number that the crate's power needs.
+    pub bits: &'static str,
+    pub powers: Powers,
+}
+
+/// Which power a file has.
+#[derive(Debug)]
+pub enum Powers {
+    /// The crate's alone.
+    Own,
+    /// The language's alone.
+    BuiltIn,
+    /// The crate's, if a name is defined.
+    Defined,
+}
+
+/// The functions that every language for graphics has.
+const GRAPHICS: &[&str] = &[
+    "sqrt", "abs", "min", "max", "clamp", "dot", "cross", "length", "sin", "cos", "tan", "atan2",
+    "exp", "log", "pow", "atan",
+];
+
+impl Dialect {
+    /// The name of a function or a type of the files.
+    pub(crate) fn named(&self, name: &str) -> String {
+        format!("{}{name}", self.prefix)
+    }
+
+    pub(crate) fn function_named(&self, name: &str) -> String {
+        match self.builtins.iter().find(|builtin| builtin.0 == name) {
+            Some(builtin) => builtin.1.into(),
+            None if self.own.contains(&name) => name.into(),
+            None => self.named(name),
+        }
+    }
+
+    pub(crate) fn number(&self, x: f32) -> String {
+        format!("{x:?}{}", self.suffix)
+    }
+}
+
+/// A text with its places filled.
+pub(crate) fn filled(text: &str, places: &[(&str, &str)]) -> String {
+    let fill =
+        |text: String, (place, value): &(&str, &str)| text.replace(&format!("{{{place}}}"), value);
+    places.iter().fold(text.into(), fill)
+}

@@ -1,0 +1,222 @@
+//! The files.
+
+use crate::dialect::{C, Dialect, GLSL, HLSL, METAL, Powers, WGSL, filled};
+use crate::graph::{EXTREME, Graph, with};
+use crate::kind::{Arguments, Kind};
+use crate::number::Expr;
+use crate::print::{Printer, wrapped};
+use crate::table::{Function, functions};
+use crate::tree::explore;
+use crate::values::Values;
+
+/// The names of the files, and what is in them.
+#[must_use]
+pub fn files() -> Vec<(&'static str, String)> {
+    let exact = Dialect {
+        powers: Powers::Own,
+        ..WGSL
+    };
+    let exact = Box::leak(Box::new(exact));
+    let files: [(&str, &'static Dialect); 6] = [
+        ("shading.wgsl", &WGSL),
+        ("shading_exact.wgsl", exact),
+        ("shading.glsl", &GLSL),
+        ("shading.hlsl", &HLSL),
+        ("shading.metal", &METAL),
+        ("shading.h", &C),
+    ];
+    files
+        .iter()
+        .map(|(name, dialect)| (*name, text(dialect)))
+        .collect()
+}
+
+const HEAD: [&str; 5] = [
+    "shading: Lambert, Phong and Blinn-Phong in linear light. MIT or Apache 2.0.",
+    "Written by the package shading-languages from the source of the crate shading; do not edit it.",
+    "All directions have length 1 and point away from the surface. A direction that does not exist is 0.",
+    "Numbers are finite, and light, reflectances and the shininess m at least 0; then no result is NaN or negative light.",
+    "",
+];
+
+/// The text of a file.
+#[must_use]
+pub fn text(dialect: &'static Dialect) -> String {
+    let mut out = String::new();
+    for line in HEAD {
+        out += &comment(dialect, line);
+    }
+    out += "\n";
+    out += dialect.file[0];
+    out += dialect.vectors;
+    for kind in Kind::STRUCTS {
+        out += &structure(dialect, kind);
+    }
+    out += &is_extreme(dialect);
+    let (powers, others) = functions().split_at(2);
+    let own = || {
+        let functions: String = powers
+            .iter()
+            .map(|function| function_text(dialect, function))
+            .collect();
+        format!("{}{functions}", dialect.bits)
+    };
+    match dialect.powers {
+        Powers::Own => out += &own(),
+        Powers::BuiltIn => out += &built_in(dialect),
+        Powers::Defined => {
+            let all = [
+                "#ifdef SHADING_EXACT_POWER\n\n",
+                &own(),
+                "#else\n\n",
+                &built_in(dialect),
+            ];
+            out += &all.concat();
+            out += "#endif\n\n";
+        }
+    }
+    for function in others {
+        out += &function_text(dialect, function);
+    }
+    format!("{}{}", out, dialect.file[1])
+}
+
+fn comment(dialect: &Dialect, text: &str) -> String {
+    let [begin, end] = dialect.comment;
+    if text.is_empty() {
+        String::new()
+    } else {
+        format!("{begin}{text}{end}\n")
+    }
+}
+
+fn type_of(dialect: &Dialect, kind: Kind) -> String {
+    match kind.fields() {
+        Some((name, _, _)) => dialect.named(name),
+        None => dialect.types[kind.width() - 1].into(),
+    }
+}
+
+fn structure(dialect: &Dialect, kind: Kind) -> String {
+    let (name, doc, fields) = kind.fields().expect("a struct has fields");
+    let name = dialect.named(name);
+    let [begin, field, end] = dialect.structure;
+    let mut out = comment(dialect, doc) + &filled(begin, &[("name", &name)]) + "\n";
+    let is_stored = matches!(kind, Kind::Light | Kind::Material);
+    let mut add = |of: &str, name: &str| {
+        let line = filled(field, &[("type", of), ("field", name)]);
+        out += &["    ", &line, "\n"].concat();
+    };
+    for (i, (name, kind)) in fields.iter().enumerate() {
+        let of = match kind.width() {
+            3 if is_stored => dialect.stored.into(),
+            _ => type_of(dialect, *kind),
+        };
+        add(&of, name);
+        let is_followed = fields.get(i + 1).is_some_and(|next| next.1.width() == 1);
+        let is_short = kind.width() == 3 && !is_followed || *name == "is_gltf";
+        if is_stored && dialect.pads && is_short {
+            add(dialect.types[0], &format!("padding_{name}"));
+        }
+    }
+    out + &filled(end, &[("name", &name)]) + "\n\n"
+}
+
+fn head(dialect: &Dialect, name: &str, parameters: &[(&str, Kind)], result: &str) -> String {
+    let parameter = |(name, kind): &(&str, Kind)| {
+        filled(
+            dialect.parameter,
+            &[("type", &type_of(dialect, *kind)), ("name", name)],
+        )
+    };
+    let parameters: Vec<_> = parameters.iter().map(parameter).collect();
+    let places = [
+        ("type", result),
+        ("name", &dialect.named(name)),
+        ("parameters", &parameters.join(", ")),
+    ];
+    wrapped("", &filled(dialect.function, &places))
+}
+
+/// Whether the square of a length is out of range.
+fn is_extreme(dialect: &Dialect) -> String {
+    with(|g| *g = Graph::new("", false, false));
+    let extreme = with(|g| g.value(EXTREME)).expect("a constant");
+    let [low, high] = [1.0 / extreme, extreme].map(|x| dialect.number(x));
+    let doc = comment(
+        dialect,
+        "Whether a square is so small or large that it is not exact.",
+    );
+    let head = head(
+        dialect,
+        "is_extreme",
+        &[("square", Kind::Number)],
+        dialect.truth,
+    );
+    format!("{doc}{head}    return !(square >= {low} && square < {high});\n}}\n\n")
+}
+
+/// The power of the language.
+fn built_in(dialect: &Dialect) -> String {
+    let one = dialect.number(1.0);
+    let (pow, min) = (dialect.function_named("pow"), dialect.function_named("min"));
+    let bodies = [
+        format!("{pow}({min}(c / d, {one}), m)"),
+        format!("{pow}(c, m)"),
+    ];
+    let of = |(function, body): (&Function, String)| {
+        let formula = function.doc.split(',').next().expect("a formula").trim();
+        let doc = comment(dialect, &format!("{formula}, by the language's own power."));
+        let head = head(
+            dialect,
+            function.name,
+            &function.parameters,
+            dialect.types[0],
+        );
+        format!("{doc}{head}    return {body};\n}}\n\n")
+    };
+    functions()[..2].iter().zip(bodies).map(of).collect()
+}
+
+fn function_text(dialect: &'static Dialect, function: &Function) -> String {
+    with(|g| {
+        *g = Graph::new(
+            function.name,
+            function.selects,
+            function.name != "normal_transformed",
+        );
+    });
+    let arguments = || -> Vec<Expr> {
+        let of = |(name, kind): &(&str, Kind)| kind.variables(name);
+        function.parameters.iter().flat_map(of).collect()
+    };
+    let tree = explore(&|| (function.record)(Arguments::new(arguments())), &[]);
+    with(|g| (g.given, g.path) = (vec![], vec![]));
+    let names = (function.names)(Arguments::new(arguments()));
+    let result = type_of(dialect, function.result);
+    let doc: String = function
+        .doc
+        .lines()
+        .map(|line| comment(dialect, line.trim()))
+        .collect();
+    let (body, unused) = with(|g| {
+        let mut values = Values::new(g);
+        let named = names.iter().map(|(name, numbers)| {
+            let numbers: Vec<_> = numbers.iter().map(|x| x.0).collect();
+            (values.value(&numbers), (*name).to_string())
+        });
+        let named = named.collect();
+        let mut printer = Printer::new(dialect, values, function.result);
+        printer.named = named;
+        printer.body(&tree)
+    });
+    assert!(
+        unused.is_empty(),
+        "{}: {unused:?} name nothing",
+        function.name
+    );
+    format!(
+        "{doc}{}{body}}}\n\n",
+        head(dialect, function.name, &function.parameters, &result)
+    )
+}

@@ -1,0 +1,265 @@
+//! What is recorded: a graph of operations, in which equal ones are one, and the decisions on the way.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Op {
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Min,
+    Max,
+}
+
+/// A comparison of two nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Test {
+    Above(u32, u32),
+    AtLeast(u32, u32),
+    /// Outside of the range in which squares are exact.
+    Extreme(u32),
+}
+
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// A name, and which of its components.
+    Var(String, Option<u8>),
+    /// The bits of an `f32`.
+    Const(u32),
+    Binary(Op, u32, u32),
+    Neg(u32),
+    Dot([u32; 3], [u32; 3]),
+    Select(Test, u32, u32),
+    Call(&'static str, Vec<u32>),
+    /// One number of the result of a call.
+    Part(u32, u8),
+}
+
+/// The constants of a number, which every graph begins with.
+pub const ZERO: u32 = 0;
+pub const ONE: u32 = 1;
+pub const NEG_ONE: u32 = 2;
+pub const MAX: u32 = 3;
+pub const EXTREME: u32 = 4;
+const CONSTANTS: [f32; 5] = [0.0, 1.0, -1.0, f32::MAX, f32::from_bits((127 + 100) << 23)];
+
+#[derive(Default)]
+pub struct Graph {
+    pub nodes: Vec<Node>,
+    index: HashMap<Node, u32>,
+    /// The function that is recorded: a call of it is written out.
+    pub defining: &'static str,
+    /// Whether a mask chooses between two results, as in lanes, where it would otherwise decide on one path.
+    pub selects: bool,
+    /// Whether a product with 0 is 0. A derivative has many.
+    pub drops_zeros: bool,
+    /// Whether each decision is known to be true.
+    assumes: bool,
+    /// The decisions of this run.
+    pub path: Vec<(Test, bool)>,
+    /// How the first of them are to be answered; the others are `true`.
+    pub given: Vec<bool>,
+}
+
+thread_local!(static GRAPH: RefCell<Graph> = RefCell::default());
+
+pub fn with<R>(f: impl FnOnce(&mut Graph) -> R) -> R {
+    GRAPH.with(|graph| f(&mut graph.borrow_mut()))
+}
+
+/// What `f` gives if each decision in it is true: the precondition of a constructor.
+pub fn assuming<R>(f: impl FnOnce() -> R) -> R {
+    with(|g| g.assumes = true);
+    let result = f();
+    with(|g| g.assumes = false);
+    result
+}
+
+/// The answer to a test in this run.
+pub fn decide(test: Test) -> bool {
+    with(|g| {
+        if let Some(answer) = g.known(test).or(g.assumes.then_some(true)) {
+            return answer;
+        }
+        let answer = g.given.get(g.path.len()).copied().unwrap_or(true);
+        g.path.push((test, answer));
+        answer
+    })
+}
+
+impl Graph {
+    pub fn new(defining: &'static str, selects: bool, drops_zeros: bool) -> Self {
+        let mut graph = Self {
+            defining,
+            selects,
+            drops_zeros,
+            ..Self::default()
+        };
+        for constant in CONSTANTS {
+            graph.constant(constant);
+        }
+        graph
+    }
+
+    pub fn node(&mut self, node: Node) -> u32 {
+        if let Some(&known) = self.index.get(&node) {
+            return known;
+        }
+        let next = u32::try_from(self.nodes.len()).expect("a formula has fewer nodes");
+        self.nodes.push(node.clone());
+        self.index.insert(node, next);
+        next
+    }
+
+    pub fn constant(&mut self, x: f32) -> u32 {
+        self.node(Node::Const(x.to_bits()))
+    }
+
+    pub fn value(&self, n: u32) -> Option<f32> {
+        match self.nodes[n as usize] {
+            Node::Const(bits) => Some(f32::from_bits(bits)),
+            _ => None,
+        }
+    }
+
+    /// Whether it cannot have overflowed. A sum over lights may have.
+    fn is_finite(&self, n: u32) -> bool {
+        match self.nodes[n as usize] {
+            Node::Var(..) => self.defining != "total",
+            Node::Const(_) => true,
+            Node::Binary(Op::Mul, a, b) => self.is_finite(a) && self.is_fraction(b),
+            _ => false,
+        }
+    }
+
+    /// Whether it is within 0 and 1.
+    fn is_fraction(&self, n: u32) -> bool {
+        match self.nodes[n as usize] {
+            Node::Const(_) => self.value(n) <= Some(1.0),
+            Node::Binary(Op::Min, _, limit) => self.is_fraction(limit),
+            Node::Select(_, a, b) => self.is_fraction(a) && self.is_fraction(b),
+            Node::Part(call, _) => matches!(
+                self.nodes[call as usize],
+                Node::Call("power" | "power_of_quotient", _)
+            ),
+            _ => false,
+        }
+    }
+
+    /// Whether the length of what was measured has a use, beside its direction.
+    pub fn uses_length(&self, measured: u32) -> bool {
+        let Some(length) = self.index.get(&Node::Part(measured, 4)) else {
+            return false;
+        };
+        self.nodes.iter().any(|node| match node {
+            Node::Binary(_, a, b) | Node::Select(Test::Above(a, b), ..) => {
+                a == length || b == length
+            }
+            _ => false,
+        })
+    }
+
+    /// Whether it is the length of a direction.
+    pub fn is_length(&self, n: u32) -> bool {
+        match self.nodes[n as usize] {
+            Node::Part(call, 3) => matches!(self.nodes[call as usize], Node::Call("measured", _)),
+            _ => false,
+        }
+    }
+
+    fn known(&self, test: Test) -> Option<bool> {
+        let both = |a, b| self.value(a).zip(self.value(b));
+        let by_value = match test {
+            Test::Above(a, b) => both(a, b).map(|(a, b)| a > b),
+            Test::AtLeast(a, b) => both(a, b).map(|(a, b)| a >= b),
+            Test::Extreme(_) => None,
+        };
+        let by_path = || self.path.iter().find(|(known, _)| *known == test);
+        by_value.or_else(|| by_path().map(|known| known.1))
+    }
+
+    /// Whether a mask holds, if that is known or must be decided.
+    pub fn holds(&self, test: Test, lanes: Option<bool>) -> Option<bool> {
+        self.known(test).or(lanes.filter(|_| self.selects))
+    }
+
+    pub fn binary(&mut self, op: Op, a: u32, b: u32) -> u32 {
+        let (x, y) = (self.value(a), self.value(b));
+        if let (Some(x), Some(y)) = (x, y) {
+            return self.constant(match op {
+                Op::Add => x + y,
+                Op::Sub => x - y,
+                Op::Mul => x * y,
+                Op::Div => x / y,
+                Op::Min => x.min(y),
+                Op::Max => x.max(y),
+            });
+        }
+        let is_finite = self.is_finite(a);
+        match (op, x, y) {
+            (Op::Mul, Some(0.0), _) if self.drops_zeros => a,
+            (Op::Mul, _, Some(0.0)) if self.drops_zeros => b,
+            (Op::Sub, Some(0.0), _) if self.drops_zeros => self.neg(b),
+            (Op::Add, Some(0.0), _) | (Op::Mul, Some(1.0), _) => b,
+            (Op::Add | Op::Sub, _, Some(0.0)) | (Op::Mul | Op::Div, _, Some(1.0)) => a,
+            (Op::Min, _, Some(f32::MAX)) if is_finite => a,
+            _ => self.node(Node::Binary(op, a, b)),
+        }
+    }
+
+    pub fn dot(&mut self, a: [u32; 3], b: [u32; 3]) -> u32 {
+        if a[1..] == [ZERO; 2] || b[1..] == [ZERO; 2] {
+            return self.binary(Op::Mul, a[0], b[0]);
+        }
+        self.node(Node::Dot(a, b))
+    }
+
+    pub fn neg(&mut self, a: u32) -> u32 {
+        match self.nodes[a as usize] {
+            Node::Const(bits) => self.constant(-f32::from_bits(bits)),
+            Node::Neg(b) => b,
+            _ => self.node(Node::Neg(a)),
+        }
+    }
+
+    /// A choice. What both sides have in common is outside of it.
+    pub fn select(&mut self, test: Test, then: u32, otherwise: u32) -> u32 {
+        if then == otherwise {
+            return then;
+        }
+        if let Some(answer) = self.known(test) {
+            return if answer { then } else { otherwise };
+        }
+        let (yes, no) = (&self.nodes[then as usize], &self.nodes[otherwise as usize]);
+        match (test, yes.clone(), no.clone()) {
+            // max and min, as the crate derives them
+            (Test::Above(a, b), ..) if (a, b) == (then, otherwise) => self.binary(Op::Max, a, b),
+            (Test::Above(a, b), ..) if (b, a) == (then, otherwise) => self.binary(Op::Min, a, b),
+            (_, Node::Select(inner, ..), _) if inner == test => {
+                let Node::Select(_, yes, _) = yes else {
+                    unreachable!()
+                };
+                self.select(test, *yes, otherwise)
+            }
+            (_, Node::Binary(op, a, x), Node::Binary(same, b, y)) if op == same && a == b => {
+                let right = self.select(test, x, y);
+                self.binary(op, a, right)
+            }
+            (_, Node::Binary(op, a, x), Node::Binary(same, b, y)) if op == same && x == y => {
+                let left = self.select(test, a, b);
+                self.binary(op, left, x)
+            }
+            (_, Node::Binary(Op::Mul, a, x), _) if a == otherwise => {
+                let right = self.select(test, x, ONE);
+                self.binary(Op::Mul, a, right)
+            }
+            (_, Node::Select(t, a, x), Node::Select(same, b, y)) if t == same && x == y => {
+                let then = self.select(test, a, b);
+                self.select(t, then, x)
+            }
+            _ => self.node(Node::Select(test, then, otherwise)),
+        }
+    }
+}

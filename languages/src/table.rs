@@ -1,0 +1,504 @@
+//! The functions of the files: what each is called, takes and gives, and what it says of itself. The formulas
+//! are the crate's.
+
+use std::sync::OnceLock;
+
+use shading::{
+    Arrival, Attenuation, Cone, Dimmed, DirectionalLight, IncidentLight, LightSum, Material,
+    Measured, PointLight, Rgb, Select, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector,
+    normal, power, reflection, shade, term,
+};
+
+use crate::graph::assuming;
+use crate::kind::{Arguments, Kind, Number, Parts, Taken};
+use crate::number::Expr;
+
+/// Names of values.
+pub(crate) type Names = Vec<(&'static str, Vec<Expr>)>;
+
+/// A function of the files.
+pub struct Function {
+    pub name: &'static str,
+    pub doc: &'static str,
+    pub parameters: Vec<(&'static str, Kind)>,
+    pub result: Kind,
+    /// Whether masks choose between results instead of deciding on a path.
+    pub(crate) selects: bool,
+    pub(crate) record: fn(Arguments<Expr>) -> Vec<Expr>,
+    /// What the books call the results on the way.
+    pub(crate) names: fn(Arguments<Expr>) -> Names,
+    /// What the crate computes.
+    pub compute: fn(Arguments<f32>) -> Vec<f32>,
+}
+
+/// All functions, in the order of the files: each calls only those before it.
+#[must_use]
+pub fn functions() -> &'static [Function] {
+    static FUNCTIONS: OnceLock<Vec<Function>> = OnceLock::new();
+    FUNCTIONS.get_or_init(rows)
+}
+
+/// The light of a file, as numbers.
+struct LightNumbers<T> {
+    position: Vec3<T>,
+    is_sun: T,
+    intensity: Rgb<T>,
+    limit: T,
+    coefficients: Vec3<T>,
+    range: T,
+    axis: UnitVec3<T>,
+    is_smoothstep: T,
+    cosines: [T; 2],
+    is_gltf: T,
+}
+
+impl<T: Number> Taken<T> for LightNumbers<T> {
+    fn take(from: &mut Arguments<T>) -> Self {
+        Self {
+            position: Vec3::take(from),
+            is_sun: T::take(from),
+            intensity: Rgb::take(from),
+            limit: T::take(from),
+            coefficients: Vec3::take(from),
+            range: T::take(from),
+            axis: UnitVec3::take(from),
+            is_smoothstep: T::take(from),
+            cosines: Taken::take(from),
+            is_gltf: T::take(from),
+        }
+    }
+}
+
+impl<T: Number> LightNumbers<T> {
+    /// What `f` makes of the light at p, whatever its kind and falloff: each is made by its constructors.
+    fn each(&self, p: Vec3<T>, f: impl Fn(IncidentLight<T>) -> Vec<T>) -> Vec<T> {
+        if self.is_sun > T::ZERO {
+            let l = UnitVec3::assume_unit(self.position);
+            let intensity = self.intensity;
+            return f(DirectionalLight { l, intensity }.at(p));
+        }
+        let Vec3 { x: a, y: b, z: c } = self.coefficients;
+        let [within, within_gltf] = assuming(|| {
+            let falloff = Attenuation::new(a, b, c)?.clamped_to(self.limit)?;
+            Some([
+                falloff.within(self.range)?,
+                falloff.within_gltf(self.range)?,
+            ])
+        })
+        .expect("the numbers of an attenuation");
+        let [inner, outer] = self.cosines;
+        let cone = assuming(|| Cone::from_cosines(inner, outer)).expect("the cosines of a cone");
+        let of = |attenuation| {
+            let point = PointLight {
+                position: self.position,
+                intensity: self.intensity,
+                attenuation,
+            };
+            let spot = |cone| {
+                f(SpotLight {
+                    point,
+                    axis: self.axis,
+                    cone,
+                }
+                .at(p))
+            };
+            let beam = choice(self.is_smoothstep, spot(cone.smoothstep()), spot(cone));
+            choose(inner.above(T::NEG_ONE), beam, f(point.at(p)))
+        };
+        choice(self.is_gltf, of(within_gltf), of(within))
+    }
+}
+
+fn choice<T: Number>(flag: T, yes: Vec<T>, no: Vec<T>) -> Vec<T> {
+    choose(flag.above(T::ZERO), yes, no)
+}
+
+fn choose<T: Number>(mask: T::Mask, yes: Vec<T>, no: Vec<T>) -> Vec<T> {
+    yes.into_iter()
+        .zip(no)
+        .map(|(yes, no)| mask.select(yes, no))
+        .collect()
+}
+
+impl<T: Number> Taken<T> for Material<T, T> {
+    fn take(from: &mut Arguments<T>) -> Self {
+        let (k_a, m, k_d, k_s) = (
+            Rgb::take(from),
+            T::take(from),
+            Rgb::take(from),
+            Rgb::take(from),
+        );
+        Self { k_a, k_d, k_s, m }
+    }
+}
+
+impl<T: Number> Taken<T> for Arrival<T> {
+    fn take(from: &mut Arguments<T>) -> Self {
+        let (l, distance, intensity) = (UnitVec3::take(from), T::take(from), Rgb::take(from));
+        Self {
+            l,
+            intensity,
+            distance,
+        }
+    }
+}
+
+impl<T: Number> Taken<T> for [Rgb<T>; 2] {
+    fn take(from: &mut Arguments<T>) -> Self {
+        [Rgb::take(from), Rgb::take(from)]
+    }
+}
+
+/// A light that arrives, as a sum takes it.
+fn arrived<T: Number>(light: &Arrival<T>) -> [IncidentLight<T>; 1] {
+    let (l, intensity) = (light.l, light.intensity);
+    [DirectionalLight { l, intensity }.at(Vec3::ZERO)]
+}
+
+/// What reflects all light.
+fn white<T: Number>(m: T) -> Material<T, T> {
+    let [k_a, k_d, k_s] = [Rgb::WHITE; 3];
+    Material { k_a, k_d, k_s, m }
+}
+
+fn added<T: Number>([diffuse, specular]: [Rgb<T>; 2], step: &[T]) -> Vec<T> {
+    let sums = [diffuse.parts(), specular.parts()].concat();
+    sums.into_iter()
+        .zip(step)
+        .map(|(sum, &step)| sum + step)
+        .collect()
+}
+
+fn both<T: Number>(shaded: Shaded<T>) -> Vec<T> {
+    [shaded.diffuse, shaded.specular].parts()
+}
+
+fn measured_one<T: Number>() -> Dimmed<T> {
+    Dimmed {
+        color: Rgb::WHITE,
+        factor: T::ONE,
+    }
+}
+
+/// The factor of a beam by the cosine to its axis.
+fn beam<T: Number>(cosine: T, edges: [T; 2], is_smooth: T::Mask) -> T {
+    let [w, axis] = [T::ONE, -cosine].map(|x| Vec3::new(x, T::ZERO, T::ZERO));
+    let measured = Measured {
+        w,
+        w_length: T::ONE,
+        length: T::ONE,
+    };
+    T::beamed(measured_one(), axis, edges, is_smooth, w, &measured).factor
+}
+
+fn window<T: Number>(q: T, r: T, is_squared: T::Mask) -> T {
+    T::windowed(
+        measured_one(),
+        Vec3::new(q, T::ZERO, T::ZERO),
+        q,
+        r,
+        is_squared,
+    )
+    .factor
+}
+
+fn cone<T: Number>([inner, outer]: [T; 2]) -> Cone<T> {
+    assuming(|| Cone::from_cosines(inner, outer)).expect("the cosines of a cone")
+}
+
+macro_rules! of_kind {
+    (Vector) => { Vec3<T> };
+    (Unit) => { UnitVec3<T> };
+    (Color) => { Rgb<T> };
+    (Pair) => { [T; 2] };
+    (Cosines) => { [T; 2] };
+    (Light) => { LightNumbers<T> };
+    (Material) => { Material<T, T> };
+    (Arrival) => { Arrival<T> };
+    (Sums) => { [Rgb<T>; 2] };
+    ($number:ident) => { T };
+}
+
+macro_rules! rows {
+    ($(
+        $(#[doc = $doc:literal])*
+        $mode:ident fn $name:ident($($p:ident: $kind:ident),*) -> $result:ident $body:block
+        $([$($temporary:ident = $value:expr;)*])?
+    )*) => {
+        fn rows() -> Vec<Function> {
+            vec![$({
+                #[allow(unused_variables)]
+                fn record<T: Number>(mut from: Arguments<T>) -> Vec<T> {
+                    $(let $p = <of_kind!($kind)>::take(&mut from);)*
+                    $body.parts()
+                }
+                #[allow(unused_variables, unused_mut)]
+                fn names<T: Number>(mut from: Arguments<T>) -> Vec<(&'static str, Vec<T>)> {
+                    $(let $p = <of_kind!($kind)>::take(&mut from);)*
+                    let mut all = vec![];
+                    $($(
+                        let $temporary = $value;
+                        all.push((stringify!($temporary), $temporary.parts()));
+                    )*)?
+                    all
+                }
+                Function {
+                    name: stringify!($name),
+                    doc: concat!($($doc, "\n"),*),
+                    parameters: vec![$((stringify!($p), Kind::$kind)),*],
+                    result: Kind::$result,
+                    selects: stringify!($mode) == "choosing",
+                    record: record::<Expr>,
+                    names: names::<Expr>,
+                    compute: record::<f32>,
+                }
+            }),*]
+        }
+    };
+}
+
+impl<T: Number> Parts<T> for Vec<T> {
+    fn parts(self) -> Self {
+        self
+    }
+}
+
+rows! {
+    /// (c/d)^m for c/d within [0, 1] and m >= 0, by the crate's own logarithm: within 2^-22.
+    plain fn power_of_quotient(c: Fraction, d: Fraction, m: Positive) -> Number {
+        power::single_of_quotient(c, d, m)
+    }
+
+    /// c^m for c within [0, 1] and m >= 0, within 2^-22.
+    plain fn power(c: Fraction, m: Positive) -> Number {
+        power::single(c, m)
+    }
+
+    /// The length of v, and w in its direction: v itself, or v times a power of 2 where its square is out of range.
+    plain fn measured(v: Vector) -> Measured {
+        T::measured(v)
+    } [
+        square = v.dot(v);
+    ]
+
+    /// v/|v|; 0 where v is 0.
+    plain fn unit(v: Vector) -> Unit {
+        v.unit()
+    } [
+        of = T::measured(v);
+    ]
+
+    /// The vector from a point to another, times a power of 2 where its square is out of range.
+    plain fn between(origin: Vector, p: Vector) -> Vector {
+        T::between(origin, p)
+    } [
+        v = p - origin;
+        square = v.dot(v);
+    ]
+
+    /// (a - origin) x (b - origin), in the right direction even where its square is out of range.
+    plain fn crossed(origin: Vector, a: Vector, b: Vector) -> Vector {
+        T::crossed(origin, a, b)
+    } [
+        c = (a - origin).cross(b - origin);
+    ]
+
+    /// The reflection vector R = 2(N.L)N - L. Phong 1975; Foley, van Dam et al. 16.1.
+    plain fn reflection(n: Unit, l: Unit) -> Unit {
+        reflection(n, l)
+    }
+
+    /// The half vector H = (L + V)/|L + V|; 0 where L = -V. Blinn 1977.
+    plain fn half_vector(l: Unit, v: Unit) -> Unit {
+        half_vector(l, v)
+    }
+
+    /// The ambient term k_a I_a. Foley, van Dam et al. 16.1.
+    plain fn term_ambient(k_a: Color, i_a: Color) -> Color {
+        term::ambient(k_a, i_a)
+    }
+
+    /// Lambert's factor max(0, N.L). Lambert 1760.
+    plain fn term_lambert(n: Unit, l: Unit) -> Number {
+        term::lambert(n, l)
+    }
+
+    /// Phong's highlight max(0, R.V)^m. Phong 1975.
+    plain fn term_phong(r: Unit, v: Unit, m: Positive) -> Number {
+        term::phong(r, v, m)
+    }
+
+    /// Blinn's highlight max(0, N.H)^m. Blinn 1977.
+    plain fn term_blinn(n: Unit, h: Unit, m: Positive) -> Number {
+        term::blinn(n, h, m)
+    }
+
+    /// What makes Phong's highlight reflect at most k_s: (m + 2)/(2 pi). Lafortune and Willems 1994.
+    plain fn term_phong_normalization(m: Positive) -> Number {
+        term::phong_normalization(m)
+    }
+
+    /// The same of Blinn's: (m + 2)(m + 4)/(8 pi (2^(-m/2) + m)). Giesen 2009.
+    plain fn term_blinn_normalization(m: Positive) -> Number {
+        term::blinn_normalization(m)
+    } [
+        exponent = m.at_least(T::ZERO);
+    ]
+
+    /// The attenuation 1/(a + bq + cq^2). Foley, van Dam et al. 16.1; OpenGL 2.1, 2.14.1.
+    plain fn attenuation(a: Positive, b: Positive, c: Positive, q: Positive) -> Number {
+        attenuation(a, b, c, q)
+    }
+
+    /// What ends a light at the range r: max(0, 1 - (q/r)^4)^2. Karis 2013.
+    choosing fn window(q: Positive, r: Positive) -> Number {
+        window(q, r, T::ONE.above(T::ZERO))
+    } [
+        fraction = q / r;
+        square = fraction * fraction;
+        root = (T::ONE - square * square).at_least(T::ZERO);
+    ]
+
+    /// The same without the square: KHR_lights_punctual.
+    choosing fn window_gltf(q: Positive, r: Positive) -> Number {
+        window(q, r, T::ZERO.above(T::ZERO))
+    } [
+        fraction = q / r;
+        square = fraction * fraction;
+    ]
+
+    /// t^2, where t rises from 0 at the cosine of the outer edge to 1 at that of the inner. KHR_lights_punctual.
+    plain fn beam(cosine: Cosine, inner: Cosine, outer: Cosine) -> Number {
+        beam(cosine, [inner, outer], T::ZERO.above(T::ZERO))
+    } [
+        t = ((cosine - outer) / (inner - outer)).at_least(T::ZERO).at_most(T::ONE);
+    ]
+
+    /// The same with t^2(3 - 2t). POV-Ray 3.7.
+    plain fn beam_smoothstep(cosine: Cosine, inner: Cosine, outer: Cosine) -> Number {
+        beam(cosine, [inner, outer], inner.above(outer))
+    } [
+        t = ((cosine - outer) / (inner - outer)).at_least(T::ZERO).at_most(T::ONE);
+    ]
+
+    /// The factor of a spot's cone, given the cosines of its inner and its outer half-angle.
+    choosing fn cone(axis: Unit, l: Unit, cosines: Cosines) -> Number {
+        cone(cosines).factor(axis, l)
+    }
+
+    /// The same with a smoothstep between the edges.
+    choosing fn cone_smoothstep(axis: Unit, l: Unit, cosines: Cosines) -> Number {
+        cone(cosines).smoothstep().factor(axis, l)
+    }
+
+    /// What arrives at the point p: L, the distance q and I. Foley, van Dam et al. 16.1.
+    choosing fn arrival(light: Light, p: Vector) -> Arrival {
+        light.each(p, |light| light.arrival().parts())
+    } [
+        to_light = T::measured(light.position - p);
+        q = to_light.length;
+    ]
+
+    /// What one light adds by Lambert's model: I k_d max(0, N.L).
+    plain fn shade_lambert(n: Unit, material: Material, light: Arrival) -> Color {
+        shade::lambert(n, &material, Rgb::BLACK, arrived(&light)).diffuse
+    } [
+        n_dot_l = n.dot(light.l);
+    ]
+
+    /// What one light adds by Phong's model: I (k_d N.L + k_s max(0, R.V)^m), where N.L > 0. Phong 1975.
+    plain fn shade_phong(n: Unit, v: Unit, material: Material, light: Arrival) -> Color {
+        let shaded = shade::phong(n, v, &material, Rgb::BLACK, arrived(&light));
+        shaded.diffuse + shaded.specular
+    } [
+        n_dot_l = n.dot(light.l);
+        r = *reflection(n, light.l);
+        r_dot_v = r.dot(v);
+    ]
+
+    /// What one light adds by Blinn and Phong's model: I (k_d N.L + k_s max(0, N.H)^m), where N.L > 0. Blinn 1977.
+    plain fn shade_blinn_phong(n: Unit, v: Unit, material: Material, light: Arrival) -> Color {
+        let shaded = shade::blinn_phong(n, v, &material, Rgb::BLACK, arrived(&light));
+        shaded.diffuse + shaded.specular
+    } [
+        n_dot_l = n.dot(light.l);
+        h = *light.l + *v;
+        n_dot_h = n.dot(h);
+    ]
+
+    /// The sums over lights after one more, by Lambert's model. A light from behind adds nothing and costs no root.
+    choosing fn add_lambert(sums: Sums, n: Unit, light: Light, p: Vector) -> Sums {
+        let step = light.each(p, |light| both(shade::lambert(n, &white(T::ZERO), Rgb::BLACK, [light])));
+        added(sums, &step)
+    }
+
+    /// The same by Phong's model.
+    choosing fn add_phong(sums: Sums, n: Unit, v: Unit, m: Positive, light: Light, p: Vector) -> Sums {
+        let step = light.each(p, |light| both(shade::phong(n, v, &white(m), Rgb::BLACK, [light])));
+        added(sums, &step)
+    }
+
+    /// The same by Blinn and Phong's model.
+    choosing fn add_blinn_phong(sums: Sums, n: Unit, v: Unit, m: Positive, light: Light, p: Vector) -> Sums {
+        let step = light.each(p, |light| both(shade::blinn_phong(n, v, &white(m), Rgb::BLACK, [light])));
+        added(sums, &step)
+    }
+
+    /// The light that the point reflects: k_a I_a + k_d times the diffuse sum + k_s times the specular one.
+    plain fn total(sums: Sums, material: Material, i_a: Color) -> Color {
+        let [diffuse, specular] = sums.map(LightSum::total);
+        let (diffuse, specular) = (diffuse * material.k_d, specular * material.k_s);
+        let ambient = term::ambient(material.k_a, i_a);
+        Shaded { ambient, diffuse, specular }.total()
+    }
+
+    /// The normal of the plane ax + by + cz + d = 0: (a, b, c)/|(a, b, c)|. Foley, van Dam et al. 11.1.3.
+    plain fn normal_plane(a: Number, b: Number, c: Number) -> Unit {
+        normal::plane(a, b, c)
+    }
+
+    /// The normal of a triangle, counter-clockwise: (v2 - v1) x (v3 - v1), length 1. Foley, van Dam et al. 11.1.3.
+    plain fn normal_triangle(v1: Vector, v2: Vector, v3: Vector) -> Unit {
+        normal::triangle(v1, v2, v3)
+    }
+
+    /// The normal of a sphere: (p - center)/|p - center|. Foley, van Dam et al. 15.10.1.
+    plain fn normal_sphere(center: Vector, p: Vector) -> Unit {
+        normal::sphere(center, p)
+    }
+
+    /// The normal of f(p) = 0 by the gradient of f, length 1. Foley, van Dam et al. 11.4.
+    plain fn normal_from_gradient(gradient: Vector) -> Unit {
+        normal::from_gradient(gradient)
+    }
+
+    /// The normal of s(u, v): ds/du x ds/dv, length 1. Foley, van Dam et al. 11.3.4.
+    plain fn normal_from_tangents(s_u: Vector, s_v: Vector) -> Unit {
+        normal::from_tangents(s_u, s_v)
+    }
+
+    /// N toward the eye: N if F.V >= 0, else -N, where F is the normal of the face. GLSL 4.60, 8.5.
+    plain fn normal_facing(n: Unit, v: Unit, f: Unit) -> Unit {
+        normal::facing(n, v, f)
+    }
+
+    /// A normal transformed by the matrix of the columns a, b, c: cof(M) N, length 1. Lengyel 2024.
+    choosing fn normal_transformed(n: Unit, a: Vector, b: Vector, c: Vector) -> Unit {
+        normal::transformed(n, [a, b, c])
+    }
+
+    /// A triangle's normal times its angle at v1, to be summed over a mesh. Thuermer and Wuethrich 1998.
+    choosing fn normal_corner(v1: Vector, v2: Vector, v3: Vector) -> Vector {
+        normal::corner(v1, v2, v3)
+    }
+
+    /// The tangent of a triangle and its handedness, by the texture coordinates of its vertices. Lengyel 2001.
+    choosing fn normal_tangent(v1: Vector, v2: Vector, v3: Vector, uv1: Pair, uv2: Pair, uv3: Pair) -> Tangent {
+        normal::tangent([v1, v2, v3], [uv1, uv2, uv3])
+    }
+
+    /// A normal from a map: x t + y b + z N, length 1. glTF 2.0, 3.7.2.1.
+    choosing fn normal_mapped(n: Unit, tangent: Vector, h: Number, s: Vector) -> Unit {
+        normal::mapped(n, tangent, h, s)
+    }
+}
