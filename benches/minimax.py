@@ -1,5 +1,5 @@
-"""Finds the coefficients of the power in src/real/power.rs in single precision, and prints them with their errors; then
-the errors of those that the file has in double precision, and the coefficients of the arctangent in src/elementary.rs.
+"""Finds the coefficients of the power in src/number/power.rs in single precision, and prints them with their errors; then
+the errors of those that the file has in double precision, and the coefficients of the arctangent in src/number/elementary.rs.
 
     log2 z    = s P(s^2),              s = (z - 1)/(z + 1),   z in [sqrt(1/2), sqrt(2)],  P of degree 2
     2^(1 + r) = (2 + r) + r Q(r),                             r in [-1/2, 1/2],           Q of degree 5
@@ -107,7 +107,7 @@ def exponential(degree):
 def double():
     """The relative errors of log2 c and of 2^(1 + r) = 2 + 4r/(Q(r^2) - r), with the coefficients of the source and no rounding."""
     mpmath.mp.prec = 160
-    source = (Path(__file__).parent / "../src/real/power.rs").read_text()
+    source = (Path(__file__).parent / "../src/number/power.rs").read_text()
 
     def coefficients(name):
         numbers = re.search(name + r": \[f64; \d\] = \[(.*?)\]", source, re.S)[1]

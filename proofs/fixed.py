@@ -1,6 +1,6 @@
 """Proves what fixed point promises from its integers: fixed.py OPERANDS
 
-Products, dot products and sums over lights of `src/features/fixed` as bit vectors, asked of Bitwuzla for all operands. The lines of
+Products, dot products and sums over lights of `src/fixed` as bit vectors, asked of Bitwuzla for all operands. The lines of
 OPERANDS, which a test prints, are what the source gives for some operands: an equation (= (mul #x… #x…) #x…) each. The definitions
 below must give the same. A statement that is false is among them, and must be refuted. (pip install bitwuzla)"""
 import pathlib

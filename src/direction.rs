@@ -1,7 +1,7 @@
 //! The reflection vector R and the half vector H.
 
-use crate::real::{Real, Scalar};
-use crate::unit::UnitVec3;
+use crate::number::{Real, Scalar};
+use crate::vector::UnitVec3;
 use crate::vector::Vec3;
 
 /// The reflection vector R: the direction L mirrored in the normal N.

@@ -129,21 +129,14 @@
 
 // one paragraph per layer of the table in CONTRIBUTING.md, the lowest first
 
-mod angle;
-mod elementary;
-mod real;
+mod number;
 mod target;
-mod triple;
 
-mod encoding;
-mod rgb;
-mod unit;
+mod color;
 mod vector;
 
 mod dual;
 
-mod attenuation;
-mod cone;
 mod direction;
 pub mod normal;
 pub mod term;
@@ -153,25 +146,29 @@ mod light;
 pub mod shade;
 
 mod aliases;
+
+#[cfg(feature = "fixed")]
+pub mod fixed;
+#[cfg(feature = "wide")]
+mod lanes;
+
 mod features;
 
 pub use aliases::{f32, f64};
-pub use attenuation::{Attenuation, attenuation};
-pub use cone::Cone;
+pub use color::Rgb;
 pub use direction::{half_vector, reflection};
 pub use dual::Dual;
-pub use elementary::Elementary;
 #[cfg(feature = "wide")]
-pub use features::Lanes;
-#[cfg(feature = "fixed")]
-pub use features::fixed;
+pub use lanes::Lanes;
 pub use light::{Arrival, DirectionalLight, IncidentLight, Light, PointLight, SpotLight};
-pub use real::power;
-pub use real::{Dimmed, LightSum, Lobe, Mask, Measured, Real, Scalar, Select, Toward};
+pub use light::{Attenuation, Cone, attenuation};
+pub use number::power;
+pub use number::{
+    Dimmed, Elementary, LightSum, Lobe, Mask, Measured, Real, Scalar, Select, Toward,
+};
 #[doc(inline)]
 pub use shade::{Material, Shaded};
-pub use triple::{Rgb, Vec3};
-pub use unit::UnitVec3;
+pub use vector::{UnitVec3, Vec3};
 
 #[cfg(all(doc, not(doctest)))]
 macro_rules! pages {

@@ -63,12 +63,12 @@
 use core::iter::Sum;
 use core::ops::{Add, AddAssign, Mul};
 
+use crate::color::Rgb;
 use crate::direction::mirrored;
 use crate::light::IncidentLight;
-use crate::real::{LightSum, Lobe, Mask, Measured, Real, Select};
-use crate::rgb::Rgb;
+use crate::number::{LightSum, Lobe, Mask, Measured, Real, Select};
 use crate::term;
-use crate::unit::UnitVec3;
+use crate::vector::UnitVec3;
 
 /// The material of a surface: three reflectances, each with three channels, and the shininess.
 ///

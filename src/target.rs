@@ -1,5 +1,5 @@
 //! What the processor has. The other files ask here, except for the instructions of
-//! [`root`](crate::real) and of the lanes.
+//! [`root`](crate::number) and of the lanes.
 
 /// Whether flash is scarce: without an operating system, or under one for microcontrollers.
 pub(crate) const SCARCE_FLASH: bool = cfg!(all(

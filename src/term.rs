@@ -12,9 +12,9 @@
 
 use core::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
 
-use crate::real::{Lobe, Real, Select, constant, parts, shininess};
-use crate::rgb::Rgb;
-use crate::unit::UnitVec3;
+use crate::color::Rgb;
+use crate::number::{Lobe, Real, Select, constant, parts, shininess};
+use crate::vector::UnitVec3;
 
 /// The ambient term, for light without a direction.
 ///

@@ -343,7 +343,7 @@ fn a_dual_number_has_the_value_of_its_number() {
 /// Every hook of the trait is tried here.
 #[test]
 fn every_method_is_tried() {
-    let text = include_str!("../src/real/mod.rs");
+    let text = include_str!("../src/number/real.rs");
     let body = text.split_once("pub trait Real:").expect("the trait").1;
     let body = body.split_once("\n}\n").expect("its end").0;
     let names = body

@@ -7,10 +7,10 @@
 mod target; // which the others read
 
 #[allow(dead_code, clippy::pedantic)]
-#[path = "../src/encoding/edges.rs"]
-mod edges;
+#[path = "../src/color/levels.rs"]
+mod levels;
 #[allow(dead_code, clippy::pedantic)]
-#[path = "../src/encoding/steps.rs"]
+#[path = "../src/color/steps.rs"]
 mod steps;
 
 use steps::Way;
@@ -18,9 +18,9 @@ use steps::Way;
 /// Every edge of every encoding and the numbers beside it; every 997th number of either sign, and
 /// NaN; both zeros and the ends.
 fn numbers() -> impl Iterator<Item = f32> {
-    let edges = edges::next_edges::<256>().into_iter();
-    let edges = edges.chain(edges::next_edges::<64>());
-    let edges = edges.chain(edges::next_edges::<32>());
+    let edges = levels::next_edges::<256>().into_iter();
+    let edges = edges.chain(levels::next_edges::<64>());
+    let edges = edges.chain(levels::next_edges::<32>());
     let beside = edges.flat_map(|bits| [bits.wrapping_sub(1), bits, bits.wrapping_add(1)]);
     let ends = [
         0.0,

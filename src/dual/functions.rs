@@ -1,8 +1,8 @@
 //! The elementary functions and their slopes.
 
 use super::Dual;
-use crate::elementary::Elementary;
-use crate::real::{Real, Select, by_squaring, magnitude, whole};
+use crate::number::Elementary;
+use crate::number::{Real, Select, by_squaring, magnitude, whole};
 use crate::vector::Vec3;
 
 impl<T: Elementary> Elementary for Dual<T> {

@@ -6,8 +6,8 @@ mod real;
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::elementary::Elementary;
-use crate::real::Real;
+use crate::number::Elementary;
+use crate::number::Real;
 use crate::vector::Vec3;
 
 /// A dual number: a value and its gradient, ∇ = (∂/∂x, ∂/∂y, ∂/∂z).

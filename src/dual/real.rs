@@ -2,10 +2,10 @@
 //! of the number's own hook, to the bit, and the gradient is that of the formula.
 
 use super::Dual;
-use crate::real::{
+use crate::color::Rgb;
+use crate::number::{
     Dimmed, LightSum, Lobe, Mask, Measured, Real, Select, Toward, falloff, length, whole,
 };
-use crate::rgb::Rgb;
 use crate::vector::Vec3;
 
 impl<T: Real> Dual<T> {

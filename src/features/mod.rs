@@ -1,5 +1,5 @@
-//! The optional features, which implement other crates' traits and conversions. Each has a file
-//! or a folder with its name.
+//! The optional features that implement the traits and conversions of other crates. Each has a file
+//! with its name.
 
 #[cfg(feature = "approx")]
 mod approx;
@@ -8,14 +8,7 @@ mod approx;
 mod bytemuck;
 #[cfg(feature = "defmt")]
 mod defmt;
-#[cfg(feature = "fixed")]
-pub mod fixed;
 #[cfg(feature = "mint")]
 mod mint;
 #[cfg(feature = "serde")]
 mod serde;
-#[cfg(feature = "wide")]
-mod wide;
-
-#[cfg(feature = "wide")]
-pub use wide::Lanes;

@@ -6,7 +6,7 @@
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser};
 
-use crate::real::magnitude;
+use crate::number::magnitude;
 use crate::{Attenuation, Cone, Real, Rgb, Scalar, UnitVec3, Vec3};
 
 macro_rules! list {

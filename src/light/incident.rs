@@ -3,11 +3,11 @@
 use core::fmt;
 use core::ops::Mul;
 
-use crate::attenuation::Attenuation;
-use crate::cone::Cone;
-use crate::real::{Dimmed, Mask, Measured, Real, Select, Toward, cold};
-use crate::rgb::Rgb;
-use crate::unit::UnitVec3;
+use super::Attenuation;
+use super::Cone;
+use crate::color::Rgb;
+use crate::number::{Dimmed, Mask, Measured, Real, Select, Toward, cold};
+use crate::vector::UnitVec3;
 use crate::vector::Vec3;
 
 /// The kind of a light.
@@ -51,6 +51,7 @@ pub struct IncidentLight<T = f32> {
     pub(super) kind: Kind,
 }
 
+#[allow(clippy::missing_fields_in_debug)] // three are printed as one vector
 impl<T: Real + fmt::Debug> fmt::Debug for IncidentLight<T> {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.debug_struct("IncidentLight")

@@ -1,13 +1,15 @@
 //! Lights, and the light that arrives at a point.
 
+mod attenuation;
+mod cone;
 mod incident;
 
-use crate::attenuation::Attenuation;
-use crate::cone::Cone;
-use crate::real::Real;
-use crate::rgb::Rgb;
-use crate::unit::UnitVec3;
+use crate::color::Rgb;
+use crate::number::Real;
+use crate::vector::UnitVec3;
 use crate::vector::Vec3;
+pub use attenuation::{Attenuation, attenuation};
+pub use cone::Cone;
 use incident::Kind;
 pub use incident::{Arrival, IncidentLight};
 

@@ -1,8 +1,8 @@
 //! The normals of a mesh's vertices.
 
-use crate::angle::angle;
-use crate::real::Real;
-use crate::unit::UnitVec3;
+use crate::number::Real;
+use crate::number::angle;
+use crate::vector::UnitVec3;
 use crate::vector::Vec3;
 
 /// The contribution of a triangle to the normal of its vertex v₁: the normal of the triangle,

@@ -17,12 +17,12 @@
 //! normal. Your arguments decide which side of the surface is outside. Turn a normal around with
 //! `-n`, or toward the eye with [`facing`].
 
+mod adjusted;
 mod corner;
-mod derived;
 mod surface;
 mod tangent;
 
+pub use adjusted::{facing, mapped, transformed};
 pub use corner::corner;
-pub use derived::{facing, mapped, transformed};
 pub use surface::{from_gradient, from_tangents, implicit, parametric, plane, sphere, triangle};
 pub use tangent::tangent;

@@ -1,8 +1,8 @@
 //! Normals of planes, triangles, spheres, implicit and parametric surfaces.
 
 use crate::dual::Dual;
-use crate::real::{Real, Scalar, epsilon, magnitude};
-use crate::unit::UnitVec3;
+use crate::number::{Real, Scalar, epsilon, magnitude};
+use crate::vector::UnitVec3;
 use crate::vector::Vec3;
 
 /// The normal of the plane ax + by + cz + d = 0.

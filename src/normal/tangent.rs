@@ -1,7 +1,7 @@
 //! The tangent that a normal map needs.
 
-use crate::real::{Real, Scalar, Select, magnitude};
-use crate::unit::UnitVec3;
+use crate::number::{Real, Scalar, Select, magnitude};
+use crate::vector::UnitVec3;
 use crate::vector::Vec3;
 
 /// The tangent of a triangle with texture coordinates, and its handedness:

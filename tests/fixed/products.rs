@@ -4,10 +4,10 @@
 use crate::Random;
 
 #[allow(dead_code, clippy::pedantic)]
-#[path = "../../src/features/fixed/wide.rs"]
-mod wide;
+#[path = "../../src/fixed/product.rs"]
+mod product;
 
-use wide::{halves, long};
+use product::{halves, long};
 
 /// Zero, the powers of two and their neighbors, numbers of any magnitude, and halves of all zeros or ones.
 fn numbers() -> Vec<u32> {

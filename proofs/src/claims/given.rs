@@ -307,11 +307,11 @@ mod tests {
             .chain(&WINDOWS)
             .map(|(name, _)| *name)
             .collect();
-        let source = include_str!("../../../src/attenuation.rs");
+        let source = include_str!("../../../src/light/attenuation.rs");
         assert_eq!(sorted(attenuations), made(source, "    ", &own));
         let apart = ["from_cosine", "from_half_angle", "from_half_angles"]; // in claims of their own
         let cones = EDGES.iter().map(|(name, _)| *name).chain(apart).collect();
-        let source = include_str!("../../../src/cone.rs");
+        let source = include_str!("../../../src/light/cone.rs");
         assert_eq!(sorted(cones), made(source, "    ", &own));
         let source = include_str!("../../../src/shade.rs");
         assert_eq!(sorted(MODELS.to_vec()), made(source, "", &["Shaded<T>"]));

@@ -118,7 +118,7 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
         // The cosine is off by 3u, which the power magnifies at most m times. The intermediate
         // results of an integer power lie between cᵐ and 1, where rounding is off by at most u/2:
         // together (3m + (m − 1)/2)u. With a real m, 3mu and what the power adds, which
-        // `src/real/power.rs` derives.
+        // `src/number/power.rs` derives.
         row(
             "`phong`, m = 1",
             "of 1",

@@ -1,0 +1,137 @@
+//! The constructors for constants, as `f32` has them.
+
+use super::root::unit_and_length;
+use super::{Fixed, ONE};
+use crate::light::Attenuation;
+use crate::light::Cone;
+use crate::vector::UnitVec3;
+use crate::vector::Vec3;
+
+impl UnitVec3<Fixed> {
+    /// The direction of the vector (x, y, z), of any length but 0, for literals in constants. It has
+    /// the bits of [`Vec3::unit`].
+    #[must_use]
+    pub const fn const_normalized(x: Fixed, y: Fixed, z: Fixed) -> Option<Self> {
+        let ([x, y, z], length) = unit_and_length([x, y, z]);
+        if length.0 > 0 {
+            Some(Self::assume_unit(Vec3::new(x, y, z)))
+        } else {
+            None
+        }
+    }
+}
+
+impl Attenuation<Fixed> {
+    /// [`new`](Attenuation#method.new) for constants.
+    #[inline]
+    #[must_use]
+    pub const fn const_new(a: Fixed, b: Fixed, c: Fixed) -> Option<Self> {
+        // the sign of a | b | c is − if that of one is
+        if (a.0 | b.0 | c.0) > 0 {
+            Some(Self::unchecked(a, b, c))
+        } else {
+            None
+        }
+    }
+
+    /// [`within`](Attenuation#method.within) for constants.
+    #[inline]
+    #[must_use]
+    pub const fn const_within(self, r: Fixed) -> Option<Self> {
+        let (range, squared) = (r, Fixed(ONE));
+        if r.0 > 0 {
+            Some(Self {
+                range,
+                squared,
+                ..self
+            })
+        } else {
+            None
+        }
+    }
+
+    /// [`within_gltf`](Attenuation#method.within_gltf) for constants.
+    #[inline]
+    #[must_use]
+    pub const fn const_within_gltf(self, r: Fixed) -> Option<Self> {
+        let squared = Fixed(if r.0 < i32::MAX { 0 } else { ONE });
+        match self.const_within(r) {
+            Some(ranged) => Some(Self { squared, ..ranged }),
+            None => None,
+        }
+    }
+
+    /// [`clamped_to`](Attenuation#method.clamped_to) for constants.
+    #[inline]
+    #[must_use]
+    pub const fn const_clamped_to(self, limit: Fixed) -> Option<Self> {
+        if limit.0 > 0 {
+            Some(Self { limit, ..self })
+        } else {
+            None
+        }
+    }
+}
+
+impl Cone<Fixed> {
+    /// [`from_half_angle`](Cone::from_half_angle) for constants.
+    #[must_use]
+    pub const fn const_from_half_angle(radians: Fixed) -> Option<Self> {
+        Self::const_from_half_angles(radians, radians)
+    }
+
+    /// [`from_half_angles`](Cone::from_half_angles) for constants.
+    #[must_use]
+    pub const fn const_from_half_angles(inner: Fixed, outer: Fixed) -> Option<Self> {
+        let (inner, outer) = (inner.0 as f64 / ONE as f64, outer.0 as f64 / ONE as f64);
+        match Cone::<f64>::const_from_half_angles(inner, outer) {
+            Some(cone) => Some(Self::stored(Fixed::new(cone.inner), Fixed::new(cone.outer))),
+            None => None,
+        }
+    }
+
+    /// [`from_cosines`](Cone::from_cosines) for constants.
+    #[must_use]
+    pub const fn const_from_cosines(inner: Fixed, outer: Fixed) -> Option<Self> {
+        if ONE >= inner.0 && inner.0 >= outer.0 && outer.0 >= -ONE {
+            Some(Self::stored(inner, outer))
+        } else {
+            None
+        }
+    }
+
+    /// A cone that contains its axis, or everything, in spite of rounding, as for any number.
+    const fn stored(inner: Fixed, outer: Fixed) -> Self {
+        /// How far rounding may take a cosine or the length of a direction from 1, in steps.
+        const SLACK: i32 = 4;
+        const NARROWEST: i32 = ONE - SLACK;
+        let edges = if inner.0 < -NARROWEST {
+            [-2 * ONE; 2]
+        } else {
+            [
+                if inner.0 > NARROWEST {
+                    NARROWEST
+                } else {
+                    inner.0
+                },
+                if outer.0 > NARROWEST {
+                    NARROWEST
+                } else {
+                    outer.0
+                },
+            ]
+        };
+        Self {
+            inner: Fixed(edges[0]),
+            outer: Fixed(edges[1]),
+            smooth: Fixed(0),
+        }
+    }
+
+    /// [`smoothstep`](Cone#method.smoothstep) for constants.
+    #[inline]
+    pub const fn const_smoothstep(self) -> Self {
+        let smooth = Fixed(if self.inner.0 > self.outer.0 { ONE } else { 0 });
+        Self { smooth, ..self }
+    }
+}

@@ -1,0 +1,333 @@
+//! The cone of a spot light.
+
+use core::f64::consts::FRAC_PI_2;
+
+use crate::color::Rgb;
+use crate::number::{Dimmed, Measured, Real, Scalar, Select, constant, epsilon, parts};
+use crate::vector::UnitVec3;
+use crate::vector::Vec3;
+
+/// The cosine of a half-angle within [0, π], by + − × ÷ alone: for every number type, and in constants.
+/// It is the sine or the cosine of an angle y of at most π/4, by its Taylor series, with −1 in place of
+/// +1 for the cosine and without the factor y:
+///
+/// ```text
+/// y (1 − y²/(2(2 + 1)) (1 − y²/(4(4 + 1)) (…)))
+/// ```
+///
+/// π/2 is given as a number and the rest that this number leaves.
+macro_rules! cosine {
+    ($angle:expr, $zero:expr, $one:expr, $half_pi:expr, $rest:expr) => {{
+        let (angle, zero, one, half_pi, rest) = ($angle, $zero, $one, $half_pi, $rest);
+        let (two, quarter_pi) = (one + one, half_pi / (one + one));
+        let is_sine = quarter_pi < angle && angle < half_pi + quarter_pi;
+        let (y, sign) = if is_sine {
+            ((half_pi - angle) + rest, one)
+        } else if angle < half_pi {
+            (angle, one)
+        } else {
+            ((half_pi - angle + half_pi) + two * rest, -one)
+        };
+        let odd = if is_sine { one } else { -one };
+        let (square, mut k, mut sum) = (y * y, two + two * two * two * two, one);
+        while k > zero {
+            sum = one - square / (k * (k + odd)) * sum;
+            k = k - two;
+        }
+        if is_sine { y * sum } else { sign * sum }
+    }};
+}
+
+/// The cone of a spot light, given by its **half**-angle: the angle between the axis and the edge,
+/// as in OpenGL, glTF and three.js. Unity and Blender give twice that angle.
+///
+/// Its edge is hard, or soft between an inner and an outer half-angle.
+///
+/// ```
+/// use shading::f32::{Cone, UnitVec3};
+/// use std::f32::consts::FRAC_PI_6;
+///
+/// const CONE: Cone = Cone::const_from_half_angle(FRAC_PI_6).unwrap(); // 60° wide from edge to edge
+///
+/// let straight_down = UnitVec3::NEG_Z;
+/// assert_eq!(CONE.factor(straight_down, UnitVec3::Z), 1.0); // right below: L points up
+/// assert_eq!(CONE.factor(straight_down, UnitVec3::X), 0.0);
+/// ```
+///
+/// For a beam of your own, multiply the [`intensity`](crate::IncidentLight::intensity) that arrives.
+#[doc(alias("cutoff", "penumbra", "spotlight"))]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[must_use]
+pub struct Cone<T = f32> {
+    pub(crate) inner: T,
+    pub(crate) outer: T,
+    /// 1 if the soft edge is a smoothstep, 0 if it is a square, or hard.
+    pub(crate) smooth: T,
+}
+
+impl<T: Real> Cone<T> {
+    pub(crate) const EVERYWHERE: Self = Self {
+        inner: T::NEG_ONE,
+        outer: T::NEG_ONE,
+        smooth: T::ZERO,
+    };
+
+    /// The fraction of the light that arrives: 1 inside the inner cone and on its edge, 0 outside the
+    /// outer cone, and the square of t between the edges.
+    ///
+    /// ```text
+    /// t²,  t = (−L·axis − cos(outer)) / (cos(inner) − cos(outer)) within [0, 1]
+    /// ```
+    ///
+    /// `axis` is the direction in which the spot shines, away from the light, and L the direction
+    /// from the surface to the light. inner and outer are the half-angles, and equal for a hard edge.
+    /// [`smoothstep`](Cone::smoothstep) replaces t² with t²(3 − 2t). On the axis, and if a direction is
+    /// NaN, the factor is 1 for every cone.
+    ///
+    /// As the computed −L·axis increases, the factor never decreases, not by a single bit. That product
+    /// itself may decrease by a unit in the last place or two while L turns toward the axis.
+    ///
+    /// Source: OpenGL 2.1, §2.14.1, with a spot exponent of 0; KHR_lights_punctual (glTF 2.0),
+    /// “Inner and Outer Cone Angles”, whose sample code and Filament keep a hard edge slightly
+    /// soft.
+    ///
+    /// ```
+    /// use shading::f32::{Cone, UnitVec3};
+    ///
+    /// let soft = Cone::from_cosines(0.8, 0.4).unwrap();
+    /// let l = UnitVec3::new(0.8, 0.0, 0.6).unwrap(); // from below, at a cosine halfway
+    /// assert!((soft.factor(UnitVec3::NEG_Z, l) - 0.25).abs() < 1e-6); // t = ½
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
+        let light = Dimmed {
+            color: Rgb::WHITE,
+            factor: T::ONE,
+        };
+        let (w, one) = (*l, T::ONE);
+        let measured = Measured {
+            w,
+            w_length: one,
+            length: one,
+        };
+        self.dimmed(light, axis, w, &measured).multiplied().r
+    }
+
+    /// A light at the end of the vector v, whose direction is measured.
+    #[inline(always)]
+    pub(crate) fn dimmed(
+        &self,
+        light: Dimmed<T>,
+        axis: UnitVec3<T>,
+        v: Vec3<T>,
+        measured: &Measured<T>,
+    ) -> Dimmed<T> {
+        let (edges, is_smooth) = ([self.inner, self.outer], self.smooth.above(T::ZERO));
+        T::beamed(light, *axis, edges, is_smooth, v, measured)
+    }
+
+    /// The same cone, with a soft edge that begins as smoothly as it ends: t²(3 − 2t) in place of t².
+    /// As the computed −L·axis rises, the factor never falls by more than a unit in the last place. A
+    /// hard edge stays as it is. In a constant, use
+    /// [`const_smoothstep`](Cone#method.const_smoothstep).
+    ///
+    /// Source: three.js, `getSpotAttenuation`; POV-Ray 3.7, `radius` and `falloff` with a
+    /// `tightness` of 0.
+    #[inline]
+    pub fn smoothstep(self) -> Self {
+        Self {
+            smooth: self.inner.above(self.outer).select(T::ONE, T::ZERO),
+            ..self
+        }
+    }
+
+    /// Whether the soft edge is a smoothstep.
+    #[inline]
+    #[must_use]
+    pub fn is_smoothstep(self) -> bool
+    where
+        T: Scalar,
+    {
+        self.smooth > T::ZERO
+    }
+
+    /// The cosines of the inner and the outer half-angle, in this order, within [−1, 1].
+    #[inline]
+    #[must_use]
+    pub fn cosines(self) -> [T; 2] {
+        // not by `map` on an array, which rust-gpu cannot compile
+        [
+            self.inner.at_least(T::NEG_ONE),
+            self.outer.at_least(T::NEG_ONE),
+        ]
+    }
+
+    /// The hard cone of a half-angle in radians, within [0, π]. Returns `None` for other angles and for
+    /// NaN. In a constant, use [`const_from_half_angle`](Cone#method.const_from_half_angle).
+    ///
+    /// ```
+    /// use shading::Cone;
+    ///
+    /// let cone = Cone::from_half_angle(60_f64.to_radians()).unwrap(); // 60° on each side of the axis
+    /// assert!((cone.cosines()[0] - 0.5).abs() < 1e-15);
+    /// assert_eq!(Cone::from_half_angle(60.0), None); // degrees
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn from_half_angle(radians: T) -> Option<Self>
+    where
+        T: Scalar,
+    {
+        Self::from_half_angles(radians, radians)
+    }
+
+    /// The cone of an inner and an outer half-angle in radians, 0 ≤ inner ≤ outer ≤ π. Returns `None`
+    /// for other angles and for NaN.
+    #[inline]
+    #[must_use]
+    pub fn from_half_angles(inner: T, outer: T) -> Option<Self>
+    where
+        T: Scalar,
+    {
+        let (half_pi, rest) = half_pi::<T>();
+        if !(T::ZERO <= inner && inner <= outer && outer <= half_pi + half_pi) {
+            return None;
+        }
+        let cosine = |angle| cosine!(angle, T::ZERO, T::ONE, half_pi, rest);
+        let (inner, outer) = (cosine(inner), cosine(outer));
+        // rounding may have swapped the cosines of nearly equal angles
+        Self::from_cosines(inner.at_least(outer), outer)
+    }
+
+    /// The hard cone whose half-angle has the given cosine, within [−1, 1]. Returns `None` for other
+    /// cosines and for NaN.
+    ///
+    /// A cosine close to 1 is stored as 1 − 4ε (a half-angle of 0.06° in `f32`), and a cosine close to
+    /// −1 as a cone of every direction. Otherwise the rounding of directions could put the axis outside
+    /// its own cone, or a direction outside the cone of half-angle π.
+    #[inline]
+    #[must_use]
+    pub fn from_cosine(cosine: T) -> Option<Self>
+    where
+        T: Scalar,
+    {
+        Self::from_cosines(cosine, cosine)
+    }
+
+    /// The cone whose inner and outer half-angles have the given cosines, 1 ≥ inner ≥ outer ≥ −1.
+    /// Returns `None` for other cosines and for NaN. Each is treated as in
+    /// [`from_cosine`](Cone::from_cosine).
+    #[inline]
+    #[must_use]
+    pub fn from_cosines(inner: T, outer: T) -> Option<Self>
+    where
+        T: Scalar,
+    {
+        // −0 would flip the sign of the edge's width
+        (T::ONE >= inner && inner >= outer && outer >= T::NEG_ONE)
+            .then(|| Self::with_slack(inner + T::ZERO, outer + T::ZERO, T::ZERO))
+    }
+
+    /// The cone of cosines within [−1, 1], or of another cone's: it contains its axis, even if both
+    /// directions are as long as they may be. The slack of another number type stays where it is
+    /// larger, because directions bring the roundoff of that type along.
+    ///
+    /// A cone of every direction has the cosine −2 in every number type, which no two directions reach.
+    #[inline]
+    fn with_slack(inner: T, outer: T, smooth: T) -> Self {
+        let two = T::ONE + T::ONE;
+        let slack = two * two * epsilon();
+        let is_everywhere = (slack - T::ONE).above(inner);
+        let stored = |cosine: T| is_everywhere.select(-two, cosine.at_most(T::ONE - slack));
+        let (inner, outer) = (stored(inner), stored(outer));
+        Self {
+            inner,
+            outer,
+            smooth: inner.above(outer).select(smooth, T::ZERO),
+        }
+    }
+
+    /// The same cone in another number type. `f` converts each cosine and may only round it.
+    ///
+    /// The new cone, too, contains its axis, and every direction if its half-angle is π: a cosine
+    /// close to 1 or −1 is treated as in [`from_cosine`](Cone#method.from_cosine), with the larger ε of
+    /// the two types.
+    #[inline]
+    pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> Cone<U> {
+        Cone::with_slack(f(self.inner), f(self.outer), f(self.smooth))
+    }
+}
+
+/// π/2 as a number, and the rest that it leaves.
+#[inline]
+fn half_pi<T: Real>() -> (T, T) {
+    const PARTS: [f32; 3] = parts(FRAC_PI_2);
+    let [first, second, third] = PARTS;
+    let half_pi = constant(PARTS);
+    let rest = (T::of_f32(first) - half_pi) + T::of_f32(second) + T::of_f32(third);
+    (half_pi, rest + T::of_f32(6.123_234e-17))
+}
+
+macro_rules! constants {
+    ($float:ident, $rest:expr) => {
+        impl Cone<$float> {
+            /// [`from_half_angle`](Cone::from_half_angle) for constants, with the same bits.
+            #[must_use]
+            pub const fn const_from_half_angle(radians: $float) -> Option<Self> {
+                Self::const_from_half_angles(radians, radians)
+            }
+
+            /// [`from_half_angles`](Cone::from_half_angles) for constants.
+            #[must_use]
+            pub const fn const_from_half_angles(inner: $float, outer: $float) -> Option<Self> {
+                if !(0.0 <= inner && inner <= outer && outer <= core::$float::consts::PI) {
+                    return None;
+                }
+                use core::$float::consts::FRAC_PI_2;
+                let inner = cosine!(inner, 0.0, 1.0, FRAC_PI_2, $rest);
+                let outer = cosine!(outer, 0.0, 1.0, FRAC_PI_2, $rest);
+                // rounding may have swapped the cosines of nearly equal angles
+                Self::const_from_cosines(if inner < outer { outer } else { inner }, outer)
+            }
+
+            /// [`from_cosines`](Cone::from_cosines) for constants.
+            #[must_use]
+            pub const fn const_from_cosines(inner: $float, outer: $float) -> Option<Self> {
+                if 1.0 >= inner && inner >= outer && outer >= -1.0 {
+                    let is_everywhere = inner < Self::SLACK - 1.0;
+                    Some(Self {
+                        inner: Self::stored(inner, is_everywhere),
+                        outer: Self::stored(outer, is_everywhere),
+                        smooth: 0.0,
+                    })
+                } else {
+                    None
+                }
+            }
+
+            /// [`smoothstep`](Cone#method.smoothstep) for constants.
+            #[inline]
+            pub const fn const_smoothstep(self) -> Self {
+                let smooth = if self.inner > self.outer { 1.0 } else { 0.0 };
+                Self { smooth, ..self }
+            }
+
+            const SLACK: $float = 4.0 * $float::EPSILON;
+
+            const fn stored(cosine: $float, is_everywhere: bool) -> $float {
+                if is_everywhere {
+                    -2.0
+                } else if cosine > 1.0 - Self::SLACK {
+                    1.0 - Self::SLACK
+                } else {
+                    cosine + 0.0 // −0 would flip the sign of the edge's width
+                }
+            }
+        }
+    };
+}
+
+// the part of π/2 that the number nearest to it leaves
+constants!(f32, -4.371_139e-8);
+constants!(f64, 6.123_234e-17_f32 as f64);
