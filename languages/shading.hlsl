@@ -87,34 +87,37 @@ float shading_steps_above(float x, float shift) {
 
 // (c/d)^m for c/d within [0, 1] and m >= 0, by the crate's own logarithm: within 2^-22.
 float shading_power_of_quotient(float c, float d, float m) {
-    float t1 = c * 16777216.0;
-    float t2 = d * 11863283.0;
-    float t3 = shading_significand(t1, t2);
-    float t4 = d * 16777216.0;
-    float t5 = (t3 - t4) / (t3 + t4);
-    float t6 = t5 * t5;
-    float t7 = max(min(m * (shading_exponent(t1, t2) + t5
-            * (2.8853905 + t6 * 0.9615518 + t6 * t6 * 0.59732693)), 0.0), -126.0);
-    float t8 = t7 + 12583038.0;
-    float t9 = t7 - shading_steps_above(t8, 12583038.0);
-    float t10 = t9 * t9;
-    return (2.0 + t9 + t9 * (0.38629442 + 0.4804531 * t9 + t10 * (0.111006565 + 0.019235516 * t9) + t10 * t10
-            * (0.0026797508 + 0.00031013472 * t9))) * shading_two_to_low_bits(t8);
+    float scaled = c * 16777216.0;
+    float least = d * 11863283.0;
+    float z = shading_significand(scaled, least);
+    float one = d * 16777216.0;
+    float s = (z - one) / (z + one);
+    float s2 = s * s;
+    float log2 = shading_exponent(scaled, least) + s * (2.8853905 + s2 * 0.9615518 + s2 * s2 * 0.59732693);
+    float y = max(min(m * log2, 0.0), -126.0);
+    float shifted = y + 12583038.0;
+    float r = y - shading_steps_above(shifted, 12583038.0);
+    float r2 = r * r;
+    float q = 0.38629442 + 0.4804531 * r + r2 * (0.111006565 + 0.019235516 * r) + r2 * r2
+            * (0.0026797508 + 0.00031013472 * r);
+    return (2.0 + r + r * q) * shading_two_to_low_bits(shifted);
 }
 
 // c^m for c within [0, 1] and m >= 0, within 2^-22.
 float shading_power(float c, float m) {
-    float t1 = c * 16777216.0;
-    float t2 = shading_significand(t1, 11863283.0);
-    float t3 = (t2 - 16777216.0) / (t2 + 16777216.0);
-    float t4 = t3 * t3;
-    float t5 = max(m * (shading_exponent(t1, 11863283.0) + t3
-            * (2.8853905 + t4 * 0.9615518 + t4 * t4 * 0.59732693)), -126.0);
-    float t6 = t5 + 12583038.0;
-    float t7 = t5 - shading_steps_above(t6, 12583038.0);
-    float t8 = t7 * t7;
-    return (2.0 + t7 + t7 * (0.38629442 + 0.4804531 * t7 + t8 * (0.111006565 + 0.019235516 * t7) + t8 * t8
-            * (0.0026797508 + 0.00031013472 * t7))) * shading_two_to_low_bits(t6);
+    float scaled = c * 16777216.0;
+    float z = shading_significand(scaled, 11863283.0);
+    float s = (z - 16777216.0) / (z + 16777216.0);
+    float s2 = s * s;
+    float log2 = shading_exponent(scaled, 11863283.0) + s
+            * (2.8853905 + s2 * 0.9615518 + s2 * s2 * 0.59732693);
+    float y = max(m * log2, -126.0);
+    float shifted = y + 12583038.0;
+    float r = y - shading_steps_above(shifted, 12583038.0);
+    float r2 = r * r;
+    float q = 0.38629442 + 0.4804531 * r + r2 * (0.111006565 + 0.019235516 * r) + r2 * r2
+            * (0.0026797508 + 0.00031013472 * r);
+    return (2.0 + r + r * q) * shading_two_to_low_bits(shifted);
 }
 
 #else
@@ -135,16 +138,16 @@ float shading_power(float c, float m) {
 shading_Measured shading_measured(float3 v) {
     float square = dot(v, v);
     if (shading_is_extreme(square)) {
-        float t1 = square < 1.2676506e30 ? (square < 7.888609e-31 ? 1.2676506e30 : 1.0) : 7.888609e-31;
-        float3 t2 = v * min(t1, 1.0) * max(t1, 1.0);
-        float t2_dot_t2 = dot(t2, t2);
-        float t3 = sqrt(t2_dot_t2);
-        shading_Measured result = {t2, t2_dot_t2 > 0.0 && t2_dot_t2 < 3.4028235e38 ? t3 : 0.0,
-                t2_dot_t2 > 0.0 && t2_dot_t2 < 3.4028235e38 ? min(t3 / t1, 3.4028235e38) : t3};
+        float power = square < 1.2676506e30 ? (square < 7.888609e-31 ? 1.2676506e30 : 1.0) : 7.888609e-31;
+        float3 w = v * min(power, 1.0) * max(power, 1.0);
+        float w_square = dot(w, w);
+        float root = sqrt(w_square);
+        shading_Measured result = {w, w_square > 0.0 && w_square < 3.4028235e38 ? root : 0.0,
+                w_square > 0.0 && w_square < 3.4028235e38 ? min(root / power, 3.4028235e38) : root};
         return result;
     }
-    float t1 = sqrt(square);
-    shading_Measured result = {v, t1, t1};
+    float length = sqrt(square);
+    shading_Measured result = {v, length, length};
     return result;
 }
 
@@ -159,9 +162,9 @@ float3 shading_between(float3 origin, float3 p) {
     float3 v = p - origin;
     float square = dot(v, v);
     if (shading_is_extreme(square)) {
-        float t1 = square < 1.2676506e30 ? (square < 7.888609e-31 ? 1.2676506e30 : 1.0) : 7.888609e-31;
-        float t2 = min(t1, 1.0);
-        return (p * t2 - origin * t2) * max(t1, 1.0);
+        float power = square < 1.2676506e30 ? (square < 7.888609e-31 ? 1.2676506e30 : 1.0) : 7.888609e-31;
+        float shrink = min(power, 1.0);
+        return (p * shrink - origin * shrink) * max(power, 1.0);
     }
     return v;
 }
@@ -260,14 +263,33 @@ float shading_beam_smoothstep(float cosine, float inner, float outer) {
 
 // The factor of a spot's cone, given the cosines of its inner and its outer half-angle.
 float shading_cone(float3 axis, float3 l, float2 cosines) {
-    return shading_beam(dot(-axis, l), cosines.x < -0.9999995 ? -2.0 : min(cosines.x, 0.9999995),
-            cosines.x < -0.9999995 ? -2.0 : min(cosines.y, 0.9999995));
+    float inner = cosines.x < -0.9999995 ? -2.0 : min(cosines.x, 0.9999995);
+    float outer = cosines.x < -0.9999995 ? -2.0 : min(cosines.y, 0.9999995);
+    return shading_beam(dot(-axis, l), inner, outer);
 }
 
 // The same with a smoothstep between the edges.
 float shading_cone_smoothstep(float3 axis, float3 l, float2 cosines) {
-    return shading_beam_smoothstep(dot(-axis, l), cosines.x < -0.9999995 ? -2.0 : min(cosines.x, 0.9999995),
-            cosines.x < -0.9999995 ? -2.0 : min(cosines.y, 0.9999995));
+    float cosine = dot(-axis, l);
+    float inner = cosines.x < -0.9999995 ? -2.0 : min(cosines.x, 0.9999995);
+    float outer = cosines.x < -0.9999995 ? -2.0 : min(cosines.y, 0.9999995);
+    return shading_beam_smoothstep(cosine, inner, outer);
+}
+
+// What dims a light after the distance q: its attenuation, at most its limit, and the window of its range.
+float shading_falloff(shading_Light light, float q) {
+    return clamp(1.0 / (light.coefficients.x + q * (light.coefficients.y + light.coefficients.z * q)), 0.0,
+            light.limit) * (light.range < 3.4028235e38
+            ? (light.is_gltf > 0.0 ? shading_window_gltf(q, light.range) : shading_window(q, light.range))
+            : 1.0);
+}
+
+// The factor of a spot's cone, by the cosine between its axis and -L.
+float shading_spot(shading_Light light, float cosine) {
+    float inner = light.cosines.x < -0.9999995 ? -2.0 : min(light.cosines.x, 0.9999995);
+    float outer = light.cosines.x < -0.9999995 ? -2.0 : min(light.cosines.y, 0.9999995);
+    return light.is_smoothstep > 0.0 ? shading_beam_smoothstep(cosine, inner, outer)
+            : shading_beam(cosine, inner, outer);
 }
 
 // What arrives at the point p: L, the distance q and I. Foley, van Dam et al. 16.1.
@@ -277,20 +299,12 @@ shading_Arrival shading_arrival(shading_Light light, float3 p) {
         return result;
     }
     shading_Measured to_light = shading_measured(light.position - p);
-    float t1 = dot(-light.axis, to_light.w) / to_light.w_length;
-    float t2 = light.cosines.x < -0.9999995 ? -2.0 : min(light.cosines.x, 0.9999995);
-    float t3 = light.cosines.x < -0.9999995 ? -2.0 : min(light.cosines.y, 0.9999995);
+    float dimmed = to_light.w_length > 0.0 ? shading_falloff(light, to_light.length)
+            * (light.cosines.x > -1.0 ? shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
+            : 1.0) : 0.0;
     shading_Arrival result = {to_light.w_length > 0.0 ? to_light.w / to_light.w_length
             : float3(0.0, 0.0, 1.0), min(to_light.length, 3.4028235e38),
-            min(light.intensity * (to_light.w_length > 0.0
-            ? clamp(1.0 / (light.coefficients.x + to_light.length
-            * (light.coefficients.y + light.coefficients.z * to_light.length)), 0.0, light.limit)
-            * (light.range < 3.4028235e38
-            ? (light.is_gltf > 0.0 ? shading_window_gltf(to_light.length, light.range)
-            : shading_window(to_light.length, light.range)) : 1.0)
-            * (light.cosines.x > -1.0
-            ? (light.is_smoothstep > 0.0 ? shading_beam_smoothstep(t1, t2, t3) : shading_beam(t1, t2, t3))
-            : 1.0) : 0.0), float3(3.4028235e38, 3.4028235e38, 3.4028235e38))};
+            min(light.intensity * dimmed, float3(3.4028235e38, 3.4028235e38, 3.4028235e38))};
     return result;
 }
 
@@ -309,11 +323,12 @@ float3 shading_shade_phong(float3 n, float3 v, shading_Material material, shadin
     if (!(n_dot_l > 0.0)) {
         return float3(0.0, 0.0, 0.0);
     }
+    float3 diffuse = light.i * clamp(n_dot_l, 0.0, 1.0) * material.k_d;
     float3 r = n * (n_dot_l + n_dot_l) - light.l;
     float r_dot_v = dot(r, v);
-    return light.i * clamp(n_dot_l, 0.0, 1.0) * material.k_d + light.i
-            * (r_dot_v > 0.0 ? shading_power(clamp(r_dot_v, 0.0, 1.0), max(material.m, 0.0)) : 0.0)
-            * material.k_s;
+    float highlight = r_dot_v > 0.0 ? shading_power(clamp(r_dot_v, 0.0, 1.0), max(material.m, 0.0)) : 0.0;
+    float3 specular = light.i * highlight * material.k_s;
+    return diffuse + specular;
 }
 
 // What one light adds by Blinn and Phong's model: I (k_d N.L + k_s max(0, N.H)^m), where N.L > 0. Blinn 1977.
@@ -322,42 +337,35 @@ float3 shading_shade_blinn_phong(float3 n, float3 v, shading_Material material, 
     if (!(n_dot_l > 0.0)) {
         return float3(0.0, 0.0, 0.0);
     }
+    float3 diffuse = light.i * clamp(n_dot_l, 0.0, 1.0) * material.k_d;
     float3 h = light.l + v;
     float n_dot_h = dot(n, h);
-    return light.i * clamp(n_dot_l, 0.0, 1.0) * material.k_d + light.i
-            * (n_dot_h > 0.0 ? shading_power_of_quotient(n_dot_h * n_dot_h, dot(h, h),
-            max(0.5 * material.m, 0.0)) : 0.0) * material.k_s;
+    float highlight = n_dot_h > 0.0
+            ? shading_power_of_quotient(n_dot_h * n_dot_h, dot(h, h), max(0.5 * material.m, 0.0)) : 0.0;
+    float3 specular = light.i * highlight * material.k_s;
+    return diffuse + specular;
 }
 
 // The sums over lights after one more, by Lambert's model. A light from behind adds nothing and costs no root.
 shading_Sums shading_add_lambert(shading_Sums sums, float3 n, shading_Light light, float3 p) {
     if (light.is_sun > 0.0) {
-        float t1 = dot(n, light.position);
-        if (!(t1 > 0.0)) {
-            shading_Sums result = {sums.diffuse, sums.specular};
-            return result;
+        float n_dot_l = dot(n, light.position);
+        if (!(n_dot_l > 0.0)) {
+            return sums;
         }
-        shading_Sums result = {sums.diffuse + light.intensity * clamp(t1, 0.0, 1.0), sums.specular};
+        shading_Sums result = {sums.diffuse + light.intensity * clamp(n_dot_l, 0.0, 1.0), sums.specular};
         return result;
     }
-    float3 t1 = light.position - p;
-    if (!(dot(n, t1) > 0.0)) {
-        shading_Sums result = {sums.diffuse, sums.specular};
-        return result;
+    float3 way = light.position - p;
+    if (!(dot(n, way) > 0.0)) {
+        return sums;
     }
-    shading_Measured t2 = shading_measured(t1);
-    float t3 = dot(-light.axis, t2.w) / t2.w_length;
-    float t4 = light.cosines.x < -0.9999995 ? -2.0 : min(light.cosines.x, 0.9999995);
-    float t5 = light.cosines.x < -0.9999995 ? -2.0 : min(light.cosines.y, 0.9999995);
+    shading_Measured to_light = shading_measured(way);
+    float dimmed = shading_falloff(light, to_light.length)
+            * (light.cosines.x > -1.0 ? shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
+            : 1.0);
     shading_Sums result = {sums.diffuse + light.intensity
-            * (clamp(1.0 / (light.coefficients.x + t2.length
-            * (light.coefficients.y + light.coefficients.z * t2.length)), 0.0, light.limit)
-            * (light.range < 3.4028235e38
-            ? (light.is_gltf > 0.0 ? shading_window_gltf(t2.length, light.range)
-            : shading_window(t2.length, light.range)) : 1.0)
-            * (light.cosines.x > -1.0
-            ? (light.is_smoothstep > 0.0 ? shading_beam_smoothstep(t3, t4, t5) : shading_beam(t3, t4, t5))
-            : 1.0) * clamp(dot(n, t2.w) / t2.w_length, 0.0, 1.0)), sums.specular};
+            * (dimmed * clamp(dot(n, to_light.w) / to_light.w_length, 0.0, 1.0)), sums.specular};
     return result;
 }
 
@@ -365,38 +373,30 @@ shading_Sums shading_add_lambert(shading_Sums sums, float3 n, shading_Light ligh
 shading_Sums shading_add_phong(shading_Sums sums, float3 n, float3 v, float m, shading_Light light,
         float3 p) {
     if (light.is_sun > 0.0) {
-        float t1 = dot(n, light.position);
-        if (!(t1 > 0.0)) {
-            shading_Sums result = {sums.diffuse, sums.specular};
-            return result;
+        float n_dot_l = dot(n, light.position);
+        if (!(n_dot_l > 0.0)) {
+            return sums;
         }
-        float t2 = dot(n * (t1 + t1) - light.position, v);
-        shading_Sums result = {sums.diffuse + light.intensity * clamp(t1, 0.0, 1.0), sums.specular
-                + light.intensity * (t2 > 0.0 ? shading_power(clamp(t2, 0.0, 1.0), max(m, 0.0)) : 0.0)};
+        float r_dot_v = dot(n * (n_dot_l + n_dot_l) - light.position, v);
+        float highlight_of_sun = r_dot_v > 0.0 ? shading_power(clamp(r_dot_v, 0.0, 1.0), max(m, 0.0)) : 0.0;
+        shading_Sums result = {sums.diffuse + light.intensity * clamp(n_dot_l, 0.0, 1.0),
+                sums.specular + light.intensity * highlight_of_sun};
         return result;
     }
-    float3 t1 = light.position - p;
-    if (!(dot(n, t1) > 0.0)) {
-        shading_Sums result = {sums.diffuse, sums.specular};
-        return result;
+    float3 way = light.position - p;
+    if (!(dot(n, way) > 0.0)) {
+        return sums;
     }
-    shading_Measured t2 = shading_measured(t1);
-    float t3 = dot(-light.axis, t2.w) / t2.w_length;
-    float t4 = light.cosines.x < -0.9999995 ? -2.0 : min(light.cosines.x, 0.9999995);
-    float t5 = light.cosines.x < -0.9999995 ? -2.0 : min(light.cosines.y, 0.9999995);
-    float t6 = clamp(1.0 / (light.coefficients.x + t2.length
-            * (light.coefficients.y + light.coefficients.z * t2.length)), 0.0, light.limit)
-            * (light.range < 3.4028235e38
-            ? (light.is_gltf > 0.0 ? shading_window_gltf(t2.length, light.range)
-            : shading_window(t2.length, light.range)) : 1.0)
-            * (light.cosines.x > -1.0
-            ? (light.is_smoothstep > 0.0 ? shading_beam_smoothstep(t3, t4, t5) : shading_beam(t3, t4, t5))
+    shading_Measured to_light = shading_measured(way);
+    float dimmed = shading_falloff(light, to_light.length)
+            * (light.cosines.x > -1.0 ? shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
             : 1.0);
-    float t7 = dot(n, t2.w);
-    float t8 = dot(n * (t7 + t7) - t2.w, v) / t2.w_length;
-    shading_Sums result = {sums.diffuse + light.intensity * (t6 * clamp(t7 / t2.w_length, 0.0, 1.0)),
-            sums.specular + light.intensity
-            * (t6 * (t8 > 0.0 ? shading_power(clamp(t8, 0.0, 1.0), max(m, 0.0)) : 0.0))};
+    float n_dot_w = dot(n, to_light.w);
+    float cosine = dot(n * (n_dot_w + n_dot_w) - to_light.w, v) / to_light.w_length;
+    float highlight = cosine > 0.0 ? shading_power(clamp(cosine, 0.0, 1.0), max(m, 0.0)) : 0.0;
+    shading_Sums result = {sums.diffuse + light.intensity
+            * (dimmed * clamp(n_dot_w / to_light.w_length, 0.0, 1.0)),
+            sums.specular + light.intensity * (dimmed * highlight)};
     return result;
 }
 
@@ -404,41 +404,33 @@ shading_Sums shading_add_phong(shading_Sums sums, float3 n, float3 v, float m, s
 shading_Sums shading_add_blinn_phong(shading_Sums sums, float3 n, float3 v, float m, shading_Light light,
         float3 p) {
     if (light.is_sun > 0.0) {
-        float t1 = dot(n, light.position);
-        if (!(t1 > 0.0)) {
-            shading_Sums result = {sums.diffuse, sums.specular};
-            return result;
+        float n_dot_l = dot(n, light.position);
+        if (!(n_dot_l > 0.0)) {
+            return sums;
         }
-        float3 t2 = light.position + v;
-        float n_dot_t2 = dot(n, t2);
-        shading_Sums result = {sums.diffuse + light.intensity * clamp(t1, 0.0, 1.0), sums.specular
-                + light.intensity * (n_dot_t2 > 0.0
-                ? shading_power_of_quotient(n_dot_t2 * n_dot_t2, dot(t2, t2), max(0.5 * m, 0.0)) : 0.0)};
+        float3 h = light.position + v;
+        float n_dot_h = dot(n, h);
+        float highlight_of_sun = n_dot_h > 0.0
+                ? shading_power_of_quotient(n_dot_h * n_dot_h, dot(h, h), max(0.5 * m, 0.0)) : 0.0;
+        shading_Sums result = {sums.diffuse + light.intensity * clamp(n_dot_l, 0.0, 1.0),
+                sums.specular + light.intensity * highlight_of_sun};
         return result;
     }
-    float3 t1 = light.position - p;
-    if (!(dot(n, t1) > 0.0)) {
-        shading_Sums result = {sums.diffuse, sums.specular};
-        return result;
+    float3 way = light.position - p;
+    if (!(dot(n, way) > 0.0)) {
+        return sums;
     }
-    shading_Measured t2 = shading_measured(t1);
-    float t3 = dot(-light.axis, t2.w) / t2.w_length;
-    float t4 = light.cosines.x < -0.9999995 ? -2.0 : min(light.cosines.x, 0.9999995);
-    float t5 = light.cosines.x < -0.9999995 ? -2.0 : min(light.cosines.y, 0.9999995);
-    float t6 = clamp(1.0 / (light.coefficients.x + t2.length
-            * (light.coefficients.y + light.coefficients.z * t2.length)), 0.0, light.limit)
-            * (light.range < 3.4028235e38
-            ? (light.is_gltf > 0.0 ? shading_window_gltf(t2.length, light.range)
-            : shading_window(t2.length, light.range)) : 1.0)
-            * (light.cosines.x > -1.0
-            ? (light.is_smoothstep > 0.0 ? shading_beam_smoothstep(t3, t4, t5) : shading_beam(t3, t4, t5))
+    shading_Measured to_light = shading_measured(way);
+    float dimmed = shading_falloff(light, to_light.length)
+            * (light.cosines.x > -1.0 ? shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
             : 1.0);
-    float3 t7 = t2.w + v * t2.w_length;
-    float n_dot_t7 = dot(n, t7);
+    float3 halfway = to_light.w + v * to_light.w_length;
+    float cosine = dot(n, halfway);
+    float highlight = cosine > 0.0
+            ? shading_power_of_quotient(cosine * cosine, dot(halfway, halfway), max(0.5 * m, 0.0)) : 0.0;
     shading_Sums result = {sums.diffuse + light.intensity
-            * (t6 * clamp(dot(n, t2.w) / t2.w_length, 0.0, 1.0)), sums.specular + light.intensity
-            * (t6 * (n_dot_t7 > 0.0 ? shading_power_of_quotient(n_dot_t7 * n_dot_t7, dot(t7, t7),
-            max(0.5 * m, 0.0)) : 0.0))};
+            * (dimmed * clamp(dot(n, to_light.w) / to_light.w_length, 0.0, 1.0)),
+            sums.specular + light.intensity * (dimmed * highlight)};
     return result;
 }
 
@@ -482,81 +474,84 @@ float3 shading_normal_facing(float3 n, float3 v, float3 f) {
 // A normal transformed by the matrix of the columns a, b, c: cof(M) N, length 1. Lengyel 2024.
 float3 shading_normal_transformed(float3 n, float3 a, float3 b, float3 c) {
     if (shading_is_extreme(dot(a, a)) || shading_is_extreme(dot(b, b)) || shading_is_extreme(dot(c, c))) {
-        float3 t1 = shading_unit(b) + b * 0.0;
-        float3 t2 = shading_unit(c) + c * 0.0;
-        float t3 = abs(n.x);
-        shading_Measured t4 = shading_measured(a);
-        float t5 = abs(n.y);
-        shading_Measured t6 = shading_measured(b);
-        float t7 = abs(n.z);
-        shading_Measured t8 = shading_measured(c);
-        float t9 = min(min(t3 > 0.0 ? t4.length : 3.4028235e38, t5 > 0.0 ? t6.length : 3.4028235e38), t7 > 0.0
-                ? t8.length : 3.4028235e38);
-        float3 t10 = shading_unit(a) + a * 0.0;
-        return shading_unit(cross(t1, t2) * (t3 > 0.0 ? n.x * (t4.length > t9 ? t9 / t4.length : 1.0) : 0.0)
-                + cross(t2, t10) * (t5 > 0.0 ? n.y * (t6.length > t9 ? t9 / t6.length : 1.0) : 0.0)
-                + cross(t10, t1) * (t7 > 0.0 ? n.z * (t8.length > t9 ? t9 / t8.length : 1.0) : 0.0));
+        float3 along_b = shading_unit(b) + b * 0.0;
+        float3 along_c = shading_unit(c) + c * 0.0;
+        float abs_x = abs(n.x);
+        shading_Measured x = shading_measured(a);
+        float abs_y = abs(n.y);
+        shading_Measured y = shading_measured(b);
+        float abs_z = abs(n.z);
+        shading_Measured z = shading_measured(c);
+        float least = min(min(abs_x > 0.0 ? x.length : 3.4028235e38, abs_y > 0.0 ? y.length : 3.4028235e38),
+                abs_z > 0.0 ? z.length : 3.4028235e38);
+        float n_x = abs_x > 0.0 ? n.x * (x.length > least ? least / x.length : 1.0) : 0.0;
+        float3 along_a = shading_unit(a) + a * 0.0;
+        float n_y = abs_y > 0.0 ? n.y * (y.length > least ? least / y.length : 1.0) : 0.0;
+        float n_z = abs_z > 0.0 ? n.z * (z.length > least ? least / z.length : 1.0) : 0.0;
+        return shading_unit(cross(along_b, along_c) * n_x + cross(along_c, along_a) * n_y
+                + cross(along_a, along_b) * n_z);
     }
     return shading_unit(cross(b, c) * n.x + cross(c, a) * n.y + cross(a, b) * n.z);
 }
 
 // A triangle's normal times its angle at v1, to be summed over a mesh. Thuermer and Wuethrich 1998.
 float3 shading_normal_corner(float3 v1, float3 v2, float3 v3) {
-    float3 t1 = shading_between(v1, v2);
-    float3 t2 = shading_between(v1, v3);
-    shading_Measured t3 = shading_measured(cross(t1, t2));
-    float t1_dot_t2 = dot(t1, t2);
-    float t4 = abs(t1_dot_t2);
-    float t5 = t4 * 2.4142137 > t3.length ? (t1_dot_t2 > 0.0 ? 1.0 : -1.0) : 0.0;
-    float t6 = t3.length > t4 * 0.41421357 ? 1.0 : 0.0;
-    float t7 = (t5 * t3.length - t6 * t1_dot_t2) / (t5 * t1_dot_t2 + t6 * t3.length);
-    float t8 = t7 * t7;
-    float t9 = t8 * t8;
-    float t10 = t9 * t9;
-    return (t3.w_length > 0.0 ? t3.w / t3.w_length : float3(0.0, 0.0, 0.0))
-            * max(1.5707964 - t5 * (1.5707964 - t6 * 0.7853982)
-            + (t7 + t7 * (t8 * (-0.33333334 + t8 * 0.2 + t9 * (-0.14285715 + t8 * 0.111111104) + t10
-            * (-0.0909089 + t8 * 0.07691945 + t9 * (-0.06661951 + t8 * 0.05840374) + t10
-            * (-0.050085507 + t8 * 0.03734732 + t9 * -0.01718003))))), 0.0);
+    float3 e1 = shading_between(v1, v2);
+    float3 e2 = shading_between(v1, v3);
+    shading_Measured c = shading_measured(cross(e1, e2));
+    float cosine = dot(e1, e2);
+    float adjacent = abs(cosine);
+    float x = adjacent * 2.4142137 > c.length ? (cosine > 0.0 ? 1.0 : -1.0) : 0.0;
+    float y = c.length > adjacent * 0.41421357 ? 1.0 : 0.0;
+    float t = (x * c.length - y * cosine) / (x * cosine + y * c.length);
+    float z = t * t;
+    float z2 = z * z;
+    float z4 = z2 * z2;
+    float series = -0.33333334 + z * 0.2 + z2 * (-0.14285715 + z * 0.111111104) + z4
+            * (-0.0909089 + z * 0.07691945 + z2 * (-0.06661951 + z * 0.05840374) + z4
+            * (-0.050085507 + z * 0.03734732 + z2 * -0.01718003));
+    float arctangent = t + t * (z * series);
+    float angle = max(1.5707964 - x * (1.5707964 - y * 0.7853982) + arctangent, 0.0);
+    return (c.w_length > 0.0 ? c.w / c.w_length : float3(0.0, 0.0, 0.0)) * angle;
 }
 
 // The tangent of a triangle and its handedness, by the texture coordinates of its vertices. Lengyel 2001.
 shading_Tangent shading_normal_tangent(float3 v1, float3 v2, float3 v3, float2 uv1, float2 uv2, float2 uv3) {
-    float3 t1 = v1 * 0.5;
-    float3 t2 = v2 * 0.5 - t1;
-    float3 t3 = v3 * 0.5 - t1;
-    float t4 = max(shading_measured(t2).length, shading_measured(t3).length);
-    float t5 = uv1.y * 0.5;
-    float t6 = uv3.y * 0.5 - t5;
-    float t7 = uv2.y * 0.5 - t5;
-    float t8 = max(abs(t7), abs(t6));
-    float t9 = t6 / t8;
-    float t10 = t7 / t8;
-    float t11 = uv1.x * 0.5;
-    float t12 = uv2.x * 0.5 - t11;
-    float t13 = uv3.x * 0.5 - t11;
-    float t14 = max(abs(t12), abs(t13));
-    float t15 = t12 / t14 * t9 - t13 / t14 * t10;
-    float t16 = t15 > 0.0 ? 1.0 : -1.0;
-    shading_Measured t17 = shading_measured((t2 / t4 * t9 - t3 / t4 * t10) * t16);
-    if (!(t17.w_length > 0.0 && abs(t15) > 0.0)) {
+    float3 half_v1 = v1 * 0.5;
+    float3 e2 = v2 * 0.5 - half_v1;
+    float3 e3 = v3 * 0.5 - half_v1;
+    float edge = max(shading_measured(e2).length, shading_measured(e3).length);
+    float half_y = uv1.y * 0.5;
+    float y3 = uv3.y * 0.5 - half_y;
+    float y2 = uv2.y * 0.5 - half_y;
+    float y_size = max(abs(y2), abs(y3));
+    float y3_part = y3 / y_size;
+    float y2_part = y2 / y_size;
+    float half_x = uv1.x * 0.5;
+    float x2 = uv2.x * 0.5 - half_x;
+    float x3 = uv3.x * 0.5 - half_x;
+    float x_size = max(abs(x2), abs(x3));
+    float d = x2 / x_size * y3_part - x3 / x_size * y2_part;
+    float h = d > 0.0 ? 1.0 : -1.0;
+    shading_Measured t = shading_measured((e2 / edge * y3_part - e3 / edge * y2_part) * h);
+    if (!(t.w_length > 0.0 && abs(d) > 0.0)) {
         shading_Tangent result = {float3(0.0, 0.0, 0.0), 0.0};
         return result;
     }
-    shading_Tangent result = {t17.w / t17.w_length, t16};
+    shading_Tangent result = {t.w / t.w_length, h};
     return result;
 }
 
 // A normal from a map: x t + y b + z N, length 1. glTF 2.0, 3.7.2.1.
 float3 shading_normal_mapped(float3 n, float3 tangent, float h, float3 s) {
-    shading_Measured t1 = shading_measured(shading_crossed(float3(0.0, 0.0, 0.0), n, tangent));
-    shading_Measured t2 = shading_measured(s);
-    if (!(t1.w_length > 0.0 && t2.w_length > 0.0)) {
+    shading_Measured across = shading_measured(shading_crossed(float3(0.0, 0.0, 0.0), n, tangent));
+    shading_Measured sample = shading_measured(s);
+    if (!(across.w_length > 0.0 && sample.w_length > 0.0)) {
         return float3(0.0, 0.0, 0.0);
     }
-    float3 t3 = t1.w / t1.w_length;
-    return shading_unit(cross(t3, n) * (t2.w.x / t2.w_length) + t3 * (h > 0.0 ? 1.0 : -1.0)
-            * (t2.w.y / t2.w_length) + n * (t2.w.z / t2.w_length));
+    float3 side = across.w / across.w_length;
+    return shading_unit(cross(side, n) * (sample.w.x / sample.w_length) + side * (h > 0.0 ? 1.0 : -1.0)
+            * (sample.w.y / sample.w_length) + n * (sample.w.z / sample.w_length));
 }
 
 #endif

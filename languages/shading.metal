@@ -92,34 +92,36 @@ inline float steps_above(float x, float shift) {
 
 // (c/d)^m for c/d within [0, 1] and m >= 0, by the crate's own logarithm: within 2^-22.
 inline float power_of_quotient(float c, float d, float m) {
-    float t1 = c * 16777216.0f;
-    float t2 = d * 11863283.0f;
-    float t3 = significand(t1, t2);
-    float t4 = d * 16777216.0f;
-    float t5 = (t3 - t4) / (t3 + t4);
-    float t6 = t5 * t5;
-    float t7 = max(min(m * (exponent(t1, t2) + t5 * (2.8853905f + t6 * 0.9615518f + t6 * t6 * 0.59732693f)),
-            0.0f), -126.0f);
-    float t8 = t7 + 12583038.0f;
-    float t9 = t7 - steps_above(t8, 12583038.0f);
-    float t10 = t9 * t9;
-    return (2.0f + t9 + t9 * (0.38629442f + 0.4804531f * t9 + t10 * (0.111006565f + 0.019235516f * t9) + t10
-            * t10 * (0.0026797508f + 0.00031013472f * t9))) * two_to_low_bits(t8);
+    float scaled = c * 16777216.0f;
+    float least = d * 11863283.0f;
+    float z = significand(scaled, least);
+    float one = d * 16777216.0f;
+    float s = (z - one) / (z + one);
+    float s2 = s * s;
+    float log2 = exponent(scaled, least) + s * (2.8853905f + s2 * 0.9615518f + s2 * s2 * 0.59732693f);
+    float y = max(min(m * log2, 0.0f), -126.0f);
+    float shifted = y + 12583038.0f;
+    float r = y - steps_above(shifted, 12583038.0f);
+    float r2 = r * r;
+    float q = 0.38629442f + 0.4804531f * r + r2 * (0.111006565f + 0.019235516f * r) + r2 * r2
+            * (0.0026797508f + 0.00031013472f * r);
+    return (2.0f + r + r * q) * two_to_low_bits(shifted);
 }
 
 // c^m for c within [0, 1] and m >= 0, within 2^-22.
 inline float power(float c, float m) {
-    float t1 = c * 16777216.0f;
-    float t2 = significand(t1, 11863283.0f);
-    float t3 = (t2 - 16777216.0f) / (t2 + 16777216.0f);
-    float t4 = t3 * t3;
-    float t5 = max(m * (exponent(t1, 11863283.0f) + t3
-            * (2.8853905f + t4 * 0.9615518f + t4 * t4 * 0.59732693f)), -126.0f);
-    float t6 = t5 + 12583038.0f;
-    float t7 = t5 - steps_above(t6, 12583038.0f);
-    float t8 = t7 * t7;
-    return (2.0f + t7 + t7 * (0.38629442f + 0.4804531f * t7 + t8 * (0.111006565f + 0.019235516f * t7) + t8
-            * t8 * (0.0026797508f + 0.00031013472f * t7))) * two_to_low_bits(t6);
+    float scaled = c * 16777216.0f;
+    float z = significand(scaled, 11863283.0f);
+    float s = (z - 16777216.0f) / (z + 16777216.0f);
+    float s2 = s * s;
+    float log2 = exponent(scaled, 11863283.0f) + s * (2.8853905f + s2 * 0.9615518f + s2 * s2 * 0.59732693f);
+    float y = max(m * log2, -126.0f);
+    float shifted = y + 12583038.0f;
+    float r = y - steps_above(shifted, 12583038.0f);
+    float r2 = r * r;
+    float q = 0.38629442f + 0.4804531f * r + r2 * (0.111006565f + 0.019235516f * r) + r2 * r2
+            * (0.0026797508f + 0.00031013472f * r);
+    return (2.0f + r + r * q) * two_to_low_bits(shifted);
 }
 
 #else
@@ -140,16 +142,17 @@ inline float power(float c, float m) {
 inline Measured measured(float3 v) {
     float square = dot(v, v);
     if (is_extreme(square)) {
-        float t1 = square < 1.2676506e30f ? (square < 7.888609e-31f ? 1.2676506e30f : 1.0f) : 7.888609e-31f;
-        float3 t2 = v * min(t1, 1.0f) * max(t1, 1.0f);
-        float t2_dot_t2 = dot(t2, t2);
-        float t3 = sqrt(t2_dot_t2);
-        Measured result = {t2, t2_dot_t2 > 0.0f && t2_dot_t2 < 3.4028235e38f ? t3 : 0.0f,
-                t2_dot_t2 > 0.0f && t2_dot_t2 < 3.4028235e38f ? min(t3 / t1, 3.4028235e38f) : t3};
+        float power = square < 1.2676506e30f ? (square < 7.888609e-31f ? 1.2676506e30f : 1.0f)
+                : 7.888609e-31f;
+        float3 w = v * min(power, 1.0f) * max(power, 1.0f);
+        float w_square = dot(w, w);
+        float root = sqrt(w_square);
+        Measured result = {w, w_square > 0.0f && w_square < 3.4028235e38f ? root : 0.0f,
+                w_square > 0.0f && w_square < 3.4028235e38f ? min(root / power, 3.4028235e38f) : root};
         return result;
     }
-    float t1 = sqrt(square);
-    Measured result = {v, t1, t1};
+    float length = sqrt(square);
+    Measured result = {v, length, length};
     return result;
 }
 
@@ -164,9 +167,10 @@ inline float3 between(float3 origin, float3 p) {
     float3 v = p - origin;
     float square = dot(v, v);
     if (is_extreme(square)) {
-        float t1 = square < 1.2676506e30f ? (square < 7.888609e-31f ? 1.2676506e30f : 1.0f) : 7.888609e-31f;
-        float t2 = min(t1, 1.0f);
-        return (p * t2 - origin * t2) * max(t1, 1.0f);
+        float power = square < 1.2676506e30f ? (square < 7.888609e-31f ? 1.2676506e30f : 1.0f)
+                : 7.888609e-31f;
+        float shrink = min(power, 1.0f);
+        return (p * shrink - origin * shrink) * max(power, 1.0f);
     }
     return v;
 }
@@ -265,14 +269,31 @@ inline float beam_smoothstep(float cosine, float inner, float outer) {
 
 // The factor of a spot's cone, given the cosines of its inner and its outer half-angle.
 inline float cone(float3 axis, float3 l, float2 cosines) {
-    return beam(dot(-axis, l), cosines.x < -0.9999995f ? -2.0f : min(cosines.x, 0.9999995f),
-            cosines.x < -0.9999995f ? -2.0f : min(cosines.y, 0.9999995f));
+    float inner = cosines.x < -0.9999995f ? -2.0f : min(cosines.x, 0.9999995f);
+    float outer = cosines.x < -0.9999995f ? -2.0f : min(cosines.y, 0.9999995f);
+    return beam(dot(-axis, l), inner, outer);
 }
 
 // The same with a smoothstep between the edges.
 inline float cone_smoothstep(float3 axis, float3 l, float2 cosines) {
-    return beam_smoothstep(dot(-axis, l), cosines.x < -0.9999995f ? -2.0f : min(cosines.x, 0.9999995f),
-            cosines.x < -0.9999995f ? -2.0f : min(cosines.y, 0.9999995f));
+    float cosine = dot(-axis, l);
+    float inner = cosines.x < -0.9999995f ? -2.0f : min(cosines.x, 0.9999995f);
+    float outer = cosines.x < -0.9999995f ? -2.0f : min(cosines.y, 0.9999995f);
+    return beam_smoothstep(cosine, inner, outer);
+}
+
+// What dims a light after the distance q: its attenuation, at most its limit, and the window of its range.
+inline float falloff(Light light, float q) {
+    return clamp(1.0f / (light.coefficients.x + q * (light.coefficients.y + light.coefficients.z * q)), 0.0f,
+            light.limit) * (light.range < 3.4028235e38f
+            ? (light.is_gltf > 0.0f ? window_gltf(q, light.range) : window(q, light.range)) : 1.0f);
+}
+
+// The factor of a spot's cone, by the cosine between its axis and -L.
+inline float spot(Light light, float cosine) {
+    float inner = light.cosines.x < -0.9999995f ? -2.0f : min(light.cosines.x, 0.9999995f);
+    float outer = light.cosines.x < -0.9999995f ? -2.0f : min(light.cosines.y, 0.9999995f);
+    return light.is_smoothstep > 0.0f ? beam_smoothstep(cosine, inner, outer) : beam(cosine, inner, outer);
 }
 
 // What arrives at the point p: L, the distance q and I. Foley, van Dam et al. 16.1.
@@ -282,20 +303,11 @@ inline Arrival arrival(Light light, float3 p) {
         return result;
     }
     Measured to_light = measured(light.position - p);
-    float t1 = dot(-light.axis, to_light.w) / to_light.w_length;
-    float t2 = light.cosines.x < -0.9999995f ? -2.0f : min(light.cosines.x, 0.9999995f);
-    float t3 = light.cosines.x < -0.9999995f ? -2.0f : min(light.cosines.y, 0.9999995f);
+    float dimmed = to_light.w_length > 0.0f ? falloff(light, to_light.length)
+            * (light.cosines.x > -1.0f ? spot(light, dot(-light.axis, to_light.w) / to_light.w_length) : 1.0f)
+            : 0.0f;
     Arrival result = {to_light.w_length > 0.0f ? to_light.w / to_light.w_length : float3(0.0f, 0.0f, 1.0f),
-            min(to_light.length, 3.4028235e38f),
-            min(light.intensity * (to_light.w_length > 0.0f
-            ? clamp(1.0f / (light.coefficients.x + to_light.length
-            * (light.coefficients.y + light.coefficients.z * to_light.length)), 0.0f, light.limit)
-            * (light.range < 3.4028235e38f
-            ? (light.is_gltf > 0.0f ? window_gltf(to_light.length, light.range)
-            : window(to_light.length, light.range)) : 1.0f)
-            * (light.cosines.x > -1.0f
-            ? (light.is_smoothstep > 0.0f ? beam_smoothstep(t1, t2, t3) : beam(t1, t2, t3)) : 1.0f) : 0.0f),
-            float3(3.4028235e38f))};
+            min(to_light.length, 3.4028235e38f), min(light.intensity * dimmed, float3(3.4028235e38f))};
     return result;
 }
 
@@ -314,11 +326,12 @@ inline float3 shade_phong(float3 n, float3 v, Material material, Arrival light) 
     if (!(n_dot_l > 0.0f)) {
         return float3(0.0f);
     }
+    float3 diffuse = light.i * clamp(n_dot_l, 0.0f, 1.0f) * material.k_d;
     float3 r = n * (n_dot_l + n_dot_l) - light.l;
     float r_dot_v = dot(r, v);
-    return light.i * clamp(n_dot_l, 0.0f, 1.0f) * material.k_d + light.i
-            * (r_dot_v > 0.0f ? power(clamp(r_dot_v, 0.0f, 1.0f), max(material.m, 0.0f)) : 0.0f)
-            * material.k_s;
+    float highlight = r_dot_v > 0.0f ? power(clamp(r_dot_v, 0.0f, 1.0f), max(material.m, 0.0f)) : 0.0f;
+    float3 specular = light.i * highlight * material.k_s;
+    return diffuse + specular;
 }
 
 // What one light adds by Blinn and Phong's model: I (k_d N.L + k_s max(0, N.H)^m), where N.L > 0. Blinn 1977.
@@ -327,115 +340,97 @@ inline float3 shade_blinn_phong(float3 n, float3 v, Material material, Arrival l
     if (!(n_dot_l > 0.0f)) {
         return float3(0.0f);
     }
+    float3 diffuse = light.i * clamp(n_dot_l, 0.0f, 1.0f) * material.k_d;
     float3 h = light.l + v;
     float n_dot_h = dot(n, h);
-    return light.i * clamp(n_dot_l, 0.0f, 1.0f) * material.k_d + light.i
-            * (n_dot_h > 0.0f ? power_of_quotient(n_dot_h * n_dot_h, dot(h, h), max(0.5f * material.m, 0.0f))
-            : 0.0f) * material.k_s;
+    float highlight = n_dot_h > 0.0f
+            ? power_of_quotient(n_dot_h * n_dot_h, dot(h, h), max(0.5f * material.m, 0.0f)) : 0.0f;
+    float3 specular = light.i * highlight * material.k_s;
+    return diffuse + specular;
 }
 
 // The sums over lights after one more, by Lambert's model. A light from behind adds nothing and costs no root.
 inline Sums add_lambert(Sums sums, float3 n, Light light, float3 p) {
     if (light.is_sun > 0.0f) {
-        float t1 = dot(n, light.position);
-        if (!(t1 > 0.0f)) {
-            Sums result = {sums.diffuse, sums.specular};
-            return result;
+        float n_dot_l = dot(n, light.position);
+        if (!(n_dot_l > 0.0f)) {
+            return sums;
         }
-        Sums result = {sums.diffuse + light.intensity * clamp(t1, 0.0f, 1.0f), sums.specular};
+        Sums result = {sums.diffuse + light.intensity * clamp(n_dot_l, 0.0f, 1.0f), sums.specular};
         return result;
     }
-    float3 t1 = light.position - p;
-    if (!(dot(n, t1) > 0.0f)) {
-        Sums result = {sums.diffuse, sums.specular};
-        return result;
+    float3 way = light.position - p;
+    if (!(dot(n, way) > 0.0f)) {
+        return sums;
     }
-    Measured t2 = measured(t1);
-    float t3 = dot(-light.axis, t2.w) / t2.w_length;
-    float t4 = light.cosines.x < -0.9999995f ? -2.0f : min(light.cosines.x, 0.9999995f);
-    float t5 = light.cosines.x < -0.9999995f ? -2.0f : min(light.cosines.y, 0.9999995f);
+    Measured to_light = measured(way);
+    float dimmed = falloff(light, to_light.length)
+            * (light.cosines.x > -1.0f ? spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
+            : 1.0f);
     Sums result = {sums.diffuse + light.intensity
-            * (clamp(1.0f / (light.coefficients.x + t2.length
-            * (light.coefficients.y + light.coefficients.z * t2.length)), 0.0f, light.limit)
-            * (light.range < 3.4028235e38f
-            ? (light.is_gltf > 0.0f ? window_gltf(t2.length, light.range) : window(t2.length, light.range))
-            : 1.0f) * (light.cosines.x > -1.0f
-            ? (light.is_smoothstep > 0.0f ? beam_smoothstep(t3, t4, t5) : beam(t3, t4, t5)) : 1.0f)
-            * clamp(dot(n, t2.w) / t2.w_length, 0.0f, 1.0f)), sums.specular};
+            * (dimmed * clamp(dot(n, to_light.w) / to_light.w_length, 0.0f, 1.0f)), sums.specular};
     return result;
 }
 
 // The same by Phong's model.
 inline Sums add_phong(Sums sums, float3 n, float3 v, float m, Light light, float3 p) {
     if (light.is_sun > 0.0f) {
-        float t1 = dot(n, light.position);
-        if (!(t1 > 0.0f)) {
-            Sums result = {sums.diffuse, sums.specular};
-            return result;
+        float n_dot_l = dot(n, light.position);
+        if (!(n_dot_l > 0.0f)) {
+            return sums;
         }
-        float t2 = dot(n * (t1 + t1) - light.position, v);
-        Sums result = {sums.diffuse + light.intensity * clamp(t1, 0.0f, 1.0f), sums.specular + light.intensity
-                * (t2 > 0.0f ? power(clamp(t2, 0.0f, 1.0f), max(m, 0.0f)) : 0.0f)};
+        float r_dot_v = dot(n * (n_dot_l + n_dot_l) - light.position, v);
+        float highlight_of_sun = r_dot_v > 0.0f ? power(clamp(r_dot_v, 0.0f, 1.0f), max(m, 0.0f)) : 0.0f;
+        Sums result = {sums.diffuse + light.intensity * clamp(n_dot_l, 0.0f, 1.0f),
+                sums.specular + light.intensity * highlight_of_sun};
         return result;
     }
-    float3 t1 = light.position - p;
-    if (!(dot(n, t1) > 0.0f)) {
-        Sums result = {sums.diffuse, sums.specular};
-        return result;
+    float3 way = light.position - p;
+    if (!(dot(n, way) > 0.0f)) {
+        return sums;
     }
-    Measured t2 = measured(t1);
-    float t3 = dot(-light.axis, t2.w) / t2.w_length;
-    float t4 = light.cosines.x < -0.9999995f ? -2.0f : min(light.cosines.x, 0.9999995f);
-    float t5 = light.cosines.x < -0.9999995f ? -2.0f : min(light.cosines.y, 0.9999995f);
-    float t6 = clamp(1.0f / (light.coefficients.x + t2.length
-            * (light.coefficients.y + light.coefficients.z * t2.length)), 0.0f, light.limit)
-            * (light.range < 3.4028235e38f
-            ? (light.is_gltf > 0.0f ? window_gltf(t2.length, light.range) : window(t2.length, light.range))
-            : 1.0f) * (light.cosines.x > -1.0f
-            ? (light.is_smoothstep > 0.0f ? beam_smoothstep(t3, t4, t5) : beam(t3, t4, t5)) : 1.0f);
-    float t7 = dot(n, t2.w);
-    float t8 = dot(n * (t7 + t7) - t2.w, v) / t2.w_length;
-    Sums result = {sums.diffuse + light.intensity * (t6 * clamp(t7 / t2.w_length, 0.0f, 1.0f)), sums.specular
-            + light.intensity * (t6 * (t8 > 0.0f ? power(clamp(t8, 0.0f, 1.0f), max(m, 0.0f)) : 0.0f))};
+    Measured to_light = measured(way);
+    float dimmed = falloff(light, to_light.length)
+            * (light.cosines.x > -1.0f ? spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
+            : 1.0f);
+    float n_dot_w = dot(n, to_light.w);
+    float cosine = dot(n * (n_dot_w + n_dot_w) - to_light.w, v) / to_light.w_length;
+    float highlight = cosine > 0.0f ? power(clamp(cosine, 0.0f, 1.0f), max(m, 0.0f)) : 0.0f;
+    Sums result = {sums.diffuse + light.intensity * (dimmed * clamp(n_dot_w / to_light.w_length, 0.0f, 1.0f)),
+            sums.specular + light.intensity * (dimmed * highlight)};
     return result;
 }
 
 // The same by Blinn and Phong's model.
 inline Sums add_blinn_phong(Sums sums, float3 n, float3 v, float m, Light light, float3 p) {
     if (light.is_sun > 0.0f) {
-        float t1 = dot(n, light.position);
-        if (!(t1 > 0.0f)) {
-            Sums result = {sums.diffuse, sums.specular};
-            return result;
+        float n_dot_l = dot(n, light.position);
+        if (!(n_dot_l > 0.0f)) {
+            return sums;
         }
-        float3 t2 = light.position + v;
-        float n_dot_t2 = dot(n, t2);
-        Sums result = {sums.diffuse + light.intensity * clamp(t1, 0.0f, 1.0f), sums.specular + light.intensity
-                * (n_dot_t2 > 0.0f ? power_of_quotient(n_dot_t2 * n_dot_t2, dot(t2, t2), max(0.5f * m, 0.0f))
-                : 0.0f)};
+        float3 h = light.position + v;
+        float n_dot_h = dot(n, h);
+        float highlight_of_sun = n_dot_h > 0.0f
+                ? power_of_quotient(n_dot_h * n_dot_h, dot(h, h), max(0.5f * m, 0.0f)) : 0.0f;
+        Sums result = {sums.diffuse + light.intensity * clamp(n_dot_l, 0.0f, 1.0f),
+                sums.specular + light.intensity * highlight_of_sun};
         return result;
     }
-    float3 t1 = light.position - p;
-    if (!(dot(n, t1) > 0.0f)) {
-        Sums result = {sums.diffuse, sums.specular};
-        return result;
+    float3 way = light.position - p;
+    if (!(dot(n, way) > 0.0f)) {
+        return sums;
     }
-    Measured t2 = measured(t1);
-    float t3 = dot(-light.axis, t2.w) / t2.w_length;
-    float t4 = light.cosines.x < -0.9999995f ? -2.0f : min(light.cosines.x, 0.9999995f);
-    float t5 = light.cosines.x < -0.9999995f ? -2.0f : min(light.cosines.y, 0.9999995f);
-    float t6 = clamp(1.0f / (light.coefficients.x + t2.length
-            * (light.coefficients.y + light.coefficients.z * t2.length)), 0.0f, light.limit)
-            * (light.range < 3.4028235e38f
-            ? (light.is_gltf > 0.0f ? window_gltf(t2.length, light.range) : window(t2.length, light.range))
-            : 1.0f) * (light.cosines.x > -1.0f
-            ? (light.is_smoothstep > 0.0f ? beam_smoothstep(t3, t4, t5) : beam(t3, t4, t5)) : 1.0f);
-    float3 t7 = t2.w + v * t2.w_length;
-    float n_dot_t7 = dot(n, t7);
-    Sums result = {sums.diffuse + light.intensity * (t6 * clamp(dot(n, t2.w) / t2.w_length, 0.0f, 1.0f)),
-            sums.specular + light.intensity
-            * (t6 * (n_dot_t7 > 0.0f ? power_of_quotient(n_dot_t7 * n_dot_t7, dot(t7, t7),
-            max(0.5f * m, 0.0f)) : 0.0f))};
+    Measured to_light = measured(way);
+    float dimmed = falloff(light, to_light.length)
+            * (light.cosines.x > -1.0f ? spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
+            : 1.0f);
+    float3 halfway = to_light.w + v * to_light.w_length;
+    float cosine = dot(n, halfway);
+    float highlight = cosine > 0.0f
+            ? power_of_quotient(cosine * cosine, dot(halfway, halfway), max(0.5f * m, 0.0f)) : 0.0f;
+    Sums result = {sums.diffuse + light.intensity
+            * (dimmed * clamp(dot(n, to_light.w) / to_light.w_length, 0.0f, 1.0f)),
+            sums.specular + light.intensity * (dimmed * highlight)};
     return result;
 }
 
@@ -478,81 +473,84 @@ inline float3 normal_facing(float3 n, float3 v, float3 f) {
 // A normal transformed by the matrix of the columns a, b, c: cof(M) N, length 1. Lengyel 2024.
 inline float3 normal_transformed(float3 n, float3 a, float3 b, float3 c) {
     if (is_extreme(dot(a, a)) || is_extreme(dot(b, b)) || is_extreme(dot(c, c))) {
-        float3 t1 = unit(b) + b * 0.0f;
-        float3 t2 = unit(c) + c * 0.0f;
-        float t3 = abs(n.x);
-        Measured t4 = measured(a);
-        float t5 = abs(n.y);
-        Measured t6 = measured(b);
-        float t7 = abs(n.z);
-        Measured t8 = measured(c);
-        float t9 = min(min(t3 > 0.0f ? t4.length : 3.4028235e38f, t5 > 0.0f ? t6.length : 3.4028235e38f),
-                t7 > 0.0f ? t8.length : 3.4028235e38f);
-        float3 t10 = unit(a) + a * 0.0f;
-        return unit(cross(t1, t2) * (t3 > 0.0f ? n.x * (t4.length > t9 ? t9 / t4.length : 1.0f) : 0.0f)
-                + cross(t2, t10) * (t5 > 0.0f ? n.y * (t6.length > t9 ? t9 / t6.length : 1.0f) : 0.0f)
-                + cross(t10, t1) * (t7 > 0.0f ? n.z * (t8.length > t9 ? t9 / t8.length : 1.0f) : 0.0f));
+        float3 along_b = unit(b) + b * 0.0f;
+        float3 along_c = unit(c) + c * 0.0f;
+        float abs_x = abs(n.x);
+        Measured x = measured(a);
+        float abs_y = abs(n.y);
+        Measured y = measured(b);
+        float abs_z = abs(n.z);
+        Measured z = measured(c);
+        float least = min(min(abs_x > 0.0f ? x.length : 3.4028235e38f,
+                abs_y > 0.0f ? y.length : 3.4028235e38f), abs_z > 0.0f ? z.length : 3.4028235e38f);
+        float n_x = abs_x > 0.0f ? n.x * (x.length > least ? least / x.length : 1.0f) : 0.0f;
+        float3 along_a = unit(a) + a * 0.0f;
+        float n_y = abs_y > 0.0f ? n.y * (y.length > least ? least / y.length : 1.0f) : 0.0f;
+        float n_z = abs_z > 0.0f ? n.z * (z.length > least ? least / z.length : 1.0f) : 0.0f;
+        return unit(cross(along_b, along_c) * n_x + cross(along_c, along_a) * n_y + cross(along_a, along_b)
+                * n_z);
     }
     return unit(cross(b, c) * n.x + cross(c, a) * n.y + cross(a, b) * n.z);
 }
 
 // A triangle's normal times its angle at v1, to be summed over a mesh. Thuermer and Wuethrich 1998.
 inline float3 normal_corner(float3 v1, float3 v2, float3 v3) {
-    float3 t1 = between(v1, v2);
-    float3 t2 = between(v1, v3);
-    Measured t3 = measured(cross(t1, t2));
-    float t1_dot_t2 = dot(t1, t2);
-    float t4 = abs(t1_dot_t2);
-    float t5 = t4 * 2.4142137f > t3.length ? (t1_dot_t2 > 0.0f ? 1.0f : -1.0f) : 0.0f;
-    float t6 = t3.length > t4 * 0.41421357f ? 1.0f : 0.0f;
-    float t7 = (t5 * t3.length - t6 * t1_dot_t2) / (t5 * t1_dot_t2 + t6 * t3.length);
-    float t8 = t7 * t7;
-    float t9 = t8 * t8;
-    float t10 = t9 * t9;
-    return (t3.w_length > 0.0f ? t3.w / t3.w_length : float3(0.0f))
-            * max(1.5707964f - t5 * (1.5707964f - t6 * 0.7853982f)
-            + (t7 + t7 * (t8 * (-0.33333334f + t8 * 0.2f + t9 * (-0.14285715f + t8 * 0.111111104f) + t10
-            * (-0.0909089f + t8 * 0.07691945f + t9 * (-0.06661951f + t8 * 0.05840374f) + t10
-            * (-0.050085507f + t8 * 0.03734732f + t9 * -0.01718003f))))), 0.0f);
+    float3 e1 = between(v1, v2);
+    float3 e2 = between(v1, v3);
+    Measured c = measured(cross(e1, e2));
+    float cosine = dot(e1, e2);
+    float adjacent = abs(cosine);
+    float x = adjacent * 2.4142137f > c.length ? (cosine > 0.0f ? 1.0f : -1.0f) : 0.0f;
+    float y = c.length > adjacent * 0.41421357f ? 1.0f : 0.0f;
+    float t = (x * c.length - y * cosine) / (x * cosine + y * c.length);
+    float z = t * t;
+    float z2 = z * z;
+    float z4 = z2 * z2;
+    float series = -0.33333334f + z * 0.2f + z2 * (-0.14285715f + z * 0.111111104f) + z4
+            * (-0.0909089f + z * 0.07691945f + z2 * (-0.06661951f + z * 0.05840374f) + z4
+            * (-0.050085507f + z * 0.03734732f + z2 * -0.01718003f));
+    float arctangent = t + t * (z * series);
+    float angle = max(1.5707964f - x * (1.5707964f - y * 0.7853982f) + arctangent, 0.0f);
+    return (c.w_length > 0.0f ? c.w / c.w_length : float3(0.0f)) * angle;
 }
 
 // The tangent of a triangle and its handedness, by the texture coordinates of its vertices. Lengyel 2001.
 inline Tangent normal_tangent(float3 v1, float3 v2, float3 v3, float2 uv1, float2 uv2, float2 uv3) {
-    float3 t1 = v1 * 0.5f;
-    float3 t2 = v2 * 0.5f - t1;
-    float3 t3 = v3 * 0.5f - t1;
-    float t4 = max(measured(t2).length, measured(t3).length);
-    float t5 = uv1.y * 0.5f;
-    float t6 = uv3.y * 0.5f - t5;
-    float t7 = uv2.y * 0.5f - t5;
-    float t8 = max(abs(t7), abs(t6));
-    float t9 = t6 / t8;
-    float t10 = t7 / t8;
-    float t11 = uv1.x * 0.5f;
-    float t12 = uv2.x * 0.5f - t11;
-    float t13 = uv3.x * 0.5f - t11;
-    float t14 = max(abs(t12), abs(t13));
-    float t15 = t12 / t14 * t9 - t13 / t14 * t10;
-    float t16 = t15 > 0.0f ? 1.0f : -1.0f;
-    Measured t17 = measured((t2 / t4 * t9 - t3 / t4 * t10) * t16);
-    if (!(t17.w_length > 0.0f && abs(t15) > 0.0f)) {
+    float3 half_v1 = v1 * 0.5f;
+    float3 e2 = v2 * 0.5f - half_v1;
+    float3 e3 = v3 * 0.5f - half_v1;
+    float edge = max(measured(e2).length, measured(e3).length);
+    float half_y = uv1.y * 0.5f;
+    float y3 = uv3.y * 0.5f - half_y;
+    float y2 = uv2.y * 0.5f - half_y;
+    float y_size = max(abs(y2), abs(y3));
+    float y3_part = y3 / y_size;
+    float y2_part = y2 / y_size;
+    float half_x = uv1.x * 0.5f;
+    float x2 = uv2.x * 0.5f - half_x;
+    float x3 = uv3.x * 0.5f - half_x;
+    float x_size = max(abs(x2), abs(x3));
+    float d = x2 / x_size * y3_part - x3 / x_size * y2_part;
+    float h = d > 0.0f ? 1.0f : -1.0f;
+    Measured t = measured((e2 / edge * y3_part - e3 / edge * y2_part) * h);
+    if (!(t.w_length > 0.0f && abs(d) > 0.0f)) {
         Tangent result = {float3(0.0f), 0.0f};
         return result;
     }
-    Tangent result = {t17.w / t17.w_length, t16};
+    Tangent result = {t.w / t.w_length, h};
     return result;
 }
 
 // A normal from a map: x t + y b + z N, length 1. glTF 2.0, 3.7.2.1.
 inline float3 normal_mapped(float3 n, float3 tangent, float h, float3 s) {
-    Measured t1 = measured(crossed(float3(0.0f), n, tangent));
-    Measured t2 = measured(s);
-    if (!(t1.w_length > 0.0f && t2.w_length > 0.0f)) {
+    Measured across = measured(crossed(float3(0.0f), n, tangent));
+    Measured sample = measured(s);
+    if (!(across.w_length > 0.0f && sample.w_length > 0.0f)) {
         return float3(0.0f);
     }
-    float3 t3 = t1.w / t1.w_length;
-    return unit(cross(t3, n) * (t2.w.x / t2.w_length) + t3 * (h > 0.0f ? 1.0f : -1.0f)
-            * (t2.w.y / t2.w_length) + n * (t2.w.z / t2.w_length));
+    float3 side = across.w / across.w_length;
+    return unit(cross(side, n) * (sample.w.x / sample.w_length) + side * (h > 0.0f ? 1.0f : -1.0f)
+            * (sample.w.y / sample.w_length) + n * (sample.w.z / sample.w_length));
 }
 
 } // namespace shading

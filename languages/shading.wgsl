@@ -70,16 +70,16 @@ fn shading_power(c: f32, m: f32) -> f32 {
 fn shading_measured(v: vec3f) -> shading_Measured {
     let square = dot(v, v);
     if shading_is_extreme(square) {
-        let t1 = select(7.888609e-31, select(1.0, 1.2676506e30, square < 7.888609e-31),
+        let power = select(7.888609e-31, select(1.0, 1.2676506e30, square < 7.888609e-31),
                 square < 1.2676506e30);
-        let t2 = v * min(t1, 1.0) * max(t1, 1.0);
-        let t2_dot_t2 = dot(t2, t2);
-        let t3 = sqrt(t2_dot_t2);
-        return shading_Measured(t2, select(0.0, t3, t2_dot_t2 > 0.0 && t2_dot_t2 < 3.4028235e38),
-                select(t3, min(t3 / t1, 3.4028235e38), t2_dot_t2 > 0.0 && t2_dot_t2 < 3.4028235e38));
+        let w = v * min(power, 1.0) * max(power, 1.0);
+        let w_square = dot(w, w);
+        let root = sqrt(w_square);
+        return shading_Measured(w, select(0.0, root, w_square > 0.0 && w_square < 3.4028235e38),
+                select(root, min(root / power, 3.4028235e38), w_square > 0.0 && w_square < 3.4028235e38));
     }
-    let t1 = sqrt(square);
-    return shading_Measured(v, t1, t1);
+    let length = sqrt(square);
+    return shading_Measured(v, length, length);
 }
 
 // v/|v|; 0 where v is 0.
@@ -93,10 +93,10 @@ fn shading_between(origin: vec3f, p: vec3f) -> vec3f {
     let v = p - origin;
     let square = dot(v, v);
     if shading_is_extreme(square) {
-        let t1 = select(7.888609e-31, select(1.0, 1.2676506e30, square < 7.888609e-31),
+        let power = select(7.888609e-31, select(1.0, 1.2676506e30, square < 7.888609e-31),
                 square < 1.2676506e30);
-        let t2 = min(t1, 1.0);
-        return (p * t2 - origin * t2) * max(t1, 1.0);
+        let shrink = min(power, 1.0);
+        return (p * shrink - origin * shrink) * max(power, 1.0);
     }
     return v;
 }
@@ -195,15 +195,33 @@ fn shading_beam_smoothstep(cosine: f32, inner: f32, outer: f32) -> f32 {
 
 // The factor of a spot's cone, given the cosines of its inner and its outer half-angle.
 fn shading_cone(axis: vec3f, l: vec3f, cosines: vec2f) -> f32 {
-    return shading_beam(dot(-axis, l), select(min(cosines.x, 0.9999995), -2.0, cosines.x < -0.9999995),
-            select(min(cosines.y, 0.9999995), -2.0, cosines.x < -0.9999995));
+    let inner = select(min(cosines.x, 0.9999995), -2.0, cosines.x < -0.9999995);
+    let outer = select(min(cosines.y, 0.9999995), -2.0, cosines.x < -0.9999995);
+    return shading_beam(dot(-axis, l), inner, outer);
 }
 
 // The same with a smoothstep between the edges.
 fn shading_cone_smoothstep(axis: vec3f, l: vec3f, cosines: vec2f) -> f32 {
-    return shading_beam_smoothstep(dot(-axis, l),
-            select(min(cosines.x, 0.9999995), -2.0, cosines.x < -0.9999995),
-            select(min(cosines.y, 0.9999995), -2.0, cosines.x < -0.9999995));
+    let cosine = dot(-axis, l);
+    let inner = select(min(cosines.x, 0.9999995), -2.0, cosines.x < -0.9999995);
+    let outer = select(min(cosines.y, 0.9999995), -2.0, cosines.x < -0.9999995);
+    return shading_beam_smoothstep(cosine, inner, outer);
+}
+
+// What dims a light after the distance q: its attenuation, at most its limit, and the window of its range.
+fn shading_falloff(light: shading_Light, q: f32) -> f32 {
+    return clamp(1.0 / (light.coefficients.x + q * (light.coefficients.y + light.coefficients.z * q)), 0.0,
+            light.limit) * select(1.0,
+            select(shading_window(q, light.range), shading_window_gltf(q, light.range), light.is_gltf > 0.0),
+            light.range < 3.4028235e38);
+}
+
+// The factor of a spot's cone, by the cosine between its axis and -L.
+fn shading_spot(light: shading_Light, cosine: f32) -> f32 {
+    let inner = select(min(light.cosines.x, 0.9999995), -2.0, light.cosines.x < -0.9999995);
+    let outer = select(min(light.cosines.y, 0.9999995), -2.0, light.cosines.x < -0.9999995);
+    return select(shading_beam(cosine, inner, outer), shading_beam_smoothstep(cosine, inner, outer),
+            light.is_smoothstep > 0.0);
 }
 
 // What arrives at the point p: L, the distance q and I. Foley, van Dam et al. 16.1.
@@ -212,20 +230,12 @@ fn shading_arrival(light: shading_Light, p: vec3f) -> shading_Arrival {
         return shading_Arrival(light.position, 3.4028235e38, light.intensity);
     }
     let to_light = shading_measured(light.position - p);
-    let t1 = dot(-light.axis, to_light.w) / to_light.w_length;
-    let t2 = select(min(light.cosines.x, 0.9999995), -2.0, light.cosines.x < -0.9999995);
-    let t3 = select(min(light.cosines.y, 0.9999995), -2.0, light.cosines.x < -0.9999995);
+    let dimmed = select(0.0, shading_falloff(light, to_light.length)
+            * select(1.0, shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length),
+            light.cosines.x > -1.0), to_light.w_length > 0.0);
     return shading_Arrival(select(vec3f(0.0, 0.0, 1.0), to_light.w / to_light.w_length,
             to_light.w_length > 0.0), min(to_light.length, 3.4028235e38),
-            min(light.intensity * select(0.0,
-            clamp(1.0 / (light.coefficients.x + to_light.length
-            * (light.coefficients.y + light.coefficients.z * to_light.length)), 0.0, light.limit)
-            * select(1.0, select(shading_window(to_light.length, light.range),
-            shading_window_gltf(to_light.length, light.range), light.is_gltf > 0.0),
-            light.range < 3.4028235e38)
-            * select(1.0, select(shading_beam(t1, t2, t3), shading_beam_smoothstep(t1, t2, t3),
-            light.is_smoothstep > 0.0), light.cosines.x > -1.0), to_light.w_length > 0.0),
-            vec3f(3.4028235e38)));
+            min(light.intensity * dimmed, vec3f(3.4028235e38)));
 }
 
 // What one light adds by Lambert's model: I k_d max(0, N.L).
@@ -243,11 +253,12 @@ fn shading_shade_phong(n: vec3f, v: vec3f, material: shading_Material, light: sh
     if !(n_dot_l > 0.0) {
         return vec3f(0.0);
     }
+    let diffuse = light.i * clamp(n_dot_l, 0.0, 1.0) * material.k_d;
     let r = n * (n_dot_l + n_dot_l) - light.l;
     let r_dot_v = dot(r, v);
-    return light.i * clamp(n_dot_l, 0.0, 1.0) * material.k_d + light.i
-            * select(0.0, shading_power(clamp(r_dot_v, 0.0, 1.0), max(material.m, 0.0)), r_dot_v > 0.0)
-            * material.k_s;
+    let highlight = select(0.0, shading_power(clamp(r_dot_v, 0.0, 1.0), max(material.m, 0.0)), r_dot_v > 0.0);
+    let specular = light.i * highlight * material.k_s;
+    return diffuse + specular;
 }
 
 // What one light adds by Blinn and Phong's model: I (k_d N.L + k_s max(0, N.H)^m), where N.L > 0. Blinn 1977.
@@ -257,108 +268,98 @@ fn shading_shade_blinn_phong(n: vec3f, v: vec3f, material: shading_Material,
     if !(n_dot_l > 0.0) {
         return vec3f(0.0);
     }
+    let diffuse = light.i * clamp(n_dot_l, 0.0, 1.0) * material.k_d;
     let h = light.l + v;
     let n_dot_h = dot(n, h);
-    return light.i * clamp(n_dot_l, 0.0, 1.0) * material.k_d + light.i
-            * select(0.0, shading_power_of_quotient(n_dot_h * n_dot_h, dot(h, h), max(0.5 * material.m, 0.0)),
-            n_dot_h > 0.0) * material.k_s;
+    let highlight = select(0.0,
+            shading_power_of_quotient(n_dot_h * n_dot_h, dot(h, h), max(0.5 * material.m, 0.0)),
+            n_dot_h > 0.0);
+    let specular = light.i * highlight * material.k_s;
+    return diffuse + specular;
 }
 
 // The sums over lights after one more, by Lambert's model. A light from behind adds nothing and costs no root.
 fn shading_add_lambert(sums: shading_Sums, n: vec3f, light: shading_Light, p: vec3f) -> shading_Sums {
     if light.is_sun > 0.0 {
-        let t1 = dot(n, light.position);
-        if !(t1 > 0.0) {
-            return shading_Sums(sums.diffuse, sums.specular);
+        let n_dot_l = dot(n, light.position);
+        if !(n_dot_l > 0.0) {
+            return sums;
         }
-        return shading_Sums(sums.diffuse + light.intensity * clamp(t1, 0.0, 1.0), sums.specular);
+        return shading_Sums(sums.diffuse + light.intensity * clamp(n_dot_l, 0.0, 1.0), sums.specular);
     }
-    let t1 = light.position - p;
-    if !(dot(n, t1) > 0.0) {
-        return shading_Sums(sums.diffuse, sums.specular);
+    let way = light.position - p;
+    if !(dot(n, way) > 0.0) {
+        return sums;
     }
-    let t2 = shading_measured(t1);
-    let t3 = dot(-light.axis, t2.w) / t2.w_length;
-    let t4 = select(min(light.cosines.x, 0.9999995), -2.0, light.cosines.x < -0.9999995);
-    let t5 = select(min(light.cosines.y, 0.9999995), -2.0, light.cosines.x < -0.9999995);
+    let to_light = shading_measured(way);
+    let dimmed = shading_falloff(light, to_light.length)
+            * select(1.0, shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length),
+            light.cosines.x > -1.0);
     return shading_Sums(sums.diffuse + light.intensity
-            * (clamp(1.0 / (light.coefficients.x + t2.length
-            * (light.coefficients.y + light.coefficients.z * t2.length)), 0.0, light.limit)
-            * select(1.0, select(shading_window(t2.length, light.range),
-            shading_window_gltf(t2.length, light.range), light.is_gltf > 0.0), light.range < 3.4028235e38)
-            * select(1.0, select(shading_beam(t3, t4, t5), shading_beam_smoothstep(t3, t4, t5),
-            light.is_smoothstep > 0.0), light.cosines.x > -1.0)
-            * clamp(dot(n, t2.w) / t2.w_length, 0.0, 1.0)), sums.specular);
+            * (dimmed * clamp(dot(n, to_light.w) / to_light.w_length, 0.0, 1.0)), sums.specular);
 }
 
 // The same by Phong's model.
 fn shading_add_phong(sums: shading_Sums, n: vec3f, v: vec3f, m: f32, light: shading_Light,
         p: vec3f) -> shading_Sums {
     if light.is_sun > 0.0 {
-        let t1 = dot(n, light.position);
-        if !(t1 > 0.0) {
-            return shading_Sums(sums.diffuse, sums.specular);
+        let n_dot_l = dot(n, light.position);
+        if !(n_dot_l > 0.0) {
+            return sums;
         }
-        let t2 = dot(n * (t1 + t1) - light.position, v);
-        return shading_Sums(sums.diffuse + light.intensity * clamp(t1, 0.0, 1.0), sums.specular
-                + light.intensity * select(0.0, shading_power(clamp(t2, 0.0, 1.0), max(m, 0.0)), t2 > 0.0));
+        let r_dot_v = dot(n * (n_dot_l + n_dot_l) - light.position, v);
+        let highlight_of_sun = select(0.0, shading_power(clamp(r_dot_v, 0.0, 1.0), max(m, 0.0)),
+                r_dot_v > 0.0);
+        return shading_Sums(sums.diffuse + light.intensity * clamp(n_dot_l, 0.0, 1.0),
+                sums.specular + light.intensity * highlight_of_sun);
     }
-    let t1 = light.position - p;
-    if !(dot(n, t1) > 0.0) {
-        return shading_Sums(sums.diffuse, sums.specular);
+    let way = light.position - p;
+    if !(dot(n, way) > 0.0) {
+        return sums;
     }
-    let t2 = shading_measured(t1);
-    let t3 = dot(-light.axis, t2.w) / t2.w_length;
-    let t4 = select(min(light.cosines.x, 0.9999995), -2.0, light.cosines.x < -0.9999995);
-    let t5 = select(min(light.cosines.y, 0.9999995), -2.0, light.cosines.x < -0.9999995);
-    let t6 = clamp(1.0 / (light.coefficients.x + t2.length
-            * (light.coefficients.y + light.coefficients.z * t2.length)), 0.0, light.limit)
-            * select(1.0, select(shading_window(t2.length, light.range),
-            shading_window_gltf(t2.length, light.range), light.is_gltf > 0.0), light.range < 3.4028235e38)
-            * select(1.0, select(shading_beam(t3, t4, t5), shading_beam_smoothstep(t3, t4, t5),
-            light.is_smoothstep > 0.0), light.cosines.x > -1.0);
-    let t7 = dot(n, t2.w);
-    let t8 = dot(n * (t7 + t7) - t2.w, v) / t2.w_length;
-    return shading_Sums(sums.diffuse + light.intensity * (t6 * clamp(t7 / t2.w_length, 0.0, 1.0)),
-            sums.specular + light.intensity
-            * (t6 * select(0.0, shading_power(clamp(t8, 0.0, 1.0), max(m, 0.0)), t8 > 0.0)));
+    let to_light = shading_measured(way);
+    let dimmed = shading_falloff(light, to_light.length)
+            * select(1.0, shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length),
+            light.cosines.x > -1.0);
+    let n_dot_w = dot(n, to_light.w);
+    let cosine = dot(n * (n_dot_w + n_dot_w) - to_light.w, v) / to_light.w_length;
+    let highlight = select(0.0, shading_power(clamp(cosine, 0.0, 1.0), max(m, 0.0)), cosine > 0.0);
+    return shading_Sums(sums.diffuse + light.intensity
+            * (dimmed * clamp(n_dot_w / to_light.w_length, 0.0, 1.0)),
+            sums.specular + light.intensity * (dimmed * highlight));
 }
 
 // The same by Blinn and Phong's model.
 fn shading_add_blinn_phong(sums: shading_Sums, n: vec3f, v: vec3f, m: f32, light: shading_Light,
         p: vec3f) -> shading_Sums {
     if light.is_sun > 0.0 {
-        let t1 = dot(n, light.position);
-        if !(t1 > 0.0) {
-            return shading_Sums(sums.diffuse, sums.specular);
+        let n_dot_l = dot(n, light.position);
+        if !(n_dot_l > 0.0) {
+            return sums;
         }
-        let t2 = light.position + v;
-        let n_dot_t2 = dot(n, t2);
-        return shading_Sums(sums.diffuse + light.intensity * clamp(t1, 0.0, 1.0), sums.specular
-                + light.intensity * select(0.0,
-                shading_power_of_quotient(n_dot_t2 * n_dot_t2, dot(t2, t2), max(0.5 * m, 0.0)),
-                n_dot_t2 > 0.0));
+        let h = light.position + v;
+        let n_dot_h = dot(n, h);
+        let highlight_of_sun = select(0.0,
+                shading_power_of_quotient(n_dot_h * n_dot_h, dot(h, h), max(0.5 * m, 0.0)), n_dot_h > 0.0);
+        return shading_Sums(sums.diffuse + light.intensity * clamp(n_dot_l, 0.0, 1.0),
+                sums.specular + light.intensity * highlight_of_sun);
     }
-    let t1 = light.position - p;
-    if !(dot(n, t1) > 0.0) {
-        return shading_Sums(sums.diffuse, sums.specular);
+    let way = light.position - p;
+    if !(dot(n, way) > 0.0) {
+        return sums;
     }
-    let t2 = shading_measured(t1);
-    let t3 = dot(-light.axis, t2.w) / t2.w_length;
-    let t4 = select(min(light.cosines.x, 0.9999995), -2.0, light.cosines.x < -0.9999995);
-    let t5 = select(min(light.cosines.y, 0.9999995), -2.0, light.cosines.x < -0.9999995);
-    let t6 = clamp(1.0 / (light.coefficients.x + t2.length
-            * (light.coefficients.y + light.coefficients.z * t2.length)), 0.0, light.limit)
-            * select(1.0, select(shading_window(t2.length, light.range),
-            shading_window_gltf(t2.length, light.range), light.is_gltf > 0.0), light.range < 3.4028235e38)
-            * select(1.0, select(shading_beam(t3, t4, t5), shading_beam_smoothstep(t3, t4, t5),
-            light.is_smoothstep > 0.0), light.cosines.x > -1.0);
-    let t7 = t2.w + v * t2.w_length;
-    let n_dot_t7 = dot(n, t7);
-    return shading_Sums(sums.diffuse + light.intensity * (t6 * clamp(dot(n, t2.w) / t2.w_length, 0.0, 1.0)),
-            sums.specular + light.intensity
-            * (t6 * select(0.0, shading_power_of_quotient(n_dot_t7 * n_dot_t7, dot(t7, t7),
-            max(0.5 * m, 0.0)), n_dot_t7 > 0.0)));
+    let to_light = shading_measured(way);
+    let dimmed = shading_falloff(light, to_light.length)
+            * select(1.0, shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length),
+            light.cosines.x > -1.0);
+    let halfway = to_light.w + v * to_light.w_length;
+    let cosine = dot(n, halfway);
+    let highlight = select(0.0,
+            shading_power_of_quotient(cosine * cosine, dot(halfway, halfway), max(0.5 * m, 0.0)),
+            cosine > 0.0);
+    return shading_Sums(sums.diffuse + light.intensity
+            * (dimmed * clamp(dot(n, to_light.w) / to_light.w_length, 0.0, 1.0)),
+            sums.specular + light.intensity * (dimmed * highlight));
 }
 
 // The light that the point reflects: k_a I_a + k_d times the diffuse sum + k_s times the specular one.
@@ -400,80 +401,82 @@ fn shading_normal_facing(n: vec3f, v: vec3f, f: vec3f) -> vec3f {
 // A normal transformed by the matrix of the columns a, b, c: cof(M) N, length 1. Lengyel 2024.
 fn shading_normal_transformed(n: vec3f, a: vec3f, b: vec3f, c: vec3f) -> vec3f {
     if shading_is_extreme(dot(a, a)) || shading_is_extreme(dot(b, b)) || shading_is_extreme(dot(c, c)) {
-        let t1 = shading_unit(b) + b * 0.0;
-        let t2 = shading_unit(c) + c * 0.0;
-        let t3 = abs(n.x);
-        let t4 = shading_measured(a);
-        let t5 = abs(n.y);
-        let t6 = shading_measured(b);
-        let t7 = abs(n.z);
-        let t8 = shading_measured(c);
-        let t9 = min(min(select(3.4028235e38, t4.length, t3 > 0.0),
-                select(3.4028235e38, t6.length, t5 > 0.0)), select(3.4028235e38, t8.length, t7 > 0.0));
-        let t10 = shading_unit(a) + a * 0.0;
-        return shading_unit(cross(t1, t2)
-                * select(0.0, n.x * select(1.0, t9 / t4.length, t4.length > t9), t3 > 0.0) + cross(t2, t10)
-                * select(0.0, n.y * select(1.0, t9 / t6.length, t6.length > t9), t5 > 0.0) + cross(t10, t1)
-                * select(0.0, n.z * select(1.0, t9 / t8.length, t8.length > t9), t7 > 0.0));
+        let along_b = shading_unit(b) + b * 0.0;
+        let along_c = shading_unit(c) + c * 0.0;
+        let abs_x = abs(n.x);
+        let x = shading_measured(a);
+        let abs_y = abs(n.y);
+        let y = shading_measured(b);
+        let abs_z = abs(n.z);
+        let z = shading_measured(c);
+        let least = min(min(select(3.4028235e38, x.length, abs_x > 0.0),
+                select(3.4028235e38, y.length, abs_y > 0.0)), select(3.4028235e38, z.length, abs_z > 0.0));
+        let n_x = select(0.0, n.x * select(1.0, least / x.length, x.length > least), abs_x > 0.0);
+        let along_a = shading_unit(a) + a * 0.0;
+        let n_y = select(0.0, n.y * select(1.0, least / y.length, y.length > least), abs_y > 0.0);
+        let n_z = select(0.0, n.z * select(1.0, least / z.length, z.length > least), abs_z > 0.0);
+        return shading_unit(cross(along_b, along_c) * n_x + cross(along_c, along_a) * n_y
+                + cross(along_a, along_b) * n_z);
     }
     return shading_unit(cross(b, c) * n.x + cross(c, a) * n.y + cross(a, b) * n.z);
 }
 
 // A triangle's normal times its angle at v1, to be summed over a mesh. Thuermer and Wuethrich 1998.
 fn shading_normal_corner(v1: vec3f, v2: vec3f, v3: vec3f) -> vec3f {
-    let t1 = shading_between(v1, v2);
-    let t2 = shading_between(v1, v3);
-    let t3 = shading_measured(cross(t1, t2));
-    let t1_dot_t2 = dot(t1, t2);
-    let t4 = abs(t1_dot_t2);
-    let t5 = select(0.0, select(-1.0, 1.0, t1_dot_t2 > 0.0), t4 * 2.4142137 > t3.length);
-    let t6 = select(0.0, 1.0, t3.length > t4 * 0.41421357);
-    let t7 = (t5 * t3.length - t6 * t1_dot_t2) / (t5 * t1_dot_t2 + t6 * t3.length);
-    let t8 = t7 * t7;
-    let t9 = t8 * t8;
-    let t10 = t9 * t9;
-    return select(vec3f(0.0), t3.w / t3.w_length, t3.w_length > 0.0)
-            * max(1.5707964 - t5 * (1.5707964 - t6 * 0.7853982)
-            + (t7 + t7 * (t8 * (-0.33333334 + t8 * 0.2 + t9 * (-0.14285715 + t8 * 0.111111104) + t10
-            * (-0.0909089 + t8 * 0.07691945 + t9 * (-0.06661951 + t8 * 0.05840374) + t10
-            * (-0.050085507 + t8 * 0.03734732 + t9 * -0.01718003))))), 0.0);
+    let e1 = shading_between(v1, v2);
+    let e2 = shading_between(v1, v3);
+    let c = shading_measured(cross(e1, e2));
+    let cosine = dot(e1, e2);
+    let adjacent = abs(cosine);
+    let x = select(0.0, select(-1.0, 1.0, cosine > 0.0), adjacent * 2.4142137 > c.length);
+    let y = select(0.0, 1.0, c.length > adjacent * 0.41421357);
+    let t = (x * c.length - y * cosine) / (x * cosine + y * c.length);
+    let z = t * t;
+    let z2 = z * z;
+    let z4 = z2 * z2;
+    let series = -0.33333334 + z * 0.2 + z2 * (-0.14285715 + z * 0.111111104) + z4
+            * (-0.0909089 + z * 0.07691945 + z2 * (-0.06661951 + z * 0.05840374) + z4
+            * (-0.050085507 + z * 0.03734732 + z2 * -0.01718003));
+    let arctangent = t + t * (z * series);
+    let angle = max(1.5707964 - x * (1.5707964 - y * 0.7853982) + arctangent, 0.0);
+    return select(vec3f(0.0), c.w / c.w_length, c.w_length > 0.0) * angle;
 }
 
 // The tangent of a triangle and its handedness, by the texture coordinates of its vertices. Lengyel 2001.
 fn shading_normal_tangent(v1: vec3f, v2: vec3f, v3: vec3f, uv1: vec2f, uv2: vec2f,
         uv3: vec2f) -> shading_Tangent {
-    let t1 = v1 * 0.5;
-    let t2 = v2 * 0.5 - t1;
-    let t3 = v3 * 0.5 - t1;
-    let t4 = max(shading_measured(t2).length, shading_measured(t3).length);
-    let t5 = uv1.y * 0.5;
-    let t6 = uv3.y * 0.5 - t5;
-    let t7 = uv2.y * 0.5 - t5;
-    let t8 = max(abs(t7), abs(t6));
-    let t9 = t6 / t8;
-    let t10 = t7 / t8;
-    let t11 = uv1.x * 0.5;
-    let t12 = uv2.x * 0.5 - t11;
-    let t13 = uv3.x * 0.5 - t11;
-    let t14 = max(abs(t12), abs(t13));
-    let t15 = t12 / t14 * t9 - t13 / t14 * t10;
-    let t16 = select(-1.0, 1.0, t15 > 0.0);
-    let t17 = shading_measured((t2 / t4 * t9 - t3 / t4 * t10) * t16);
-    if !(t17.w_length > 0.0 && abs(t15) > 0.0) {
+    let half_v1 = v1 * 0.5;
+    let e2 = v2 * 0.5 - half_v1;
+    let e3 = v3 * 0.5 - half_v1;
+    let edge = max(shading_measured(e2).length, shading_measured(e3).length);
+    let half_y = uv1.y * 0.5;
+    let y3 = uv3.y * 0.5 - half_y;
+    let y2 = uv2.y * 0.5 - half_y;
+    let y_size = max(abs(y2), abs(y3));
+    let y3_part = y3 / y_size;
+    let y2_part = y2 / y_size;
+    let half_x = uv1.x * 0.5;
+    let x2 = uv2.x * 0.5 - half_x;
+    let x3 = uv3.x * 0.5 - half_x;
+    let x_size = max(abs(x2), abs(x3));
+    let d = x2 / x_size * y3_part - x3 / x_size * y2_part;
+    let h = select(-1.0, 1.0, d > 0.0);
+    let t = shading_measured((e2 / edge * y3_part - e3 / edge * y2_part) * h);
+    if !(t.w_length > 0.0 && abs(d) > 0.0) {
         return shading_Tangent(vec3f(0.0), 0.0);
     }
-    return shading_Tangent(t17.w / t17.w_length, t16);
+    return shading_Tangent(t.w / t.w_length, h);
 }
 
 // A normal from a map: x t + y b + z N, length 1. glTF 2.0, 3.7.2.1.
 fn shading_normal_mapped(n: vec3f, tangent: vec3f, h: f32, s: vec3f) -> vec3f {
-    let t1 = shading_measured(shading_crossed(vec3f(0.0), n, tangent));
-    let t2 = shading_measured(s);
-    if !(t1.w_length > 0.0 && t2.w_length > 0.0) {
+    let across = shading_measured(shading_crossed(vec3f(0.0), n, tangent));
+    let sample = shading_measured(s);
+    if !(across.w_length > 0.0 && sample.w_length > 0.0) {
         return vec3f(0.0);
     }
-    let t3 = t1.w / t1.w_length;
-    return shading_unit(cross(t3, n) * (t2.w.x / t2.w_length) + t3 * select(-1.0, 1.0, h > 0.0)
-            * (t2.w.y / t2.w_length) + n * (t2.w.z / t2.w_length));
+    let side = across.w / across.w_length;
+    return shading_unit(cross(side, n) * (sample.w.x / sample.w_length) + side * select(-1.0, 1.0, h > 0.0)
+            * (sample.w.y / sample.w_length) + n * (sample.w.z / sample.w_length));
 }
 

@@ -1,12 +1,15 @@
 //! The files.
 
+use std::mem::take;
+
 use crate::dialect::{C, Dialect, GLSL, HLSL, METAL, Powers, WGSL, filled};
 use crate::graph::{EXTREME, Graph, with};
 use crate::kind::{Arguments, Kind};
 use crate::number::Expr;
+use crate::pattern::{Pattern, Patterns};
 use crate::print::{Printer, wrapped};
 use crate::table::{Function, functions};
-use crate::tree::explore;
+use crate::tree::{Tree, explore};
 use crate::values::Values;
 
 /// The names of the files, and what is in them.
@@ -132,7 +135,7 @@ fn head(dialect: &Dialect, name: &str, parameters: &[(&str, Kind)], result: &str
     let parameters: Vec<_> = parameters.iter().map(parameter).collect();
     let places = [
         ("type", result),
-        ("name", &dialect.named(name)),
+        ("name", name),
         ("parameters", &parameters.join(", ")),
     ];
     wrapped("", &filled(dialect.function, &places))
@@ -149,7 +152,7 @@ fn is_extreme(dialect: &Dialect) -> String {
     );
     let head = head(
         dialect,
-        "is_extreme",
+        &dialect.named("is_extreme"),
         &[("square", Kind::Number)],
         dialect.truth,
     );
@@ -159,7 +162,10 @@ fn is_extreme(dialect: &Dialect) -> String {
 /// The power of the language.
 fn built_in(dialect: &Dialect) -> String {
     let one = dialect.number(1.0);
-    let (pow, min) = (dialect.function_named("pow"), dialect.function_named("min"));
+    let (pow, min) = (
+        dialect.function_named("pow", ""),
+        dialect.function_named("min", ""),
+    );
     let bodies = [
         format!("{pow}({min}(c / d, {one}), m)"),
         format!("{pow}(c, m)"),
@@ -169,7 +175,7 @@ fn built_in(dialect: &Dialect) -> String {
         let doc = comment(dialect, &format!("{formula}, by the language's own power."));
         let head = head(
             dialect,
-            function.name,
+            &dialect.named(function.name),
             &function.parameters,
             dialect.types[0],
         );
@@ -178,36 +184,49 @@ fn built_in(dialect: &Dialect) -> String {
     functions()[..2].iter().zip(bodies).map(of).collect()
 }
 
-fn function_text(dialect: &'static Dialect, function: &Function) -> String {
-    with(|g| {
-        *g = Graph::new(
-            function.name,
-            function.selects,
-            function.name != "normal_transformed",
-        );
-    });
-    let arguments = || -> Vec<Expr> {
-        let of = |(name, kind): &(&str, Kind)| kind.variables(name);
-        function.parameters.iter().flat_map(of).collect()
-    };
-    let tree = explore(&|| (function.record)(Arguments::new(arguments())), &[]);
+/// The variables of a function's parameters.
+fn arguments(function: &Function) -> Arguments<Expr> {
+    let of = |(name, kind): &(&str, Kind)| kind.variables(name);
+    Arguments::new(function.parameters.iter().flat_map(of).collect())
+}
+
+/// Records a function in a new graph.
+fn recorded(function: &Function) -> Tree {
+    // a product with 0 tells what is not finite in this function alone
+    let drops_zeros = function.name != "normal_transformed";
+    with(|g| *g = Graph::new(function.name, function.selects, drops_zeros));
+    let tree = explore(&|| (function.record)(arguments(function)), &[]);
     with(|g| (g.given, g.path) = (vec![], vec![]));
-    let names = (function.names)(Arguments::new(arguments()));
-    let result = type_of(dialect, function.result);
-    let doc: String = function
+    tree
+}
+
+/// The functions that stand for their formulas, in the functions after them.
+fn patterns() -> Patterns {
+    thread_local!(static PATTERNS: Patterns = {
+        let shared = functions().iter().filter(|function| function.shared);
+        let of = |function: &Function| match recorded(function) {
+            Tree::Leaf(result) => Pattern { name: function.name, graph: with(take), result: result[0] },
+            Tree::Branch(..) => panic!("a shared function has no branches"),
+        };
+        shared.map(of).collect::<Vec<_>>().into()
+    });
+    PATTERNS.with(Patterns::clone)
+}
+
+fn function_text(dialect: &'static Dialect, function: &Function) -> String {
+    let patterns = patterns();
+    let tree = recorded(function);
+    let names = (function.names)(arguments(function));
+    let doc = function
         .doc
         .lines()
-        .map(|line| comment(dialect, line.trim()))
-        .collect();
+        .map(|line| comment(dialect, line.trim()));
+    let result = type_of(dialect, function.result);
+    let name = dialect.named(function.name);
+    let head = head(dialect, &name, &function.parameters, &result);
     let (body, unused) = with(|g| {
-        let mut values = Values::new(g);
-        let named = names.iter().map(|(name, numbers)| {
-            let numbers: Vec<_> = numbers.iter().map(|x| x.0).collect();
-            (values.value(&numbers), (*name).to_string())
-        });
-        let named = named.collect();
-        let mut printer = Printer::new(dialect, values, function.result);
-        printer.named = named;
+        let mut printer = Printer::new(dialect, Values::new(g, patterns), function.result);
+        printer.name_values(names);
         printer.body(&tree)
     });
     assert!(
@@ -215,8 +234,24 @@ fn function_text(dialect: &'static Dialect, function: &Function) -> String {
         "{}: {unused:?} name nothing",
         function.name
     );
-    format!(
-        "{doc}{}{body}}}\n\n",
-        head(dialect, function.name, &function.parameters, &result)
-    )
+    format!("{}{head}{body}}}\n\n", doc.collect::<String>())
+}
+
+/// A function of the user's.
+pub(crate) fn own_function(
+    dialect: &'static Dialect,
+    name: &str,
+    parameters: &[(&str, Kind)],
+    result: Kind,
+    formula: &dyn Fn() -> Vec<Expr>,
+) -> String {
+    with(|g| *g = Graph::new("", false, true));
+    let tree = explore(formula, &[]);
+    let head = head(dialect, name, parameters, &type_of(dialect, result));
+    let (body, _) = with(|g| {
+        let mut printer = Printer::new(dialect, Values::new(g, [].into()), result);
+        printer.prefix = [dialect.namespace, dialect.prefix].concat();
+        printer.body(&tree)
+    });
+    format!("{head}{body}}}\n")
 }

@@ -334,3 +334,40 @@ impl PartialOrd for Expr {
 pub(crate) fn variable(name: &str, component: Option<u8>) -> Expr {
     Expr(with(|g| g.node(Node::Var(name.into(), component))))
 }
+
+/// The argument of the call of a function, to name it.
+pub(crate) fn argument(function: &str) -> Expr {
+    with(|g| {
+        let of = |node: &Node| match node {
+            Node::Call(name, arguments) if *name == function => Some(Expr(arguments[0])),
+            _ => None,
+        };
+        g.nodes.iter().find_map(of).expect("a call of the function")
+    })
+}
+
+impl Expr {
+    /// What it is computed from, to name it.
+    pub(crate) fn operand(self, which: usize) -> Self {
+        with(|g| match g.nodes[self.0 as usize] {
+            Node::Binary(_, a, b) => Self([a, b][which]),
+            ref other => panic!("{other:?} has no operands"),
+        })
+    }
+
+    /// The product whose last factor is a call with this argument.
+    pub(crate) fn user(self, op: Op) -> Self {
+        with(|g| {
+            let is_call = |n: u32| match &g.nodes[n as usize] {
+                Node::Part(call, _) => {
+                    matches!(&g.nodes[*call as usize], Node::Call(_, of) if of[..] == [self.0])
+                }
+                _ => false,
+            };
+            let uses =
+                |node: &Node| matches!(node, Node::Binary(of, _, b) if *of == op && is_call(*b));
+            let at = g.nodes.iter().position(uses).expect("a use of the call");
+            Self(u32::try_from(at).expect("a node"))
+        })
+    }
+}

@@ -5,6 +5,7 @@ use std::collections::{HashMap, HashSet};
 use crate::dialect::{Dialect, filled};
 use crate::graph::{Op, Test};
 use crate::kind::Kind;
+use crate::table::Names;
 use crate::tree::{Condition, Tree};
 use crate::values::{Comparison, Type, Value, Values};
 
@@ -19,11 +20,13 @@ const ATOM: u8 = 6;
 const WIDTH: usize = 110;
 
 pub struct Printer<'a> {
-    pub dialect: &'static Dialect,
-    pub values: Values<'a>,
-    pub result: Kind,
+    dialect: &'static Dialect,
+    values: Values<'a>,
+    result: Kind,
     /// The names that the books have for values.
-    pub named: HashMap<usize, String>,
+    named: HashMap<usize, String>,
+    /// What stands before the functions of the files that it calls.
+    pub prefix: String,
     /// The values that have a variable, and its name.
     variables: HashMap<usize, String>,
     uses: HashMap<usize, usize>,
@@ -38,9 +41,19 @@ impl<'a> Printer<'a> {
             values,
             result,
             named,
+            prefix: dialect.prefix.into(),
             variables,
             uses,
             out: String::new(),
+        }
+    }
+
+    /// Names values as the books do.
+    pub fn name_values(&mut self, names: Names) {
+        for (name, numbers) in names {
+            let numbers: Vec<_> = numbers.iter().map(|x| x.0).collect();
+            let value = self.values.value(&numbers);
+            self.named.insert(value, name.into());
         }
     }
 
@@ -126,9 +139,12 @@ impl<'a> Printer<'a> {
                     self.declare(value, true, indent);
                 }
                 let texts: Vec<_> = results.iter().map(|value| self.text(*value, 0)).collect();
-                let Some((name, _, _)) = self.result.fields() else {
+                let Some((name, _, fields)) = self.result.fields() else {
                     return self.line(indent, &format!("return {};", texts[0]));
                 };
+                if let Some(whole) = self.whole(&results, fields) {
+                    return self.line(indent, &format!("return {whole};"));
+                }
                 let (of, values) = (self.dialect.named(name), texts.join(", "));
                 match self.dialect.made {
                     Ok(made) => {
@@ -165,6 +181,21 @@ impl<'a> Printer<'a> {
         }
     }
 
+    /// The struct whose fields these are, in order.
+    fn whole(&self, values: &[usize], fields: &[(&str, Kind)]) -> Option<String> {
+        let of = |(value, (field, _)): (&usize, &(&str, Kind))| match &self.values.all[*value] {
+            Value::Variable(name) => name
+                .strip_suffix(field)?
+                .strip_suffix('.')
+                .map(String::from),
+            _ => None,
+        };
+        let mut all = values.iter().zip(fields).map(of);
+        let first = all.next()??;
+        all.all(|name| name.as_ref() == Some(&first))
+            .then_some(first)
+    }
+
     /// How much there is to compute in a tree.
     fn size(&mut self, tree: &Tree) -> usize {
         match tree {
@@ -194,7 +225,7 @@ impl<'a> Printer<'a> {
                     let square = self.values.number(a);
                     return format!(
                         "{}({})",
-                        self.dialect.named("is_extreme"),
+                        self.dialect.function_named("is_extreme", &self.prefix),
                         self.text(square, 0)
                     );
                 }
@@ -302,7 +333,7 @@ impl<'a> Printer<'a> {
                 _ => (format!("-{}", self.text(*a, ATOM)), SIGN),
             },
             Value::Call(name, arguments) => {
-                self.call(&self.dialect.function_named(name), arguments)
+                self.call(&self.dialect.function_named(name, &self.prefix), arguments)
             }
             Value::Field(of, field) => (format!("{}.{field}", self.text(*of, ATOM)), ATOM),
             Value::Vector(numbers) => {
@@ -350,14 +381,18 @@ impl<'a> Printer<'a> {
             Op::Sub => ("-", SUM),
             Op::Mul => ("*", PRODUCT),
             Op::Div => ("/", PRODUCT),
-            Op::Max => return self.call(&self.dialect.function_named("max"), &[a, b]),
+            Op::Max => {
+                return self.call(&self.dialect.function_named("max", &self.prefix), &[a, b]);
+            }
             Op::Min if is_vector && by_number => {
                 let (name, takes_one) = self.dialect.vector;
                 let number = self.text(b, 0);
                 let numbers = vec![number; if takes_one { 1 } else { 3 }].join(", ");
                 return (format!("min({}, {name}({numbers}))", self.text(a, 0)), ATOM);
             }
-            Op::Min => return self.call(&self.dialect.function_named("min"), &[a, b]),
+            Op::Min => {
+                return self.call(&self.dialect.function_named("min", &self.prefix), &[a, b]);
+            }
         };
         let (left, right) = (self.text(a, level), self.text(b, level + 1));
         (format!("{left} {sign} {right}"), level)
@@ -408,11 +443,13 @@ fn broken(indent: &str, next: &str, text: &str) -> String {
             ' ' if at > 24 && indent.len() + at <= WIDTH => {
                 let rest = &text[at + 1..];
                 let breaks = text[..at].ends_with(',')
-                    || ["+ ", "- ", "* ", "/ ", "? ", ": "]
+                    || ["+ ", "- ", "* ", "/ ", "? ", ": ", "|| ", "&& "]
                         .iter()
                         .any(|sign| rest.starts_with(sign));
-                if breaks && best.is_none_or(|(least, _)| depth <= least) {
-                    best = Some((depth, at));
+                // between arguments rather than within one
+                let rank = (depth, !text[..at].ends_with(','));
+                if breaks && best.is_none_or(|(least, _)| rank <= least) {
+                    best = Some((rank, at));
                 }
             }
             _ => {}

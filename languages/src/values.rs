@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use crate::graph::{Graph, MAX, Node, Op, Test, ZERO};
 use crate::kind::Kind;
+use crate::pattern::{Pattern, Patterns};
 use crate::table::functions;
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -52,10 +53,11 @@ pub struct Values<'a> {
     index: HashMap<Value, usize>,
     /// Whether a length is used beside its direction.
     measures: bool,
+    patterns: Patterns,
 }
 
 impl<'a> Values<'a> {
-    pub fn new(graph: &'a Graph) -> Self {
+    pub fn new(graph: &'a Graph, patterns: Patterns) -> Self {
         let is_measured = |n: &u32| matches!(graph.nodes[*n as usize], Node::Call("measured", _));
         let mut calls = (0..).take(graph.nodes.len()).filter(is_measured);
         let measures = graph.defining == "normal_corner" && calls.any(|n| graph.uses_length(n));
@@ -65,6 +67,7 @@ impl<'a> Values<'a> {
             types: vec![],
             index: HashMap::new(),
             measures,
+            patterns,
         }
     }
 
@@ -96,6 +99,9 @@ impl<'a> Values<'a> {
     }
 
     pub fn number(&mut self, n: u32) -> usize {
+        if let Some(call) = self.shared(n) {
+            return call;
+        }
         let value = match self.node(n) {
             Node::Var(name, None) => Value::Variable(name.clone()),
             Node::Var(name, Some(i)) => {
@@ -121,6 +127,34 @@ impl<'a> Values<'a> {
             Node::Call(..) => return self.call(n),
         };
         self.add(value, Type::Number)
+    }
+
+    /// The call of a function that stands for the formula of a number.
+    fn shared(&mut self, n: u32) -> Option<usize> {
+        let patterns = self.patterns.clone();
+        // a function is not its own call
+        let others = |pattern: &&Pattern| pattern.name != self.graph.defining;
+        let of = |pattern: &Pattern| Some((pattern.name, pattern.found(self.graph, n)?));
+        let (name, found) = patterns.iter().filter(others).find_map(of)?;
+        let function = functions().iter().find(|function| function.name == name)?;
+        let mut arguments = vec![];
+        for (parameter, kind) in &function.parameters {
+            let field = |name: &str| found.get(&(name.to_string(), None)).copied();
+            arguments.push(match kind.fields() {
+                None => self.number(field(parameter)?),
+                Some(_) => {
+                    // its fields are those of a struct in this function
+                    let field = format!("{parameter}.");
+                    let (_, value) = found.iter().find(|(name, _)| name.0.starts_with(&field))?;
+                    let Node::Var(own, _) = self.node(*value) else {
+                        return None;
+                    };
+                    let own = own.split('.').next()?.to_string();
+                    self.add(Value::Variable(own), Type::Struct(*kind))
+                }
+            });
+        }
+        Some(self.add(Value::Call(name, arguments), Type::Number))
     }
 
     /// Three numbers as a vector, whose operations are the same in each.

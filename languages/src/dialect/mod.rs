@@ -74,16 +74,17 @@ const GRAPHICS: &[&str] = &[
 ];
 
 impl Dialect {
-    /// The name of a function or a type of the files.
+    /// The name of a function or a type of the files, where it is defined.
     pub(crate) fn named(&self, name: &str) -> String {
         format!("{}{name}", self.prefix)
     }
 
-    pub(crate) fn function_named(&self, name: &str) -> String {
+    /// The name of a function that is called, which may be the language's own.
+    pub(crate) fn function_named(&self, name: &str, prefix: &str) -> String {
         match self.builtins.iter().find(|builtin| builtin.0 == name) {
             Some(builtin) => builtin.1.into(),
             None if self.own.contains(&name) => name.into(),
-            None => self.named(name),
+            None => format!("{prefix}{name}"),
         }
     }
 
