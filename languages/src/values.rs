@@ -140,19 +140,18 @@ impl<'a> Values<'a> {
         let mut arguments = vec![];
         for (parameter, kind) in &function.parameters {
             let field = |name: &str| found.get(&(name.to_string(), None)).copied();
-            arguments.push(match kind.fields() {
-                None => self.number(field(parameter)?),
-                Some(_) => {
-                    // its fields are those of a struct in this function
-                    let field = format!("{parameter}.");
-                    let (_, value) = found.iter().find(|(name, _)| name.0.starts_with(&field))?;
-                    let Node::Var(own, _) = self.node(*value) else {
-                        return None;
-                    };
-                    let own = own.split('.').next()?.to_string();
-                    self.add(Value::Variable(own), Type::Struct(*kind))
-                }
-            });
+            if kind.fields().is_none() {
+                arguments.push(self.number(field(parameter)?));
+                continue;
+            }
+            // its fields are those of a struct in this function
+            let field = format!("{parameter}.");
+            let (_, value) = found.iter().find(|(name, _)| name.0.starts_with(&field))?;
+            let Node::Var(own, _) = self.node(*value) else {
+                return None;
+            };
+            let own = own.split('.').next()?.to_string();
+            arguments.push(self.add(Value::Variable(own), Type::Struct(*kind)));
         }
         Some(self.add(Value::Call(name, arguments), Type::Number))
     }
