@@ -66,7 +66,7 @@ use core::ops::{Add, AddAssign, Mul};
 use crate::color::Rgb;
 use crate::direction::mirrored;
 use crate::light::IncidentLight;
-use crate::number::{LightSum, Lobe, Mask, Measured, Real, Select};
+use crate::number::{LightSum, Lobe, Mask, Measured, Real};
 use crate::term;
 use crate::vector::UnitVec3;
 

@@ -13,7 +13,7 @@
 use core::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
 
 use crate::color::Rgb;
-use crate::number::{Lobe, Real, Select, constant, parts, shininess};
+use crate::number::{Lobe, Mask, Real, constant, parts, shininess};
 use crate::vector::UnitVec3;
 
 /// The ambient term, for light without a direction.

@@ -7,9 +7,8 @@ use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use kit::random::Random;
-use shading::{
-    Dimmed, Dual, LightSum, Lobe, Measured, Real, Rgb, Select, Toward, UnitVec3, Vec3, normal,
-};
+use shading::number::{Dimmed, LightSum, Mask, Measured, Toward};
+use shading::{Dual, Lobe, Real, Rgb, UnitVec3, Vec3, normal};
 
 /// Twenty-four numbers, from which each hook gets its arguments.
 const COUNT: usize = 24;
@@ -294,8 +293,9 @@ fn same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan()
 }
 
-/// Values of dual numbers, and of dual numbers of those.
-fn values<T: Number>() {
+/// Values of dual numbers, and of dual numbers of those. What dims and sums lights is by the formulas, so it
+/// has the value of a number that has no other way.
+fn values<T: Number>(dims_by_formulas: bool) {
     let mut random = Random(1);
     for _ in 0..1000 {
         let input: Input<T> = arguments(&mut random);
@@ -314,7 +314,12 @@ fn values<T: Number>() {
             }
         });
         let expected = hooks(&input);
+        let is_tried =
+            |name| dims_by_formulas || !["attenuated", "windowed", "beamed"].contains(&name);
         for (i, (name, once)) in hooks(&once).into_iter().enumerate() {
+            if !is_tried(name) {
+                continue;
+            }
             let (is, should) = (once.value.exact(), expected[i].1.exact());
             assert!(
                 same(is, should),
@@ -322,6 +327,9 @@ fn values<T: Number>() {
             );
         }
         for (i, (name, twice)) in hooks(&twice).into_iter().enumerate() {
+            if !is_tried(name) {
+                continue;
+            }
             let (is, should) = (twice.value.value.exact(), expected[i].1.exact());
             assert!(
                 same(is, should),
@@ -333,11 +341,11 @@ fn values<T: Number>() {
 
 #[test]
 fn a_dual_number_has_the_value_of_its_number() {
-    values::<f32>();
-    values::<f64>();
-    values::<Odd>();
+    values::<f32>(true);
+    values::<f64>(true);
+    values::<Odd>(false);
     #[cfg(feature = "fixed")]
-    values::<shading::fixed::Fixed>();
+    values::<shading::fixed::Fixed>(false);
 }
 
 /// Every hook of the trait is tried here.
@@ -478,9 +486,12 @@ mod fixed {
 
     use kit::random::Random;
 
-    /// What arrives at a moving point, and three sums over it, in fixed point.
+    /// What arrives at a moving point, and three sums over it: the formulas in fixed point. Each factor is
+    /// rounded, and a light of 4 magnifies that. In steps, the attenuation is off by up to 3, the window by
+    /// 4, the cone by 8 and the cosine by 2, and a highlight of m = 20 by 1½ each time that it is
+    /// multiplied: 47 in all. Two lights of 4 over a reflectance of ½ make 188 of that.
     #[test]
-    fn sums_of_dual_numbers_in_fixed_point_have_the_values_of_fixed_point() {
+    fn sums_of_dual_numbers_in_fixed_point_are_near_those_of_f64() {
         fn sums<T: Real>(p: Vec3<T>, spot: &SpotLight<T>, clay: &Material<T>) -> Vec<T> {
             let (n, v) = (
                 UnitVec3::Z,
@@ -532,14 +543,20 @@ mod fixed {
                 x(4.0 * random.fraction()),
                 x(2.0 * random.fraction()),
             );
-            let plain = sums(p, &spot, &clay);
+            let exact = sums(
+                p.map(f64::from),
+                &spot.cast(f64::from),
+                &clay.cast(f64::from),
+            );
             let duals = sums(
                 Dual::point(p),
                 &spot.cast(Dual::constant),
                 &clay.cast(Dual::constant),
             );
-            let duals: Vec<_> = duals.into_iter().map(|x| x.value).collect();
-            assert_eq!(duals, plain, "{p:?}");
+            for (dual, exact) in duals.into_iter().zip(exact) {
+                let error = (f64::from(dual.value) - exact).abs() * 65_536.0;
+                assert!(error <= 188.0, "{dual:?} instead of {exact}, {p:?}");
+            }
         }
     }
 

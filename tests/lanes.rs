@@ -4,10 +4,10 @@
 use std::fmt::Debug;
 
 use proptest::prelude::*;
+use shading::number::Mask;
 use shading::{
-    Attenuation, Cone, DirectionalLight, IncidentLight, Lanes, Light, Lobe, Mask, Material,
-    PointLight, Real, Rgb, Select, Shaded, SpotLight, UnitVec3, Vec3, attenuation, normal,
-    reflection, shade, term,
+    Attenuation, Cone, DirectionalLight, IncidentLight, Lanes, Light, Lobe, Material, PointLight,
+    Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, normal, reflection, shade, term,
 };
 
 /// `f32` or `f64`, the type of one lane.

@@ -21,11 +21,12 @@ use std::f64::consts::{FRAC_1_PI, PI};
 
 use kit::{Float, direction, rgb, vector};
 use row::{each_gives, gives, row, units, value};
+use shading::number::Mask;
 use shading::term::{blinn, blinn_normalization, phong, phong_normalization};
 use shading::{
-    Attenuation, Cone, DirectionalLight, Dual, Elementary, IncidentLight, Light, Lobe, Mask,
-    Material, PointLight, Real, Rgb, Select, Shaded, SpotLight, UnitVec3, Vec3, attenuation,
-    half_vector, normal, reflection, shade, term,
+    Attenuation, Cone, DirectionalLight, Dual, Elementary, IncidentLight, Light, Lobe, Material,
+    PointLight, Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal,
+    reflection, shade, term,
 };
 
 fn x<T: Real>(x: T) -> Vec3<T> {

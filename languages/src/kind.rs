@@ -1,12 +1,13 @@
 //! What the functions take and give.
 
-use shading::{Arrival, Lobe, Measured, Real, Rgb, Scalar, UnitVec3, Vec3};
+use shading::number::Measured;
+use shading::{Arrival, Lobe, Real, Rgb, Scalar, UnitVec3, Vec3};
 
 use crate::number::{Expr, variable};
 
 /// A number that the table can be computed with.
-pub trait Number: Real + Scalar + Lobe<Self> + shading::power::Bits {}
-impl<T: Real + Scalar + Lobe<T> + shading::power::Bits> Number for T {}
+pub trait Number: Real + Scalar + Lobe<Self> + shading::number::power::Bits {}
+impl<T: Real + Scalar + Lobe<T> + shading::number::power::Bits> Number for T {}
 
 /// The kind of a parameter or a result: its type, and which numbers it may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

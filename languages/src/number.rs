@@ -3,8 +3,9 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use shading::power::Bits;
-use shading::{Dimmed, Elementary, Lobe, Mask, Measured, Real, Rgb, Select, Toward, Vec3};
+use shading::number::power::Bits;
+use shading::number::{Dimmed, Mask, Measured, Toward};
+use shading::{Elementary, Lobe, Real, Rgb, Vec3};
 
 use crate::graph::{EXTREME, MAX, NEG_ONE, Node, ONE, Op, Test, ZERO, decide, with};
 
@@ -36,18 +37,12 @@ impl Above {
         let known = with(|g| g.holds(self.test, lanes));
         known.unwrap_or_else(|| decide(self.test))
     }
-}
 
-impl Mask for Above {
-    fn any(self) -> bool {
+    fn is_anywhere(self) -> bool {
         // whether there is a direction decides whether there is a result
         let is_length = |n: u32| with(|g| g.is_length(n));
         let decides = self.decides || matches!(self.test, Test::Above(n, ZERO) if is_length(n));
         Self { decides, ..self }.answer(true)
-    }
-
-    fn all(self) -> bool {
-        self.answer(false)
     }
 }
 
@@ -105,7 +100,15 @@ macro_rules! number {
             }
         }
 
-        impl Select<$number> for Above {
+        impl Mask<$number> for Above {
+            fn any(self) -> bool {
+                self.is_anywhere()
+            }
+
+            fn all(self) -> bool {
+                self.answer(false)
+            }
+
             fn select(self, then: $number, otherwise: $number) -> $number {
                 $number(with(|g| g.select(self.test, then.0, otherwise.0)))
             }
@@ -222,7 +225,7 @@ number!(Expr {
         range: Self,
         is_squared: Above,
     ) -> Dimmed<Self> {
-        let name = if is_squared.any() { "window" } else { "window_gltf" };
+        let name = if is_squared.is_anywhere() { "window" } else { "window_gltf" };
         if is_defining(name) {
             let one = Dimmed { color: Rgb::WHITE, factor: Inline::ONE };
             let window = Inline::windowed(one, inline(v), Inline(q.0), Inline(range.0), is_squared);

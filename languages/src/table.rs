@@ -3,13 +3,14 @@
 
 use std::sync::OnceLock;
 
+use shading::number::{Dimmed, LightSum, Mask, Measured, power};
 use shading::{
-    Arrival, Attenuation, Cone, Dimmed, DirectionalLight, IncidentLight, LightSum, Lobe, Material,
-    Measured, PointLight, Real, Rgb, Select, Shaded, SpotLight, UnitVec3, Vec3, attenuation,
-    half_vector, normal, power, reflection, shade, term,
+    Arrival, Attenuation, Cone, DirectionalLight, IncidentLight, Lobe, Material, PointLight, Real,
+    Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade,
+    term,
 };
 
-use shading::power::Bits as _;
+use shading::number::power::Bits as _;
 
 use crate::graph::{Op, assuming};
 use crate::kind::{Arguments, Kind, Number, Parts, Taken};

@@ -5,7 +5,8 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use shading::{Elementary, Lobe, Mask, Real, Rgb, Select};
+use shading::number::Mask;
+use shading::{Elementary, Lobe, Real, Rgb};
 
 use super::graph::{Function, MINUS_ONE, Node, ONE, Test, ZERO};
 use super::range::Range;
@@ -129,7 +130,15 @@ impl Real for Term {
 #[derive(Clone, Copy, Debug)]
 pub struct Above(Test);
 
-impl Select<Term> for Above {
+impl Mask<Term> for Above {
+    fn any(self) -> bool {
+        decide(self.0)
+    }
+
+    fn all(self) -> bool {
+        decide(self.0)
+    }
+
     fn select(self, then: Term, otherwise: Term) -> Term {
         let Self(test) = self;
         if then.0 == otherwise.0 {
@@ -139,15 +148,6 @@ impl Select<Term> for Above {
             Some(answer) => [otherwise, then][usize::from(answer)],
             None => Term(node(Node::Select(test, then.0, otherwise.0))),
         }
-    }
-}
-
-impl Mask for Above {
-    fn any(self) -> bool {
-        decide(self.0)
-    }
-    fn all(self) -> bool {
-        decide(self.0)
     }
 }
 

@@ -6,7 +6,8 @@
 
 use kit::random::Random;
 use shading::fixed::Fixed;
-use shading::{Attenuation, Cone, Lobe, Real, Rgb, Select, Vec3};
+use shading::number::Mask;
+use shading::{Attenuation, Cone, Lobe, Real, Rgb, Vec3};
 use wide::f32x8;
 
 /// Whether two results are the same; any NaN is as good as another.
@@ -249,7 +250,7 @@ fn operands_of_fixed_point() {
 
 /// The sum over one light.
 fn lit(light: Fixed, cosine: Fixed) -> Fixed {
-    use shading::{Dimmed, LightSum};
+    use shading::number::{Dimmed, LightSum};
     let (color, factor) = (Rgb::gray(light), Fixed::ONE);
     <Fixed as Real>::Sum::DARK
         .add(Dimmed { color, factor }, cosine)

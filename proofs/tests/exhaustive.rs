@@ -3,7 +3,8 @@
 //! numbers, and each goal that is proved must hold. The rules do not know in which format they are
 //! used.
 
-use shading::{Elementary, Real, Select};
+use shading::number::Mask;
+use shading::{Elementary, Real};
 use shading_proofs::tried::every;
 use shading_proofs::{Format, Given, Goal, Range, Term};
 

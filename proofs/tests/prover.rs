@@ -1,6 +1,7 @@
 //! The prover proves what is true, refutes what is not, and leaves open what it cannot know.
 
-use shading::{Elementary, Real, Select, Vec3};
+use shading::number::Mask;
+use shading::{Elementary, Real, Vec3};
 use shading_proofs::{Format, Given, Goal, Range, Term, Verdict, judge, refute};
 
 const INF: f64 = f64::INFINITY;

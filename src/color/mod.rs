@@ -16,7 +16,7 @@ use core::iter::Sum;
 use core::ops::{Add, Mul};
 
 pub use crate::number::triple::Rgb;
-use crate::number::{Real, Select};
+use crate::number::{Mask, Real};
 use crate::vector::{number_first, of_reals};
 #[cfg(feature = "fixed")]
 pub(crate) use steps::{FIXED_EIGHT_BITS, FIXED_FIVE_BITS, FIXED_SIX_BITS};

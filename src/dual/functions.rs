@@ -2,7 +2,7 @@
 
 use super::Dual;
 use crate::number::Elementary;
-use crate::number::{Real, Select, by_squaring, magnitude, whole};
+use crate::number::{Mask, Real, by_squaring, magnitude, whole};
 use crate::vector::Vec3;
 
 impl<T: Elementary> Elementary for Dual<T> {

@@ -22,6 +22,9 @@ use crate::vector::Vec3;
 /// the derivative does not exist (√ at 0, ln below 0), the gradient is not finite. A choice, as
 /// [`max`](Dual::max) makes it, has the gradient of the number chosen, also where the two are equal.
 ///
+/// The value is that of the plain number, to the bit. One exception: a `Dual` of
+/// fixed-point numbers dims and sums light by the formulas, and has fewer digits of it than fixed point.
+///
 /// ```
 /// use shading::{Dual, Vec3};
 ///

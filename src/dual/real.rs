@@ -1,11 +1,10 @@
-//! [`Real`] for dual numbers. Each hook has a derivative of its own, by the chain rule: the value is that
-//! of the number's own hook, to the bit, and the gradient is that of the formula.
+//! [`Real`] for dual numbers. Each hook for vectors, lengths and powers has a derivative of its own, by the
+//! chain rule: the value is that of the number's own hook, to the bit, and the gradient is that of the
+//! formula. What dims a light and what sums it are the formulas, with their values and gradients.
 
 use super::Dual;
 use crate::color::Rgb;
-use crate::number::{
-    Dimmed, LightSum, Lobe, Mask, Measured, Real, Select, Toward, falloff, length, whole,
-};
+use crate::number::{Lobe, Mask, Measured, Real, Toward, length, whole};
 use crate::vector::Vec3;
 
 impl<T: Real> Dual<T> {
@@ -72,46 +71,10 @@ impl<T: Real> Measured<Dual<T>> {
     }
 }
 
-impl<T: Real> Dimmed<Dual<T>> {
-    #[inline(always)]
-    fn values(self) -> Dimmed<T> {
-        Dimmed {
-            color: self.color.map(|channel| channel.value),
-            factor: self.factor.value,
-        }
-    }
-
-    /// The light that T gives for this one times a factor, with its gradient by the product rule. The
-    /// number chooses whether the factor or the color is multiplied.
-    #[inline(always)]
-    fn times(self, factor: Dual<T>, light: Dimmed<T>) -> Self {
-        let before = self.factor.value;
-        let is_above = light.factor.above(before);
-        let is_below = before.above(light.factor);
-        let if_factor_is_same = |then, otherwise| {
-            let below = Vec3::select(is_below, otherwise, then);
-            Vec3::select(is_above, otherwise, below)
-        };
-        let product = |x: Dual<T>| x.gradient * factor.value + factor.gradient * x.value;
-        let channel =
-            |x: Dual<T>, value| Dual::new(value, if_factor_is_same(product(x), x.gradient));
-        let color = light.color;
-        let gradient = if_factor_is_same(self.factor.gradient, product(self.factor));
-        Self {
-            color: Rgb::new(
-                channel(self.color.r, color.r),
-                channel(self.color.g, color.g),
-                channel(self.color.b, color.b),
-            ),
-            factor: Dual::new(light.factor, gradient),
-        }
-    }
-}
-
 #[diagnostic::do_not_recommend] // the trait's own message names the types
 impl<T: Real> Real for Dual<T> {
     type Mask = Where<T::Mask>;
-    type Sum = Sum<T>;
+    type Sum = Rgb<Self>;
 
     const ZERO: Self = Self::constant(T::ZERO);
     const ONE: Self = Self::constant(T::ONE);
@@ -224,55 +187,6 @@ impl<T: Real> Real for Dual<T> {
         let varies = cosine.above(Self::ZERO);
         varies.select(m.raise(cosine), Self::ZERO).of_value(power)
     }
-
-    #[inline(always)]
-    fn attenuated(color: Rgb<Self>, coefficients: [Self; 3], q: Self, limit: Self) -> Dimmed<Self> {
-        let factor = falloff::attenuation(coefficients, q, limit);
-        let light = Dimmed {
-            color,
-            factor: Self::ONE,
-        };
-        let [a, b, c] = coefficients;
-        let abc = [a.value, b.value, c.value];
-        let attenuated = T::attenuated(light.values().color, abc, q.value, limit.value);
-        light.times(factor, attenuated)
-    }
-
-    #[inline(always)]
-    fn windowed(
-        light: Dimmed<Self>,
-        v: Vec3<Self>,
-        q: Self,
-        range: Self,
-        is_squared: Where<T::Mask>,
-    ) -> Dimmed<Self> {
-        let factor = falloff::window(q, range, is_squared);
-        let windowed = T::windowed(
-            light.values(),
-            values(v),
-            q.value,
-            range.value,
-            is_squared.0,
-        );
-        light.times(factor, windowed)
-    }
-
-    #[inline(always)]
-    fn beamed(
-        light: Dimmed<Self>,
-        axis: Vec3<Self>,
-        [inner, outer]: [Self; 2],
-        is_smooth: Where<T::Mask>,
-        v: Vec3<Self>,
-        measured: &Measured<Self>,
-    ) -> Dimmed<Self> {
-        let cosine = Self::dot(-axis, measured.w) / measured.w_length;
-        let factor = falloff::beam(cosine, [inner, outer], is_smooth);
-        let edges = [inner.value, outer.value];
-        let (axis, v, measured) = (values(axis), values(v), measured.values());
-        let beamed = T::beamed(light.values(), axis, edges, is_smooth.0, v, &measured);
-        light.times(factor, beamed)
-    }
 }
 
 /// A lobe of dual numbers as one of their values.
@@ -297,43 +211,11 @@ impl<T: Real, M: Lobe<Dual<T>>> Lobe<T> for OfValue<M> {
     }
 }
 
-/// A sum over lights as T holds it, and its gradient.
-#[derive(Clone, Copy)]
-pub struct Sum<T: Real> {
-    value: T::Sum,
-    plain: Rgb<Dual<T>>,
-}
-
-impl<T: Real> LightSum<Dual<T>> for Sum<T> {
-    const DARK: Self = Self {
-        value: T::Sum::DARK,
-        plain: Rgb::DARK,
-    };
-
-    #[inline(always)]
-    fn add(self, light: Dimmed<Dual<T>>, cosine: Dual<T>) -> Self {
-        Self {
-            value: self.value.add(light.values(), cosine.value),
-            plain: self.plain.add(light, cosine),
-        }
-    }
-
-    #[inline(always)]
-    fn total(self) -> Rgb<Dual<T>> {
-        let (value, plain) = (self.value.total(), self.plain.total());
-        Rgb::new(
-            plain.r.of_value(value.r),
-            plain.g.of_value(value.g),
-            plain.b.of_value(value.b),
-        )
-    }
-}
-
 /// Where a comparison of values holds.
 #[derive(Clone, Copy)]
 pub struct Where<M>(M);
 
-impl<M: Mask> Mask for Where<M> {
+impl<T: Real> Mask<Dual<T>> for Where<T::Mask> {
     #[inline]
     fn any(self) -> bool {
         self.0.any()
@@ -343,9 +225,7 @@ impl<M: Mask> Mask for Where<M> {
     fn all(self) -> bool {
         self.0.all()
     }
-}
 
-impl<T: Real> Select<Dual<T>> for Where<T::Mask> {
     #[inline]
     fn select(self, then: Dual<T>, otherwise: Dual<T>) -> Dual<T> {
         Dual::new(

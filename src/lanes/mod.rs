@@ -16,7 +16,7 @@ use crate::number::lobe::half_shininess;
 use crate::number::power::{
     Bits, EXPONENT, double, double_of_quotient, single, single_of_quotient,
 };
-use crate::number::{Lobe, Mask, Real, Select, shininess};
+use crate::number::{Lobe, Mask, Real, shininess};
 
 // x87 rounds a number in a register differently from a number in memory
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
@@ -171,7 +171,7 @@ macro_rules! real {
             }
         }
 
-        impl Mask for In<$lanes> {
+        impl Mask<$lanes> for In<$lanes> {
             #[inline]
             fn any(self) -> bool {
                 self.0.any()
@@ -181,9 +181,7 @@ macro_rules! real {
             fn all(self) -> bool {
                 self.0.all()
             }
-        }
 
-        impl Select<$lanes> for In<$lanes> {
             #[inline]
             fn select(self, then: $lanes, otherwise: $lanes) -> $lanes {
                 self.0.bitselect(then, otherwise)

@@ -2,7 +2,7 @@
 
 use crate::color::Rgb;
 use crate::number::cast::{end, nearest, positive};
-use crate::number::{Dimmed, Mask, Real, Scalar, Select};
+use crate::number::{Dimmed, Mask, Real, Scalar};
 use crate::vector::Vec3;
 
 /// The factor by which distance attenuates a light.

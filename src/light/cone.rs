@@ -3,7 +3,7 @@
 use core::f64::consts::FRAC_PI_2;
 
 use crate::color::Rgb;
-use crate::number::{Dimmed, Measured, Real, Scalar, Select, constant, epsilon, parts};
+use crate::number::{Dimmed, Mask, Measured, Real, Scalar, constant, epsilon, parts};
 use crate::vector::UnitVec3;
 use crate::vector::Vec3;
 

@@ -6,7 +6,7 @@ use core::ops::Mul;
 use super::Attenuation;
 use super::Cone;
 use crate::color::Rgb;
-use crate::number::{Dimmed, Mask, Measured, Real, Select, Toward, cold};
+use crate::number::{Dimmed, Mask, Measured, Real, Toward, cold};
 use crate::vector::UnitVec3;
 use crate::vector::Vec3;
 

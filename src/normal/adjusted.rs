@@ -1,7 +1,7 @@
 //! Normals made from normals: turned to the eye, transformed, or perturbed by a normal map.
 
 use super::surface::from_tangents;
-use crate::number::{Real, Scalar, Select, is_extreme, magnitude};
+use crate::number::{Mask, Real, Scalar, is_extreme, magnitude};
 use crate::vector::UnitVec3;
 use crate::vector::Vec3;
 

@@ -1,6 +1,6 @@
 //! The tangent that a normal map needs.
 
-use crate::number::{Real, Scalar, Select, magnitude};
+use crate::number::{Mask, Real, Scalar, magnitude};
 use crate::vector::UnitVec3;
 use crate::vector::Vec3;
 

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, SQRT_2};
 
-use super::{Real, Select, constant, magnitude, parts};
+use super::{Mask, Real, constant, magnitude, parts};
 
 /// The angle θ within [0, π], given its sine and its cosine, both times the same number.
 ///

@@ -1,6 +1,6 @@
 //! Numbers converted to another type, which may be coarser and end earlier.
 
-use super::{Mask, Real, Select, least};
+use super::{Mask, Real, least};
 
 /// The nearest finite number of another type.
 #[inline]

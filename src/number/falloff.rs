@@ -1,6 +1,6 @@
 //! The factors that dim a light: the defaults of [`Real`]'s hooks for what arrives.
 
-use super::{Mask, Real, Select};
+use super::{Mask, Real};
 
 /// min(limit, 1/(a + bq + cq²)), and 0 if the denominator is negative or NaN.
 #[inline(always)]

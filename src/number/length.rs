@@ -2,7 +2,7 @@
 //! vectors.
 
 use super::triple::Vec3;
-use super::{Lobe, Measured, Real, Select, Toward};
+use super::{Lobe, Mask, Measured, Real, Toward};
 use crate::target::FPU;
 
 #[inline(always)]

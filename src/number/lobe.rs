@@ -1,7 +1,7 @@
 //! The shininess m of a highlight.
 
 use super::power::{double, double_of_quotient, single, single_of_quotient};
-use super::{Real, Select};
+use super::{Mask, Real};
 
 /// The shininess m of a highlight: an integer (`u32`) or a real number of the scene's type (`f32`,
 /// `f64`). The type of the argument decides; an integer is faster:

@@ -1,8 +1,11 @@
-//! Numbers: the trait that every formula is written over, and its floats.
+//! What numbers are made of. A number of your own is a [`Real`](crate::Real); this module has the other
+//! names that its author may need.
+//!
+//! The simplest number needs none of them; [`guide::numbers`](mod@crate::guide::numbers) has one.
 
 mod angle;
 pub(crate) mod cast;
-mod elementary;
+pub(crate) mod elementary;
 mod extent;
 pub(crate) mod falloff;
 mod float;
@@ -11,20 +14,19 @@ mod literal;
 pub(crate) mod lobe;
 mod mask;
 pub mod power;
-mod real;
+pub(crate) mod real;
 mod root;
-mod scalar;
+pub(crate) mod scalar;
 pub(crate) mod triple;
 
 pub(crate) use angle::angle;
-pub use elementary::Elementary;
+pub(crate) use elementary::Elementary;
 pub(crate) use extent::{epsilon, least};
 pub(crate) use length::{cold, is_extreme};
 pub(crate) use literal::{constant, parts, whole};
-pub use lobe::Lobe;
-pub(crate) use lobe::{by_squaring, shininess};
-pub use mask::{Mask, Select};
-pub(crate) use real::magnitude;
-pub use real::{Dimmed, LightSum, Measured, Real, Toward};
+pub(crate) use lobe::{Lobe, by_squaring, shininess};
+pub use mask::Mask;
+pub use real::{Dimmed, LightSum, Measured, Toward};
+pub(crate) use real::{Real, magnitude};
 pub(crate) use root::const_sqrt;
-pub use scalar::Scalar;
+pub(crate) use scalar::Scalar;

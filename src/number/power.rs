@@ -29,7 +29,7 @@ use super::Real;
 /// The operations of the powers on the bits of a float, lane by lane.
 ///
 /// ```
-/// use shading::power::Bits;
+/// use shading::number::power::Bits;
 /// assert_eq!(12.0_f32.split(1.0), (3.0, 1.5)); // 12 = 2³ · 1.5
 /// ```
 pub trait Bits: Real {
@@ -122,7 +122,7 @@ const SHIFT: f32 = 12_583_038.0; // 1.5 · 2²³ + 126
 /// flushes subnormal numbers gives the same bits. The power of 0 is some number within [0, 1].
 ///
 /// ```
-/// use shading::power;
+/// use shading::number::power;
 /// assert_eq!(power::single(0.5_f32, 3.0), 0.125);
 /// ```
 #[inline(always)]
@@ -135,7 +135,7 @@ pub fn single<T: Bits>(c: T, m: T) -> T {
 /// quotient above 1 counts as 1, and the power of NaN is 0.
 ///
 /// ```
-/// use shading::power;
+/// use shading::number::power;
 /// assert_eq!(power::single_of_quotient(1.0_f32, 2.0, 3.0), 0.125);
 /// ```
 #[inline(always)]
@@ -208,7 +208,7 @@ const SHIFT_DOUBLE: f64 = 6_755_399_441_056_766.0; // 1.5 · 2⁵² + 1022
 /// 2⁻¹⁰²² becomes 0.
 ///
 /// ```
-/// use shading::power;
+/// use shading::number::power;
 /// assert_eq!(power::double(0.5_f64, 3.0), 0.125);
 /// ```
 #[inline(always)]
@@ -220,7 +220,7 @@ pub fn double<T: Bits>(c: T, m: T) -> T {
 /// (c/d)ᵐ, as [`single_of_quotient`], for products with 2⁵³ that are finite.
 ///
 /// ```
-/// use shading::power;
+/// use shading::number::power;
 /// assert_eq!(power::double_of_quotient(1.0_f64, 2.0, 3.0), 0.125);
 /// ```
 #[inline(always)]

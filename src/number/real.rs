@@ -3,13 +3,13 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::triple::{Rgb, Vec3};
-use super::{Lobe, Mask, Select, by_squaring, falloff, length};
+use super::{Lobe, Mask, by_squaring, falloff, length};
 
 /// A real number: `f32`, `f64`, a dual number, a set of SIMD lanes, or a type of your own.
 ///
 /// The trait has the operations that the formulas of this crate need. `f32`, `f64` and the SIMD
 /// lanes round each of + − × ÷ √ correctly, so their results have the same bits on every machine.
-/// A comparison gives a [`Mask`](Real::Mask), a `bool` for each lane, and [`select`](Select::select)
+/// A comparison gives a [`Mask`](Real::Mask), a `bool` for each lane, and [`select`](Mask::select)
 /// makes each decision by one.
 ///
 /// ```
@@ -53,7 +53,7 @@ pub trait Real:
     + Neg<Output = Self>
 {
     /// Where a comparison holds: `bool`, or one for each lane.
-    type Mask: Mask + Select<Self>;
+    type Mask: Mask<Self>;
     /// What a sum over lights is held in: `Rgb<Self>`, or a sum with more digits.
     type Sum: LightSum<Self>;
 

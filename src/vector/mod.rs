@@ -6,7 +6,7 @@ use core::iter::Sum;
 use core::ops::{Add, Mul};
 
 pub use crate::number::triple::Vec3;
-use crate::number::{Mask, Measured, Real, Scalar, Select};
+use crate::number::{Mask, Measured, Real, Scalar};
 pub use unit::UnitVec3;
 
 impl<T: Real> Vec3<T> {

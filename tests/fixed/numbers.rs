@@ -1,7 +1,8 @@
 //! Operators, roots, powers and conversions.
 
 use shading::fixed::{Fixed, Rgb};
-use shading::{Dimmed, Elementary, LightSum, Lobe, Real, Select};
+use shading::number::{Dimmed, LightSum, Mask};
+use shading::{Elementary, Lobe, Real};
 
 use crate::{Random, edges, exact, steps};
 

@@ -32,5 +32,5 @@ mod q16 {
 /// The crate's own fixed point: ties go up, and a sum of light holds more digits than a color.
 #[cfg(feature = "fixed")]
 mod fixed {
-    properties::all!(shading::fixed::Fixed, without doubling, mirroring, ordering);
+    properties::all!(shading::fixed::Fixed, without doubling, mirroring, ordering, plain);
 }

@@ -19,7 +19,8 @@ use std::mem::transmute;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::time::{Duration, Instant};
 
-use shading::{Attenuation, Mask, Material, PointLight, Real, Rgb, Select, UnitVec3, Vec3, shade};
+use shading::number::Mask;
+use shading::{Attenuation, Material, PointLight, Real, Rgb, UnitVec3, Vec3, shade};
 use wide::f32x8;
 
 const COUNT: usize = 8;
@@ -89,7 +90,7 @@ impl Real for Lanes {
 #[derive(Clone, Copy)]
 struct Above(__m256);
 
-impl Mask for Above {
+impl Mask<Lanes> for Above {
     #[inline(always)]
     fn any(self) -> bool {
         unsafe { _mm256_movemask_ps(self.0) != 0 }
@@ -99,9 +100,7 @@ impl Mask for Above {
     fn all(self) -> bool {
         unsafe { _mm256_movemask_ps(self.0) == 0xFF }
     }
-}
 
-impl Select<Lanes> for Above {
     #[inline(always)]
     fn select(self, then: Lanes, otherwise: Lanes) -> Lanes {
         Lanes(unsafe { _mm256_blendv_ps(otherwise.0, then.0, self.0) })

@@ -505,9 +505,9 @@ macro_rules! for_each_function {
 
 /// Each row as a function.
 pub mod row {
+    use shading::number::{Dimmed, LightSum, Mask as _};
     use shading::{
-        Attenuation, Cone, Dimmed, Dual, Elementary, LightSum, Lobe, Mask as _, Real, Rgb,
-        Select as _, UnitVec3, Vec3, normal, shade, term,
+        Attenuation, Cone, Dual, Elementary, Lobe, Real, Rgb, UnitVec3, Vec3, normal, shade, term,
     };
 
     use crate::digest::{Each, Value};

@@ -16,7 +16,7 @@
 //!
 //! A test that fails prints the simplest input that proptest finds, as a call to paste into a test.
 //!
-//! Three groups of properties hold of most numbers, but not of all. A number that does not promise
+//! Four groups of properties hold of most numbers, but not of all. A number that does not promise
 //! one says so, and those properties are not listed for it: `properties::all!(super::MyNumber,
 //! without doubling)`.
 //!
@@ -25,6 +25,7 @@
 //! | `doubling` | a product with a power of two is exact, as in a binary float |
 //! | `mirroring` | −x is rounded as x is |
 //! | `ordering` | a sum over lights rounds after each light: `Real::Sum` is a color of the number |
+//! | `plain` | what dims a light is computed by the formulas, so a dual number has the same light |
 //!
 //! A number with elementary functions, which is a real shininess, too, has more:
 //! `properties::all!(f32, with functions)`.
@@ -110,6 +111,7 @@ pub mod without {
     pub const doubling: () = ();
     pub const mirroring: () = ();
     pub const ordering: () = ();
+    pub const plain: () = ();
 }
 
 /// A test, unless the number does without its group.
@@ -122,6 +124,7 @@ macro_rules! property {
     ((doubling) (doubling $($rest:ident)*) $test:item) => {};
     ((mirroring) (mirroring $($rest:ident)*) $test:item) => {};
     ((ordering) (ordering $($rest:ident)*) $test:item) => {};
+    ((plain) (plain $($rest:ident)*) $test:item) => {};
     (($group:ident) ($other:ident $($rest:ident)*) $test:item) => {
         $crate::property! { ($group) ($($rest)*) $test }
     };
@@ -255,6 +258,7 @@ properties! { $
         the_power_of_a_halfway_cosine_is_its_formula
         a_cast_to_f64_and_back_is_the_same
         a_dual_number_has_the_value_of_its_number
+        [plain] a_dual_number_has_the_light_of_its_number
         derivatives_follow_their_rules
         [doubling] a_slope_is_linear_in_the_tangent
         [functions] elementary_functions_have_their_slopes;

@@ -1,7 +1,8 @@
 //! What the formulas expect of a number, and what dual numbers make of it.
 
 use proptest::prelude::*;
-use shading::{Dual, Elementary, Mask, Rgb, Select, UnitVec3, Vec3};
+use shading::number::Mask;
+use shading::{Dual, Elementary, Rgb, UnitVec3, Vec3, term};
 
 use crate::book;
 use crate::given::{Directions, Numbers, Scene};
@@ -113,8 +114,24 @@ pub fn a_cast_to_f64_and_back_is_the_same<T: Number>(scene: &Scene<T>) -> Outcom
     Ok(())
 }
 
-/// In dual numbers, every light has the value that it has in the number itself, to the bit.
+/// In dual numbers, directions, distances and highlights have the values that they have in the number
+/// itself, to the bit.
 pub fn a_dual_number_has_the_value_of_its_number<T: Number>(scene: &Scene<T>) -> Outcome {
+    let dual = scene.cast(Dual::constant);
+    for (dual_light, light) in dual.arriving().iter().zip(scene.arriving()) {
+        prop_assert_eq!(dual_light.l().cast(|x| x.value), light.l());
+        prop_assert_eq!(dual_light.distance().value, light.distance());
+        prop_assert_eq!(dual_light.is_in_front(dual.n), light.is_in_front(scene.n));
+        let m = scene.material.m;
+        let highlight = term::blinn(dual.n, dual_light.l(), m);
+        prop_assert_eq!(highlight.value, term::blinn(scene.n, light.l(), m));
+    }
+    Ok(())
+}
+
+/// In dual numbers, every light has the value that it has in the number itself, to the bit, if the number
+/// dims it by the formulas.
+pub fn a_dual_number_has_the_light_of_its_number<T: Number>(scene: &Scene<T>) -> Outcome {
     let dual = scene.cast(Dual::constant);
     let sums = dual.shaded(&dual.arriving());
     for (dual, plain) in sums.into_iter().zip(scene.shaded(&scene.arriving())) {

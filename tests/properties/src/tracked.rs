@@ -8,7 +8,8 @@ use core::marker::PhantomData;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use proptest::prelude::*;
-use shading::{Mask, Real, Rgb, Select, Shaded, UnitVec3, Vec3};
+use shading::number::Mask;
+use shading::{Real, Rgb, Shaded, UnitVec3, Vec3};
 
 use crate::{Number, Outcome};
 
@@ -173,7 +174,15 @@ pub struct Above {
     is_sure: bool,
 }
 
-impl<T: Number> Select<Tracked<T>> for Above {
+impl<T: Number> Mask<Tracked<T>> for Above {
+    fn any(self) -> bool {
+        self.decided()
+    }
+
+    fn all(self) -> bool {
+        self.decided()
+    }
+
     fn select(self, then: Tracked<T>, otherwise: Tracked<T>) -> Tracked<T> {
         let (taken, other) = if self.holds {
             (then, otherwise)
@@ -190,14 +199,11 @@ impl<T: Number> Select<Tracked<T>> for Above {
     }
 }
 
-impl Mask for Above {
-    fn any(self) -> bool {
+impl Above {
+    /// The answer on which a path depends.
+    fn decided(self) -> bool {
         UNDECIDED.set(UNDECIDED.get() || !self.is_sure);
         self.holds
-    }
-
-    fn all(self) -> bool {
-        self.any()
     }
 }
 
