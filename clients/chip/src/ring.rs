@@ -132,9 +132,16 @@ where
         width,
         pixels: &mut [Pixel::BEHIND; WIDTH * ROWS],
     };
+    let mut facing = [0u16; TRIANGLES.len()];
+    let mut count = 0;
+    for (i, triangle) in TRIANGLES.iter().enumerate() {
+        let [a, b, c] = triangle.map(|i| &corners[usize::from(i)]);
+        facing[count] = i as u16;
+        count += usize::from((b.x - a.x) * (a.y - c.y) - (c.x - a.x) * (a.y - b.y) >= 64);
+    }
     while strip.top < height {
-        for triangle in &TRIANGLES {
-            strip.draw(triangle.map(|i| &corners[usize::from(i)]));
+        for &i in &facing[..count] {
+            strip.draw(TRIANGLES[usize::from(i)].map(|i| &corners[usize::from(i)]));
         }
         let rows = (height - strip.top).min(ROWS as i32);
         let area = Rectangle::new(
@@ -219,12 +226,15 @@ impl Strip<'_> {
     /// Draws the pixels of a triangle in this strip whose centers are inside it and nearer than
     /// what was drawn before.
     fn draw(&mut self, [a, b, c]: [&Corner; 3]) {
-        // twice the area, in squares of a sixteenth
-        let area = (b.x - a.x) * (a.y - c.y) - (c.x - a.x) * (a.y - b.y);
         // pixels by their centers
         let pixels = |[a, b, c]: [i32; 3]| (a.min(b).min(c) + 7) >> 4..(a.max(b).max(c) + 8) >> 4;
-        let (rows, columns) = (pixels([a.y, b.y, c.y]), pixels([a.x, b.x, c.x]));
+        let rows = pixels([a.y, b.y, c.y]);
         let rows = rows.start.max(self.top)..rows.end.min(self.top + ROWS as i32);
+        if rows.is_empty() {
+            return;
+        }
+        let area = (b.x - a.x) * (a.y - c.y) - (c.x - a.x) * (a.y - b.y);
+        let columns = pixels([a.x, b.x, c.x]);
         let columns = columns.start.max(0)..columns.end.min(self.width);
         if rows.is_empty() || columns.is_empty() || area < 64 {
             return; // elsewhere; turned away, or smaller than an eighth of a pixel
