@@ -221,7 +221,7 @@ impl Corpus<'_> {
             for beyond in [-40.0, -2.0, -0.3, 0.3, 2.0] {
                 let off: f64 = degrees + beyond;
                 if off >= 0.0 {
-                    let (sine, cosine) = off.to_radians().sin_cos();
+                    let (sine, cosine) = libm::sincos(off.to_radians());
                     let axis = self.profile.unit([-sine, 0.0, -cosine]);
                     let angle = self.profile.rounded(f64::to_radians(degrees));
                     let light = self.light(Kind::Spot, UP, [1.0, 0.75, 0.5]);

@@ -203,7 +203,7 @@ impl Generator<'_> {
         let axis = self.profile.unit(aim);
         let short = self.random.integer(5, 90);
         let l = unit(way);
-        let off = (-dot(axis, l)).clamp(-1.0, 1.0).acos();
+        let off = libm::acos((-dot(axis, l)).clamp(-1.0, 1.0));
         let degrees = match self.random.below(3) {
             0 if is_long => self.random.real(5.0, 90.0),
             1 if is_long => {

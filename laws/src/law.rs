@@ -73,7 +73,7 @@ impl Law {
                 Self::NoMemory => {
                     let [low, high] = right.ends(light)?;
                     let off = reply - replies.last()?[channel];
-                    let allowed = high - low + right.slack(reply);
+                    let allowed = high - low + right.slack(reply.abs());
                     (off.abs() > allowed).then_some((off, allowed))
                 }
             }?;

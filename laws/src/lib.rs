@@ -7,6 +7,9 @@
 
 // Each group uses only itself and those above it, and no two files use each other.
 
+// the time
+mod clock;
+
 // a scene, and numbers that know their error
 mod bounded;
 mod scene;
@@ -36,6 +39,7 @@ mod report;
 mod run;
 
 pub use cause::Cause;
+pub use clock::Clock;
 pub use law::Broken;
 pub use mistakes::Fault;
 pub use options::Laws;

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use crate::clock::{self, Clock};
 use crate::law::Law;
 use crate::mistakes::departures;
 use crate::profile::Profile;
@@ -30,6 +31,8 @@ pub struct Laws {
     /// The longest time of the run. Each law is tried at least once. If the time ends before all
     /// cases are tried, the report does not pass.
     pub time: Option<Duration>,
+    /// What tells the time. Without a clock, as in a page, `time` ends nothing.
+    pub clock: Clock,
 }
 
 impl Default for Laws {
@@ -40,6 +43,7 @@ impl Default for Laws {
             only: Vec::new(),
             shrinks: 200,
             time: None,
+            clock: clock::of_machine,
         }
     }
 }

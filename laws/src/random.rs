@@ -12,7 +12,10 @@ impl Random {
 
     /// From 0 to below `count`.
     pub fn below(&mut self, count: usize) -> usize {
-        self.0.usize(..count)
+        // a range of usize takes less of the stream on a machine of 32 bits
+        #[allow(clippy::cast_possible_truncation)] // below a count
+        let below = self.0.u64(..count as u64) as usize;
+        below
     }
 
     /// A whole number from `low` to `high`, both included.
@@ -27,7 +30,7 @@ impl Random {
 
     /// From `low` to `high`, above 0, each power of two as often as another.
     pub fn scale(&mut self, low: f64, high: f64) -> f64 {
-        self.real(low.log2(), high.log2()).exp2()
+        libm::exp2(self.real(libm::log2(low), libm::log2(high)))
     }
 
     /// Once in `count` times.
@@ -40,6 +43,8 @@ impl Random {
     }
 
     pub fn shuffle<T>(&mut self, values: &mut [T]) {
-        self.0.shuffle(values);
+        for i in 1..values.len() {
+            values.swap(i, self.below(i + 1));
+        }
     }
 }

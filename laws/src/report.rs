@@ -38,6 +38,9 @@ pub struct Finding {
     pub places: Vec<Place>,
     /// The names of the laws.
     pub laws: Vec<&'static str>,
+    /// The smallest scenes that show it, as the renderer got them: those of the first of its laws that rounding does
+    /// not explain.
+    pub scenes: Vec<Scene>,
 }
 
 /// What was found of one law.
@@ -93,6 +96,20 @@ pub struct Counterexample {
     pub broken: Broken,
 }
 
+impl Finding {
+    /// What shows it: the first of its laws that rounding does not explain, because one scene tells nothing of what
+    /// is remembered.
+    pub(crate) fn shown<'a>(
+        &self,
+        laws: &'a [LawReport],
+    ) -> Option<(&'a LawReport, &'a Counterexample)> {
+        let of = |name: &&str| laws.iter().find(|law| law.law == *name);
+        let of_laws = self.laws.iter().filter_map(of);
+        let smallest = of_laws.filter_map(|law| Some((law, law.smallest()?)));
+        smallest.min_by_key(|(_, it)| !it.broken.is_clear())
+    }
+}
+
 impl LawReport {
     /// Whether the law is broken.
     #[must_use]
@@ -142,7 +159,7 @@ impl Report {
     ///
     /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
     /// let json = Laws::default().run(&mut black).unwrap().to_json();
-    /// assert!(json.starts_with(r#"{"passes":false,"version":7,"seed":0,"#));
+    /// assert!(json.starts_with(r#"{"passes":false,"version":8,"seed":0,"#));
     /// ```
     #[must_use]
     pub fn to_json(&self) -> String {
@@ -195,11 +212,7 @@ impl Report {
                 writeln!(f, "  Also without: {}{dots}", few.join(", "))?;
             }
         }
-        let of = |name: &&str| self.laws.iter().find(|law| law.law == *name);
-        let of_laws = finding.laws.iter().filter_map(of);
-        let smallest = of_laws.filter_map(|law| Some((law, law.smallest()?)));
-        // the first one that rounding does not explain: one scene tells nothing of what is remembered
-        if let Some((law, smallest)) = smallest.min_by_key(|(_, it)| !it.broken.is_clear()) {
+        if let Some((law, smallest)) = finding.shown(&self.laws) {
             write!(f, "\n  {}: {}\n{smallest}", law.law, law.says)?;
             let again = self.reproduction(&smallest.scenes);
             writeln!(f, "  To reproduce it:\n{again}")?;

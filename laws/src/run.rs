@@ -1,7 +1,7 @@
 //! Tries a renderer by the laws.
 
 use std::collections::BTreeMap;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use crate::cause::{Cause, Evidence};
 use crate::formula::Formula;
@@ -29,7 +29,7 @@ impl Laws {
     /// In one line: a contradictory profile; the name of a law that does not exist; no cases at all.
     pub fn run(&self, renderer: &mut impl Renderer) -> Result<Report, String> {
         let plan = Plan::new(self, &renderer.profile())?;
-        let start = Instant::now();
+        let start = (self.clock)();
         let mut run = Run {
             renderer,
             plan: &plan,
@@ -84,8 +84,8 @@ struct Run<'a> {
     renderer: &'a mut dyn Renderer,
     plan: &'a Plan,
     right: Formula<'a>,
-    start: Instant,
-    deadline: Option<Instant>,
+    start: Duration,
+    deadline: Option<Duration>,
     /// The number of scenes, and that of the whole plan.
     asked: usize,
     of: usize,
@@ -123,11 +123,15 @@ impl Run<'_> {
         Some(())
     }
 
+    fn now(&self) -> Duration {
+        (self.plan.laws.clock)()
+    }
+
     fn is_late(&self) -> bool {
         self.deadline.is_some_and(|end| {
             // what is wrong needs time to be placed
-            let left = end.saturating_duration_since(Instant::now());
-            left.is_zero() || !self.failures.is_empty() && left * 4 < end - self.start
+            let left = end.saturating_sub(self.now());
+            left.is_zero() || !self.failures.is_empty() && left * 4 < end.saturating_sub(self.start)
         })
     }
 
@@ -169,9 +173,9 @@ impl Run<'_> {
             return None;
         }
         self.asked += scenes.len();
-        let asked = Instant::now();
+        let asked = self.now();
         let answer = self.renderer.shade(scenes);
-        self.waited += asked.elapsed();
+        self.waited += self.now().saturating_sub(asked);
         match answer {
             Ok(mut colors) if colors.len() == scenes.len() => {
                 let white = self.plan.profile.white;
@@ -196,8 +200,8 @@ impl Run<'_> {
     /// What was found, with smaller cases and places where the renderer still answers.
     fn report(mut self) -> Report {
         self.evidence.sample();
-        let findings = self.findings();
-        let until = Instant::now() + SEARCH;
+        let mut findings = self.findings();
+        let until = self.now() + SEARCH;
         let until = self.deadline.map_or(until, |end| end.min(until));
         let mut laws = Vec::new();
         for law in Law::ALL {
@@ -210,8 +214,12 @@ impl Run<'_> {
                 });
             }
         }
+        for finding in &mut findings {
+            let shown = finding.shown(&laws);
+            finding.scenes = shown.map_or_else(Vec::new, |(_, it)| it.scenes.clone());
+        }
         Report {
-            version: 7,
+            version: 8,
             seed: self.plan.laws.seed,
             error: self.error,
             findings,
@@ -221,7 +229,7 @@ impl Run<'_> {
         }
     }
 
-    fn verdict(&mut self, law: Law, until: Instant) -> Verdict {
+    fn verdict(&mut self, law: Law, until: Duration) -> Verdict {
         let is_of_law = |case: &&Case| case.is_of(law);
         let count = |cases: &[Case]| cases.iter().filter(is_of_law).count();
         let (cases, of) = (
@@ -272,14 +280,14 @@ impl Run<'_> {
 
     /// The smallest case that is still broken; if rounding does not explain the first one, it does
     /// not explain that one either.
-    fn smaller(&mut self, mut failure: Failure, until: Instant) -> Failure {
+    fn smaller(&mut self, mut failure: Failure, until: Duration) -> Failure {
         let mut batches = 0;
         let (law, is_clear) = (failure.law, failure.broken.is_clear());
         'smaller: loop {
             let simpler = shrink::simpler(&failure.case.scene, &self.plan.profile);
             for scenes in simpler.chunks(SIMPLER) {
                 batches += 1;
-                if batches > self.plan.laws.shrinks || Instant::now() >= until || self.is_over {
+                if batches > self.plan.laws.shrinks || self.now() >= until || self.is_over {
                     return failure;
                 }
                 let scenes = scenes.iter().cloned();
@@ -318,6 +326,7 @@ impl Run<'_> {
                 cause: Some(Cause::state()),
                 places: Vec::new(),
                 laws: names(&of_state),
+                scenes: Vec::new(),
             });
         }
         if !others.is_empty() && (cause.is_some() || !is_fickle) {
@@ -325,6 +334,7 @@ impl Run<'_> {
                 cause,
                 places: self.places().unwrap_or_default(),
                 laws: names(&others),
+                scenes: Vec::new(),
             });
         }
         findings
@@ -351,7 +361,7 @@ impl Run<'_> {
             return None;
         }
         let waited = self.waited.as_secs_f64();
-        let until_end = |end: Instant| end.saturating_duration_since(Instant::now()).min(SEARCH);
+        let until_end = |end: Duration| end.saturating_sub(self.now()).min(SEARCH);
         let left = self.deadline.map_or(SEARCH, until_end).as_secs_f64();
         // so many cases without each of so many things
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 2 to 60

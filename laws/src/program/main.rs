@@ -123,6 +123,7 @@ fn judged(arguments: &Arguments) -> Outcome {
         only: arguments.laws.clone(),
         shrinks: arguments.shrink,
         time: arguments.time,
+        ..Laws::default()
     };
     piped::listen_to_interrupts();
     let mut renderer = Piped::start(&arguments.command, arguments.timeout)?;
