@@ -285,10 +285,29 @@ pub fn phong<T: Real, M: Lobe<T>>(
 /// ```
 ///
 /// H is the [`half_vector`](crate::half_vector()) of L and V. A light with N·L ≤ 0 adds nothing. If
-/// L = −V, there is no half vector and no highlight. The [module page](crate::shade) lists the
-/// arguments and has an example; the call is that of [`phong`].
+/// L = −V, there is no half vector and no highlight.
+///
+/// - `n` is N, the normal of the surface, and `v` is V, the direction from the point to the eye: both have length 1. If they
+///   are swapped, the surface looks flat and has no dark side.
+/// - `material` holds k_a, k_d, k_s and m.
+/// - `i_a` is I_a, the ambient light of the scene, once for all lights.
+/// - `lights` is what arrives at the point: `[lamp.at(p)]`, or `lights.iter().map(|light| light.at(p))`.
+///
+/// The result is linear light in three parts, which [`Shaded::total`] adds. Encode the total once, by
+/// [`Rgb::to_srgb8`](crate::Rgb::to_srgb8).
 ///
 /// Source: Blinn 1977.
+///
+/// ```
+/// use shading::f32::{DirectionalLight, Material, Rgb, UnitVec3, Vec3};
+/// use shading::shade;
+///
+/// let clay = Material { k_a: Rgb::gray(0.25), k_d: Rgb::gray(0.5), k_s: Rgb::gray(0.25), m: 32 };
+/// let sun = DirectionalLight { l: UnitVec3::Z, intensity: Rgb::WHITE };
+/// let (n, v) = (UnitVec3::Z, UnitVec3::Z); // the half vector is N
+/// let shaded = shade::blinn_phong(n, v, &clay, Rgb::gray(0.5), [sun.at(Vec3::ZERO)]);
+/// assert_eq!(shaded.total(), Rgb::gray(0.875)); // ¼ · ½ + ½ + ¼
+/// ```
 #[inline]
 pub fn blinn_phong<T: Real, M: Lobe<T>>(
     n: UnitVec3<T>,

@@ -27,6 +27,14 @@ use crate::vector::UnitVec3;
 /// per light. It is never attenuated.
 ///
 /// Source: Foley, van Dam et al. 1990, §16.1.1.
+///
+/// ```
+/// use shading::f32::Rgb;
+/// use shading::term;
+///
+/// let (clay, sky) = (Rgb::new(0.5, 0.25, 0.125), Rgb::new(0.25, 0.5, 1.0));
+/// assert_eq!(term::ambient(clay, sky), Rgb::gray(0.125));
+/// ```
 #[inline]
 pub fn ambient<T: Real>(k_a: Rgb<T>, i_a: Rgb<T>) -> Rgb<T> {
     k_a * i_a

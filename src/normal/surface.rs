@@ -138,6 +138,16 @@ pub fn implicit<T: Real + Scalar>(
 /// finite.
 ///
 /// Source: Foley, van Dam et al. 1990, §11.4.
+///
+/// ```
+/// use shading::f32::{UnitVec3, Vec3};
+/// use shading::normal;
+///
+/// // f = x² + y²/4 + z² − 1 at (0, 2, 0): ∇f = (2x, y/2, 2z)
+/// let gradient = Vec3::new(0.0, 1.0, 0.0);
+/// assert_eq!(normal::from_gradient(gradient), Some(UnitVec3::Y));
+/// assert_eq!(normal::from_gradient(Vec3::new(0.0, 0.0, 0.0)), None);
+/// ```
 #[inline]
 #[must_use]
 pub fn from_gradient<T: Real + Scalar>(gradient: Vec3<T>) -> Option<UnitVec3<T>> {

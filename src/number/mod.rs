@@ -1,4 +1,4 @@
-//! What numbers are made of. A number of your own is a [`Real`](crate::Real); this module has the other
+//! What numbers are made of. A number of your own is a [`Real`]; this module has the other
 //! names that its author may need.
 //!
 //! The simplest number needs none of them; [`guide::numbers`](mod@crate::guide::numbers) has one.
