@@ -92,7 +92,9 @@
 //!
 //! # Guide
 //!
-//! - [Recipes](guide::recipes): parts of a renderer to copy, found by what you see or by topic.
+//! - [Recipes](guide::recipes): parts of a renderer to copy, found by what you see or by topic, on five pages:
+//!   [lights](guide::lights), [surfaces](guide::surfaces), [materials](guide::materials), [images and colors](guide::colors)
+//!   and [speed](guide::speed).
 //! - [Porting](guide::porting): how to replace your own loop and keep your vectors; the lights of other programs.
 //! - [Numbers](guide::numbers): how to compute with a number type of your own.
 //! - [Embedded](guide::embedded): from an empty folder to a picture on an emulated board; costs on chips.
@@ -176,10 +178,10 @@ macro_rules! pages {
         #[doc = $purpose]
         ///
         // the first definition of a link counts, so these replace those of the files
-        /// [falloffs]: mod@crate::guide::recipes#falloffs-beams-and-filters-of-your-own
-        /// [gltf]: mod@crate::guide::recipes#lights-of-a-gltf-file
+        /// [falloffs]: mod@crate::guide::lights#falloffs-beams-and-filters-of-your-own
+        /// [gltf]: mod@crate::guide::lights#lights-of-a-gltf-file
         /// [programs]: mod@crate::guide::porting#lights-of-other-programs
-        /// [watts]: mod@crate::guide::recipes#lumen-and-candela
+        /// [watts]: mod@crate::guide::lights#lumen-and-candela
         /// [display]: mod@crate::guide::embedded#a-mesh-on-a-display
         /// [laws]: https://docs.rs/shading-laws
         /// [embedded]: mod@crate::guide::embedded
@@ -190,6 +192,49 @@ macro_rules! pages {
         /// [precision]: mod@crate::guide::precision
         /// [proofs]: mod@crate::guide::proofs
         /// [recipes]: mod@crate::guide::recipes
+        /// [lanes]: mod@crate::guide::speed#points-in-lanes
+        /// [a-highlight-that-fades]: mod@crate::guide::materials#a-highlight-that-fades
+        /// [a-shininess-from-a-roughness]: mod@crate::guide::materials#a-shininess-from-a-roughness
+        /// [ambient-light]: mod@crate::guide::lights#ambient-light
+        /// [area-lights]: mod@crate::guide::lights#area-lights
+        /// [bands]: mod@crate::guide::colors#bands
+        /// [bumps-from-heights]: mod@crate::guide::surfaces#bumps-from-heights
+        /// [color-temperature]: mod@crate::guide::lights#color-temperature
+        /// [colors]: mod@crate::guide::colors
+        /// [cool-to-warm-shading]: mod@crate::guide::materials#cool-to-warm-shading
+        /// [depth-images]: mod@crate::guide::surfaces#depth-images
+        /// [exposure-and-luminance]: mod@crate::guide::colors#exposure-and-luminance
+        /// [falloffs-beams-and-filters-of-your-own]: mod@crate::guide::lights#falloffs-beams-and-filters-of-your-own
+        /// [filters-of-svg]: mod@crate::guide::surfaces#filters-of-svg
+        /// [fog-toward-the-eye]: mod@crate::guide::colors#fog-toward-the-eye
+        /// [gouraud-shading]: mod@crate::guide::speed#gouraud-shading
+        /// [hair-brushed-metal-and-lines]: mod@crate::guide::materials#hair-brushed-metal-and-lines
+        /// [height-maps-and-the-sun]: mod@crate::guide::surfaces#height-maps-and-the-sun
+        /// [highlights-that-sparkle]: mod@crate::guide::materials#highlights-that-sparkle
+        /// [leaves-and-paper]: mod@crate::guide::materials#leaves-and-paper
+        /// [lights]: mod@crate::guide::lights
+        /// [lights-below-the-face]: mod@crate::guide::lights#lights-below-the-face
+        /// [lights-of-a-gltf-file]: mod@crate::guide::lights#lights-of-a-gltf-file
+        /// [limits-and-ranges]: mod@crate::guide::lights#limits-and-ranges
+        /// [lumen-and-candela]: mod@crate::guide::lights#lumen-and-candela
+        /// [materials]: mod@crate::guide::materials
+        /// [materials-of-threejs]: mod@crate::guide::materials#materials-of-threejs
+        /// [mirrored-objects]: mod@crate::guide::surfaces#mirrored-objects
+        /// [moved-and-morphed-meshes]: mod@crate::guide::surfaces#moved-and-morphed-meshes
+        /// [normal-maps]: mod@crate::guide::surfaces#normal-maps
+        /// [one-space]: mod@crate::guide::surfaces#one-space
+        /// [points-in-lanes]: mod@crate::guide::speed#points-in-lanes
+        /// [rim-lights-and-toon-highlights]: mod@crate::guide::materials#rim-lights-and-toon-highlights
+        /// [rough-surfaces]: mod@crate::guide::materials#rough-surfaces
+        /// [shadows]: mod@crate::guide::lights#shadows
+        /// [smooth-meshes-and-creases]: mod@crate::guide::surfaces#smooth-meshes-and-creases
+        /// [speed]: mod@crate::guide::speed
+        /// [spherical-lamps]: mod@crate::guide::lights#spherical-lamps
+        /// [surfaces]: mod@crate::guide::surfaces
+        /// [textures-and-emission]: mod@crate::guide::colors#textures-and-emission
+        /// [two-sided-surfaces]: mod@crate::guide::surfaces#two-sided-surfaces
+        /// [wavefront-materials]: mod@crate::guide::materials#wavefront-materials
+        /// [wrapped-and-toon-shading]: mod@crate::guide::materials#wrapped-and-toon-shading
         /// [schema]: mod@crate::guide::schema
         /// [sources]: mod@crate::guide::sources
         /// [totality]: mod@crate::guide::totality
@@ -210,7 +255,12 @@ pub mod guide {
         porting, "../docs/porting.md": "How to replace a loop of your own, with your vectors.";
         precision, "../docs/precision.md": "How far each function is from its formula.";
         proofs, "../docs/proofs.md": "Which promises are proved, from what, and how to prove one of your own.";
-        recipes, "../docs/recipes.md": "Parts of a renderer, to copy.";
+        recipes, "../docs/recipes.md": "Parts of a renderer to copy, by what you see and by topic.";
+        lights, "../docs/lights.md": "Recipes for lamps, suns and spots: shadows, falloffs, files and units.";
+        surfaces, "../docs/surfaces.md": "Recipes for normals: both sides, meshes, maps, heights and depths.";
+        materials, "../docs/materials.md": "Recipes for materials: plastic, clay, leaves, hair, files and other programs.";
+        colors, "../docs/colors.md": "Recipes for images: textures, exposure, bands and fog.";
+        speed, "../docs/speed.md": "Recipes for speed: Gouraud shading, and points in lanes.";
         schema, "../docs/schema.md": "The forms in which `serde` reads and writes lights and materials.";
         sources, "../docs/sources.md": "Where each formula comes from, and whether the source was read.";
         totality, "../docs/totality.md": "What each function gives where its formula has no answer.";

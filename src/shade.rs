@@ -52,7 +52,7 @@
 //! ```
 //!
 //! **Area lights.** Use many point lights, each with a fraction of the light, as in
-//! [`guide::recipes`](mod@crate::guide::recipes).
+//! [`guide::lights`](mod@crate::guide::lights#area-lights).
 //!
 //! **Overflow.** If the sum over the lights overflows, it counts as the largest finite number. The
 //! result can then be infinite only through a reflectance above 1 or in the total. It cannot be NaN
