@@ -1,19 +1,27 @@
-//! The ways to the level of a channel: by steps on a desktop, by a search on a chip, by one
-//! comparison on a chip with an FPU. A processor takes one of them, so a difference would show only
-//! on it. Here all three run, for every kind of number.
+//! The two ways to the level of a channel: by steps on a desktop, by a climb on a chip. A processor
+//! takes one of them, so a difference would show only on the other. Here both run, for every kind of
+//! number.
 
 #[allow(dead_code)]
 #[path = "../src/target.rs"]
 mod target; // which the others read
 
-#[allow(dead_code, clippy::pedantic)]
-#[path = "../src/color/levels.rs"]
-mod levels;
-#[allow(dead_code, clippy::pedantic)]
-#[path = "../src/color/steps.rs"]
-mod steps;
+macro_rules! included {
+    ($($name:ident $path:literal)*) => {$(
+        #[allow(dead_code, clippy::pedantic)]
+        #[path = $path]
+        mod $name;
+    )*};
+}
+included! {
+    clamp "../src/color/clamp.rs"
+    climb "../src/color/climb.rs"
+    levels "../src/color/levels.rs"
+    steps "../src/color/steps.rs"
+    table "../src/color/table.rs"
+}
 
-use steps::Way;
+use table::Way;
 
 /// Every edge of every encoding and the numbers beside it; every 997th number of either sign, and
 /// NaN; both zeros and the ends.
@@ -40,25 +48,23 @@ fn numbers() -> impl Iterator<Item = f32> {
 
 fn assert_one_level(by: fn(Way, f32) -> u32) {
     for x in numbers() {
-        let level = by(Way::Steps, x);
-        assert_eq!(by(Way::Search, x), level, "the search: {x:e}");
-        assert_eq!(by(Way::Near, x), level, "one comparison: {x:e}");
+        assert_eq!(by(Way::Climb, x), by(Way::Steps, x), "{x:e}");
     }
 }
 
 #[test]
 fn eight_bits_are_the_same_by_every_way() {
-    assert_one_level(steps::eight_bits_by);
+    assert_one_level(table::eight_bits_by);
 }
 
 #[test]
 fn six_bits_are_the_same_by_every_way() {
-    assert_one_level(steps::six_bits_by);
+    assert_one_level(table::six_bits_by);
 }
 
 #[test]
 fn five_bits_are_the_same_by_every_way() {
-    assert_one_level(steps::five_bits_by);
+    assert_one_level(table::five_bits_by);
 }
 
 #[test]
@@ -66,8 +72,8 @@ fn bits_compare_as_floats_do() {
     for x in numbers() {
         for low in [1.0 / 512.0, 1.0 / 2048.0, 1.0 / 8192.0] {
             assert_eq!(
-                steps::at_least_by_bits(x, low),
-                steps::at_least(x, low),
+                clamp::at_least_by_bits(x, low),
+                clamp::at_least(x, low),
                 "{x:e}"
             );
         }

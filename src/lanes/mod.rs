@@ -17,6 +17,7 @@ use crate::number::power::{
     Bits, EXPONENT, double, double_of_quotient, single, single_of_quotient,
 };
 use crate::number::{Lobe, Mask, Real, shininess};
+use crate::target::{ROOT_OF_LANES, SSE2};
 
 // x87 rounds a number in a register differently from a number in memory
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
@@ -24,19 +25,6 @@ compile_error!(
     "the feature `wide` needs SSE2: without it, a SIMD lane would not have the bits of the scalar. \
      Enable SSE2, or compute with `f32` and `f64`; lanes would be no faster here"
 );
-
-/// Whether lanes are SSE2 registers. The maximum and minimum of SSE2 return the second operand
-/// unless the first is greater or less. That is exactly a comparison and a selection (measured: sums
-/// take 11 to 17 % fewer instructions).
-const SSE2: bool = cfg!(target_feature = "sse2");
-
-/// Whether the processor has an instruction for the root. Elsewhere `wide` computes the root in
-/// software, incorrectly for subnormal numbers.
-const HAS_ROOT: bool = cfg!(any(
-    target_feature = "sse2",
-    target_feature = "simd128",
-    all(target_arch = "aarch64", target_feature = "neon")
-));
 
 /// SIMD lanes: several numbers that are computed side by side. The float types of `wide` implement it.
 ///
@@ -211,7 +199,7 @@ macro_rules! real {
 
             #[inline]
             fn sqrt(self) -> Self {
-                if HAS_ROOT {
+                if ROOT_OF_LANES {
                     self.sqrt()
                 } else {
                     Self::new(self.to_array().map(<$float as Real>::sqrt))

@@ -4,7 +4,7 @@ use super::Real;
 use super::root::{sqrt, sqrtf};
 use super::triple::{Rgb, Vec3};
 use super::{Toward, length};
-use crate::target::SCARCE_FLASH;
+use crate::target::{SCARCE_FLASH, SSE2};
 
 macro_rules! float {
     ($float:ident, $extreme:expr, $sqrt:path) => {
@@ -61,7 +61,7 @@ macro_rules! float {
                 // 0/0, of a w that overflowed, counts as 1: its light is black. `min` keeps the compiler from
                 // comparing in vectors and choosing by branches (a sum −2 to −4 % of instructions); elsewhere it
                 // may be a call.
-                if cfg!(target_feature = "sse2") {
+                if SSE2 {
                     cosine.min(1.0)
                 } else if cosine < 1.0 {
                     cosine

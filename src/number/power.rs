@@ -71,13 +71,6 @@ macro_rules! bits {
             fn two_to_low_bits(self) -> Self {
                 $float::from_bits(self.to_bits() << $digits)
             }
-
-            // The driver of a GPU may simplify (y + c) − c to y. It cannot simplify the bits.
-            #[cfg(target_arch = "spirv")]
-            #[inline]
-            fn unshifted(self, shift: Self) -> Self {
-                self.to_bits().wrapping_sub(shift.to_bits()) as $integer as $float
-            }
         }
     };
 }
