@@ -506,12 +506,12 @@ mod falloffs {
     value!(
         limit_of_a_clamped_falloff,
         falloff::<T>(1.0, 0.0, 0.0).clamped().limit(),
-        1.0
+        Some(T::ONE)
     );
     value!(
         limit_of_a_falloff_without,
         falloff::<T>(1.0, 0.0, 0.0).limit(),
-        T::MAX
+        None::<T>
     );
     value!(falloff_is_that_of_gltf, of_gltf::<T>().is_gltf(), true);
     value!(
@@ -524,11 +524,11 @@ mod falloffs {
         Attenuation::<T>::default() == falloff(1.0, 0.0, 0.0),
         true
     );
-    value!(range_of_a_falloff, ranged::<T>().range(), 4.0);
+    value!(range_of_a_falloff, ranged::<T>().range(), Some(T::of(4.0)));
     value!(
         range_of_a_falloff_without,
         Attenuation::<T>::NONE.range(),
-        T::MAX
+        None::<T>
     );
     // one range after another replaces it, and the order of the steps does not matter
     value!(

@@ -81,18 +81,16 @@ struct RawAttenuation<T> {
 impl<T: Real + Scalar + Serialize> Serialize for Attenuation<T> {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         let [a, b, c] = self.coefficients();
-        let some = |end: T| (end < T::MAX).then_some(end);
-        let range = some(self.range());
         let [range, range_gltf] = if self.is_gltf() {
-            [None, range]
+            [None, self.range()]
         } else {
-            [range, None]
+            [self.range(), None]
         };
         RawAttenuation {
             a,
             b,
             c,
-            limit: some(self.limit()),
+            limit: self.limit(),
             range,
             range_gltf,
         }

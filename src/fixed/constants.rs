@@ -49,28 +49,6 @@ impl Attenuation<Fixed> {
             None
         }
     }
-
-    /// [`within_gltf`](Attenuation#method.within_gltf) for constants.
-    #[inline]
-    #[must_use]
-    pub const fn const_within_gltf(self, r: Fixed) -> Option<Self> {
-        let squared = Fixed(if r.0 < i32::MAX { 0 } else { ONE });
-        match self.const_within(r) {
-            Some(ranged) => Some(Self { squared, ..ranged }),
-            None => None,
-        }
-    }
-
-    /// [`clamped_to`](Attenuation#method.clamped_to) for constants.
-    #[inline]
-    #[must_use]
-    pub const fn const_clamped_to(self, limit: Fixed) -> Option<Self> {
-        if limit.0 > 0 {
-            Some(Self { limit, ..self })
-        } else {
-            None
-        }
-    }
 }
 
 impl Cone<Fixed> {
@@ -87,16 +65,6 @@ impl Cone<Fixed> {
         match Cone::<f64>::const_from_half_angles(inner, outer) {
             Some(cone) => Some(Self::stored(Fixed::new(cone.inner), Fixed::new(cone.outer))),
             None => None,
-        }
-    }
-
-    /// [`from_cosines`](Cone::from_cosines) for constants.
-    #[must_use]
-    pub const fn const_from_cosines(inner: Fixed, outer: Fixed) -> Option<Self> {
-        if ONE >= inner.0 && inner.0 >= outer.0 && outer.0 >= -ONE {
-            Some(Self::stored(inner, outer))
-        } else {
-            None
         }
     }
 
@@ -126,12 +94,5 @@ impl Cone<Fixed> {
             outer: Fixed(edges[1]),
             smooth: Fixed(0),
         }
-    }
-
-    /// [`smoothstep`](Cone#method.smoothstep) for constants.
-    #[inline]
-    pub const fn const_smoothstep(self) -> Self {
-        let smooth = Fixed(if self.inner.0 > self.outer.0 { ONE } else { 0 });
-        Self { smooth, ..self }
     }
 }

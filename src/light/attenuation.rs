@@ -180,8 +180,7 @@ impl<T: Real> Attenuation<T> {
     }
 
     /// The same attenuation, limited to another factor than 1. Returns `None` if the limit is 0,
-    /// negative or NaN. The largest number and ∞ mean no limit. In a constant, use
-    /// [`const_clamped_to`](Attenuation#method.const_clamped_to).
+    /// negative or NaN. The largest number and ∞ mean no limit.
     ///
     /// ```text
     /// min(limit, 1/(a + bq + cq²))
@@ -215,18 +214,31 @@ impl<T: Real> Attenuation<T> {
         [self.a, self.b, self.c]
     }
 
-    /// The largest factor, or [`MAX`](Real::MAX) if it is not limited.
+    /// The largest factor, if it is limited.
+    ///
+    /// ```
+    /// use shading::f32::Attenuation;
+    ///
+    /// assert_eq!(Attenuation::NONE.limit(), None);
+    /// assert_eq!(Attenuation::NONE.clamped().limit(), Some(1.0));
+    /// ```
     #[inline]
     #[must_use]
-    pub const fn limit(self) -> T {
-        self.limit
+    pub fn limit(self) -> Option<T>
+    where
+        T: Scalar,
+    {
+        (self.limit < T::MAX).then_some(self.limit)
     }
 
-    /// The range r, or [`MAX`](Real::MAX) if there is none.
+    /// The range r, if there is one.
     #[inline]
     #[must_use]
-    pub const fn range(self) -> T {
-        self.range
+    pub fn range(self) -> Option<T>
+    where
+        T: Scalar,
+    {
+        (self.range < T::MAX).then_some(self.range)
     }
 
     /// Whether the window of the range is glTF's.
@@ -338,7 +350,7 @@ macro_rules! constants {
             #[inline]
             #[must_use]
             pub const fn const_within(self, r: $float) -> Option<Self> {
-                let (range, squared) = (Self::at_most_max(r), 1.0);
+                let (range, squared) = (if r > $float::MAX { $float::MAX } else { r }, 1.0);
                 if r > 0.0 {
                     Some(Self {
                         range,
@@ -348,33 +360,6 @@ macro_rules! constants {
                 } else {
                     None
                 }
-            }
-
-            /// [`within_gltf`](Attenuation#method.within_gltf) for constants.
-            #[inline]
-            #[must_use]
-            pub const fn const_within_gltf(self, r: $float) -> Option<Self> {
-                let squared = if r < $float::MAX { 0.0 } else { 1.0 };
-                match self.const_within(r) {
-                    Some(ranged) => Some(Self { squared, ..ranged }),
-                    None => None,
-                }
-            }
-
-            /// [`clamped_to`](Attenuation#method.clamped_to) for constants.
-            #[inline]
-            #[must_use]
-            pub const fn const_clamped_to(self, limit: $float) -> Option<Self> {
-                if limit > 0.0 {
-                    let limit = Self::at_most_max(limit);
-                    Some(Self { limit, ..self })
-                } else {
-                    None
-                }
-            }
-
-            const fn at_most_max(x: $float) -> $float {
-                if x > $float::MAX { $float::MAX } else { x }
             }
         }
     };

@@ -292,8 +292,7 @@ macro_rules! constants {
             }
 
             /// [`from_cosines`](Cone::from_cosines) for constants.
-            #[must_use]
-            pub const fn const_from_cosines(inner: $float, outer: $float) -> Option<Self> {
+            const fn const_from_cosines(inner: $float, outer: $float) -> Option<Self> {
                 if 1.0 >= inner && inner >= outer && outer >= -1.0 {
                     let is_everywhere = inner < Self::SLACK - 1.0;
                     Some(Self {
@@ -304,13 +303,6 @@ macro_rules! constants {
                 } else {
                     None
                 }
-            }
-
-            /// [`smoothstep`](Cone#method.smoothstep) for constants.
-            #[inline]
-            pub const fn const_smoothstep(self) -> Self {
-                let smooth = if self.inner > self.outer { 1.0 } else { 0.0 };
-                Self { smooth, ..self }
             }
 
             const SLACK: $float = 4.0 * $float::EPSILON;

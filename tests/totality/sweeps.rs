@@ -30,7 +30,6 @@ fn a_diagonal_is_exact_at_any_size<T: Float>() {
 /// The constructors that work in constants, behind one name for both floats.
 trait Constants: Float {
     fn attenuation(abc: [Self; 3], r: Self) -> [Option<Attenuation<Self>>; 2];
-    fn cosines(inner: Self, outer: Self) -> Option<Cone<Self>>;
     fn half_angles(inner: Self, outer: Self) -> Option<Cone<Self>>;
 }
 
@@ -40,9 +39,6 @@ macro_rules! constants {
             fn attenuation([a, b, c]: [Self; 3], r: Self) -> [Option<Attenuation<Self>>; 2] {
                 let free = Attenuation::<$float>::const_new(a, b, c);
                 [free, Attenuation::<$float>::NONE.const_within(r)]
-            }
-            fn cosines(inner: Self, outer: Self) -> Option<Cone<Self>> {
-                Cone::<$float>::const_from_cosines(inner, outer)
             }
             fn half_angles(inner: Self, outer: Self) -> Option<Cone<Self>> {
                 Cone::<$float>::const_from_half_angles(inner, outer)
@@ -75,8 +71,6 @@ fn a_constant_has_the_bits_of_the_generic_value<T: Constants>() {
         // as text, which tells −0 from 0
         let generic = [Attenuation::new(a, b, c), Attenuation::NONE.within(a)];
         prop_assert_eq!(format!("{generic:?}"), format!("{:?}", T::attenuation([a, b, c], a)));
-        let generic = Cone::from_cosines(a, b);
-        prop_assert_eq!(format!("{generic:?}"), format!("{:?}", T::cosines(a, b)));
         prop_assert_eq!(Cone::from_half_angles(a, b).is_some(), T::half_angles(a, b).is_some());
         let v = Vec3::new(a, b, c);
         prop_assert_eq!(format!("{:?}", v.unit()), format!("{:?}", T::normalized(v)));

@@ -39,9 +39,12 @@ pub fn attenuation_in_its_limits(given: Given) -> Vec<Goal> {
     };
     let (q, max) = (given.any("q"), not_negative(given));
     let mut goals = within([falloff.at(q)], max);
-    goals.push(Goal::AtMost(falloff.at(q), falloff.limit()));
+    goals.push(Goal::AtMost(
+        falloff.at(q),
+        falloff.limit().unwrap_or(Term::MAX),
+    ));
     goals.extend(within(falloff.coefficients(), max));
-    goals.extend(within([falloff.range()], max));
+    goals.extend(within(falloff.range(), max));
     goals
 }
 
@@ -87,7 +90,7 @@ pub fn range_ends(given: Given) -> Vec<Goal> {
     let Some(ranged) = free.and_then(|free| window(free, given.number("r", below))) else {
         return vec![];
     };
-    given.assume_at_most(ranged.range(), q);
+    given.assume_at_most(ranged.range().unwrap_or(Term::MAX), q);
     within([ranged.at(q)], nothing())
 }
 

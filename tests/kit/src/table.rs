@@ -127,7 +127,7 @@ macro_rules! for_each_function {
                 ]
                 => nothing;
             limit "Attenuation::limit" |g|
-                g.lamps.map(|lamp| lamp.attenuation.limit())
+                g.lamps.map(|lamp| lamp.attenuation.limit().unwrap_or(T::MAX))
                 => not_negative;
             window_kind "Attenuation::is_gltf" |g|
                 g.lamps.map(|lamp| lamp.attenuation.is_gltf())
@@ -146,7 +146,7 @@ macro_rules! for_each_function {
             clamped_attenuation "Attenuation::clamped" |g|
                 g.attenuation.clamped().at(g.x.abs())
                 => nothing;
-            range "Attenuation::range" |g| g.soft_spot.point.attenuation.range() => not_negative;
+            range "Attenuation::range" |g| g.soft_spot.point.attenuation.range().unwrap_or(T::MAX) => not_negative;
             cone_cosines "Cone::cosines" |g| g.spot.cone.cosines() => cosines;
             soft_cone_cosines "Cone::cosines, soft" |g| g.soft_spot.cone.cosines() => cosines;
         }
@@ -452,7 +452,7 @@ macro_rules! for_each_function {
                 => not_negative;
             attenuation_at "Attenuation::at" |g| g.attenuation.at(g.x.abs()) => nothing;
             attenuation_within "Attenuation::within" |g|
-                g.attenuation.within(g.y.abs()).map(Attenuation::range)
+                g.attenuation.within(g.y.abs()).map(|ranged| ranged.range().unwrap_or(T::MAX))
                 => positive;
             attenuation_at_ranged "Attenuation::at, ranged" |g|
                 g.soft_spot.point.attenuation.at(g.x.abs())
@@ -531,7 +531,10 @@ pub mod row {
     }
 
     fn within_gltf<T: Number>(ranged: Attenuation<T>) -> Attenuation<T> {
-        ranged.within_gltf(ranged.range()).unwrap_or(ranged)
+        ranged
+            .range()
+            .and_then(|r| ranged.within_gltf(r))
+            .unwrap_or(ranged)
     }
 
     /// The cosine whose power is close to the smallest normal number, below which it becomes 0.

@@ -93,12 +93,11 @@ pub fn window(q: f64, r: f64) -> f64 {
 
 /// What arrives after the distance q.
 pub fn falloff(falloff: Attenuation<f64>, q: f64) -> f64 {
-    let free = attenuation(falloff.coefficients(), q).min(falloff.limit());
-    let window = window(q, falloff.range());
-    match (falloff.range() < f64::MAX, falloff.is_gltf()) {
-        (false, _) => free,
-        (true, false) => free * window * window,
-        (true, true) => free * window,
+    let free = attenuation(falloff.coefficients(), q).min(falloff.limit().unwrap_or(f64::INFINITY));
+    match (falloff.range(), falloff.is_gltf()) {
+        (None, _) => free,
+        (Some(r), false) => free * window(q, r).powi(2),
+        (Some(r), true) => free * window(q, r),
     }
 }
 

@@ -75,11 +75,8 @@ impl Source for Attenuation<f64> {
             return "Attenuation::NONE".into();
         }
         let [a, b, c] = self.coefficients();
-        let range = if self.range() < f64::MAX {
-            format!(".within({:?}).unwrap()", self.range())
-        } else {
-            String::new()
-        };
+        let range = self.range();
+        let range = range.map_or(String::new(), |r| format!(".within({r:?}).unwrap()"));
         format!("coefficients({a:?}, {b:?}, {c:?}){range}")
     }
 }
