@@ -1,4 +1,5 @@
-//! The shortest way to a picture: `cargo run --example ball` writes `ball.bmp`.
+//! The shortest way to a picture: `cargo run -p ball` writes `ball.bmp`. It is a package of its own,
+//! because an example would be compiled with all that the tests need.
 
 use shading::f32::{Attenuation, Material, PointLight, Rgb, UnitVec3, Vec3};
 use shading::shade;
@@ -38,6 +39,6 @@ fn main() -> std::io::Result<()> {
         file.extend([b, g, r]);
     }
     std::fs::write("ball.bmp", file)?;
-    println!("ball.bmp");
+    println!("drew {}", std::path::absolute("ball.bmp")?.display());
     Ok(())
 }
