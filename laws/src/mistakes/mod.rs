@@ -12,6 +12,7 @@ pub use table::MISTAKES;
 
 use crate::formula::{Applied, Change, Formula, Part};
 use crate::profile::Profile;
+use crate::scene::{Scene, Triple};
 
 /// The ingredients that a mistake changes.
 type Changes = &'static [(Part, Change)];
@@ -55,6 +56,33 @@ impl Fault {
             [] => self.id().into(),
             _ => format!("{}={}", self.id(), self.value),
         }
+    }
+
+    /// The known mistakes, each with the first number that is tried for it.
+    pub fn known() -> impl Iterator<Item = Self> {
+        let exact = MISTAKES.iter().filter(|mistake| !mistake.is_rough());
+        exact.map(|mistake| Self {
+            mistake,
+            value: mistake.values.first().copied().unwrap_or(0.0),
+        })
+    }
+
+    /// The linear light that a renderer with this mistake, and with no other, gives a scene. It may be
+    /// negative or not finite.
+    ///
+    /// ```
+    /// use shading_laws::{Fault, Scene};
+    ///
+    /// let behind = r#"{"model":"lambert","p":[0,0,0],"n":[0,0,1],"v":[0,0,2],"k_a":[0,0,0],"k_d":[0.5,0.5,0.5],
+    ///     "k_s":[0,0,0],"m":8,"i_a":[0,0,0],"lights":[{"kind":"directional","intensity":[1,1,1],"l":[0,0,-1]}]}"#;
+    /// let scene = Scene::from_json(behind).unwrap();
+    /// let fault: Fault = "DiffuseNotClamped".parse().unwrap();
+    /// assert_eq!(fault.color(&scene), [-0.5; 3]);
+    /// ```
+    #[must_use]
+    pub fn color(&self, scene: &Scene) -> Triple {
+        let profile = Profile::default();
+        formula(&profile, Some(*self)).reply(scene)
     }
 
     /// Every mistake with every number that is tried for it.
