@@ -39,7 +39,7 @@ pictures:
 doc:
     cargo doc --no-deps --all-features --open
 
-# build the page to play with, and serve it
+# build the pages for demos and exercises, and serve them
 page:
     clients/web/build.sh --serve
 

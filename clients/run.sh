@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks the clients, or some of them: `run.sh [programs] [chip] [languages] [page] [shader]`. Without a name, it checks all but
 # the shader, whose compiler takes a quarter of an hour to build. Installs what is missing. PICTURES names a folder for the
-# page's screenshots; DEVICE is the number of the Vulkan device, 0 if nothing is said: Mesa's, where no driver is installed.
+# pages' screenshots; DEVICE is the number of the Vulkan device, 0 if nothing is said: Mesa's, where no driver is installed.
 set -euo pipefail
 cd "$(dirname "$0")"
 . ../.ci/toolchain
@@ -9,7 +9,7 @@ built=${CARGO_TARGET_DIR:-$PWD/target}
 mkdir -p "$built"
 
 programs() {
-    cargo fmt --check -p clients -p languages -p web
+    cargo fmt --check -p clients -p languages -p web -p exercises
     cargo clippy --quiet --workspace --all-targets -- -D warnings
     cargo clippy --quiet -p languages --features python --lib -- -D warnings
     cargo test --quiet --workspace
@@ -89,14 +89,15 @@ draws_the_same() {
     echo "$1: every bit is the crate's"
 }
 
-# the page in a browser
+# the pages in a browser
 page() {
     command -v "${CHROMIUM:-chromium}" >/dev/null || install_packages chromium
     command -v npm >/dev/null || install_packages nodejs npm
     (cd web/test && npm ci --silent --no-audit --no-fund)
     web/build.sh
     cargo build --quiet --release -p web --bin draw
-    node web/test/page.mjs "$built/release/draw" ${PICTURES:+"$(realpath "$PICTURES")"}
+    node web/test/demos.mjs "$built/release/draw" ${PICTURES:+"$(realpath "$PICTURES")"}
+    node web/test/exercises.mjs ${PICTURES:+"$(realpath "$PICTURES")"}
 }
 
 # every function and a scene on a Vulkan device

@@ -1,15 +1,21 @@
 #!/usr/bin/env bash
-# Builds the page into clients/target/web, from where any file server serves it: `web/build.sh --serve` does, at
+# Builds the pages into clients/target/web, from where any file server serves them: `web/build.sh --serve` does, at
 # http://localhost:8000.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 target=wasm32-unknown-unknown
-page=$PWD/target/web
+site=$PWD/target/web
 
 rustup --quiet target add $target
-mkdir -p "$page"
-cp web/site/* "$page"
+rm -rf "$site"
+mkdir -p "$site"
+cp -r web/site/. "$site"
+mkdir "$site/pictures"
+cp ../docs/pictures/{gyroid,ks_and_m,teapot,the_sum,three_colors}.png "$site/pictures"
 cargo build --quiet --package web --lib --release --target $target
-cp "${CARGO_TARGET_DIR:-target}/$target/release/web.wasm" "$page"
-wc -c "$page/web.wasm"
-[ "${1-}" != --serve ] || exec python3 -m http.server --bind localhost --directory "$page"
+cp "${CARGO_TARGET_DIR:-target}/$target/release/web.wasm" "$site/demos/demos.wasm"
+# it is fetched more often than it computes
+CARGO_PROFILE_RELEASE_OPT_LEVEL=z cargo build --quiet --package exercises --release --target $target
+cp "${CARGO_TARGET_DIR:-target}/$target/release/exercises.wasm" "$site/exercises"
+wc -c "$site"/*/*.wasm
+[ "${1-}" != --serve ] || exec python3 -m http.server --bind localhost --directory "$site"

@@ -1,4 +1,7 @@
 // The controls go into the module's memory, and the picture comes out of it.
+import { directions, draw as drawArrows } from "./arrows.js";
+import { plotFalloff, plotLobe } from "./plot.js";
+import { program } from "./rust.js";
 
 // as `Scene::new` in src/scene.rs takes them; three bytes of each color follow
 const SETTINGS = ["surface", "model", "ka", "kd", "ks", "m", "x", "y", "z", "a", "b", "c", "angle", "edge", "second", "x2", "y2", "z2"];
@@ -14,11 +17,13 @@ const $ = (id) => document.getElementById(id);
 const [canvas, form, frame] = [$("canvas"), $("controls"), $("frame")];
 const context = canvas.getContext("2d");
 const thumbnails = [...document.querySelectorAll("#parts canvas")];
-const cross = { x: 0.45, y: 0.42 }; // in fractions of the picture
+const models = [...document.querySelectorAll("#models canvas")];
+// in fractions of the picture; a click pins it
+const cross = { x: 0.45, y: 0.42, isPinned: false };
 
 let shader;
 try {
-  const file = await fetch("web.wasm");
+  const file = await fetch("demos.wasm");
   if (!file.ok) throw new Error(`${file.url}: ${file.status}`);
   shader = (await WebAssembly.instantiate(await file.arrayBuffer())).instance.exports;
 } catch (error) {
@@ -28,9 +33,9 @@ try {
 
 /** What the controls say, as numbers in the module's order. */
 function settings() {
-  const values = new FormData(form);
-  const value = (name) => (name === "second" ? Number(form.elements.second.checked) : Number(values.get(name)));
-  return [...SETTINGS.map(value), ...COLORS.flatMap((name) => bytes(values.get(name)))];
+  // a control that is off is in no FormData
+  const value = (name) => (name === "second" ? Number(form.elements.second.checked) : Number(form.elements[name].value));
+  return [...SETTINGS.map(value), ...COLORS.flatMap((name) => bytes(form.elements[name].value))];
 }
 
 const bytes = (color) => color.match(/\w\w/g).map((byte) => parseInt(byte, 16));
@@ -46,16 +51,80 @@ function draw(part, { width, height }, context) {
   return new TextDecoder().decode(message);
 }
 
+/** The settings stand in the address, so that a link shows the same picture. */
+function remember() {
+  const all = new URLSearchParams();
+  for (const { name, type, value, checked, defaultValue, defaultChecked } of form.elements) {
+    if (!name) continue;
+    if (type === "radio" ? checked && !defaultChecked : type === "checkbox" ? checked : value !== defaultValue) {
+      all.set(name, type === "checkbox" ? "on" : type === "range" ? String(Number(Number(value).toFixed(3))) : value);
+    }
+  }
+  if (cross.isPinned) all.set("at", `${cross.x.toFixed(4)},${cross.y.toFixed(4)}`);
+  const hash = String(all) ? `#${all}` : "";
+  if (hash !== location.hash) history.replaceState(null, "", location.pathname + location.search + hash);
+}
+
+/** Takes the settings of a link. */
+function recall() {
+  const all = new URLSearchParams(location.hash.slice(1));
+  for (const [name, value] of all) {
+    const field = form.elements[name];
+    if (!field) continue;
+    if (field.type === "checkbox") field.checked = value === "on";
+    else field.value = value;
+  }
+  const [x, y] = (all.get("at") ?? "").split(",").map(Number);
+  if (x >= 0 && x <= 1 && y >= 0 && y <= 1) Object.assign(cross, { x, y, isPinned: true });
+}
+
+const write = (values) => new Float32Array(shader.memory.buffer, shader.settings(), COUNT).set(values);
+
+/** The same scene by each model, side by side. */
+function compare() {
+  const values = settings();
+  models.forEach((canvas, model) => {
+    write(values.map((value, i) => (SETTINGS[i] === "model" ? model : value)));
+    draw(0, canvas, canvas.getContext("2d"));
+  });
+  write(values);
+}
+
 function redraw() {
-  new Float32Array(shader.memory.buffer, shader.settings(), COUNT).set(settings());
+  remember();
+  write(settings());
   thumbnails.forEach((canvas, part) => draw(part, canvas, canvas.getContext("2d")));
+  if ($("models").open) compare();
   const part = Number(document.querySelector("[name=part]:checked").value);
   $("message").textContent = draw(part, canvas, context);
-  LAMPS.forEach(({ marker, color }, lamp) => {
-    place($(marker), ...lampPlace(lamp));
+  for (const name of ["x2", "y2", "z2", "light2"]) form.elements[name].disabled = !form.elements.second.checked;
+  LAMPS.forEach(({ marker, color, names }, lamp) => {
+    const isOn = lamp === 0 || form.elements.second.checked;
+    showLamp($(marker), isOn, lampPlace(lamp), names.map((name) => Number(form.elements[name].value)));
     $(marker).style.setProperty("--light", form.elements[color].value);
   });
   explain();
+}
+
+/** A lamp behind the object is drawn dashed, and one outside of the picture as an arrow at its edge. */
+function showLamp(marker, isOn, [x, y], position) {
+  const isOutside = !(x >= 0 && x <= 1 && y >= 0 && y <= 1);
+  const isKnown = x !== -1 / canvas.width || y !== -1 / canvas.height; // else it is behind the eye
+  marker.hidden = !isOn || (isOutside && !isKnown);
+  const [cx, cy] = [x, y].map((c) => Math.min(0.98, Math.max(0.02, c)));
+  Object.assign(marker.style, { left: `${100 * cx}%`, top: `${100 * cy}%` });
+  // the eye looks from (0, 1, 5) at the origin: what is farther than the origin is behind the object, if it is hidden
+  const isFar = position[1] + 5 * position[2] < 0;
+  marker.classList.toggle("far", !isOutside && isFar && covers(x, y));
+  marker.classList.toggle("outside", isOutside);
+}
+
+/** Whether the object is seen at a place of the picture. */
+function covers(x, y) {
+  const at = (fraction, size) => Math.min(Math.floor(fraction * size), size - 1);
+  const { width, height } = canvas;
+  const address = shader.probe(width, height, at(x, width), at(y, height));
+  return new Float32Array(shader.memory.buffer, address, 1)[0] > 0;
 }
 
 /** Where a lamp is in the picture, in fractions of it. */
@@ -92,11 +161,20 @@ function explain() {
     (<span class="diffuse">k<sub>d</sub> O max(0, <b>N</b>·<b>L</b>)</span>${highlight})`;
 
   const at = probe();
+  plotFalloff($("falloff"), [a, b, c].map(Number), at.seen ? at.lamps : []);
   if (!at.seen) {
     $("numbers").textContent = "Nothing is seen here.";
+    $("code").textContent = "// Nothing is seen at this pixel. Choose another.";
+    $("vectors").replaceChildren();
     return;
   }
-  $("code").textContent = rust(at);
+  const values = Object.fromEntries(SETTINGS.map((name, i) => [name, settings()[i]]));
+  const colors = Object.fromEntries(COLORS.map((name) => [name, bytes(form.elements[name].value)]));
+  $("code").textContent = program(at, values, colors, LAMPS.slice(0, values.second ? 2 : 1));
+  drawArrows($("vectors"), at, Number(model), canvas);
+  const degrees = (cosine) => `${((Math.acos(Math.max(-1, Math.min(1, cosine))) * 180) / Math.PI).toFixed(1)}°`;
+  $("lobe").hidden = !dot;
+  if (dot) plotLobe($("lobe"), Number(m), at.lamps.map((lamp) => (model === "1" ? lamp.rv : lamp.nh)));
   const row = (name, value, kind = "") => `<dt class="${kind}">${name}</dt><dd class="${kind}">${value}</dd>`;
   const rows_of_lamp = (lamp, index) => {
     const sub = at.lamps.length > 1 ? `<sub>${index + 1}</sub>` : "";
@@ -108,8 +186,8 @@ function explain() {
       row(`q${sub}`, number(lamp.q)),
       row(`f(q${sub})`, `1/(${a} + ${b} · ${number(lamp.q)} + ${c} · ${number(lamp.q)}²) = ${number(lamp.attenuation)}`),
       row(`s${sub}`, `${number(lamp.cone)}, the fraction that passes the cone`),
-      row(`N·L${sub}`, number(lamp.nl) + behind),
-      dot ? row(dot.replace(/<\/?b>/g, "") + sub, `${number(cosine)}; to the power of ${m}: ${number(lamp.highlight)}`) : "",
+      row(`N·L${sub}`, `${number(lamp.nl)}, at ${degrees(lamp.nl)}${behind}`),
+      dot ? row(dot.replace(/<\/?b>/g, "") + sub, `${number(cosine)}, at ${degrees(cosine)}; to the power of ${m}: ${number(lamp.highlight)}`) : "",
     ];
   };
   const sum = (factor) => at.lamps.map((lamp, i) =>
@@ -127,52 +205,6 @@ function explain() {
   ];
   $("numbers").innerHTML = `<dl>${rows.join("")}</dl>`;
   document.querySelector(".swatch").style.backgroundColor = `rgb(${at.SRGB})`;
-}
-
-/** A program that computes the light of the pixel with the bits of the page. */
-function rust({ P, N, V }) {
-  const { elements } = form;
-  const values = Object.fromEntries(SETTINGS.map((name, i) => [name, settings()[i]]));
-  // nine digits tell each float from all others
-  const float = (x) => {
-    const digits = String(Number(Math.fround(x).toPrecision(9)));
-    return /[.e]/.test(digits) ? digits : `${digits}.0`;
-  };
-  const vector = (v) => v.map(float).join(", ");
-  const rgb = (name) => `Rgb::from_srgb8([${bytes(elements[name].value).join(", ")}])`;
-  const { a, b, c, angle, edge } = values;
-  const radians = (degrees) => {
-    const PI = Math.fround(Math.PI);
-    const scaled = Math.fround(Math.fround(degrees) * Math.fround(PI / 180));
-    return Math.min(Math.max(scaled, 0), PI);
-  };
-  const lamps = a || b || c ? LAMPS.slice(0, values.second ? 2 : 1) : [];
-  const model = ["lambert", "phong", "blinn_phong"][values.model];
-  const list = lamps.map(({ names, color }) => `        (Vec3::new(${vector(names.map((name) => values[name]))}), ${rgb(color)}),\n`);
-  return `use shading::f32::{Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3};
-use shading::{Material, shade};
-
-fn main() {
-    let color = ${rgb("color")};
-    let material = Material { k_a: color * ${float(values.ka)}, k_d: color * ${float(values.kd)}, k_s: Rgb::gray(${float(values.ks)}), m: ${float(values.m)} };
-    let attenuation = Attenuation::new(${vector([a, b, c])})${lamps.length ? ".unwrap()" : ".unwrap_or_default()"};
-    let cone = Cone::from_half_angles(${vector([radians(angle - edge), radians(angle)])}).unwrap();
-    let lamps: [(Vec3, Rgb); ${lamps.length}] = [
-${list.join("")}    ];
-
-    // the pixel: its point, its normal${model === "lambert" ? "" : " and the direction to the eye"}
-    let p = Vec3::new(${vector(P)});
-    let n = UnitVec3::assume_unit(Vec3::new(${vector(N)}));
-${model === "lambert" ? "" : `    let v = UnitVec3::assume_unit(Vec3::new(${vector(V)}));\n`}
-    let lights = lamps.map(|(position, intensity)| {
-        let point = PointLight { position, intensity, attenuation };
-        let axis = (-position).unit_or(UnitVec3::NEG_Z); // toward the origin
-        SpotLight { point, axis, cone }.at(p)
-    });
-    let shaded = shade::${model}(n, ${model === "lambert" ? "" : "v, "}&material, Rgb::WHITE, lights);
-    println!("{:?}", shaded.total().to_srgb8());
-}
-`;
 }
 
 let waiting = 0;
@@ -228,15 +260,35 @@ function drag(lamp, { offsetX, offsetY }) {
 function point(event) {
   if (dragged !== null) return drag(dragged, event);
   canvas.classList.toggle("over", lampUnder(event) !== null);
-  // the center of a pixel, which rounding does not move to the next
-  cross.x = Math.max(0, (Math.floor(event.offsetX) + 0.5) / canvas.clientWidth);
-  cross.y = Math.max(0, (Math.floor(event.offsetY) + 0.5) / canvas.clientHeight);
+  if (cross.isPinned) return;
+  aim(event);
+}
+
+/** Moves the cross to the pointer. The background has no numbers, so there the last pixel stays. */
+function aim({ offsetX, offsetY }) {
+  const [x, y] = [[offsetX, canvas.clientWidth], [offsetY, canvas.clientHeight]].map(([offset, size]) =>
+    Math.min(1, Math.max(0, (Math.floor(offset) + 0.5) / size))); // the center of a pixel
+  if (!covers(x, y)) return false;
+  Object.assign(cross, { x, y });
   explain();
+  return true;
+}
+
+/** Pins the pixel, or lets it follow the pointer again. */
+function pin(isPinned) {
+  cross.isPinned = isPinned;
+  $("cross").classList.toggle("pinned", isPinned);
+  $("pinned").textContent = isPinned ? "The pixel is pinned. Click beside the object to let it follow the pointer."
+    : "A click pins the pixel.";
+  remember();
 }
 
 canvas.addEventListener("pointerdown", (event) => {
   dragged = lampUnder(event);
-  if (dragged === null) return point(event);
+  if (dragged === null) {
+    pin(aim(event) || !cross.isPinned);
+    return;
+  }
   canvas.setPointerCapture(event.pointerId);
   canvas.classList.add("dragging");
 });
@@ -271,15 +323,24 @@ canvas.addEventListener("keydown", (event) => {
   const moved = (fraction, by, size) => Math.min(Math.max(fraction + (step * by) / size, 0), 1);
   cross.x = moved(cross.x, x, canvas.width);
   cross.y = moved(cross.y, y, canvas.height);
+  pin(true);
   explain();
 });
 
 // as many pixels as the picture has room for; a smaller window draws a smaller picture
 new ResizeObserver(() => {
-  [canvas.width, canvas.height] = [frame.clientWidth, frame.clientHeight];
+  const sharp = Math.min(devicePixelRatio, 2);
+  [canvas.width, canvas.height] = [frame.clientWidth, frame.clientHeight].map((size) => Math.round(sharp * size));
   redraw();
 }).observe(frame);
 
+$("models").addEventListener("toggle", soon);
+addEventListener("hashchange", () => {
+  form.reset();
+  recall();
+});
+recall();
+pin(cross.isPinned);
 [...form.elements].forEach(label);
 document.documentElement.dataset.ready = "";
-export { probe, redraw, settings, shader };
+export { cross, directions, probe, redraw, settings, shader };

@@ -1,52 +1,22 @@
-// Drives the page as a user does: node page.mjs DRAW [PICTURES]
+// Drives the page for demos as a user does: node demos.mjs DRAW [PICTURES]
 // DRAW is the program that draws the same picture on this machine. The pictures must be equal to the bit.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdir, mkdtemp, readFile, rm, stat, writeFile } from "node:fs/promises";
-import { createServer } from "node:http";
-import { createRequire } from "node:module";
+import { mkdir, mkdtemp, rm, stat, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
-import { extname, join } from "node:path";
-import { chromium } from "playwright-core";
+import { join } from "node:path";
+import { browser, close, folder, home, is_accessible, open as open_page, PHONE } from "./site.mjs";
 
 const [draw, pictures] = process.argv.slice(2);
-const folder = new URL("../../target/web/", import.meta.url).pathname;
-const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 
-const types = { ".html": "text/html", ".css": "text/css", ".js": "text/javascript" };
-const server = createServer(async ({ url }, response) => {
-  const { pathname } = new URL(url, "http://localhost");
-  const name = pathname === "/" ? "index.html" : pathname.slice(1);
-  try {
-    const body = await readFile(join(folder, name));
-    response.writeHead(200, { "content-type": types[extname(name)] ?? "application/octet-stream" }).end(body);
-  } catch {
-    response.writeHead(404).end();
-  }
-}).listen(0, "localhost");
-await new Promise((listening) => server.once("listening", listening));
-const home = `http://localhost:${server.address().port}/`;
-
-const browser = await chromium.launch({
-  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--disable-background-networking", "--disable-sync", "--disable-component-update"],
-});
-
-/** A page whose errors and foreign requests fail the test. */
-async function open(options = {}) {
-  const page = await browser.newPage({ viewport: { width: 1200, height: 890 }, ...options });
-  const fail = (what) => assert.fail(String(what));
-  page.on("console", (message) => message.type() === "error" && fail(message.text()));
-  page.on("pageerror", fail);
-  page.on("request", (request) => request.url().startsWith(home) || fail(request.url()));
-  await page.goto(home);
+async function open(options = {}, hash = "") {
+  const page = await open_page(`demos/${hash}`, options);
   await page.waitForSelector("html[data-ready]");
   await page.evaluate(() => import("./page.js").then((module) => Object.assign(window, { module })));
   await drawn(page);
   return page;
 }
 
-const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
 const drawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => setTimeout(done))));
 
 /** Sets controls as a user's hand does, with an event for each. */
@@ -170,18 +140,127 @@ const LAST_WORDS = {
 {
   const page = await open();
   const box = await page.locator("#canvas").boundingBox();
-  for (const [x, y] of [[205, 200], [120, 230], [360, 260]]) {
-    await page.mouse.move(Math.ceil(box.x) + x, Math.ceil(box.y) + y);
+  const at = (x, y) => page.mouse.move(Math.ceil(box.x + x * box.width), Math.ceil(box.y + y * box.height));
+  for (const [x, y] of [[0.51, 0.5], [0.3, 0.57], [0.6, 0.55]]) {
+    await at(x, y);
     const { SRGB, seen: is_seen } = await page.evaluate(() => window.module.probe());
+    assert.equal(is_seen, 1);
     const { data, width } = await seen(page);
-    // the picture may begin between two rows of the screen
-    const near = [[0, 0], [0, -1], [0, 1]].map(([i, j]) => 4 * ((y + j) * width + x + i));
-    const colors = near.map((pixel) => [...data.subarray(pixel, pixel + 4)].join());
-    assert.ok(colors.includes([...SRGB, 255 * is_seen].join()), `${SRGB} is none of ${colors.join("; ")}`);
+    const [column, row] = [Math.ceil(x * box.width), Math.ceil(y * box.height)];
+    // the picture may begin between two rows or columns of the screen
+    const shifts = [-1, 0, 1].flatMap((i) => [-1, 0, 1].map((j) => [i, j]));
+    const colors = shifts.map(([i, j]) => 4 * ((row + j) * width + column + i))
+      .map((pixel) => [...data.subarray(pixel, pixel + 3)].join());
+    assert.ok(colors.includes(SRGB.join()), `${SRGB} is none of ${colors.join("; ")}`);
     const words = await page.textContent("#numbers");
-    assert.ok(words.includes(is_seen ? SRGB.join(", ") : "Nothing is seen"), words);
+    assert.ok(words.includes(SRGB.join(", ")), words);
   }
+
+  // over the background the last pixel stays; a click pins a pixel, and a click on the background lets it go
+  const numbers = () => page.textContent("#numbers");
+  const last = await numbers();
+  await at(0.5, 0.95);
+  assert.equal(await numbers(), last, "the background keeps the pixel");
+  const code = await page.textContent("#code");
+  assert.match(code, /let p = Vec3::new/);
+  await at(0.5, 0.55);
+  await page.mouse.down();
+  await page.mouse.up();
+  const pinned = await numbers();
+  assert.notEqual(pinned, last);
+  await at(0.35, 0.6);
+  assert.equal(await numbers(), pinned, "a pinned pixel stays");
+  await set(page, { second: true });
+  assert.notEqual(await numbers(), pinned, "its numbers follow the controls");
+  assert.notEqual(await page.textContent("#code"), code, "and so does its program");
+  const link = await page.evaluate(() => location.hash);
+  assert.match(link, /second=on/);
+  await at(0.5, 0.95);
+  await page.mouse.down();
+  await page.mouse.up();
+  await at(0.35, 0.6);
+  assert.notEqual(await numbers(), pinned, "a click on the background lets it follow again");
   await page.close();
+
+  // the link shows the same
+  const other = await open({}, link);
+  assert.ok(await other.isChecked("[name=second]"));
+  assert.ok(Math.abs(await other.evaluate(() => window.module.cross.x) - 0.5) < 0.01);
+  assert.equal(await other.evaluate(() => location.hash), link);
+  await other.close();
+  console.log("a click pins the pixel, and the link keeps it");
+}
+
+// the arrows begin at the pixel and end where the directions of the crate do, by a camera of our own
+{
+  const page = await open();
+  await set(page, { second: true, model: 1 });
+  const { at, lines, size } = await page.evaluate(() => ({
+    at: window.module.probe(),
+    size: document.getElementById("canvas").width,
+    lines: [...document.querySelectorAll("#vectors g")].map((group) => {
+      const line = group.querySelector("line");
+      return [group.textContent, ...["x1", "y1", "x2", "y2"].map((name) => Number(line.getAttribute(name)))];
+    }),
+  }));
+  // the eye at (0, 1, 5) looks at the origin; 1.75 is the picture's side at the distance 1
+  const seen_at = ([x, y, z]) => {
+    const root = Math.hypot(1, 5);
+    const depth = root - (y + 5 * z) / root;
+    const up = (5 * y - z) / root;
+    return [50 + (175 * x) / depth, 50 - (175 * up) / depth];
+  };
+  const [l1, l2] = at.lamps;
+  const expected = { N: at.N, V: at.V, "L₁": l1.L, "R₁": l1.R, "L₂": l2.L, "R₂": l2.R };
+  assert.deepEqual(lines.map(([name]) => name).sort(), Object.keys(expected).sort());
+  for (const [name, x1, y1, x2, y2] of lines) {
+    const ends = [...seen_at(at.P), ...seen_at(at.P.map((p, i) => p + 0.6 * expected[name][i]))];
+    [x1, y1, x2, y2].forEach((x, i) => assert.ok(Math.abs(x - ends[i]) < 1e-2, `${name}: ${x}, not ${ends[i]}`));
+  }
+  // the cross is at the pixel's center, and the arrows at the point that is seen there
+  const [, x1, y1] = lines[0];
+  assert.ok(Math.hypot(x1 - 45, y1 - 42) < 100 / size + 0.1, `${x1}, ${y1}`);
+  await page.close();
+  console.log("the arrows are where the directions are");
+}
+
+// a lamp outside of the picture, one behind the object, and a lamp that is off
+{
+  const page = await open();
+  const kinds = () => page.evaluate(() => document.getElementById("lamp").className);
+  await set(page, { x: 6, y: 0, z: 0 });
+  assert.match(await kinds(), /outside/);
+  await set(page, { x: 0, y: 0, z: -3 });
+  assert.match(await kinds(), /far/);
+  await set(page, { x: 0.8, y: 1.2, z: 1.8 });
+  assert.doesNotMatch(await kinds(), /far|outside/);
+  assert.ok(await page.isDisabled("[name=x2]"), "the controls of a lamp that is off are off");
+  await set(page, { second: true });
+  assert.ok(!(await page.isDisabled("[name=x2]")));
+  await page.close();
+}
+
+// a screen with more pixels gets them
+{
+  const page = await open({ deviceScaleFactor: 2 });
+  const { width, shown } = await page.evaluate(() => {
+    const { width, clientWidth } = document.getElementById("canvas");
+    return { width, shown: clientWidth };
+  });
+  assert.equal(width, 2 * shown);
+  await same_as_host(page, "twice the pixels");
+  await page.close();
+}
+
+// opened as a file, the page says why it is dead
+{
+  const page = await browser.newPage();
+  await page.goto(`file://${folder}demos/index.html`);
+  await page.waitForFunction(() => document.getElementById("start").textContent.includes("opened as a file"));
+  await page.goto(`file://${folder}exercises/index.html`);
+  await page.waitForFunction(() => document.getElementById("start").textContent.includes("opened as a file"));
+  await page.close();
+  console.log("opened as files, the pages say why they are dead");
 }
 
 // a lamp is dragged on the picture: it follows the pointer, its sliders follow it, and the picture is the host's
@@ -201,7 +280,8 @@ const LAST_WORDS = {
     await page.mouse.down();
     await page.mouse.move(box.x + to[0], box.y + to[1], { steps: 5 });
     await page.mouse.up();
-    await page.mouse.move(box.x + to[0] + 60, box.y + 390); // after the button is released, nothing follows
+    // the released lamp does not follow
+    await page.mouse.move(box.x + (marker === "#lamp" ? 0.5 : 0.6) * box.width, box.y + 0.55 * box.height);
     await drawn(page);
     const at = await center();
     assert.ok(Math.hypot(at[0] - to[0], at[1] - to[1]) < 1.5, `${marker} is at ${at}, not at ${to}`);
@@ -220,6 +300,7 @@ const LAST_WORDS = {
   const lamp = await page.locator("#lamp").boundingBox();
   const [x, y] = [lamp.x + lamp.width / 2, lamp.y + lamp.height / 2];
   const before = await page.inputValue("[name=x]");
+  await page.evaluate(() => scrollTo(0, 0));
   const client = await page.context().newCDPSession(page);
   const touch = (type, points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points });
   await touch("touchStart", [{ x, y }]);
@@ -264,7 +345,7 @@ const LAST_WORDS = {
 {
   const page = await browser.newPage();
   await page.route("https://docs.rs/**", (route) => route.fulfill({ body: "documentation", contentType: "text/plain" }));
-  await page.goto(home);
+  await page.goto(`${home}demos/`);
   await page.click("#docs");
   await page.waitForURL("https://docs.rs/shading");
   await page.close();
@@ -282,7 +363,7 @@ const LAST_WORDS = {
     await page.keyboard.press("Tab");
     reached.add(await page.evaluate(() => document.activeElement.name ?? document.activeElement.type));
   }
-  const names = await page.evaluate(() => [...document.querySelectorAll("input")].map(({ name }) => name));
+  const names = await page.evaluate(() => [...document.querySelectorAll("input:enabled")].map(({ name }) => name));
   for (const name of names) assert.ok(reached.has(name), `Tab does not reach ${name}`);
   const old = await seen(page);
   await page.focus("[name=kd]");
@@ -300,17 +381,15 @@ const LAST_WORDS = {
 }
 
 for (const colorScheme of ["light", "dark"]) {
-  for (const [name, options] of Object.entries({ wide: {}, phone: PHONE })) {
+  const views = { wide: {}, large: { viewport: { width: 1920, height: 1080 } }, phone: PHONE };
+  for (const [name, options] of Object.entries(views)) {
     const page = await open({ ...options, colorScheme, bypassCSP: true });
     await set(page, { second: true });
     await page.click("#rust summary");
-    await page.addScriptTag({ path: axe });
-    const { violations } = await page.evaluate(() => window.axe.run());
-    assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]), [], `${colorScheme} ${name}`);
-    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-    assert.ok(overflow <= 0, `${colorScheme} ${name}: ${overflow} pixels too wide`);
+    await page.click("#models summary");
+    await is_accessible(page, `${colorScheme} ${name}`);
     await page.evaluate(() => scrollTo(0, 0));
-    if (pictures) await page.screenshot({ path: join(pictures, `page_${name}_${colorScheme}.png`) });
+    if (pictures) await page.screenshot({ path: join(pictures, `demos_${name}_${colorScheme}.png`) });
     await page.close();
   }
 }
@@ -333,15 +412,13 @@ console.log("axe-core finds nothing wrong, light or dark, wide or on a phone");
     const canvas = document.getElementById("canvas");
     return { size: [canvas.width, canvas.height], times: times.sort((a, b) => a - b), frames: times.length / 2 };
   });
-  assert.deepEqual(size, [400, 400]);
   const median = times[times.length >> 1];
-  console.log(`${frames} frames a second at 400 × 400, ${median.toFixed(1)} ms each in the median`);
+  console.log(`${frames} frames a second at ${size.join(" × ")}, ${median.toFixed(1)} ms each in the median`);
   assert.ok(frames >= 30, `${frames} frames a second`);
   await page.close();
 }
 
-const { size } = await stat(join(folder, "web.wasm"));
+const { size } = await stat(join(folder, "demos/demos.wasm"));
 assert.ok(size < 65_536, `${size} bytes`);
 
-await browser.close();
-server.close();
+await close();

@@ -1,0 +1,176 @@
+// What a report says to a learner: what is wrong, where, a question, and the smallest scene.
+import { diagram, toward } from "./diagram.js";
+import { capital, element, number, value } from "./dom.js";
+import { dot, unit } from "./formulas.js";
+import { same, TYPICAL } from "./typical.js";
+
+/** What wrong answers have in common that no typical one explains: what is wrong, and a question. */
+const GENERAL = {
+  "not finite": () => ["Your function gives no number in some scenes.",
+    "Where does your code divide, or take a root or a power? Which values must not get there?"],
+  nearly: () => ["Your answer is nearly right: it is off by less than one percent.",
+    "Do you compute a derivative from a small difference, or a value from a rounded number? Derive it by hand."],
+  opposite: () => ["Your answer always has the wrong sign.",
+    "In which order are the two things that you subtract or multiply?"],
+  length: () => ["Your direction is right, but its length is not 1.", "What is left to do with a vector to give it length 1?"],
+  factor: ({ factor }) => [`Your answer is always ${number(factor)} times what the formula gives.`,
+    "Is there a factor in your code that is not in the formula, or one in the formula that you forgot?"],
+  constant: () => ["Your answer is always the same.", "Which of the values that your function is given should it depend on?"],
+  other: ({ right, of }) => [
+    right ? `Your answer is wrong in ${number(of - right)} of ${number(of)} calls.` : "Your answer differs from the formula.",
+    "Compute the scene below by hand, step by step. At which step does your code do something else?"],
+};
+
+/** What a learner may ask himself, by the name of the mistake in the laws' table. */
+const ASKS = {
+  NormalNotNormalized: "A cosine needs vectors of length 1. What length has the N that is used?",
+  NormalReversed: "Which side of the surface does N point to?",
+  NormalTowardEye: "What should be where N·L is below 0?",
+  ViewNotNormalized: "A cosine needs vectors of length 1. What length has V?",
+  ViewReversed: "V points from the surface to the eye. Where does yours point?",
+  LightNotNormalized: "A cosine needs vectors of length 1. What length has L?",
+  LightReversed: "L points from the surface to the light. Where does yours point?",
+  PointForgotten: "L begins at the point p. Where does yours begin?",
+  FastInverseRoot: "How precise is the length that the vectors get?",
+  NotAttenuated: "Where does the distance q come in?",
+  HighlightNotAttenuated: "Which term does not get weaker with the distance?",
+  DegreesForRadians: "In what unit does Math.cos take its angle, and in what unit is it given?",
+  HalfAngleHalved: "Is the angle measured from edge to edge, or from the axis to the edge?",
+  ConeReversed: "L points to the lamp, and the axis away from it. What is L·axis in the middle of the cone?",
+  ConeForgotten: "Which points are outside of the cone?",
+  ConeExponent: "How bright should the light be halfway between the axis and the edge?",
+  ConeSmooth: "How bright should the light be halfway between the axis and the edge?",
+  DiffuseNotClamped: "What is N·L where the light is behind the surface, and how much light should there be?",
+  HighlightNotGated: "Can a light behind the surface give a highlight?",
+  ReflectionReversed: "R and L are on the same side of the surface. What should R be for L = N?",
+  HalfVectorNotNormalized: "How long is L + V?",
+  HalfVectorUnguarded: "What does the code divide by where the light is exactly opposite the eye?",
+  ShininessTimes: "What is the exponent of the highlight?",
+  NormalizedByEight: "How bright should the middle of the highlight be?",
+  HighlightTimesCosine: "Does the highlight of the formula have a factor N·L?",
+  AmbientPerLight: "How often should the ambient light be added if there are three lamps?",
+  AmbientTimesDiffuse: "Which reflectance belongs to the ambient light?",
+  UnlitWithoutLights: "What should be seen in a scene without lamps?",
+  LightsAtMost: "Is every lamp looked at?",
+  ChannelsSwapped: "Which number of a color is the red one?",
+  Scaled: "Is there a factor that the formula does not have?",
+  SrgbOnceMore: "Is light added before it is encoded for the screen, or after?",
+};
+
+/** Kinds of scenes that every wrong color of an exercise has in common, because all of its scenes do. */
+function trivial({ lights = [], models = [] }) {
+  const all = ["lights"];
+  if (lights.length === 1) all.push(lights[0], ...(lights[0] === "directional" ? [] : ["lamps"]));
+  if (models.length === 1) all.push({ lambert: "diffuse", phong: "Phong", blinn_phong: "Blinn" }[models[0]]);
+  if (models.length === 1 && models[0] !== "lambert") all.push("highlight");
+  return all;
+}
+
+/** The cause that explains nearly all wrong colors of a finding. */
+const cause_of = ({ cause }) => (cause && (cause.of === 0 || cause.explained * 100 >= cause.of * 90) ? cause : null);
+const id_of = (mistake) => /^\w*/.exec(mistake ?? "")[0];
+
+/** What is wrong, and the question that leads on. */
+export function told({ report, diagnosis }, exercise) {
+  const known = diagnosis?.typical !== undefined ? TYPICAL[exercise.name][diagnosis.typical] : null;
+  if (known) return [known.says, known.asks];
+  const causes = (report.findings ?? []).map(cause_of).filter(Boolean);
+  const [cause] = causes;
+  if (exercise.lamps && cause) {
+    const ids = [cause.mistake, ...cause.alternatives].map(id_of);
+    const planted = ids.includes(exercise.mistake?.id) ? exercise.mistake.id : ids[0];
+    const says = ids[0] === planted ? cause.says : exercise.mistake.says;
+    return [`${capital(says)}.`, ASKS[planted] ?? "Which line of the code has to do with this?"];
+  }
+  if (diagnosis) return GENERAL[diagnosis.general](diagnosis);
+  if (cause) return [`${capital(cause.says)}.`, ASKS[id_of(cause.mistake)] ?? ""];
+  return ["The colors are wrong, by no mistake that is known by name.",
+    "Take the scene below and follow your code line by line. Where do the numbers leave the formula?"];
+}
+
+/** The words of the report for the kinds of scenes. */
+function places(report, exercise) {
+  const list = (report.findings ?? []).flatMap((finding) => finding.places);
+  return list.map(({ only_with }) => only_with.filter((what) => !trivial(exercise.profile).includes(what)))
+    .filter((only) => only.length)
+    .map((only) => element("p", {}, "The colors are wrong only with: ", element("b", {}, only.join(", ")), "."));
+}
+
+/** The names of what the student's function is given. */
+function names(exercise) {
+  const head = new RegExp(`function ${exercise.name}\\(([^)]*)\\)`).exec(exercise.solution);
+  return head ? head[1].split(", ") : [];
+}
+
+function given(exercise, values) {
+  return names(exercise).flatMap((name, i) => [element("dt", {}, name), element("dd", {}, value(values[i]))]);
+}
+
+/** The smallest scene: numbers beside a drawing. */
+function smallest_case(smallest, { calls, worst }, exercise) {
+  const [scene] = smallest.scenes;
+  const rows = [];
+  const row = (name, what) => rows.push(element("dt", {}, name), element("dd", {}, what));
+  const is_wrong = ({ answer, wanted }) => !same(answer, wanted);
+  const call = calls.find(is_wrong) ?? worst ?? calls[0];
+  const isScene = exercise.name === "shade";
+  if (call && !isScene) {
+    rows.push(...given(exercise, call.given));
+    row("yours", value(call.answer));
+    row("formula", value(call.wanted));
+  } else {
+    row("model", { lambert: "Lambert", phong: "Phong", blinn_phong: "Blinn–Phong" }[scene.model]);
+    const length = Math.hypot(...scene.n);
+    row("n", value(scene.n) + (Math.abs(length - 1) > 1e-9 ? `, of length ${number(length)}` : ""));
+    for (const name of ["v", "p", "k_a", "k_d", "k_s", "m", "i_a"]) {
+      if ([scene[name]].flat().some((x) => x)) row(name, value(scene[name]));
+    }
+    scene.lights.forEach((light, i) => Object.entries(light).forEach(([name, x]) =>
+      (name === "kind" ? row(`light ${i + 1}`, x) : row(name, value(x)))));
+  }
+  if (!exercise.surface) {
+    scene.lights.forEach((light, i) => {
+      const cosine = dot(unit(scene.n), toward(light, scene.p));
+      const index = scene.lights.length > 1 ? ` (${i + 1})` : "";
+      row(`N·L${index}`, number(cosine) + (cosine <= 0 ? ": the light is behind the surface" : ""));
+    });
+  }
+  if (isScene) {
+    row("yours", value(smallest.colors[0]));
+    row("formula", value(smallest.right[0]));
+  }
+  const own = call && ["reflection", "halfVector"].includes(exercise.name) ? call.answer : null;
+  return element("div", { class: "case" }, element("dl", {}, ...rows), exercise.surface ? null : diagram(scene, own));
+}
+
+/** The headline of an answer, for the eye and the ear, and the elements below it. */
+export function verdict(answer, exercise) {
+  const { report, problem } = answer;
+  if (problem) {
+    const line = problem.line ? ` in line ${problem.line}` : "";
+    const below = problem.given?.length ? [element("p", {}, "Your function was given:"),
+      element("dl", {}, ...given(exercise, problem.given))] : [];
+    return { isGood: false, headline: `Your code stopped${line}: ${problem.text}`, below };
+  }
+  if (!report.laws) return { isGood: false, headline: `The laws could not be tried: ${report.error}`, below: [] };
+  if (report.passes) {
+    const { cases } = report.laws.find(({ law }) => law === "formula");
+    return { isGood: true, headline: `All laws hold, in each of ${number(cases)} scenes. Well done.`, below: [] };
+  }
+  const [says, asks] = told(answer, exercise);
+  const smallest = report.laws.find((law) => law.smallest)?.smallest;
+  const broken = report.laws.filter((law) => law.verdict === "broken");
+  const counts = broken.map(({ says, failures, cases }) =>
+    element("li", {}, `Broken in ${number(failures)} of ${number(cases)} scenes: ${says}.`));
+  return {
+    isGood: false,
+    headline: says,
+    asks,
+    below: [
+      element("p", { class: "asks" }, asks),
+      ...places(report, exercise),
+      ...(smallest ? [element("h3", {}, "The smallest scene in which it is wrong"), smallest_case(smallest, answer, exercise)] : []),
+      element("details", {}, element("summary", {}, "The laws that are broken"), element("ul", {}, ...counts)),
+    ],
+  };
+}
