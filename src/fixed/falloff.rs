@@ -1,8 +1,9 @@
 //! What dims a light: the attenuation, the window of a range and the beam of a cone.
 
-use super::Fixed;
 use super::product::{product, product_unsigned, upper_rounded, upper_unsigned};
-use super::root::{Scaled, reciprocal};
+use super::reciprocal::reciprocal;
+use super::root::Scaled;
+use super::{Fixed, ONE};
 use crate::number::Dimmed;
 use crate::vector::Vec3;
 
@@ -91,13 +92,26 @@ impl Factor {
     }
 
     /// The factor of [`Real::attenuated`](crate::Real::attenuated), whatever the denominator and the limit are.
+    /// `is_near` says that the denominator d is below 1 where it is computed by short products.
+    ///
+    /// It never rises as a coefficient or q does. From 1 on, d has the slope that short products have, rounded to
+    /// a step, and the factor has the bits that it has there. Below 1, d has all the digits of the slope, and is
+    /// limited to 1, because the two slopes differ.
     // With loops, because without an instruction for it a count of zeros takes 80 bytes.
     #[cold]
     #[inline(never)]
-    pub(super) fn attenuating([a, b, c]: [Fixed; 3], q: Fixed, limit: Fixed) -> Self {
+    pub(super) fn attenuating(
+        [a, b, c]: [Fixed; 3],
+        q: Fixed,
+        limit: Fixed,
+        is_near: bool,
+    ) -> Self {
         let q = q.0.max(0);
         // the slope b + cq with 32 bits after the point, and then as many as leave 31 in all
         let mut slope = product(c.0, q) + ((b.0 as i64) << 16);
+        if !is_near {
+            slope = (slope + (1 << 15)) >> 16 << 16;
+        }
         let (mut constant, mut shift) = ((a.0 as i64) << 32, 44);
         let mut excess = (slope.unsigned_abs() >> 31 | constant.unsigned_abs() >> 62) as u32;
         while excess != 0 {
@@ -109,21 +123,19 @@ impl Factor {
         while bits >> 63 == 0 {
             (bits, shift) = (bits << 1, shift - 1);
         }
-        let significand = reciprocal((bits >> 32) as u32) << (-shift).clamp(0, 3);
-        let shift = shift.clamp(0, 62) as u32;
-        let is_above = ((significand as u64) << 16) >> shift >= limit.0 as u64;
-        if denominator < 0 {
-            Self {
-                significand: 0,
-                shift: 0,
-            }
-        } else if limit != Fixed::MAX && is_above {
-            Self {
-                significand: limit.0.max(0) as u32,
-                shift: 16,
-            }
-        } else {
-            Self { significand, shift }
+        let mut significand = reciprocal((bits >> 32) as u32) << (-shift).clamp(0, 3);
+        let mut shift = shift.clamp(0, 62) as u32;
+        if shift > 32 {
+            (significand, shift) = (significand >> (shift - 32), 32);
         }
+        let in_steps = ((significand as u64) << 16) >> shift;
+        if denominator < 0 {
+            (significand, shift) = (0, 0);
+        } else if limit != Fixed::MAX && in_steps >= limit.0 as u64 {
+            (significand, shift) = (limit.0.max(0) as u32, 16);
+        } else if is_near && in_steps < ONE as u64 {
+            (significand, shift) = (1, 0);
+        }
+        Self { significand, shift }
     }
 }

@@ -45,6 +45,7 @@ mod encoding;
 mod falloff;
 mod product;
 mod real;
+mod reciprocal;
 mod root;
 mod triangle;
 

@@ -2,7 +2,8 @@
 
 use super::falloff::{Factor, beam, times, window};
 use super::product::{product, product_by_fraction, product_unsigned};
-use super::root::{Scaled, halfway_cosine, reciprocal, root, unit_and_length};
+use super::reciprocal::reciprocal;
+use super::root::{Scaled, halfway_cosine, root, unit_and_length};
 use super::{Fixed, ONE, rounded, triangle};
 use crate::color::Rgb;
 use crate::number::Elementary;
@@ -148,7 +149,8 @@ impl Real for Fixed {
         let d_above = (product >> 47) as u32 | a.0 as u32 >> 31;
         let is_negative_or_limited = (c.0 | limit.0.wrapping_sub(ONE)) < 0;
         if is_negative_or_limited || slope_above | d_above != 0 || d < ONE as u32 {
-            let factor = Factor::attenuating([a, b, c], q, limit);
+            let is_near = slope_above | d_above == 0 && d < ONE as u32;
+            let factor = Factor::attenuating([a, b, c], q, limit, is_near);
             let Rgb { r, g, b } = color;
             return light(Rgb::new(factor.times(r), factor.times(g), factor.times(b))); // `map` would be a call
         }

@@ -7,6 +7,7 @@ mod falloff;
 mod normals;
 mod numbers;
 mod products;
+mod rises;
 #[allow(dead_code)]
 #[path = "../../src/target.rs"]
 mod target; // which `products` reads
