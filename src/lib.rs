@@ -174,7 +174,7 @@ pub use vector::{UnitVec3, Vec3};
 
 #[cfg(all(doc, not(doctest)))]
 macro_rules! pages {
-    ($($name:ident, $file:literal: $purpose:literal;)*) => {$(
+    ($($name:ident, $file:literal: $purpose:literal $(, $alias:literal)*;)*) => {$(
         #[doc = $purpose]
         ///
         // the first definition of a link counts, so these replace those of the files
@@ -240,6 +240,7 @@ macro_rules! pages {
         /// [totality]: mod@crate::guide::totality
         ///
         #[doc = include_str!($file)]
+        $(#[doc(alias = $alias)])*
         pub mod $name {}
     )*};
 }
@@ -256,10 +257,10 @@ pub mod guide {
         precision, "../docs/precision.md": "How far each function is from its formula.";
         proofs, "../docs/proofs.md": "Which promises are proved, from what, and how to prove one of your own.";
         recipes, "../docs/recipes.md": "Parts of a renderer to copy, by what you see and by topic.";
-        lights, "../docs/lights.md": "Recipes for lamps, suns and spots: shadows, falloffs, files and units.";
-        surfaces, "../docs/surfaces.md": "Recipes for normals: both sides, meshes, maps, heights and depths.";
-        materials, "../docs/materials.md": "Recipes for materials: plastic, clay, leaves, hair, files and other programs.";
-        colors, "../docs/colors.md": "Recipes for images: textures, exposure, bands and fog.";
+        lights, "../docs/lights.md": "Recipes for lamps, suns and spots: shadows, falloffs, files and units.", "hemisphere";
+        surfaces, "../docs/surfaces.md": "Recipes for normals: both sides, meshes, maps, heights and depths.", "bump";
+        materials, "../docs/materials.md": "Recipes for materials: plastic, clay, leaves, hair, files and other programs.", "roughness";
+        colors, "../docs/colors.md": "Recipes for images: textures, exposure, bands and fog.", "texture";
         speed, "../docs/speed.md": "Recipes for speed: Gouraud shading, and points in lanes.";
         schema, "../docs/schema.md": "The forms in which `serde` reads and writes lights and materials.";
         sources, "../docs/sources.md": "Where each formula comes from, and whether the source was read.";

@@ -16,7 +16,8 @@
 //! | `i_a` | I_a, the ambient light of the scene, once for all lights | [`Rgb`] |
 //! | `lights` | L and I of each light, as it arrives at the point | [`Light::at`](crate::Light::at) and `at` of each kind of light |
 //!
-//! The directions N, V and L all point away from the surface. Lights and reflectances should be 0
+//! The directions N, V and L all point away from the surface. N comes first, as in the formula: the compiler cannot tell it
+//! from V, and with the two swapped, a surface is bright where it faces the light from the eye's direction. Lights and reflectances should be 0
 //! or more; the result is then 0 or more too, in the unit of the intensities, which may be any.
 //!
 //! `lights` is any iterator over [`IncidentLight`]. You can write shadows, culling and area lights
@@ -61,11 +62,12 @@
 //! Source: Foley, van Dam et al. 1990, §16.1; OpenGL 2.1, §2.14.1.
 
 use core::iter::Sum;
-use core::ops::{Add, AddAssign, Mul};
+use core::ops::{Add, Mul};
 
 use crate::color::Rgb;
 use crate::direction::mirrored;
 use crate::light::IncidentLight;
+use crate::number::triple::assign;
 use crate::number::{LightSum, Lobe, Mask, Measured, Real};
 use crate::term;
 use crate::vector::UnitVec3;
@@ -101,12 +103,15 @@ use crate::vector::UnitVec3;
 #[must_use]
 pub struct Material<T = f32, M = u32> {
     /// k_a, the reflectance for ambient light.
+    #[doc(alias = "albedo")]
     pub k_a: Rgb<T>,
     /// k_d, the diffuse reflectance.
+    #[doc(alias("albedo", "texture"))]
     pub k_d: Rgb<T>,
     /// k_s, the reflectance of the highlight.
     pub k_s: Rgb<T>,
     /// m ≥ 0, the shininess: the larger it is, the smaller the highlight.
+    #[doc(alias("exponent", "glossiness", "hardness", "roughness"))]
     pub m: M,
 }
 
@@ -158,6 +163,41 @@ impl<T: Real> Shaded<T> {
     }
 }
 
+macro_rules! encoded {
+    ($($number:ty)*) => {$(
+        /// The [`total`](crate::Shaded::total), encoded for a picture or a display.
+        impl $crate::Shaded<$number> {
+            /// The total as sRGB bytes; see [`Rgb::<f32>::to_srgb8`](crate::Rgb::<f32>::to_srgb8).
+            #[doc(alias("gamma", "encode"))]
+            #[inline]
+            #[must_use]
+            pub fn to_srgb8(self) -> [u8; 3] {
+                self.total().to_srgb8()
+            }
+
+            /// The total as sRGB with five, six and five bits; see [`Rgb::<f32>::to_rgb565`](crate::Rgb::<f32>::to_rgb565).
+            #[doc(alias = "encode")]
+            #[inline]
+            #[must_use]
+            pub fn to_rgb565(self) -> u16 {
+                self.total().to_rgb565()
+            }
+
+            /// The total as bytes, not encoded; see [`Rgb::<f32>::to_linear8`](crate::Rgb::<f32>::to_linear8).
+            #[doc(alias = "quantize")]
+            #[inline]
+            #[must_use]
+            pub fn to_linear8(self) -> [u8; 3] {
+                self.total().to_linear8()
+            }
+        }
+    )*};
+}
+
+encoded!(f32 f64);
+#[cfg(feature = "fixed")]
+pub(crate) use encoded;
+
 impl<T: Real> Add for Shaded<T> {
     type Output = Self;
     #[inline]
@@ -167,13 +207,6 @@ impl<T: Real> Add for Shaded<T> {
             diffuse: self.diffuse + other.diffuse,
             specular: self.specular + other.specular,
         }
-    }
-}
-
-impl<T: Real> AddAssign for Shaded<T> {
-    #[inline]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
     }
 }
 
@@ -188,6 +221,9 @@ impl<T: Real> Mul<T> for Shaded<T> {
         }
     }
 }
+
+assign!([T] Shaded<T>, Self: Add);
+assign!([T] Shaded<T>, T: Mul);
 
 impl<T: Real> Sum for Shaded<T> {
     #[inline]

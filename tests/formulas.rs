@@ -105,6 +105,20 @@ mod vectors {
         },
         [5.0, -3.0, 9.0]
     );
+    // ((1, 2, 3) − (4, −5, 6))·2/4, and then a direction less and a direction more
+    value!(
+        changed_in_place,
+        {
+            let mut v = a::<T>();
+            v -= b();
+            v *= T::of(2.0);
+            v /= T::of(4.0);
+            v -= UnitVec3::X;
+            v += UnitVec3::Y;
+            v
+        },
+        [-2.5, 4.5, -1.5]
+    );
     value!(vector_of_one_number, Vec3::splat(T::of(2.0)), [2.0; 3]);
     // 2² + 3² + 6² = 7²
     value!(
@@ -170,6 +184,19 @@ mod colors {
             c
         },
         [0.75, 1.5, -2.0]
+    );
+    // ((0.5, 1, 2) − (0.25, 0.5, −4))·(0.25, 0.5, −4)·2/4
+    value!(
+        changed_in_place,
+        {
+            let mut c = a::<T>();
+            c -= b();
+            c *= b::<T>();
+            c *= T::of(2.0);
+            c /= T::of(4.0);
+            c
+        },
+        [0.03125, 0.125, -12.0]
     );
 
     // 1 + u + u is 1, and u + u + 1 is 1 + 2u
@@ -1027,6 +1054,58 @@ mod sums {
         },
         [2.0, 4.0, 8.0]
     );
+    value!(
+        scaled_in_place,
+        {
+            let mut s = shaded::<T>(1.0);
+            s *= T::of(0.5);
+            [s.ambient.r, s.diffuse.g, s.specular.b]
+        },
+        [0.5, 1.0, 2.0]
+    );
+    // a white sun, halved, and then through a filter
+    value!(
+        light_dimmed_in_place,
+        {
+            let mut light = from::<T>(UnitVec3::Z);
+            light *= T::of(0.5);
+            light *= rgb([1.0, 0.5, 0.0]);
+            light.intensity()
+        },
+        [0.5, 0.25, 0.0]
+    );
+    // ((x + 3) − 1)·x/2 at x = 4 is 12; its slope is (2x + 2)/2 = 5
+    value!(
+        dual_changed_in_place,
+        {
+            let [x, mut f] = [Dual::point(vector::<T>([4.0, 0.0, 0.0])).x; 2];
+            f += T::of(3.0);
+            f -= Dual::constant(T::ONE);
+            f *= x;
+            f /= T::of(2.0);
+            [f.value, f.gradient.x]
+        },
+        [12.0, 5.0]
+    );
+    fn of_one_light<T: Float>() -> Shaded<T> {
+        let material = material([0.25, 0.5, 0.0], 1);
+        shade::lambert(UnitVec3::Z, &material, Rgb::WHITE, [from(UnitVec3::Z)])
+    }
+    /// 1/4 of the ambient light and 1/2 of the sun. Encoded, 0.75 is 0.880825: 224.6 of 255, 27.3 of 31, 55.49 of 63.
+    #[test]
+    fn a_result_encodes_its_total() {
+        let rgb565 = 27 << 11 | 55 << 5 | 27;
+        let s = of_one_light::<f32>();
+        assert_eq!(
+            (s.to_srgb8(), s.to_rgb565(), s.to_linear8()),
+            ([225; 3], rgb565, [191; 3])
+        );
+        let s = of_one_light::<f64>();
+        assert_eq!(
+            (s.to_srgb8(), s.to_rgb565(), s.to_linear8()),
+            ([225; 3], rgb565, [191; 3])
+        );
+    }
     // 1 + u + u is 1, and u + u + 1 is 1 + 2u
     fn in_order<T: Float>(terms: [f64; 3]) -> [T; 2] {
         let sum: Shaded<T> = terms.into_iter().map(shaded).sum();

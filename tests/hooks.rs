@@ -42,6 +42,7 @@ fn hooks<T: Real>(input: &Input<T>) -> Vec<(&'static str, T)> {
         ("at_most", x.at_most(y)),
         ("any_outside", is_outside),
         ("finite", x.finite()),
+        ("half_angle_cosine", x.half_angle_cosine()),
         ("of_f32", T::of_f32(0.1)),
         ("of", T::of(0.1)),
         ("dot", T::dot(v, w)),

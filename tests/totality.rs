@@ -339,10 +339,16 @@ mod vectors {
     );
     each_gives!(
         new_of_another_length,
-        [[0.0; 3], [1.0, 0.0, 1.0]],
-        new::<T>,
-        None
+        [
+            [1.0, 0.0, 1.0],
+            [3e30, 0.0, 4e30],
+            [-0.4, 0.3, 0.8],
+            [0.0, 0.0, T::TINIEST]
+        ],
+        |v: [f64; 3]| new(v) == vector::<T>(v).unit(),
+        true
     );
+    gives!(new_of_the_zero_vector, new::<T>([0.0; 3]), None);
     // the square of the length is off by 16ε, that of a rounded unit vector by 4ε at most
     each_gives!(
         new_of_almost_length_1,
@@ -350,8 +356,10 @@ mod vectors {
             [0.6, 0.0, 0.8].map(|c| c * (1.0 - 16.0 * T::U)),
             [0.6, 0.8, 0.0].map(|c| c * (1.0 + 16.0 * T::U))
         ],
-        new::<T>,
-        None
+        |v: [f64; 3]| new(v).is_some_and(|u: UnitVec3<T>| {
+            Into::<f64>::into(u.dot(u) - T::ONE).abs() <= 8.0 * T::U && *u != vector::<T>(v)
+        }),
+        true
     );
     each_gives!(
         new_of_what_is_not_finite,
@@ -1559,6 +1567,35 @@ mod lights {
         of_each_kind::<T>(),
         |light: IncidentLight<T>| (light * rgb([0.0, 1.0, 2.0])).intensity(),
         rgb([0.0, 1.0, 2.0])
+    );
+    const FILTERS: [f64; 6] = [
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::NAN,
+        -f64::NAN,
+        2.0,
+        -2.0,
+    ];
+    each_gives!(
+        black_light_through_any_filter,
+        FILTERS,
+        |filter: f64| {
+            let black = of_each_kind::<T>().map(|light| light * Rgb::BLACK);
+            let filtered = black.map(|light| light * Rgb::gray(T::of(filter)));
+            filtered
+                .map(|light| light.intensity().map(|x| x == T::ZERO) == Rgb::new(true, true, true))
+        },
+        [true; 3]
+    );
+    each_gives!(
+        light_through_a_filter_without_a_limit,
+        of_each_kind::<T>(),
+        |light: IncidentLight<T>| {
+            let filtered = |filter| (light * T::of(2.0) * Rgb::gray(filter)).intensity().r;
+            let most = [T::INFINITY, T::MAX, T::NAN].map(filtered);
+            (most, [-T::INFINITY, -T::MAX].map(filtered))
+        },
+        ([T::MAX; 3], [-T::MAX; 2])
     );
 }
 

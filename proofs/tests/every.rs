@@ -103,11 +103,9 @@ fn constants_are_what_constructors_make() {
             }
         }
         assert_eq!(free.const_within(x), free.within(x), "{x:e}");
-        // the cosine is another, but within [−1, 1]
-        let is_angle = (0.0..=core::f32::consts::PI).contains(&x);
         assert_eq!(
-            Cone::<f32>::const_from_half_angle(x).is_some(),
-            is_angle,
+            Cone::<f32>::const_from_half_angle(x),
+            Cone::from_half_angle(x),
             "{x:e}"
         );
     }
@@ -140,7 +138,7 @@ fn each_lane_is_the_scalar() {
     }
 }
 
-/// Every denominator: light is never negative, never above what it was, and never rises by more than a step.
+/// Every denominator: light is never negative, never above what it was, and never rises.
 #[test]
 #[ignore = "every number"]
 fn reciprocals_of_fixed_point() {
@@ -157,7 +155,7 @@ fn reciprocals_of_fixed_point() {
     for a in 1..=i32::MAX {
         for (before, color) in before.iter_mut().zip([Fixed::MAX, Fixed::ONE]) {
             let lit = light(a, color);
-            assert!(lit >= 0 && lit <= *before + 1, "{a}: {before} {lit}");
+            assert!(lit >= 0 && lit <= *before, "{a}: {before} {lit}");
             assert!(
                 a < Fixed::ONE.to_bits() || lit <= i64::from(color.to_bits()),
                 "{a}: {lit}"

@@ -24,6 +24,7 @@ use core::iter::Sum;
 use core::ops::{Add, Mul};
 
 pub use crate::number::triple::Rgb;
+use crate::number::triple::assign;
 use crate::number::{Mask, Real};
 use crate::vector::{number_first, of_reals};
 use clamp::clamped;
@@ -79,6 +80,8 @@ impl<T: Real> Mul for Rgb<T> {
         Self::new(self.r * other.r, self.g * other.g, self.b * other.b)
     }
 }
+
+assign!([T] Rgb<T>, Self: Mul);
 
 /// Colors on a display, whose light is encoded as sRGB, and linear colors for programs that
 /// encode elsewhere or not at all. Single precision is more than any display shows.
@@ -178,7 +181,7 @@ impl<T: Real> Rgb<T> {
     /// let brass = shading::f64::Rgb::from_srgb8([0xB5, 0xA6, 0x42]);
     /// assert_eq!(brass.to_srgb8(), [0xB5, 0xA6, 0x42]);
     /// ```
-    #[doc(alias("gamma", "decode"))]
+    #[doc(alias("gamma", "decode", "texture"))]
     #[inline]
     pub fn from_srgb8(bytes: [u8; 3]) -> Self {
         Rgb::<f32>::const_from_srgb8(bytes).map(T::of_f32)
@@ -224,7 +227,7 @@ impl Rgb<f32> {
 }
 
 /// Encodings of the color that is nearest in single precision. That can be another level than the nearest
-/// only where the light is within 2⁻²⁵ of itself from the edge between two.
+/// only where the light is within 2⁻²⁴ of itself from the edge between two.
 impl Rgb<f64> {
     /// Encodes linear light as sRGB bytes; see [`Rgb::<f32>::to_srgb8`].
     ///

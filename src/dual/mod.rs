@@ -8,6 +8,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::number::Elementary;
 use crate::number::Real;
+use crate::number::triple::assign;
 use crate::vector::Vec3;
 
 /// A dual number: a value and its gradient, ∇ = (∂/∂x, ∂/∂y, ∂/∂z).
@@ -245,6 +246,9 @@ impl<T: Real> Div<T> for Dual<T> {
         Self::new(self.value / number, self.gradient / number)
     }
 }
+
+assign!([T] Dual<T>, Self: Add Sub Mul Div);
+assign!([T] Dual<T>, T: Add Sub Mul Div);
 
 macro_rules! number_first {
     ($float:ident: $($trait:ident $method:ident),*) => {

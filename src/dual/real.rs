@@ -4,6 +4,7 @@
 
 use super::Dual;
 use crate::color::Rgb;
+use crate::number::cosine::cosine;
 use crate::number::{Lobe, Mask, Measured, Real, Toward, length, whole};
 use crate::vector::Vec3;
 
@@ -186,6 +187,10 @@ impl<T: Real> Real for Dual<T> {
         let cosine = Self::cosine(n, &Self::toward(n, w.w + v * w.w_length));
         let varies = cosine.above(Self::ZERO);
         varies.select(m.raise(cosine), Self::ZERO).of_value(power)
+    }
+
+    fn half_angle_cosine(self) -> Self {
+        cosine(self).of_value(self.value.half_angle_cosine())
     }
 }
 

@@ -49,10 +49,9 @@ fn color<T: Real + Scalar>(color: [T; 3]) -> Result<Rgb<T>, &'static str> {
 
 /// A vector of any length gives its direction. One of length 1 keeps its bits.
 fn direction<T: Real + Scalar>(v: [T; 3]) -> Result<UnitVec3<T>, &'static str> {
-    let [x, y, z] = v;
     let v = vector(v).map_err(|_| "direction: a coordinate is not finite")?;
-    let unit = UnitVec3::new(x, y, z).or_else(|| v.unit());
-    unit.ok_or("direction: the zero vector has none; a vector of any other length will do")
+    UnitVec3::new(v.x, v.y, v.z)
+        .ok_or("direction: the zero vector has none; a vector of any other length will do")
 }
 
 fn checked<V, E: de::Error>(value: Option<V>, reason: &str) -> Result<V, E> {

@@ -1,5 +1,7 @@
 //! The constructors for constants, as `f32` has them.
 
+use super::cosine::{PI, cosine};
+use super::real::dot;
 use super::root::unit_and_length;
 use super::{Fixed, ONE};
 use crate::light::Attenuation;
@@ -8,10 +10,14 @@ use crate::vector::UnitVec3;
 use crate::vector::Vec3;
 
 impl UnitVec3<Fixed> {
-    /// The direction of the vector (x, y, z), of any length but 0, for literals in constants. It has
-    /// the bits of [`Vec3::unit`].
+    /// [`new`](UnitVec3::new) for constants: the direction of the vector (x, y, z), of any length but 0.
     #[must_use]
-    pub const fn const_normalized(x: Fixed, y: Fixed, z: Fixed) -> Option<Self> {
+    pub const fn const_new(x: Fixed, y: Fixed, z: Fixed) -> Option<Self> {
+        const SLACK: u32 = 4;
+        let v = Vec3::new(x, y, z);
+        if dot(v, v).0.abs_diff(ONE) <= SLACK {
+            return Some(Self::assume_unit(v));
+        }
         let ([x, y, z], length) = unit_and_length([x, y, z]);
         if length.0 > 0 {
             Some(Self::assume_unit(Vec3::new(x, y, z)))
@@ -61,10 +67,10 @@ impl Cone<Fixed> {
     /// [`from_half_angles`](Cone::from_half_angles) for constants.
     #[must_use]
     pub const fn const_from_half_angles(inner: Fixed, outer: Fixed) -> Option<Self> {
-        let (inner, outer) = (inner.0 as f64 / ONE as f64, outer.0 as f64 / ONE as f64);
-        match Cone::<f64>::const_from_half_angles(inner, outer) {
-            Some(cone) => Some(Self::stored(Fixed::new(cone.inner), Fixed::new(cone.outer))),
-            None => None,
+        if 0 <= inner.0 && inner.0 <= outer.0 && outer.0 <= PI {
+            Some(Self::stored(cosine(inner), cosine(outer)))
+        } else {
+            None
         }
     }
 

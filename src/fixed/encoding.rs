@@ -65,3 +65,5 @@ impl Rgb<Fixed> {
         Rgb::new(self.r.to_f32(), self.g.to_f32(), self.b.to_f32())
     }
 }
+
+crate::shade::encoded!(Fixed);

@@ -26,8 +26,12 @@
 //! - The normals of triangles, tangents and spheres of any size are within 0.56 of a step of the exact ones,
 //!   but for triangles of which an edge is longer than 32,768.
 //! - A sum over lights has 64 bits and is rounded once. So it does not depend on the order of the lights, and it differs
-//!   from results that you add up yourself by at most a step for each light, and one.
-//! - Light is never negative, and never brighter by more than a level where the distance is greater.
+//!   from the results of [`shade`](mod@crate::shade) for one light each, added up, by at most a step for each light, and
+//!   one. It may differ by more from intensities times the factors of [`term`](mod@crate::term), because those factors are
+//!   rounded before the light multiplies their errors.
+//! - Light is never negative. It never rises as the distance that a falloff is given does, not by a step; between two
+//!   points, whose distances are rounded, it never rises by more than a level.
+//! - A negative intensity counts as black.
 //! - Nothing panics, and every machine gives the same bits. The functions of
 //!   [`Elementary`](crate::Elementary) are the exception: they go by way of `f32`, whose last digits may
 //!   differ on x86 without SSE2.
@@ -41,6 +45,7 @@
 )]
 
 mod constants;
+mod cosine;
 mod encoding;
 mod falloff;
 mod product;
@@ -57,6 +62,7 @@ mod types {
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::number::triple::assign;
 use crate::target::NARROW_PRODUCT;
 use product::{product, times_fraction};
 pub use types::*;
@@ -262,6 +268,8 @@ fn quotient(of: i32, by: i32) -> Fixed {
     let steps = (steps + 1) as i64 / 2;
     Fixed(if (of ^ by) < 0 { -steps } else { steps }.clamp(i32::MIN as i64, i32::MAX as i64) as i32)
 }
+
+assign!([] Fixed, Self: Add Sub Mul Div);
 
 impl Mul<Vec3> for Fixed {
     type Output = Vec3;

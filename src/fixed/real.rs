@@ -1,5 +1,6 @@
 //! [`Real`] and [`Elementary`].
 
+use super::cosine::cosine;
 use super::falloff::{Factor, beam, times, window};
 use super::product::{product, product_by_fraction, product_unsigned};
 use super::reciprocal::reciprocal;
@@ -9,6 +10,20 @@ use crate::color::Rgb;
 use crate::number::Elementary;
 use crate::number::{Dimmed, LightSum, Lobe, Measured, Real, Toward};
 use crate::vector::Vec3;
+
+/// A dot product. It is rounded once, and above 0 if the exact sum is.
+#[inline]
+pub(super) const fn dot(a: Vec3<Fixed>, b: Vec3<Fixed>) -> Fixed {
+    // halves, whose sum cannot overflow
+    let sum =
+        (product(a.x.0, b.x.0) >> 1) + (product(a.y.0, b.y.0) >> 1) + (product(a.z.0, b.z.0) >> 1);
+    let rounded = rounded(sum, 15, (sum >> 32) as i32);
+    if rounded.0 == 0 && sum > 0 {
+        Fixed(1)
+    } else {
+        rounded
+    }
+}
 
 #[diagnostic::do_not_recommend] // the trait's own message names the types
 impl Real for Fixed {
@@ -39,13 +54,9 @@ impl Real for Fixed {
         self > other
     }
 
-    /// It is rounded once, and above 0 if the exact sum is.
     #[inline]
-    fn dot(Vec3 { x: a, y: b, z: c }: Vec3<Self>, Vec3 { x, y, z }: Vec3<Self>) -> Self {
-        // halves, whose sum cannot overflow
-        let sum = (product(a.0, x.0) >> 1) + (product(b.0, y.0) >> 1) + (product(c.0, z.0) >> 1);
-        let Self(steps) = rounded(sum, 15, (sum >> 32) as i32);
-        Self(if steps == 0 && sum > 0 { 1 } else { steps })
+    fn dot(a: Vec3<Self>, b: Vec3<Self>) -> Self {
+        dot(a, b)
     }
 
     #[inline]
@@ -184,6 +195,11 @@ impl Real for Fixed {
         _: &Measured<Self>,
     ) -> Dimmed<Self> {
         times(light, beam(axis, inner_and_outer, is_smooth, v))
+    }
+
+    /// Within 0.5001 of a step.
+    fn half_angle_cosine(self) -> Self {
+        cosine(self)
     }
 }
 

@@ -14,8 +14,7 @@ use crate::vector::Vec3;
 /// q ≥ 0 is the **distance**, not its square, in the unit of length of the scene. a, b, c ≥ 0 are
 /// the constant, linear and quadratic coefficients. The factor may exceed 1. It is evaluated as
 /// 1/(a + q(b + cq)) by [`Real::attenuated`], so it never increases as q, a, b or c increases, not even
-/// by rounding. In fixed point, a factor above 1 may increase by a step, or by 2⁻²³ of itself, as b or c
-/// increases.
+/// by rounding.
 ///
 /// If the denominator is 0, the factor is the largest finite number; if it is negative or NaN, 0.
 ///
@@ -25,7 +24,7 @@ use crate::vector::Vec3;
 /// use shading::attenuation;
 /// assert_eq!(attenuation(0.0_f32, 0.0, 1.0, 4.0), 1.0 / 16.0);
 /// ```
-#[doc(alias("falloff", "inverse square"))]
+#[doc(alias("falloff", "inverse_square", "inverse square"))]
 #[inline]
 #[must_use]
 pub fn attenuation<T: Real>(a: T, b: T, c: T, q: T) -> T {
@@ -58,7 +57,7 @@ pub fn attenuation<T: Real>(a: T, b: T, c: T, q: T) -> T {
 /// [`intensity`](crate::IncidentLight::intensity) that arrives.
 // Choices are numbers, as the rest: lanes may choose differently. Each falloff has one form, so that equal
 // ones are equal: without a range, `squared` is 1.
-#[doc(alias = "inverse square")]
+#[doc(alias("falloff", "inverse_square", "inverse square"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[must_use]
 pub struct Attenuation<T = f32> {
@@ -124,7 +123,7 @@ impl<T: Real> Attenuation<T> {
     ///
     /// Source: Brian Karis, *Real Shading in Unreal Engine 4*, SIGGRAPH course, 2013; Babylon.js, Bevy,
     /// Filament and three.js use the same formula.
-    #[doc(alias = "cutoff")]
+    #[doc(alias("cutoff", "radius"))]
     #[inline]
     #[must_use]
     pub fn within(self, r: T) -> Option<Self>
@@ -153,7 +152,7 @@ impl<T: Real> Attenuation<T> {
     /// let lamp = shading::f32::Attenuation::NONE.within_gltf(2.0).unwrap();
     /// assert_eq!(lamp.at(1.0), 0.9375); // 1 − (1/2)⁴
     /// ```
-    #[doc(alias("gltf", "cutoff"))]
+    #[doc(alias("gltf", "cutoff", "radius"))]
     #[inline]
     #[must_use]
     pub fn within_gltf(self, r: T) -> Option<Self>

@@ -1,42 +1,12 @@
 //! The cone of a spot light.
 
-use core::f64::consts::FRAC_PI_2;
+use core::f64::consts::PI;
 
 use crate::color::Rgb;
+use crate::number::cosine::{cosine_f32, cosine_f64};
 use crate::number::{Dimmed, Mask, Measured, Real, Scalar, constant, epsilon, parts};
 use crate::vector::UnitVec3;
 use crate::vector::Vec3;
-
-/// The cosine of a half-angle within [0, π], by + − × ÷ alone: for every number type, and in constants.
-/// It is the sine or the cosine of an angle y of at most π/4, by its Taylor series, with −1 in place of
-/// +1 for the cosine and without the factor y:
-///
-/// ```text
-/// y (1 − y²/(2(2 + 1)) (1 − y²/(4(4 + 1)) (…)))
-/// ```
-///
-/// π/2 is given as a number and the rest that this number leaves.
-macro_rules! cosine {
-    ($angle:expr, $zero:expr, $one:expr, $half_pi:expr, $rest:expr) => {{
-        let (angle, zero, one, half_pi, rest) = ($angle, $zero, $one, $half_pi, $rest);
-        let (two, quarter_pi) = (one + one, half_pi / (one + one));
-        let is_sine = quarter_pi < angle && angle < half_pi + quarter_pi;
-        let (y, sign) = if is_sine {
-            ((half_pi - angle) + rest, one)
-        } else if angle < half_pi {
-            (angle, one)
-        } else {
-            ((half_pi - angle + half_pi) + two * rest, -one)
-        };
-        let odd = if is_sine { one } else { -one };
-        let (square, mut k, mut sum) = (y * y, two + two * two * two * two, one);
-        while k > zero {
-            sum = one - square / (k * (k + odd)) * sum;
-            k = k - two;
-        }
-        if is_sine { y * sum } else { sign * sum }
-    }};
-}
 
 /// The cone of a spot light, given by its **half**-angle: the angle between the axis and the edge,
 /// as in OpenGL, glTF and three.js. Unity and Blender give twice that angle.
@@ -190,12 +160,11 @@ impl<T: Real> Cone<T> {
     where
         T: Scalar,
     {
-        let (half_pi, rest) = half_pi::<T>();
-        if !(T::ZERO <= inner && inner <= outer && outer <= half_pi + half_pi) {
+        let pi = constant(const { parts(PI) });
+        if !(T::ZERO <= inner && inner <= outer && outer <= pi) {
             return None;
         }
-        let cosine = |angle| cosine!(angle, T::ZERO, T::ONE, half_pi, rest);
-        let (inner, outer) = (cosine(inner), cosine(outer));
+        let (inner, outer) = (inner.half_angle_cosine(), outer.half_angle_cosine());
         // rounding may have swapped the cosines of nearly equal angles
         Self::from_cosines(inner.at_least(outer), outer)
     }
@@ -216,8 +185,11 @@ impl<T: Real> Cone<T> {
     }
 
     /// The cone whose inner and outer half-angles have the given cosines, 1 ≥ inner ≥ outer ≥ −1.
-    /// Returns `None` for other cosines and for NaN. Each is treated as in
-    /// [`from_cosine`](Cone::from_cosine).
+    /// Returns `None` for other cosines and for NaN.
+    ///
+    /// A cosine close to 1 is stored as 1 − 4ε, as in [`from_cosine`](Cone::from_cosine). If the inner one is
+    /// close to −1, so is the outer one, and the cone is that of every direction. Otherwise, an outer cosine
+    /// close to −1 is stored as it is, because the factor near such an edge is near 0.
     #[inline]
     #[must_use]
     pub fn from_cosines(inner: T, outer: T) -> Option<Self>
@@ -259,18 +231,8 @@ impl<T: Real> Cone<T> {
     }
 }
 
-/// π/2 as a number, and the rest that it leaves.
-#[inline]
-fn half_pi<T: Real>() -> (T, T) {
-    const PARTS: [f32; 3] = parts(FRAC_PI_2);
-    let [first, second, third] = PARTS;
-    let half_pi = constant(PARTS);
-    let rest = (T::of_f32(first) - half_pi) + T::of_f32(second) + T::of_f32(third);
-    (half_pi, rest + T::of_f32(6.123_234e-17))
-}
-
 macro_rules! constants {
-    ($float:ident, $rest:expr) => {
+    ($float:ident, $cosine:ident) => {
         impl Cone<$float> {
             /// [`from_half_angle`](Cone::from_half_angle) for constants, with the same bits.
             #[must_use]
@@ -284,9 +246,7 @@ macro_rules! constants {
                 if !(0.0 <= inner && inner <= outer && outer <= core::$float::consts::PI) {
                     return None;
                 }
-                use core::$float::consts::FRAC_PI_2;
-                let inner = cosine!(inner, 0.0, 1.0, FRAC_PI_2, $rest);
-                let outer = cosine!(outer, 0.0, 1.0, FRAC_PI_2, $rest);
+                let (inner, outer) = ($cosine(inner), $cosine(outer));
                 // rounding may have swapped the cosines of nearly equal angles
                 Self::const_from_cosines(if inner < outer { outer } else { inner }, outer)
             }
@@ -320,6 +280,5 @@ macro_rules! constants {
     };
 }
 
-// the part of π/2 that the number nearest to it leaves
-constants!(f32, -4.371_139e-8);
-constants!(f64, 6.123_234e-17_f32 as f64);
+constants!(f32, cosine_f32);
+constants!(f64, cosine_f64);

@@ -6,6 +6,7 @@ use core::ops::Mul;
 use super::Attenuation;
 use super::Cone;
 use crate::color::Rgb;
+use crate::number::triple::assign;
 use crate::number::{Dimmed, Mask, Measured, Real, Toward, cold};
 use crate::vector::UnitVec3;
 use crate::vector::Vec3;
@@ -254,8 +255,9 @@ impl<T: Real> Mul<T> for IncidentLight<T> {
     }
 }
 
-/// What arrives through a colored filter. A channel that overflows is the largest finite number, and a
-/// black one stays black.
+/// What arrives through a colored filter. A black channel stays black whatever the filter is. A channel that
+/// overflows is the largest finite number, or its negative; one that is not black is the largest finite number where the
+/// filter is NaN.
 ///
 /// ```
 /// use shading::f32::{DirectionalLight, Rgb, UnitVec3, Vec3};
@@ -268,8 +270,12 @@ impl<T: Real> Mul<Rgb<T>> for IncidentLight<T> {
     type Output = Self;
     #[inline]
     fn mul(mut self, filter: Rgb<T>) -> Self {
-        // a filter of ∞ times 0 would be NaN
-        self.intensity = (self.intensity * filter.finite()).finite();
+        let finite = |color: Rgb<T>| color.finite().map(|channel| channel.at_least(-T::MAX));
+        // a filter of ±∞ times 0 would be NaN
+        self.intensity = finite(self.intensity * finite(filter));
         self
     }
 }
+
+assign!([T] IncidentLight<T>, T: Mul);
+assign!([T] IncidentLight<T>, Rgb<T>: Mul);

@@ -37,7 +37,7 @@ use crate::vector::Vec3;
 /// assert!(smooth.dot(v) < 0.0);
 /// assert_eq!(normal::facing(smooth, v, front), smooth);
 /// ```
-#[doc(alias("faceforward", "two-sided"))]
+#[doc(alias("faceforward", "flip", "two_sided", "two-sided"))]
 #[inline]
 pub fn facing<T: Real>(n: UnitVec3<T>, v: UnitVec3<T>, face: UnitVec3<T>) -> UnitVec3<T> {
     let away = (-face).dot(v).above(T::ZERO);
@@ -159,7 +159,7 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
 /// // without a frame the surface keeps its own normal
 /// assert_eq!(normal::mapped(n, *n, 1.0, decode([218, 128, 218])).unwrap_or(n), n);
 /// ```
-#[doc(alias("normal map", "tangent space", "bump"))]
+#[doc(alias("normal map", "tangent space", "bump", "texture"))]
 #[inline(always)]
 #[must_use]
 pub fn mapped<T: Real + Scalar>(

@@ -41,6 +41,7 @@ use super::{Mask, Real};
     note = "an integer shininess is a `u32`, as in `m: 32`; a real one has the scene's number type, as in `m: 32.5`",
     note = "`term::phong` and `term::blinn` are factors; the functions that take a material are in `shade`"
 )]
+#[doc(alias("exponent", "shininess"))]
 pub trait Lobe<T: Real>: Copy {
     /// cosineᵐ, within [0, 1], for a cosine within [0, 1].
     ///

@@ -5,6 +5,7 @@
 
 mod angle;
 pub(crate) mod cast;
+pub(crate) mod cosine;
 pub(crate) mod elementary;
 mod extent;
 pub(crate) mod falloff;

@@ -137,8 +137,8 @@ pub trait Real:
         a.x * b.x + a.y * b.y + a.z * b.z
     }
 
-    /// Where v points to the front of a surface with the normal n: where n·v > 0, to the last bit. It
-    /// decides which lights count, before any root.
+    /// Where v points to the front of a surface with the normal n: where n·v > 0. It decides which lights
+    /// count, before any root. A float takes the sign of the rounded sum, and fixed point that of the exact one.
     #[inline(always)]
     #[must_use]
     fn faces(n: Vec3<Self>, v: Vec3<Self>) -> Self::Mask {
@@ -266,6 +266,14 @@ pub trait Real:
         let cosine = Self::dot(-axis, *w) / *w_length;
         let factor = factor * falloff::beam(cosine, inner_and_outer, is_smooth);
         Dimmed { color, factor }
+    }
+
+    /// The cosine of an angle within [0, π], for the edge of a cone: by a series of + − × ÷, with an error below ε.
+    /// Of a scene in flash, the compiler computes the same in a constant.
+    #[inline]
+    #[must_use]
+    fn half_angle_cosine(self) -> Self {
+        super::cosine::cosine(self)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Three numbers side by side: vectors and colors, and the operators that they share. Nothing here
 //! needs more of a number than its operators.
 
-use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A vector or a point in space, with operators for sums, differences and scaling.
 ///
@@ -62,6 +62,29 @@ impl<T: Neg<Output = T>> Neg for Vec3<T> {
     }
 }
 
+/// `a -= b` and its like for a type and another, for which `a - b` is of the first type. One for each pair of types,
+/// because the compiler infers the numbers of `sum += v` from v only then.
+macro_rules! assign {
+    (Add $($of:tt)*) => { $crate::number::triple::assign!(AddAssign add_assign Add add $($of)*); };
+    (Sub $($of:tt)*) => { $crate::number::triple::assign!(SubAssign sub_assign Sub sub $($of)*); };
+    (Mul $($of:tt)*) => { $crate::number::triple::assign!(MulAssign mul_assign Mul mul $($of)*); };
+    (Div $($of:tt)*) => { $crate::number::triple::assign!(DivAssign div_assign Div div $($of)*); };
+    ($assign:ident $method:ident $operator:ident $function:ident [$($t:ident)?] $type:ty, $other:ty) => {
+        impl<$($t)?> core::ops::$assign<$other> for $type
+        where
+            Self: Copy + core::ops::$operator<$other, Output = Self>,
+        {
+            #[inline]
+            fn $method(&mut self, other: $other) {
+                *self = core::ops::$operator::$function(*self, other);
+            }
+        }
+    };
+    ($generic:tt $type:ty, $other:ty: $($operator:ident)*) => {
+        $($crate::number::triple::assign!($operator $generic $type, $other);)*
+    };
+}
+
 /// The operations that vectors and colors share.
 macro_rules! componentwise {
     ($type:ident { $x:ident, $y:ident, $z:ident }) => {
@@ -115,12 +138,8 @@ macro_rules! componentwise {
             }
         }
 
-        impl<T: Copy + Add<Output = T>> AddAssign for $type<T> {
-            #[inline]
-            fn add_assign(&mut self, other: Self) {
-                *self = *self + other;
-            }
-        }
+        assign!([T] $type<T>, Self: Add Sub);
+        assign!([T] $type<T>, T: Mul Div);
 
         impl<T> From<[T; 3]> for $type<T> {
             #[inline]
@@ -140,3 +159,4 @@ macro_rules! componentwise {
 
 componentwise!(Vec3 { x, y, z });
 componentwise!(Rgb { r, g, b });
+pub(crate) use assign;

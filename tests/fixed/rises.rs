@@ -10,11 +10,11 @@ use shading::{Real, attenuation};
 use crate::{Random, exact, steps};
 
 #[allow(dead_code, clippy::pedantic)]
-#[path = "../../src/fixed/reciprocal.rs"]
-mod reciprocal;
-#[allow(dead_code, clippy::pedantic)]
 #[path = "../../src/fixed/product.rs"]
-mod product; // which the reciprocal reads
+mod product;
+#[allow(dead_code, clippy::pedantic)]
+#[path = "../../src/fixed/reciprocal.rs"]
+mod reciprocal; // which the reciprocal reads
 
 /// A light after a distance: what the climb changes.
 #[derive(Clone, Copy, Debug)]
@@ -66,9 +66,15 @@ impl Given {
     }
 
     /// How near to a rise it is: the greatest difference that rounding makes to the fall by a step, in steps, or in parts
-    /// of 2²⁴ of a bright light. Fails if there is a rise.
+    /// of 2²⁴ of a bright light. Fails if there is a rise, or if a limit brightens.
     fn lift(&self) -> f64 {
         let (light, factor, exactly) = (self.light(), self.factor(), self.exact());
+        let unlimited = Given {
+            limit: Fixed::MAX,
+            ..*self
+        };
+        let limited = unlimited.light().min(self.color * self.limit);
+        assert!(self.limit == Fixed::MAX || light <= limited, "{self:?}");
         let lifts = [0, 1, 2, 3].map(|argument| {
             let next = self.with_a_step(argument);
             assert!(

@@ -34,7 +34,8 @@ fn directions_and_lengths_are_near_the_exact_ones() {
         let error = 65536.0 * error.x.abs().max(error.y.abs()).max(error.z.abs());
         assert!(error <= 0.52, "{v:?}: {error} steps");
         assert!(UnitVec3::new(unit.x, unit.y, unit.z).is_some(), "{v:?}");
-        assert_eq!(UnitVec3::const_normalized(v[0], v[1], v[2]), Some(unit));
+        let [x, y, z] = v;
+        assert_eq!(UnitVec3::const_new(x, y, z), UnitVec3::new(x, y, z));
 
         let length = 65536.0 * wide.length();
         let actual = Vec3::from(v).length();

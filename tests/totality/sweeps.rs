@@ -1,7 +1,8 @@
 //! What holds of too many arguments for a row.
 
-use std::f64::consts::{FRAC_1_SQRT_2, PI};
+use std::f64::consts::PI;
 
+use kit::random::Random;
 use kit::{Float, direction};
 use proptest::prelude::*;
 use shading::{Attenuation, Cone, Dual, Real, UnitVec3, Vec3, normal};
@@ -9,6 +10,7 @@ use shading::{Attenuation, Cone, Dual, Real, UnitVec3, Vec3, normal};
 kit::for_f32_and_f64!(
     a_diagonal_is_exact_at_any_size,
     a_constant_has_the_bits_of_the_generic_value,
+    a_constant_cone_has_the_bits_of_the_generic_one,
     cones_of_every_angle_are_right_and_in_order,
     a_cone_of_zero_lights_its_axis_and_one_of_pi_everything,
     an_edge_of_no_width_is_hard,
@@ -29,16 +31,23 @@ fn a_diagonal_is_exact_at_any_size<T: Float>() {
 
 /// The constructors that work in constants, behind one name for both floats.
 trait Constants: Float {
+    /// By three coefficients, and by a range in place of glTF's.
     fn attenuation(abc: [Self; 3], r: Self) -> [Option<Attenuation<Self>>; 2];
     fn half_angles(inner: Self, outer: Self) -> Option<Cone<Self>>;
+}
+
+/// With a range as glTF has it, which another range replaces.
+fn ended<T: Float>(some: Option<Attenuation<T>>) -> Attenuation<T> {
+    some.and_then(|some| some.within_gltf(T::ONE))
+        .unwrap_or(Attenuation::NONE)
 }
 
 macro_rules! constants {
     ($($float:ident)*) => {$(
         impl Constants for $float {
             fn attenuation([a, b, c]: [Self; 3], r: Self) -> [Option<Attenuation<Self>>; 2] {
-                let free = Attenuation::<$float>::const_new(a, b, c);
-                [free, Attenuation::<$float>::NONE.const_within(r)]
+                let some = Attenuation::<$float>::const_new(a, b, c);
+                [some, ended(some).const_within(r)]
             }
             fn half_angles(inner: Self, outer: Self) -> Option<Cone<Self>> {
                 Cone::<$float>::const_from_half_angles(inner, outer)
@@ -69,12 +78,52 @@ fn a_constant_has_the_bits_of_the_generic_value<T: Constants>() {
     };
     proptest!(config, |([a, b, c] in [number::<T>(), number(), number()])| {
         // as text, which tells −0 from 0
-        let generic = [Attenuation::new(a, b, c), Attenuation::NONE.within(a)];
+        let some = Attenuation::new(a, b, c);
+        let generic = [some, ended(some).within(a)];
         prop_assert_eq!(format!("{generic:?}"), format!("{:?}", T::attenuation([a, b, c], a)));
-        prop_assert_eq!(Cone::from_half_angles(a, b).is_some(), T::half_angles(a, b).is_some());
+        let generic = Cone::from_half_angles(a, b);
+        prop_assert_eq!(format!("{generic:?}"), format!("{:?}", T::half_angles(a, b)));
+        // a vector of length 1, or nearly 1, keeps its bits
         let v = Vec3::new(a, b, c);
-        prop_assert_eq!(format!("{:?}", v.unit()), format!("{:?}", T::normalized(v)));
+        let u = v.unit().map_or(v, |u| *u);
+        for v in [v, u, u * T::of(1.0 + 4.0 * T::U)] {
+            let generic = UnitVec3::new(v.x, v.y, v.z);
+            prop_assert_eq!(format!("{generic:?}"), format!("{:?}", T::const_unit(v)));
+        }
     });
+}
+
+/// Angles of any size and their neighbors; those next to where the series changes, and to the ends; and on from where
+/// the two cosines of a step differ most from their exact difference, to where rounding is the hardest.
+fn a_constant_cone_has_the_bits_of_the_generic_one<T: Constants>() {
+    let compare = |angle: T| {
+        let [constant, generic] = [T::half_angles(angle, angle), Cone::from_half_angle(angle)];
+        assert_eq!(format!("{constant:?}"), format!("{generic:?}"), "{angle:e}");
+        generic.map_or(0.0, |cone| {
+            let [cosine, _] = cone.cosines();
+            (Into::<f64>::into(cosine) - Into::<f64>::into(angle).cos()).abs()
+        })
+    };
+    for quarters in 0..=4 {
+        for k in -4000..4000 {
+            let end = f64::from(quarters) * PI / 4.0;
+            compare(T::of(end * (1.0 + f64::from(k) * T::U)));
+            compare(T::of(f64::from(k) * T::U));
+        }
+    }
+    let mut random = Random(1);
+    for _ in 0..60 {
+        let mut angle = T::of(PI) * T::of(random.fraction());
+        let mut highest = compare(angle);
+        for _ in 0..2000 {
+            let size = (-52.0 * random.fraction()).exp2();
+            let next = T::of(Into::<f64>::into(angle) + size * random.signed());
+            let error = compare(next);
+            if error > highest {
+                (angle, highest) = (next, error);
+            }
+        }
+    }
 }
 
 /// 2¹³ consecutive angles down from π and next to π/4, where rounding swaps cosines, and as many spread over
@@ -86,24 +135,20 @@ fn angles<T: Float>() -> impl Iterator<Item = T> {
     below(pi).chain(below(0.7861)).chain(throughout).map(T::of)
 }
 
-/// Compared with the cosine of the standard library in `f64`, which is right to one unit in its
-/// last place; that of `libm` in the number type is, too.
+/// Compared with the cosine of the standard library in `f64`, which is right to one unit in its last place.
 ///
-/// In constants, in the middle, the crate computes a sine of at most 0.71: its argument rounds by ½u,
-/// the second term of the series is off by ⅓u, and each of five additions rounds by ½u: 3.4u.
-/// Elsewhere, it computes 1 − 2s² with s ≤ 0.39. The argument is off by ½u, which counts 0.71 times. s is
-/// off by 0.8u, three additions of ¼u and the error of the second term, which counts 4s times. The square
-/// rounds by ¼u and the difference by ½u: 2.4u. At the ends, the error may be 4ε = 8u.
+/// In the middle, the crate computes a sine of at most 0.71: its argument rounds by ½u of itself and of the rest of π/2,
+/// the second term of the series, of at most 0.11, is off by 2u of itself, and two additions round by ½u: 1.5u in all.
+/// Elsewhere, it computes 1 − y²/2 (…) with y²/2 of at most 0.31: the square rounds by ½u of 0.62, which counts half, the
+/// argument by ½u, which counts 0.56 times, and the difference by ½u: 1.4u. At the ends, the error may be 4ε = 8u.
 fn cones_of_every_angle_are_right_and_in_order<T: Constants>() {
     for angle in angles::<T>() {
         let next = T::of(Into::<f64>::into(angle) * (1.0 + 1.01 * T::U)).at_most(T::of(PI));
         let expected = Into::<f64>::into(angle).cos();
         let units = if expected.abs() > 1.0 - 9.0 * T::U {
             8.0
-        } else if expected.abs() > FRAC_1_SQRT_2 {
-            2.4
         } else {
-            3.4
+            1.5
         };
         let tolerance = units * T::U + f64::EPSILON / 2.0;
         for cone in [

@@ -76,7 +76,7 @@ static TURNS: [[Fixed; 2]; STEPS] = {
 };
 
 const fn corners() -> [(Vec3, UnitVec3); AROUND * TUBE] {
-    let x = UnitVec3::const_normalized(number(1.0), number(0.0), number(0.0)).unwrap();
+    let x = UnitVec3::const_new(number(1.0), number(0.0), number(0.0)).unwrap();
     let mut corners = [(Vec3::new(number(0.0), number(0.0), number(0.0)), x); AROUND * TUBE];
     let mut i = 0;
     while i < AROUND * TUBE {
@@ -89,7 +89,7 @@ const fn corners() -> [(Vec3, UnitVec3); AROUND * TUBE] {
             number(THICKNESS * up),
         );
         let (x, y, z) = (number(out * around), number(out * along), number(up));
-        corners[i] = (p, UnitVec3::const_normalized(x, y, z).unwrap());
+        corners[i] = (p, UnitVec3::const_new(x, y, z).unwrap());
         i += 1;
     }
     corners

@@ -12,7 +12,7 @@ use shading::{Material, shade};
 
 const LIGHTS: [Light; 3] = [
     Light::Directional(DirectionalLight {
-        l: UnitVec3::const_normalized(0.48, 0.6, 0.64).unwrap(),
+        l: UnitVec3::const_new(0.48, 0.6, 0.64).unwrap(),
         intensity: Rgb::new(0.5, 0.48, 0.45),
     }),
     Light::Point(PointLight {
@@ -26,7 +26,7 @@ const LIGHTS: [Light; 3] = [
             intensity: Rgb::new(0.2, 0.4, 0.9),
             attenuation: Attenuation::NONE,
         },
-        axis: UnitVec3::const_normalized(-0.6, -0.8, 0.0).unwrap(),
+        axis: UnitVec3::const_new(-0.6, -0.8, 0.0).unwrap(),
         cone: Cone::const_from_half_angle(0.4).unwrap(),
     }),
 ];

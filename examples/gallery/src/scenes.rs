@@ -373,7 +373,7 @@ fn lights() -> Vec<Scene> {
     );
     let spot = SpotLight {
         point: lamp(Vec3::new(-1.8, 2.4, 0.0), WARM, [1.0, 0.0, 0.0]),
-        axis: const { UnitVec3::const_normalized(0.6, -0.8, 0.0).unwrap() },
+        axis: const { UnitVec3::const_new(0.6, -0.8, 0.0).unwrap() },
         cone: const { Cone::const_from_half_angle(PI / 7.0).unwrap() },
     };
     let square = (0..64_u8).map(|i| {
@@ -494,7 +494,7 @@ fn soft_spots() -> Scene {
             0.32,
             glossy(Rgb::new(0.55, 0.12, 0.07), 0.4, 60),
         ));
-        let axis = const { UnitVec3::const_normalized(0.0, -1.0, -0.1).unwrap() };
+        let axis = const { UnitVec3::const_new(0.0, -1.0, -0.1).unwrap() };
         scene.lights.push(SpotLight { point, axis, cone }.into());
     }
     scene

@@ -49,8 +49,11 @@ pub const CLAIMS: &[Claim] = claims! {
         "`Vec3::unit_or` of any bits has components up to 1.25 in size, if the fallback has"
     vectors::unit_or_of_nothing Rules
         "`Vec3::unit_or` is the fallback where `Vec3::unit` is `None`, to the bit"
-    vectors::direction_of_any Bitwuzla
-        "`UnitVec3::new` of any bits is `None`, or its argument, each component in [−1.01, 1.01]"
+    vectors::direction_of_any Rules
+        "`UnitVec3::new` of any bits is `None` or has components up to 1.25 in size, unless |v|² is within \
+         4ε of 1"
+    vectors::direction_of_length_1 Bitwuzla
+        "`UnitVec3::new` is its argument, with components up to 1.01 in size, if |v|² is within 4ε of 1"
     vectors::direction_of_nothing Bitwuzla
         "`UnitVec3::new` is `None` for the zero vector, and if a component is infinite or NaN"
     vectors::half_vector_of_any Rules

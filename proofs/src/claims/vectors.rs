@@ -1,6 +1,6 @@
 //! Numbers, vectors and directions.
 
-use shading::{Rgb, UnitVec3, half_vector, normal};
+use shading::{Real, Rgb, UnitVec3, Vec3, half_vector, normal};
 use shading_proofs::{Given, Goal, Range, Term};
 
 use super::given::*;
@@ -32,8 +32,26 @@ pub fn unit_or_of_nothing(given: Given) -> Vec<Goal> {
     same(without_direction(given, "v").unit_or(fallback), fallback)
 }
 
+/// Whether |v|² is within 4ε of 1.
+fn is_unit(given: Given, v: Vec3<Term>) -> bool {
+    let off = v.dot(v) - Term::ONE;
+    let four_epsilon = Term::of(8.0 * given.format().u());
+    off.at_least(-off) <= four_epsilon
+}
+
 pub fn direction_of_any(given: Given) -> Vec<Goal> {
     let v = any_vector(given, "v");
+    if is_unit(given, v) {
+        return vec![];
+    }
+    none_or_unit(UnitVec3::new(v.x, v.y, v.z))
+}
+
+pub fn direction_of_length_1(given: Given) -> Vec<Goal> {
+    let v = any_vector(given, "v");
+    if !is_unit(given, v) {
+        return vec![];
+    }
     UnitVec3::new(v.x, v.y, v.z).map_or(vec![], |made| {
         let size = Range::within(-1.01, 1.01);
         [same(*made, v), components(*made, size)].concat()

@@ -71,9 +71,9 @@ pub static LAMPS: [PointLight; 4] = [
 /// Points of the unit sphere, each of which is its own normal.
 pub static CAP: [UnitVec3; 4] = [
     UnitVec3::Z,
-    UnitVec3::const_normalized(0.28, 0.0, 0.96).unwrap(),
-    UnitVec3::const_normalized(-0.224, 0.168, 0.96).unwrap(),
-    UnitVec3::const_normalized(0.168, 0.224, 0.96).unwrap(),
+    UnitVec3::const_new(0.28, 0.0, 0.96).unwrap(),
+    UnitVec3::const_new(-0.224, 0.168, 0.96).unwrap(),
+    UnitVec3::const_new(0.168, 0.224, 0.96).unwrap(),
 ];
 
 const SPOT: SpotLight = SpotLight {
@@ -82,14 +82,14 @@ const SPOT: SpotLight = SpotLight {
         intensity: Rgb::WHITE,
         attenuation: Attenuation::const_new(0.0, 0.0, 1.0).unwrap(),
     },
-    axis: UnitVec3::const_normalized(0.0, -0.8, -0.6).unwrap(),
+    axis: UnitVec3::const_new(0.0, -0.8, -0.6).unwrap(),
     cone: Cone::const_from_half_angles(0.7, 0.9).unwrap(),
 };
 
 /// A light of each kind, and lamps far away, so far away that the way to it overflows, at a point, and nowhere.
 pub static LIGHTS: [Light; 7] = [
     Light::Directional(DirectionalLight {
-        l: UnitVec3::const_normalized(0.48, 0.6, 0.64).unwrap(),
+        l: UnitVec3::const_new(0.48, 0.6, 0.64).unwrap(),
         intensity: Rgb::WHITE,
     }),
     Light::Point(lamp(2.0, 1.5, 3.0)),

@@ -24,7 +24,7 @@ pub trait Number: Elementary + PartialOrd + Debug + Value + 'static {
     fn absorb_into(self, digest: &mut Fnv);
     fn single(self) -> f32;
     fn double(self) -> f64;
-    fn normalized(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
+    fn const_unit(v: Vec3<Self>) -> Option<UnitVec3<Self>>;
 
     fn times_vector(self, v: Vec3<Self>) -> Vec3<Self>;
     fn times_rgb(self, rgb: Rgb<Self>) -> Rgb<Self>;
@@ -104,8 +104,8 @@ macro_rules! number {
                 self.into()
             }
 
-            fn normalized(v: Vec3<Self>) -> Option<UnitVec3<Self>> {
-                UnitVec3::<$number>::const_normalized(v.x, v.y, v.z)
+            fn const_unit(v: Vec3<Self>) -> Option<UnitVec3<Self>> {
+                UnitVec3::<$number>::const_new(v.x, v.y, v.z)
             }
 
             fn times_vector(self, v: Vec3<Self>) -> Vec3<Self> {

@@ -55,7 +55,14 @@ macro_rules! for_each_function {
                     -g.a,
                 ]
                 => nothing;
-            vec3_assigned "Vec3, assigned" |g| { let mut v = g.a; v += g.b; v } => nothing;
+            vec3_assigned "Vec3, assigned" |g| {
+                let mut v = g.a;
+                v += g.b;
+                v -= g.n;
+                v *= g.x;
+                v /= g.y;
+                v
+            } => nothing;
             vec3_sum "Vec3::sum" |g| [g.b, g.a, g.p].into_iter().sum::<Vec3<T>>() => nothing;
             vec3_dot_directions "Vec3::dot, with directions" |g|
                 [g.a.dot(g.b), g.a.dot(g.n)]
@@ -77,6 +84,10 @@ macro_rules! for_each_function {
             rgb_assigned "Rgb, assigned" |g| {
                 let mut c = g.rgb;
                 c += g.integer.k_a;
+                c -= g.integer.k_d;
+                c *= g.integer.k_s;
+                c *= g.x;
+                c /= g.y;
                 c
             } => nothing;
             rgb_sum "Rgb::sum" |g|
@@ -109,6 +120,7 @@ macro_rules! for_each_function {
                 ]
                 => nothing;
             dual_chain "Dual::chain" |g| g.f.chain(g.y, g.x) => nothing;
+            half_angle_cosine "Real::half_angle_cosine" |g| g.x.half_angle_cosine() => nothing;
             shaded_operators "Shaded, operators" |g|
                 [
                     g.shaded + g.shaded * g.x,
@@ -118,7 +130,22 @@ macro_rules! for_each_function {
             shaded_assigned "Shaded, assigned" |g| {
                 let mut s = g.shaded;
                 s += g.shaded * g.x;
+                s *= g.y;
                 s
+            } => nothing;
+            dual_assigned "Dual, assigned" |g| {
+                let mut f = g.f;
+                f += g.h;
+                f -= g.y;
+                f *= g.h;
+                f /= g.f;
+                f
+            } => nothing;
+            light_assigned "IncidentLight, assigned" |g| {
+                let mut light = g.sun.at(g.p);
+                light *= g.x;
+                light *= g.rgb;
+                light.intensity()
             } => nothing;
             dual_offset "Dual, with a plain vector" |g|
                 [
@@ -379,7 +406,7 @@ macro_rules! for_each_function {
                 => cosines;
             tan "Elementary::tan" |g| g.x.tan() => nothing;
             dual_tan "Dual::tan" |g| g.f.tan() => nothing;
-            normalized "UnitVec3::const_normalized" |g| T::normalized(g.a) => unit;
+            const_unit "UnitVec3::const_new" |g| T::const_unit(g.a) => unit;
             angular_implicit "normal::implicit, with angles" |g|
                 normal::implicit(gyroid, g.p)
                 => unit;

@@ -140,7 +140,7 @@ fn root_is_rounded_correctly(stride: u32) {
             assert!(Real::sqrt(x).to_bits() == x.sqrt().to_bits(), "√{x:e}");
         }
         let v = Vec3::new(nearest, 1.0, 0.0);
-        let constant = UnitVec3::<f32>::const_normalized(v.x, v.y, v.z);
+        let constant = UnitVec3::<f32>::const_new(v.x, v.y, v.z);
         assert_eq!(constant, v.unit(), "{v:?}");
     }
 }

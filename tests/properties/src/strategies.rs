@@ -232,6 +232,29 @@ pub fn frames(_: Sizes) -> BoxedStrategy<Frame> {
         .boxed()
 }
 
+/// A falloff and a distance at which its factor is nearly 1, where two ways to compute it may meet. The numbers are long,
+/// and of those that the number has.
+fn near_1(sizes: Sizes) -> impl Strategy<Value = (Attenuation<f64>, f64)> {
+    let step = f64::exp2(sizes.least.max(-24).into());
+    let rounded = move |x: f64| {
+        if sizes.least == -16 {
+            (x / step).round() * step
+        } else {
+            x
+        }
+    };
+    let shares = (0.0..1.0_f64, 0.0..1.0_f64);
+    (1.0..2.0_f64, -4..9_i32, shares, -3..=3_i32).prop_map(
+        move |(q, exponent, (of_q, of_b), steps)| {
+            let q = rounded(q * f64::exp2(exponent.into()));
+            let b = rounded(of_q * of_b / q);
+            let c = rounded(of_q * (1.0 - of_b) / (q * q));
+            let a = 1.0 - q * (b + c * q) + f64::from(steps) * step;
+            (coefficients(a.max(step), b, c), q)
+        },
+    )
+}
+
 pub fn falloffs(sizes: Sizes) -> BoxedStrategy<Falloff> {
     let fractions = [fraction(), fraction(), fraction()];
     let falloff = |(falloff, [r, q, further], size): (_, [f64; 3], f64)| Falloff {
@@ -240,9 +263,19 @@ pub fn falloffs(sizes: Sizes) -> BoxedStrategy<Falloff> {
         q: 8.0 * q * size,
         further: further * size,
     };
-    (attenuation(), fractions, size(sizes))
-        .prop_map(falloff)
-        .boxed()
+    let any = (attenuation(), fractions, size(sizes)).prop_map(falloff);
+    let near_1 = (near_1(sizes), fraction(), fraction()).prop_map(
+        |((falloff, q), r, further): ((_, f64), f64, f64)| {
+            let r = 4.0 * r * q + 0.5;
+            Falloff {
+                falloff,
+                r,
+                q,
+                further,
+            }
+        },
+    );
+    prop_oneof![1 => any, 1 => near_1].boxed()
 }
 
 pub fn beams(_: Sizes) -> BoxedStrategy<Beam> {
