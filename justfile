@@ -35,6 +35,10 @@ pictures:
     cargo run --release -p gallery
     .ci/gallery --renew
 
+# climb for an hour to where light in fixed point might rise with distance
+climb:
+    cargo test --release --features fixed --test fixed -- --ignored --nocapture rises
+
 # open the documentation in a browser
 doc:
     cargo doc --no-deps --all-features --open

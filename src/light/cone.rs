@@ -99,8 +99,7 @@ impl<T: Real> Cone<T> {
 
     /// The same cone, with a soft edge that begins as smoothly as it ends: t²(3 − 2t) in place of t².
     /// As the computed −L·axis rises, the factor never falls by more than a unit in the last place. A
-    /// hard edge stays as it is. In a constant, use
-    /// [`const_smoothstep`](Cone#method.const_smoothstep).
+    /// hard edge stays as it is.
     ///
     /// Source: three.js, `getSpotAttenuation`; POV-Ray 3.7, `radius` and `falloff` with a
     /// `tightness` of 0.
