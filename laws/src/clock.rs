@@ -5,8 +5,8 @@ use std::time::Duration;
 /// The time since some moment, which never goes back.
 ///
 /// A page has no clock that the standard library knows. There, the default stands still, so only the numbers of
-/// scenes and of batches end a search, unless [`Laws`](crate::Laws) is given a clock such as one that asks the page
-/// for `performance.now()`.
+/// scenes and of batches end a search, unless [`Laws`](crate::Laws) is given a clock such as one that asks the
+/// page for `performance.now()`.
 pub type Clock = fn() -> Duration;
 
 /// The clock of the standard library, where it has one.

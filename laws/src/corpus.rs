@@ -14,6 +14,7 @@ pub fn edges(profile: &Profile) -> Vec<Scene> {
         turn: 0,
     };
     corpus.directions();
+    corpus.terms();
     corpus.lamps();
     corpus.spots();
     corpus.shininess();
@@ -150,6 +151,30 @@ impl Corpus<'_> {
             let n = self.long(scale([0.6, 0.0, 0.8], n));
             let v = self.long(scale([0.0, 0.28, 0.96], v));
             self.each_kind(n, v, [0.5, 0.25, 1.0], 8.0);
+        }
+    }
+
+    /// Surfaces that lack a term, in the mirror direction; and the brightest lights, on dark surfaces.
+    fn terms(&mut self) {
+        let (l, v) = ([0.6, 0.0, 0.8], [-0.6, 0.0, 0.8]);
+        for light in self.kinds(l, [0.5, 0.75, 0.25]) {
+            let scene = Self::scene(UP, v, 8.0, vec![light]);
+            for lack in [[0.0, 1.0, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 0.0]] {
+                let mut scene = scene.clone();
+                scene.k_a = scale(scene.k_a, lack[0]);
+                scene.k_d = scale(scene.k_d, lack[1]);
+                scene.k_s = scale(scene.k_s, lack[2]);
+                self.add(&scene);
+            }
+        }
+        for bright in [[16.0, 12.0, 8.0], [5.0, 16.0, 11.0]] {
+            for light in self.kinds(l, bright) {
+                let mut scene = Self::scene(UP, v, 8.0, vec![light]);
+                let darker = |k: Triple| scale(k, 1.0 / 32.0);
+                (scene.k_a, scene.k_d) = (darker(scene.k_a), darker(scene.k_d));
+                (scene.k_s, scene.i_a) = (darker(scene.k_s), bright);
+                self.add(&scene);
+            }
         }
     }
 

@@ -3,7 +3,7 @@
 
 use crate::formula::Formula;
 use crate::profile::Profile;
-use crate::scene::{Kind, Light, Model, Scene, add, dot, length, mul, scale, sub};
+use crate::scene::{Kind, Light, Model, Scene, add, dot, length, mul, scale, size, sub};
 
 pub struct Edit {
     /// What no longer matters after the edit.
@@ -24,6 +24,15 @@ impl Edit {
             brighten(&mut edited, scene, profile);
         }
         edited.lights.retain(|light| profile.has(light.kind()));
+        if let Some([_, high]) = profile.range() {
+            // what the edit brightens beyond the range would hide what is wrong
+            let right = Formula::new(profile, Vec::new(), false);
+            let brightest = |scene: &Scene| size(right.linear(scene).map(|c| c.value));
+            let is = brightest(&edited);
+            if is > high && brightest(scene) <= high && is.is_finite() {
+                dim(&mut edited, (-(is / high).log2().ceil()).exp2());
+            }
+        }
         (edited != *scene && profile.has_all_of(&edited)).then_some(edited)
     }
 }

@@ -7,13 +7,29 @@
 use std::array::from_fn;
 use std::f64::consts::FRAC_PI_2;
 
-use crate::profile::Profile;
+use crate::profile::{BRIGHTEST, Profile};
 use crate::random::Random;
 use crate::scene::{Kind, Light, Scene, Triple, add, dot, length, scale, size, sub, unit};
 
 /// A vector of small whole numbers, with its largest component from 1 to 2 by a power of two.
 fn vector(v: Triple) -> Triple {
     v.map(|c| c / size(v).max(1.0).log2().floor().exp2())
+}
+
+/// Brighter light on a surface that is as much darker, which gives the same color. So lights are bright in a
+/// profile that clamps its colors, too.
+fn brighten(scene: &mut Scene, times: f64) {
+    let lights = scene.lights.iter().map(|light| light.intensity());
+    let brightest = lights.chain([scene.i_a]).map(size).fold(0.0, f64::max);
+    if brightest * times > BRIGHTEST {
+        return;
+    }
+    let darker = |k: Triple| scale(k, 1.0 / times);
+    (scene.k_a, scene.k_d, scene.k_s) = (darker(scene.k_a), darker(scene.k_d), darker(scene.k_s));
+    scene.i_a = scale(scene.i_a, times);
+    for light in &mut scene.lights {
+        *light.intensity_mut() = scale(light.intensity(), times);
+    }
 }
 
 /// A random scene.
@@ -68,6 +84,10 @@ impl Generator<'_> {
         };
         lights.retain(|light| !scene.has_lamp_at_the_point(light, profile.roundoff));
         scene.lights = lights;
+        if self.random.once_in(4) {
+            let times = self.random.one_of(&[2.0, 4.0, 8.0, 16.0]);
+            brighten(&mut scene, times);
+        }
         scene
     }
 

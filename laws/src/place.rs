@@ -52,7 +52,9 @@ struct Experiment {
     broken: Vec<u64>,
 }
 
-/// Whether something is nearly all of a count.
+/// Whether something is nearly all of a count. In some of the scenes an edit leaves what it is about as it was,
+/// such as a second light that the wrong one hides, so a tenth may miss. Of 60 scenes without a whole term only
+/// one may, where rounding decides. The mistakes of `tests/mistakes.txt` are placed with these numbers.
 fn is_nearly_all(cases: u64, count: u32, id: &str) -> bool {
     let of = if TERMS.contains(&id) {
         [33, 32]
@@ -82,7 +84,10 @@ fn places_of(cases: &[Scene], profile: &Profile, ask: &mut Ask, depth: u32) -> O
         let left = left.filter_map(|i| EDITS[k].of(&cases[i], profile));
         let left: Vec<Scene> = left.collect();
         let mut all = vec![experiment.place(experiment.repaired[k])];
-        for other in places_of(&left, profile, ask, depth - 1)? {
+        let Some(others) = places_of(&left, profile, ask, depth - 1) else {
+            break; // the time is up
+        };
+        for other in others {
             if all.iter().all(|place| place.only_with != other.only_with) {
                 all.push(other);
             }

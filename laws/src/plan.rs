@@ -11,7 +11,7 @@ use crate::mistakes::formula;
 use crate::options::Laws;
 use crate::profile::Profile;
 use crate::random::Random;
-use crate::scene::{Scene, scale};
+use crate::scene::{Light, Scene, scale};
 
 /// The sizes of the batches: small ones first, so that a slow renderer soon shows something.
 const SIZES: [usize; 4] = [1, 8, 32, 256];
@@ -33,6 +33,8 @@ pub struct Case {
     pub linear: Bounded3,
     /// It is asked for again after another scene, because a renderer may remember something.
     pub is_again: bool,
+    /// A light that the renderer has, for the scene between.
+    light: Option<Light>,
 }
 
 impl Case {
@@ -42,7 +44,13 @@ impl Case {
             scene,
             linear,
             is_again,
+            light: None,
         }
+    }
+
+    /// The same, with a light for the scene between where it has none, so that what is remembered of lights shows.
+    pub fn beside(self, light: Option<Light>) -> Self {
+        Self { light, ..self }
     }
 
     /// The scenes in the order in which the renderer gets them.
@@ -52,6 +60,9 @@ impl Case {
             let mut other = self.scene.clone();
             (other.k_a, other.k_d) = ([1.0; 3], [1.0; 3]);
             other.n = scale(other.n, -1.0).map(|c| c + 0.0); // no -0
+            if other.lights.is_empty() {
+                other.lights.extend(self.light);
+            }
             scenes.extend([other, self.scene.clone()]);
         }
         scenes
@@ -83,10 +94,13 @@ impl Plan {
         let some = any.take(most).filter(|scene| profile.has_all_of(scene));
         scenes.extend(some.take(laws.cases));
         Random::new(laws.seed).shuffle(&mut scenes);
+        let light = scenes
+            .iter()
+            .find_map(|scene| scene.lights.first().copied());
         let right = formula(profile, None);
         let cases = scenes.into_iter().enumerate().map(|(i, scene)| {
             let is_again = laws.tries(Law::NoMemory) && i % AGAIN == 0;
-            Case::new(scene, &right, is_again)
+            Case::new(scene, &right, is_again).beside(light)
         });
         Ok(Self {
             laws: laws.clone(),

@@ -5,6 +5,9 @@ use serde::{Deserialize, Serialize};
 use crate::bounded;
 use crate::scene::{Kind, Light, Model, Scene, Triple, length, sub, unit};
 
+/// The most that the format allows a channel of a light.
+pub const BRIGHTEST: f64 = 16.0;
+
 /// The rounding of our own doubles, where the renderer has more digits.
 const OURS: f64 = 1e-15;
 
@@ -253,7 +256,7 @@ impl Profile {
             && (1.0..=self.most_shiny).contains(&scene.m)
             && (self.ambient || scene.i_a == [0.0; 3])
             && (!self.gray_highlight || scene.k_s == [scene.k_s[0]; 3])
-            && colors.all(|c| (0.0..=16.0).contains(&c))
+            && colors.all(|c| (0.0..=BRIGHTEST).contains(&c))
             && scene.lights.len() <= self.most_lights
             && scene.lights.iter().all(has_light)
     }

@@ -34,6 +34,16 @@ pub trait Renderer {
     /// What prevents an answer, in one line. It ends the run.
     fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String>;
 
+    /// Forgets all that it was asked, as a program does that is started again, and says whether it could. Then
+    /// what is wrong only after other scenes is told from what is wrong by itself.
+    ///
+    /// # Errors
+    ///
+    /// What prevents it, in one line.
+    fn begin_again(&mut self) -> Result<bool, String> {
+        Ok(false)
+    }
+
     /// Hears before each batch how far the run is, and says whether it goes on. If it does not, the
     /// report has what was found until then.
     fn goes_on(&mut self, progress: &Progress) -> bool {

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::cause::Cause;
 use crate::law::Broken;
+use crate::mistakes::departures;
 use crate::place::Place;
 use crate::profile::Profile;
 use crate::scene::{Scene, Triple};
@@ -38,9 +39,12 @@ pub struct Finding {
     pub places: Vec<Place>,
     /// The names of the laws.
     pub laws: Vec<&'static str>,
-    /// The smallest scenes that show it, as the renderer got them: those of the first of its laws that rounding does
-    /// not explain.
+    /// The smallest scenes that show it, as the renderer got them: those of the first of its laws that rounding
+    /// does not explain.
     pub scenes: Vec<Scene>,
+    /// The scenes after which a color is wrong, if they are few and it is right without them.
+    #[serde(skip)]
+    pub(crate) history: Option<Box<Counterexample>>,
 }
 
 /// What was found of one law.
@@ -97,16 +101,17 @@ pub struct Counterexample {
 }
 
 impl Finding {
-    /// What shows it: the first of its laws that rounding does not explain, because one scene tells nothing of what
-    /// is remembered.
+    /// What shows it: the first of its laws that rounding does not explain, because one scene tells nothing of
+    /// what is remembered.
     pub(crate) fn shown<'a>(
-        &self,
+        &'a self,
         laws: &'a [LawReport],
     ) -> Option<(&'a LawReport, &'a Counterexample)> {
         let of = |name: &&str| laws.iter().find(|law| law.law == *name);
         let of_laws = self.laws.iter().filter_map(of);
         let smallest = of_laws.filter_map(|law| Some((law, law.smallest()?)));
-        smallest.min_by_key(|(_, it)| !it.broken.is_clear())
+        let (law, smallest) = smallest.min_by_key(|(_, it)| !it.broken.is_clear())?;
+        Some((law, self.history.as_deref().unwrap_or(smallest)))
     }
 }
 
@@ -214,6 +219,9 @@ impl Report {
         }
         if let Some((law, smallest)) = finding.shown(&self.laws) {
             write!(f, "\n  {}: {}\n{smallest}", law.law, law.says)?;
+            if finding.history.is_some() {
+                writeln!(f, "  The last scene alone has the right color.")?;
+            }
             let again = self.reproduction(&smallest.scenes);
             writeln!(f, "  To reproduce it:\n{again}")?;
         }
@@ -227,7 +235,12 @@ impl fmt::Display for Report {
         // a terminal obeys control characters
         let name = self.profile.name.escape_debug();
         let (seed, of) = (self.seed, self.laws.len());
-        writeln!(f, "{name}, seed {seed}: {broken} of {of} laws broken\n")?;
+        writeln!(f, "{name}, seed {seed}: {broken} of {of} laws broken")?;
+        // what stands at the end of a long report is not read
+        if let Some(why) = &self.error {
+            writeln!(f, "the run ended early: {why}")?;
+        }
+        writeln!(f)?;
         for (i, finding) in self.findings.iter().enumerate() {
             write!(f, "Finding {} of {}: ", i + 1, self.findings.len())?;
             self.show(f, finding)?;
@@ -245,10 +258,13 @@ impl fmt::Display for Report {
                 } => writeln!(f, "{law} is BROKEN in {failures} of {cases} cases")?,
             }
         }
-        match &self.error {
-            Some(why) => writeln!(f, "the run ended early: {why}"),
-            None => Ok(()),
+        if !self.profile.departs.is_empty() {
+            writeln!(f, "declared as on purpose:")?;
         }
+        for fault in departures(&self.profile).unwrap_or_default() {
+            writeln!(f, "  {}: {fault}", fault.name())?;
+        }
+        Ok(())
     }
 }
 

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use crate::cause::{Cause, Evidence};
+use crate::edit::EDITS;
 use crate::formula::Formula;
 use crate::law::{Broken, Law};
 use crate::mistakes::formula;
@@ -253,17 +254,18 @@ impl Run<'_> {
     }
 
     fn counterexample(&self, failure: Failure) -> Counterexample {
-        let white = self.plan.profile.white;
-        let as_given = |color: Triple| color.map(|c| c * white);
         let mut scenes = failure.case.scenes();
         if failure.law != Law::NoMemory {
             scenes.truncate(1);
         }
-        let (right, colors) = (
-            scenes.iter().map(|it| self.right.reply(it)),
-            failure.replies,
-        );
-        let mut broken = failure.broken;
+        self.told(scenes, failure.replies, failure.broken)
+    }
+
+    /// Scenes and their colors, in the numbers that the renderer gives.
+    fn told(&self, scenes: Vec<Scene>, colors: Vec<Triple>, mut broken: Broken) -> Counterexample {
+        let white = self.plan.profile.white;
+        let as_given = |color: Triple| color.map(|c| c * white);
+        let right = scenes.iter().map(|it| self.right.reply(it));
         broken.off *= white;
         broken.allowed *= white;
         Counterexample {
@@ -315,11 +317,13 @@ impl Run<'_> {
         let (mut of_state, others): (Vec<Law>, Vec<Law>) =
             broken.partition(|law| *law == Law::NoMemory);
         let cause = self.evidence.cause(&self.plan.profile);
-        let is_fickle = !of_state.is_empty() || self.is_right_again();
+        let is_right_alone = self.is_right_alone();
+        let history = if is_right_alone { self.history() } else { None };
+        let is_fickle = !of_state.is_empty() || is_right_alone || self.is_right_again();
         let names = |laws: &[Law]| laws.iter().map(|law| law.name()).collect();
         let mut findings = Vec::new();
         if is_fickle {
-            if cause.is_none() {
+            if cause.is_none() || of_state.is_empty() {
                 of_state.extend(&others);
             }
             findings.push(Finding {
@@ -327,6 +331,7 @@ impl Run<'_> {
                 places: Vec::new(),
                 laws: names(&of_state),
                 scenes: Vec::new(),
+                history: history.map(Box::new),
             });
         }
         if !others.is_empty() && (cause.is_some() || !is_fickle) {
@@ -335,9 +340,79 @@ impl Run<'_> {
                 places: self.places().unwrap_or_default(),
                 laws: names(&others),
                 scenes: Vec::new(),
+                history: None,
             });
         }
         findings
+    }
+
+    /// The reply to the last scene, of a renderer that has forgotten all before, if it can forget.
+    fn afresh(&mut self, scenes: &[Scene]) -> Option<Vec<Triple>> {
+        if self.is_over || !self.renderer.begin_again().unwrap_or(false) {
+            return None;
+        }
+        self.ask(scenes)
+    }
+
+    /// The first case that is wrong by itself, or so it seems.
+    fn first(&self) -> Option<Failure> {
+        let mut failures = self.failures.range(..Law::NoMemory);
+        failures.find_map(|(_, it)| it.first()).cloned()
+    }
+
+    /// How the reply to the last of some scenes breaks the law that a case broke.
+    fn again(&self, failure: &Failure, replies: &[Triple]) -> Option<Broken> {
+        let judged = self.judge(&failure.case, &[*replies.last()?]);
+        let like = judged.into_iter().find(|it| it.law == failure.law)?;
+        Some(like.broken)
+    }
+
+    /// Whether a color that was wrong is right if nothing is asked before. A renderer that cannot forget does
+    /// not show it.
+    fn is_right_alone(&mut self) -> bool {
+        let Some(failure) = self.first() else {
+            return false;
+        };
+        let scene = std::slice::from_ref(&failure.case.scene);
+        let replies = self.afresh(scene);
+        replies.is_some_and(|replies| self.again(&failure, &replies).is_none())
+    }
+
+    /// The few scenes after which a color is wrong that is right without them, if few are found.
+    fn history(&mut self) -> Option<Counterexample> {
+        let failure = self.first()?;
+        let scene = std::slice::from_ref(&failure.case.scene);
+        let until = self.now() + SEARCH;
+        let until = self.deadline.map_or(until, |end| end.min(until));
+        let before = self
+            .plan
+            .cases
+            .iter()
+            .take_while(|case| case.scene != failure.case.scene);
+        let mut before: Vec<Scene> = before.flat_map(Case::scenes).collect();
+        let mut found = None;
+        // one half is enough, as long as one scene is the reason
+        'halved: while self.now() < until {
+            let latter = before.split_off(before.len() / 2);
+            for half in [latter, std::mem::take(&mut before)] {
+                let scenes = [&half, scene].concat();
+                let replies = self.afresh(&scenes).unwrap_or_default();
+                if replies.is_empty() {
+                    break 'halved;
+                }
+                if let Some(broken) = self.again(&failure, &replies) {
+                    found = Some((scenes, replies, broken));
+                    if half.len() < 2 {
+                        break 'halved;
+                    }
+                    before = half;
+                    continue 'halved;
+                }
+            }
+            break;
+        }
+        let (scenes, colors, broken) = found.filter(|(scenes, ..)| scenes.len() <= 8)?;
+        Some(self.told(scenes, colors, broken))
     }
 
     /// Whether what was wrong is right when it is asked again, so that it depends on what was asked before.
@@ -366,7 +441,8 @@ impl Run<'_> {
         // so many cases without each of so many things
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 2 to 60
         #[allow(clippy::cast_precision_loss)] // the count of scenes
-        let most = (left / waited * self.asked as f64 / 22.0).clamp(2.0, 60.0) as usize;
+        let most =
+            (left / waited * self.asked as f64 / EDITS.len() as f64).clamp(2.0, 60.0) as usize;
         // what is remembered has no place, and is the last law
         let of_law = self.failures.range(..Law::NoMemory);
         let of_law: Vec<&Vec<Failure>> = of_law.map(|(_, failures)| failures).collect();
@@ -377,8 +453,12 @@ impl Run<'_> {
             let some = (0..count).map(|i| &failures[i * failures.len() / count]);
             scenes.extend(some.map(|failure| failure.case.scene.clone()));
         }
-        let profile = &self.plan.profile;
+        let (profile, deadline) = (&self.plan.profile, self.deadline);
         let mut ask = |scenes: &[Scene]| {
+            // with time left for the first experiment, what others would find is left out
+            if deadline.is_some_and(|end| self.now() >= end) {
+                return None;
+            }
             let mut are_wrong = Vec::new();
             for some in scenes.chunks(256) {
                 let case = |scene: &Scene| Case::new(scene.clone(), &self.right, false);

@@ -181,6 +181,67 @@ fn misplaced(row: &str) -> Option<String> {
     (told != expected).then(|| format!("{row}: {told:?}"))
 }
 
+/// What is kept by a part of its key is wrong only after other scenes, which the report gives in their order.
+#[test]
+fn what_is_remembered_is_told_with_what_was_asked_before() {
+    let script = PYTHON.replace(
+        "def shade(scene):\n",
+        "kept = {}\n\n\ndef shade(scene):\n    scene[\"k_d\"] = kept.setdefault(scene[\"m\"], scene[\"k_d\"])\n",
+    );
+    assert_ne!(script, PYTHON);
+    let report = shell(&temporary(), &script, r#"$laws python3 -c "$script""#, 1);
+    let (_, first) = report.split_once("Finding 1 of ").expect("a finding");
+    assert!(
+        first[3..].starts_with("a scene changes the color of the scenes after it"),
+        "{report}"
+    );
+    for part in ["  color 2: ", "The last scene alone has the right color."] {
+        assert!(first.contains(part), "{report}");
+    }
+}
+
+/// Takes out single lines of an example. Whatever is left has no memory, so none may be told of it.
+fn lines_are_missed(language: &str, step: usize) {
+    let folder = temporary();
+    let file = format!("file.{language}");
+    let text = shell(&folder, "", &format!("$laws example {language}"), 0);
+    let lines: Vec<&str> = text.lines().collect();
+    let line = match language {
+        "c" => {
+            "cc -w -x c -O1 file.c -o by_c -lm && $laws --timeout 2 --cases 64 --shrink 0 ./by_c"
+        }
+        "python" => "$laws --timeout 2 --cases 64 --shrink 0 python3 file.python",
+        _ => "$laws --timeout 2 --cases 64 --shrink 0 node file.javascript",
+    };
+    for missing in (0..lines.len()).step_by(step) {
+        let left = [&lines[..missing], &lines[missing + 1..]].concat();
+        fs::write(folder.path().join(&file), left.join("\n") + "\n").expect("a file");
+        let mut command = Command::new("bash");
+        command.args(["-c", line]).current_dir(&folder);
+        command.env("laws", env!("CARGO_BIN_EXE_shading-laws"));
+        let (_, report, _) = run(&mut command);
+        let line = lines[missing];
+        assert!(
+            !report.contains("a scene changes the color"),
+            "{line}: {report}"
+        );
+        assert!(!report.contains("no_memory is BROKEN"), "{line}: {report}");
+    }
+}
+
+#[test]
+fn a_missing_line_is_no_memory() {
+    lines_are_missed("python", 9);
+}
+
+#[test]
+#[ignore = "it takes minutes"]
+fn no_missing_line_is_memory() {
+    for language in ["python", "javascript", "c"] {
+        lines_are_missed(language, 1);
+    }
+}
+
 #[test]
 fn nan_breaks_a_law_and_the_report_names_the_scene() {
     for nan in ["NaN", "null", "1e999", "-nan(ind)"] {
@@ -196,7 +257,10 @@ fn nan_breaks_a_law_and_the_report_names_the_scene() {
 fn laws_are_listed_and_chosen() {
     let folder = temporary();
     let list = shell(&folder, "", "$laws --list", 0);
-    assert!(list.contains("no_memory"), "{list}");
+    assert!(
+        list.contains("no_memory") && list.contains("ConeExponent=1 "),
+        "{list}"
+    );
     let line = r#"$laws --law finite --law formula --cases 16 python3 -c "$script""#;
     let report = shell(&folder, PYTHON, line, 0);
     assert!(report.contains("finite holds in") && report.contains("formula holds in"));

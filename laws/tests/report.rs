@@ -3,7 +3,7 @@
 #![allow(missing_docs)]
 #![allow(clippy::float_cmp)] // short numbers, compared exactly
 
-use shading_laws::{Laws, Profile, Renderer, Report, Scene, Triple, from_fn};
+use shading_laws::{Kind, Laws, Light, Model, Profile, Renderer, Report, Scene, Triple, from_fn};
 
 fn run(laws: &Laws, color: impl FnMut(&Scene) -> Triple) -> Report {
     let report = laws.run(&mut from_fn(Profile::default(), color));
@@ -89,6 +89,56 @@ fn what_is_remembered_is_shown_by_three_scenes() {
     assert!(first.contains("  color 3: "), "{text}");
 }
 
+/// A pass says of what it is none.
+#[test]
+fn a_pass_says_what_was_declared() {
+    let profile = Profile {
+        departs: vec!["LightTimes=0".into()],
+        ..Profile::default()
+    };
+    let ambient = |scene: &Scene| [0, 1, 2].map(|i| scene.k_a[i] * scene.i_a[i]);
+    let report = Laws::default().run(&mut from_fn(profile, ambient));
+    let report = report.expect("a report");
+    assert!(report.passes(), "{report}");
+    let said = "declared as on purpose:\n  LightTimes=0: the color of a light is multiplied by 0\n";
+    assert!(report.to_string().ends_with(said), "{report}");
+}
+
+/// V of length 0.98 looks like little precision. Who declared it would lose a mistake.
+#[test]
+fn what_hides_mistakes_is_not_to_be_pasted() {
+    let power = |cosine: f64, m: f64| cosine.max(0.0).powf(m);
+    let short = |scene: &Scene| {
+        let unit = |v: Triple| v.map(|c| c / (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt());
+        let dot = |a: Triple, b: Triple| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        let (n, v) = (unit(scene.n), unit(scene.v).map(|c| 0.98 * c));
+        let mut color = [0, 1, 2].map(|i| scene.k_a[i] * scene.i_a[i]);
+        for light in &scene.lights {
+            let Light::Directional { l, intensity } = light else {
+                continue;
+            };
+            let n_dot_l = dot(n, *l);
+            if n_dot_l > 0.0 {
+                let h = unit([0, 1, 2].map(|i| l[i] + v[i]));
+                let shine = power(dot(n, h), scene.m);
+                color = [0, 1, 2].map(|i| {
+                    color[i] + intensity[i] * (scene.k_d[i] * n_dot_l + scene.k_s[i] * shine)
+                });
+            }
+        }
+        color
+    };
+    let profile = Profile {
+        models: vec![Model::BlinnPhong],
+        lights: vec![Kind::Directional],
+        ..Profile::default()
+    };
+    let report = Laws::default().run(&mut from_fn(profile, short));
+    let text = report.expect("a report").to_string();
+    assert!(text.contains("% of a highlight"), "{text}");
+    assert!(!text.contains("add to the profile"), "{text}");
+}
+
 struct Answers(Result<Vec<Triple>, String>);
 
 impl Renderer for Answers {
@@ -122,6 +172,27 @@ fn what_prevents_a_report_is_said_in_one_line() {
     };
     assert_eq!(refused(none, |_| {}), "the number of cases is 0");
     assert_eq!(refused(only("gravity"), |_| {}), "there is no law gravity");
+    let departs = |name: fn() -> String| {
+        let mut profile = Profile::default();
+        profile.departs.push(name());
+        let black = from_fn(profile, |_| [0.0; 3]);
+        Laws::default().run(&mut { black }).expect_err("no report")
+    };
+    let numberless = departs(|| "LightTimes".into());
+    assert!(
+        numberless.ends_with("LightTimes needs a number, as in LightTimes=0"),
+        "{numberless}"
+    );
+    let numbered = departs(|| "NormalReversed=2".into());
+    assert!(
+        numbered.contains("NormalReversed has no number"),
+        "{numbered}"
+    );
+    let unknown = departs(|| "LightTime=2".into());
+    assert!(
+        unknown.contains("there is no departure LightTime; there are Normal"),
+        "{unknown}"
+    );
 }
 
 /// A device may not take a batch without scenes. What asks for none is all that holds.

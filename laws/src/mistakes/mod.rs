@@ -26,6 +26,10 @@ pub struct Mistake {
     /// The numbers that are tried for `{}`.
     pub values: &'static [f64],
     pub changes: Changes,
+    /// Nobody makes it on purpose, because a color that is not finite breaks a law whatever is declared.
+    pub is_fatal: bool,
+    /// It changes no ingredient, but computes all of them with fewer digits.
+    pub is_rough: bool,
 }
 
 /// A known mistake with its number.
@@ -38,7 +42,7 @@ pub struct Fault {
 impl Mistake {
     /// Whether it explains any color that is off by so little.
     pub fn is_rough(&self) -> bool {
-        self.id == "Imprecise"
+        self.is_rough
     }
 }
 
@@ -107,7 +111,15 @@ impl FromStr for Fault {
             None => (name, None),
         };
         let fault = Self::all().find(|fault| fault.id() == id && !fault.mistake.is_rough());
-        let mut fault = fault.ok_or(format!("there is no departure {id}"))?;
+        let mut fault = fault.ok_or_else(|| {
+            let names: Vec<String> = Self::known().map(|fault| fault.name()).collect();
+            format!("there is no departure {id}; there are {}", names.join(", "))
+        })?;
+        match (value, fault.mistake.values.first()) {
+            (None, Some(first)) => return Err(format!("{id} needs a number, as in {id}={first}")),
+            (Some(_), None) => return Err(format!("{id} has no number, but {name} gives it one")),
+            _ => {}
+        }
         if let Some(value) = value {
             let number = value.parse().ok().filter(|x: &f64| x.is_finite());
             fault.value = number.ok_or(format!("{name}: {value} is no number"))?;

@@ -24,6 +24,8 @@ const fn row(id: &'static str, says: &'static str, changes: Changes) -> Mistake 
         says,
         values: &[],
         changes,
+        is_fatal: false,
+        is_rough: false,
     }
 }
 
@@ -31,6 +33,20 @@ impl Mistake {
     /// Has one of these numbers.
     const fn of(self, values: &'static [f64]) -> Self {
         Self { values, ..self }
+    }
+
+    const fn fatal(self) -> Self {
+        Self {
+            is_fatal: true,
+            ..self
+        }
+    }
+
+    const fn rough(self) -> Self {
+        Self {
+            is_rough: true,
+            ..self
+        }
     }
 }
 
@@ -235,7 +251,8 @@ pub static MISTAKES: &[Mistake] = &[
                 x
             }
         })],
-    ),
+    )
+    .fatal(),
     row(
         "ShininessTimes",
         "the shininess is multiplied by {}",
@@ -346,5 +363,6 @@ pub static MISTAKES: &[Mistake] = &[
     )
     .of(&[
         24.0, 22.0, 20.0, 18.0, 16.0, 14.0, 13.0, 12.0, 11.0, 10.0, 9.0, 8.0, 7.0,
-    ]),
+    ])
+    .rough(),
 ];

@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Parser, Subcommand};
-use shading_laws::Laws;
+use shading_laws::{Fault, Laws};
 
 use piped::Piped;
 
@@ -53,7 +53,7 @@ struct Arguments {
     /// The longest wait for the renderer's next line
     #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = seconds)]
     timeout: Duration,
-    /// List the laws
+    /// List the laws, and the departures that a profile may declare
     #[arg(long)]
     list: bool,
     #[command(subcommand)]
@@ -109,7 +109,13 @@ fn run(arguments: &Arguments) -> Outcome {
         }
         None if arguments.list => {
             let lines = Laws::names().map(|(name, says)| format!("{name:17}  {says}\n"));
-            Ok((lines.collect(), 0))
+            let laws: String = lines.collect();
+            let lines = Fault::known().map(|fault| format!("{:25}  {fault}\n", fault.name()));
+            let departures: String = lines.collect();
+            Ok((
+                format!("{laws}\nDepartures, for \"departs\" of a profile:\n{departures}"),
+                0,
+            ))
         }
         None => judged(arguments),
     }

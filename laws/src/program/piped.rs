@@ -250,6 +250,16 @@ impl Renderer for Piped {
         Ok(colors)
     }
 
+    fn begin_again(&mut self) -> Result<bool, String> {
+        if IS_INTERRUPTED.load(Ordering::Relaxed) {
+            return Err("interrupted".into());
+        }
+        let (progress, start) = (self.progress, self.start);
+        *self = Self::start(&self.command, self.timeout)?;
+        (self.progress, self.start) = (progress, start);
+        Ok(true)
+    }
+
     fn goes_on(&mut self, progress: &Progress) -> bool {
         self.progress = Some(*progress);
         self.tell();
