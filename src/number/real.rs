@@ -168,6 +168,7 @@ pub trait Real:
     /// ```text
     /// max(0, n·w/|w|), at most 1
     /// ```
+    // One hook for this and `toward` was tried: Phong −4 to −6 % of the time, but Blinn with a whole m +6 to +15 %.
     #[inline(always)]
     #[must_use]
     fn cosine(_n: Vec3<Self>, toward: &Toward<Self>) -> Self {

@@ -1,0 +1,204 @@
+#!/usr/bin/env bash
+# Tests the crate's promises on microcontrollers: builds the programs in this folder, runs them in emulators, and fails if a
+# digest differs or a budget is exceeded. `run.sh one` tries a Cortex-M4F alone: the bits, the panics and the counts; `run.sh
+# renew` writes flash.txt; `run.sh approximate` also draws the ball with approximate roots. Installs what it needs.
+set -euo pipefail
+cd "$(dirname "$0")"
+. ../../.ci/toolchain
+
+m0=thumbv6m-none-eabi m3=thumbv7m-none-eabi m4f=thumbv7em-none-eabihf riscv=riscv32imac-unknown-none-elf
+chips="$m0 $m3 $m4f $riscv"
+[ "${1-}" != one ] || chips=$m4f
+
+failures=0
+complain() {
+    echo "FAILED: $*" >&2
+    failures=$((failures + 1))
+}
+
+# within WHAT VALUE LIMIT: complains if the value exceeds the limit
+within() { [ "$2" -le "$3" ] || complain "$1: $2 exceeds $3"; }
+
+# build TARGET PROFILE PROGRAM: prints the path of the program
+build() {
+    local features=""
+    [[ $3 != ball && $3 != frame ]] || features=ball
+    cargo build --quiet --target "$1" --profile "$2" --bin "$3" --features "$features" >&2 && echo "target/$1/$2/$3"
+}
+
+# run TARGET PROFILE PROGRAM ARGUMENT...: prints what the program prints in the emulator
+run() {
+    local machine program
+    case $1 in
+    thumbv6m-*) machine="qemu-system-arm -machine microbit" ;;
+    thumbv7m-*) machine="qemu-system-arm -machine mps2-an385" ;;
+    thumbv7em-*) machine="qemu-system-arm -machine mps2-an386 -cpu cortex-m4" ;;
+    riscv32*) machine="qemu-system-riscv32 -machine virt -bios none" ;;
+    esac
+    program=$(build "$1" "$2" "$3") || return
+    # shellcheck disable=SC2086 # one word per argument
+    timeout 120 $machine -nographic -semihosting-config enable=on,target=native "${@:4}" -kernel "$program" </dev/null
+}
+
+# bytes PROGRAM: prints the size of its .text and .rodata
+bytes() {
+    readelf --section-headers --wide "$1" |
+        awk '{ sub(/^ *\[ *[0-9]+\]/, "") } $1 ~ /^\.(text|rodata)$/ { bytes += strtonum("0x" $5) } END { print bytes }'
+}
+
+# size TARGET NAME: prints the size of the program that calls one function
+size() {
+    local program
+    program=$(MEASURED=$2 build "$1" small flash) && bytes "$program"
+}
+
+# flash TARGET NAME: prints the bytes that a public function, named as in the table of functions, adds to an empty program
+declare -A empty
+flash() { echo $(($(size "$1" "$2") - empty[$1])); }
+
+install_packages qemu-system-arm qemu-system-misc gawk
+# shellcheck disable=SC2086 # one word per target
+installer rustup --quiet target add $chips wasm32-unknown-unknown
+
+if [ "${1-}" != one ]; then
+    for target in $m4f $m0; do empty[$target]=$(size $target nothing); done
+fi
+if [ "${1-}" = renew ]; then
+    {
+        echo "# bytes of flash that a function adds to an empty program, at opt-level s: Cortex-M4F, Cortex-M0"
+        names=$(sed -nE '/^ {8}(SWEEPS|SERIES|ARITHMETIC):/,/^ {8}\}/d; s/^ {12}[a-z0-9_]+ "(.*)" \|.*/\1/p' ../kit/src/table.rs)
+        while read -r name; do
+            printf '%-48s %6d %6d\n' "$name" "$(flash $m4f "$name")" "$(flash $m0 "$name")"
+        done <<<"$names"$'\nshade::blinn_phong, integer m, fixed point'
+    } >target/flash.txt
+    mv target/flash.txt flash.txt
+    exit
+fi
+
+echo "== the library builds for every target"
+# shellcheck disable=SC2046 # one word per target
+(cd ../.. && cargo build --quiet --package shading --lib --no-default-features \
+    $(printf -- '--target %s ' $chips wasm32-unknown-unknown)) || complain "the library does not build"
+
+echo "== the same bits"
+for NUMBER in f32 f64 fixed; do
+    export NUMBER
+    expected=$(cargo run --quiet --release --bin digest)
+    for target in $chips; do
+        for profile in release small; do
+            [ "$NUMBER $profile" != "f64 small" ] || continue # doubles on a chip are slow, and rare
+            got=$(run "$target" $profile digest) || got=none
+            [ "$got" = "$expected" ] || complain "$target $profile, $NUMBER: the digest is $got, but $expected on the host"
+        done
+    done
+done
+
+echo "== no panic, no doubles"
+for target in $chips; do
+    for profile in release small; do
+        program=$(build "$target" $profile proof) || { complain "$target $profile: something can panic" && continue; }
+        ! readelf --symbols --wide "$program" | grep -E ' (__aeabi_(c?d[a-z]+|d2[a-z]+|[a-z]+2d)|__[a-z]*df[a-z]*[0-9]?)$' ||
+            complain "$target $profile: something computes in doubles"
+    done
+done
+
+echo "== instructions of a point light: integer m, real m, fixed point; at opt-level 3, then s"
+declare -A budget=([$m4f]="168 180 382" [$m0]="7480 10160 1280" [$m3]="4100 5830 397" [$riscv]="3735 5320 572")
+for target in $chips; do
+    icount="-icount shift=10" # the emulator's clock counts instructions
+    [ "$target" != $riscv ] || icount="-icount shift=0"
+    # shellcheck disable=SC2086 # two words
+    counts=$(run "$target" release count $icount)
+    # shellcheck disable=SC2086
+    echo "$target: $counts / $(run "$target" small count $icount)"
+    read -ra counts <<<"$counts"
+    read -ra budgets <<<"${budget[$target]}"
+    for i in "${!counts[@]}"; do within "$target instructions" "${counts[i]}" "${budgets[i]}"; done
+done
+
+finish() {
+    [ "$failures" = 0 ] || { echo "$failures checks failed" >&2; exit 1; }
+    exit 0
+}
+[ "${1-}" != one ] || finish
+
+echo "== the ball, by the crate and by hand: bytes of flash, millions of instructions, pixels that differ from the exact picture"
+# ball TARGET PROGRAM: prints the bytes, the instructions and the digest of the picture
+ball() {
+    local program icount="-icount shift=7"
+    export BALL=$2
+    [ "$1" != $riscv ] || icount="-icount shift=0"
+    program=$(build "$1" ball ball) || return
+    # shellcheck disable=SC2086 # two words
+    echo "$(bytes "$program")" "$(run "$1" ball frame $icount)"
+}
+pictures=$(cargo run --quiet --release --bin frame --features ball)
+approximate=$([ "${1-}" != approximate ] || echo f32_by_micromath)
+# bytes and thousands of instructions
+declare -A limit=(
+    [$m4f fixed]="3400 21850" [$m0 fixed]="4900 75000" [$riscv fixed]="4600 33000"
+    [$m4f f32]="2460 12000" [$m0 f32]="5400 386000" [$riscv f32]="6970 200000"
+)
+declare -A flash_of thousands
+for target in $m4f $m0 $riscv; do
+    for program in f32 f32_by_hand $approximate fixed fixed_by_hand; do
+        read -r flash_of[$program] instructions digest <<<"$(ball "$target" $program)"
+        thousands[$program]=$((instructions / 1000))
+        read -r _ expected levels wrong <<<"$(grep "^$program " <<<"$pictures")"
+        echo "$target $program: ${flash_of[$program]} bytes, ${thousands[$program]} thousand; $wrong pixels by up to $levels levels"
+        [ "$digest" = "$expected" ] || complain "$target $program: the picture is not the host's"
+        [ "$program" = f32_by_micromath ] || within "$target $program: levels" "$levels" 1
+    done
+    for program in f32 fixed; do
+        read -r most_bytes most_thousands <<<"${limit[$target $program]}"
+        within "$target $program: bytes of the ball" "${flash_of[$program]}" "$most_bytes"
+        within "$target $program: thousands of instructions" "${thousands[$program]}" "$most_thousands"
+    done
+    within "$target: hundredths of the flash by hand" $((100 * flash_of[fixed] / flash_of[fixed_by_hand])) 139
+    within "$target: hundredths of the instructions by hand" $((100 * thousands[fixed] / thousands[fixed_by_hand])) \
+        $([ "$target" = $riscv ] && echo 55 || echo 50)
+    program=$(BALL=fixed build "$target" ball ball)
+    ! readelf --symbols --wide "$program" | grep -E ' (__aeabi_(c?[df][a-z]+|[a-z]+2[df]|[df]2[a-z]+)|__[a-z]*[sd]f[a-z]*[0-9]?)$' ||
+        complain "$target: a program in fixed point computes in floating point"
+    ! readelf --symbols --wide "$program" | grep -E ' (__aeabi_u?ldivmod|__u?divdi3)$' ||
+        complain "$target: a program in fixed point divides 64 bits"
+done
+
+echo "== flash of a program with one sum, and with five"
+declare -A sites=(
+    [$m4f fixed]="3350 10250" [$m0 fixed]="5100 12700" [$riscv fixed]="5300 13950"
+    [$m4f f32]="1650 6500" [$m0 f32]="5250 11200" [$riscv f32]="6350 13200"
+)
+for target in $m4f $m0 $riscv; do
+    for NUMBER in f32 fixed; do
+        export NUMBER
+        one=$(bytes "$(SITES=1 build "$target" ball sites)")
+        five=$(bytes "$(SITES=5 build "$target" ball sites)")
+        echo "$target $NUMBER: $one, $five"
+        read -r most_of_one most_of_five <<<"${sites[$target $NUMBER]}"
+        within "$target $NUMBER: bytes with one sum" "$one" "$most_of_one"
+        within "$target $NUMBER: bytes with five sums" "$five" "$most_of_five"
+    done
+done
+
+echo "== stack below the caller: Lambert, Phong, Blinn–Phong, the last two with a real m; in fixed point the first three"
+for target in $chips; do
+    for profile in release small; do
+        depths=$(run "$target" $profile stack)
+        echo "$target $profile: $depths"
+        read -ra depths <<<"$depths"
+        for i in "${!depths[@]}"; do within "$target $profile stack" "${depths[i]}" $((i < 5 ? 404 : 564)); done
+    done
+done
+
+echo "== flash, at opt-level s"
+for name in "shade::blinn_phong, integer m" "shade::blinn_phong, real m" "Rgb::to_srgb8"; do
+    on_m0=$(flash $m0 "$name")
+    got="$(flash $m4f "$name") $on_m0"
+    kept=$(sed -n "s/^$name  *\([0-9]* *[0-9]*\)$/\1/p" flash.txt | tr -s ' ')
+    echo "$name: $got"
+    [ "$got" = "$kept" ] || complain "$name: flash.txt says $kept; \`.ci/renew flash\` renews it"
+    [ "$name" != "shade::blinn_phong, integer m" ] || within "$m0 flash of $name" "$on_m0" 4900
+done
+
+finish
