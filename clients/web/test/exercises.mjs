@@ -279,6 +279,9 @@ onmessage = ({ ports }) => ports[0].postMessage({ report: { passes: true, laws: 
   assert.equal(await task.textContent("#text"), "Light from “above”");
   assert.equal(await task.inputValue("#code"), code);
   assert.ok((await check(task)).isGood);
+  await write(task, "");
+  await task.click("#again");
+  assert.equal(await task.inputValue("#code"), code, "an own exercise begins with the teacher's code");
   await task.close();
   const damaged = await exercises(`${hash(link).slice(0, -41)}%%`);
   assert.match(await damaged.textContent("#copied"), /damaged/);

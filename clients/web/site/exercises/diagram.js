@@ -37,7 +37,7 @@ export function diagram(scene, own) {
   const side = Math.hypot(...eye) > 0.05 ? eye : scale(first, -1);
   const arrows = [["N", 0, "normal", 1], ...all.map(([name, d, kind]) => {
     const angle = Math.acos(Math.max(-1, Math.min(1, dot(up, unit(d)))));
-    return [name, dot(across(d), side) < 0 ? -angle : angle, kind, Math.min(1.3, Math.hypot(...d))];
+    return [name, dot(across(d), side) < 0 ? -angle : angle, kind, Math.min(1.1, Math.hypot(...d))];
   })];
   const labels = [];
   for (const [name, angle, kind] of arrows) { // one label where two directions are nearly the same
@@ -55,7 +55,7 @@ export function diagram(scene, own) {
     return svg("path", { class: kind, d: `M0 0L${x.toFixed(1)} ${y.toFixed(1)}${tip}` });
   });
   const words = labels.map(({ name, angle, kind }) => svg("text",
-    { class: kind, x: (78 * Math.sin(angle)).toFixed(1), y: (-76 * Math.cos(angle) + 4).toFixed(1), "text-anchor": "middle" },
+    { class: kind, x: (82 * Math.sin(angle)).toFixed(1), y: (-80 * Math.cos(angle) + 4).toFixed(1), "text-anchor": "middle" },
     name));
   const degrees = arrows.slice(1).map(([name, angle]) => `${name} at ${Math.round(Math.abs(angle) * 180 / Math.PI)}°`);
   return svg("svg", { viewBox: "-105 -92 210 184", role: "img", "aria-label": `The directions about N: ${degrees.join(", ")}` },

@@ -195,7 +195,7 @@ function list() {
 function open() {
   const { id, code, own, isBroken } = read_link(location.hash);
   const base = exercise_of(id);
-  current = own ? { ...base, ...own, isOwn: true, mistake: undefined } : base;
+  current = own ? { ...base, ...own, stub: code, isOwn: true, mistake: undefined } : base;
   document.title = `${current.title} – exercises in local illumination`;
   $("title").textContent = current.title;
   $("text").textContent = current.text;
@@ -240,10 +240,14 @@ $("again").addEventListener("click", () => {
   editor.text = current.stub;
   $("code").dispatchEvent(new Event("input"));
 });
-$("link").addEventListener("click", () => copy(link_to(current.id, editor.text), "copied"));
-$("own-link").addEventListener("click", () => copy(link_to_own({
-  base: current.id, title: $("own-title").value || current.title, text: $("own-text").value || current.text, code: editor.text,
-}), "own-copied"));
+const own = (title, text) => link_to_own({ base: current.id, title, text, code: editor.text });
+$("link").addEventListener("click", () => {
+  const { id, title, text, isOwn } = current;
+  copy(isOwn ? own(title, text) : link_to(id, editor.text), "copied");
+});
+$("own-link").addEventListener("click", () => {
+  copy(own($("own-title").value || current.title, $("own-text").value || current.text), "own-copied");
+});
 addEventListener("hashchange", () => {
   open();
   $("title").focus();
