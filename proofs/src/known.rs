@@ -70,6 +70,9 @@ impl Known {
         let mut are = |pairs: &[(u32, u32)]| pairs.iter().all(|(a, b)| self.same(g, *a, *b));
         match (g.nodes[a as usize], g.nodes[b as usize]) {
             (Node::Mul(c, d), Node::Mul(e, f)) | (Node::Add(c, d), Node::Add(e, f)) => {
+                are(&[(c, e), (d, f)]) || are(&[(c, f), (d, e)])
+            }
+            (Node::Sub(c, d), Node::Sub(e, f)) | (Node::Div(c, d), Node::Div(e, f)) => {
                 are(&[(c, e), (d, f)])
             }
             (Node::Select(Test::Above(x, y), c, d), Node::Select(Test::Above(z, w), e, f)) => {

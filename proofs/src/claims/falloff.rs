@@ -165,7 +165,7 @@ pub fn cone_never_falls(given: Given) -> Vec<Goal> {
 pub fn cone_of_everything(given: Given) -> Vec<Goal> {
     let [axis, l] = ["axis", "l"].map(|name| any_direction(given, name));
     let least = -1.0 - 16.0 * given.format().u();
-    given.assume_at_most(Term::of(least), (-axis).dot(l));
+    given.assume_at_most(Term::of(least), dot([-axis.x, -axis.y, -axis.z], l));
     let cone = match given.one_of(2) {
         0 => Cone::from_cosine(Term::NEG_ONE),
         _ => Cone::from_cosines(Term::NEG_ONE, Term::NEG_ONE).map(Cone::smoothstep),

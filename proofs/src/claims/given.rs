@@ -5,7 +5,7 @@
 //! every kind of light that there is.
 
 use shading::{Attenuation, Cone, DirectionalLight, IncidentLight, Light, Material, PointLight};
-use shading::{Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, shade};
+use shading::{Real, Rgb, Select, Shaded, SpotLight, UnitVec3, Vec3, shade};
 use shading_proofs::{Given, Goal, Range, Term};
 
 pub const INF: f64 = f64::INFINITY;
@@ -92,6 +92,25 @@ pub fn without_direction(given: Given, name: &str) -> Vec3<Term> {
         0 => given.vector(name, nothing()),
         _ => broken(given, name),
     }
+}
+
+/// a·b, with the products written out, for a claim that must not assume what the crate decides by.
+pub fn dot(a: impl Into<[Term; 3]>, b: impl Into<[Term; 3]>) -> Term {
+    let ([a, b, c], [x, y, z]) = (a.into(), b.into());
+    a * x + b * y + c * z
+}
+
+/// One of two numbers, by whether a > b.
+pub fn choose(a: Term, b: Term, then: Term, otherwise: Term) -> Term {
+    a.above(b).select(then, otherwise)
+}
+
+pub fn larger(x: Term, floor: Term) -> Term {
+    choose(x, floor, x, floor)
+}
+
+pub fn smaller(x: Term, limit: Term) -> Term {
+    choose(x, limit, limit, x)
 }
 
 pub fn within(terms: impl IntoIterator<Item = Term>, range: Range) -> Vec<Goal> {
@@ -211,6 +230,17 @@ pub fn light_at(given: Given, position: Vec3<Term>) -> Option<Light<Term>> {
     match light {
         Light::Directional(_) | Light::Point(_) | Light::Spot(_) => Some(light),
     }
+}
+
+/// Any light as it arrives at any point, and the vector to it: L, or position − p.
+pub fn any_light_and_way(given: Given) -> Option<(IncidentLight<Term>, [Term; 3])> {
+    let (position, p) = (any_vector(given, "position"), any_vector(given, "p"));
+    let light = light_at(given, position)?;
+    let way = match light {
+        Light::Directional(sun) => sun.l.into(),
+        _ => [position.x - p.x, position.y - p.y, position.z - p.z],
+    };
+    Some((light.at(p), way))
 }
 
 /// What arrives of any light at any point.

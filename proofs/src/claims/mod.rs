@@ -2,6 +2,7 @@
 
 #![allow(clippy::wildcard_imports)] // each table of claims uses nearly all that is given
 
+mod anchors;
 mod falloff;
 mod given;
 mod lights;
@@ -39,6 +40,24 @@ macro_rules! claims {
 }
 
 pub const CLAIMS: &[Claim] = claims! {
+    anchors::vectors_by_components Rules "the operators of `Vec3` and `UnitVec3`, `dot` and `cross` are those of the components"
+    anchors::directions_by_formula Rules
+        "`Vec3::unit`, `unit_or`, `length`, `normal::plane` and `half_vector` are v/√(v·v), where v·v is between 1/p and p"
+    anchors::in_front_by_formula Rules
+        "any light: `is_in_front` is whether n·v > 0, v = L or position − p"
+    anchors::facing_by_formula Rules "`normal::facing` is −N if (−F)·V > 0, and N otherwise"
+    anchors::terms_by_formula Rules
+        "`term::lambert`, `phong`, `blinn` and `reflection` are their formulas"
+    anchors::attenuation_by_formula Rules
+        "`Attenuation::new` and its limits and ranges accept what is valid; `attenuation` and `at` are min(limit, \
+         1/(a + bq + cq²)) times the window"
+    anchors::cone_by_formula Rules
+        "`Cone::from_cosines` accepts −1 ≤ outer ≤ inner ≤ 1, and `factor` is 1, 0, t² or t²(3 − 2t), with edges within 8 u"
+    anchors::arrival_by_formula Rules
+        "any sun, and any lamp or spot whose squared distance is from 1/p to p: `l`, `distance`, `intensity` and a filter \
+         are their formulas"
+    anchors::sum_by_formula Rules
+        "the three sums over such a light and a sun, both in front, and `Shaded::total` are their formulas"
     vectors::length_of_numbers Rules "`Vec3::length` of any numbers is in [0, ∞]"
     vectors::unit_of_any Rules
         "`Vec3::unit` of any bits is `None` or has components up to 1.25 in size"
@@ -108,7 +127,7 @@ pub const CLAIMS: &[Claim] = claims! {
          channel negative or NaN"
     sums::one_more_light Rules "with any light more, no channel is less"
     sums::light_behind Rules
-        "any light that is not `is_in_front` adds nothing, to the bit, before or after another"
+        "any light adds nothing, to the bit, before or after another, unless n·v > 0, v = L or position − p"
     sums::light_that_is_black Rules
         "any light through a black filter adds nothing, to the bit, before or after another"
     sums::broken_lamp Rules

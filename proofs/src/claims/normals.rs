@@ -96,24 +96,24 @@ pub fn facing_faces(given: Given) -> Vec<Goal> {
         UnitVec3::assume_unit(given.vector(name, numbers))
     };
     let (n, v) = (direction("n"), direction("v"));
-    let _ = (-n).dot(v) > Term::ZERO; // on either path, what is selected is known
-    within([normal::facing(n, v, n).dot(v)], light().or_nan())
+    let _ = dot(-n, v) > Term::ZERO; // as above
+    within([dot(normal::facing(n, v, n), v)], light().or_nan())
 }
 
 pub fn facing_stays(given: Given) -> Vec<Goal> {
     let [n, v, face] = ["n", "v", "face"].map(|name| any_direction(given, name));
-    if Term::ZERO > face.dot(v) {
+    if Term::ZERO > dot(face, v) {
         return vec![];
     }
-    let _ = (-face).dot(v) > Term::ZERO;
+    let _ = dot(-face, v) > Term::ZERO; // on either path, what is selected is known
     same(normal::facing(n, v, face), n)
 }
 
 /// A vector of any bits, but for its square between 1/p and p.
 fn tame(given: Given, name: &str) -> Vec3<Term> {
     let v = any_vector(given, name);
-    given.assume_above(v.dot(v), Term::ONE / Term::EXTREME);
-    given.assume_above(Term::EXTREME, v.dot(v));
+    given.assume_above(dot(v, v), Term::ONE / Term::EXTREME);
+    given.assume_above(Term::EXTREME, dot(v, v));
     v
 }
 

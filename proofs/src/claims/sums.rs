@@ -76,10 +76,12 @@ fn adds_nothing(given: Given, scene: &Scene, light: IncidentLight<Term>) -> Vec<
 
 pub fn light_behind(given: Given) -> Vec<Goal> {
     let scene = any_scene(given);
-    match any_arrival(given) {
-        Some(light) if !light.is_in_front(scene.n) => adds_nothing(given, &scene, light),
-        _ => vec![],
-    }
+    any_light_and_way(given).map_or(vec![], |(light, way)| {
+        if dot(scene.n, way) > Term::ZERO {
+            return vec![];
+        }
+        adds_nothing(given, &scene, light)
+    })
 }
 
 pub fn light_that_is_black(given: Given) -> Vec<Goal> {
@@ -124,7 +126,8 @@ pub fn reflected_of_one(given: Given) -> Vec<Goal> {
         return vec![];
     };
     if !matches!(light, Light::Directional(_)) {
-        let square = (position - p).dot(position - p);
+        let way = [position.x - p.x, position.y - p.y, position.z - p.z];
+        let square = dot(way, way);
         given.assume_at_most(Term::ONE / Term::EXTREME, square);
         given.assume_above(Term::EXTREME, square);
     }

@@ -18,12 +18,12 @@ fn cosines(given: Given) -> Range {
 
 pub fn cosine_of_units(given: Given) -> Vec<Goal> {
     let (n, l) = (given.unit("n"), given.unit("l"));
-    within([n.dot(l), (-n).dot(l)], cosines(given))
+    within([dot(n, l), dot([-n.x, -n.y, -n.z], l)], cosines(given))
 }
 
 pub fn lambert_of_units(given: Given) -> Vec<Goal> {
     let (n, l) = (any_direction(given, "n"), any_direction(given, "l"));
-    given.assume_at_most(n.dot(l), Term::of(cosines(given).high));
+    given.assume_at_most(dot(n, l), Term::of(cosines(given).high));
     within(
         [term::lambert(n, l)],
         Range::within(0.0, cosines(given).high),
