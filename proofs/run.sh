@@ -53,16 +53,12 @@ bounds() {
     echo "bounds: $(ls "$work"/bounds/*.g | wc -l) proved by Gappa"
 }
 
-# what Bitwuzla completes; with --all, also what it repeats
+# what Bitwuzla proves or repeats; with --all, also what takes it minutes
 queries() {
-    local completed asked
-    completed=$(sed -n 's/^| `\(.*\)` | .* | bitwuzla |$/\1/p' "$work/claims")
-    asked=$completed
-    [[ -z $all ]] || asked+=" $(cut -d' ' -f1 proofs/answers.txt)"
-    # shellcheck disable=SC2086 # one word per claim
-    "$prover" queries "$work/queries" $(printf '%s\n' $asked | sort -u)
-    # shellcheck disable=SC2086
-    "$solver" proofs/solve.py "$work/queries" proofs/answers.txt 300 "$([[ $all ]] && echo repeat || echo needed)" $completed
+    # shellcheck disable=SC2046 # one word per claim
+    "$prover" queries "$work/queries" $(sed -n 's/^| `\(.*\)` | .*bitwuzla |$/\1/p' "$work/claims") \
+        ${all:+blinn_normalization corner_of_none implicit_of_none sphere_of_none}
+    "$solver" proofs/solve.py "$work/queries" "$([[ $all ]] && echo 300 || echo 30)"
 }
 
 copy() { # FOLDER: a copy of the crate and of this package, built on its own

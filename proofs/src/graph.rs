@@ -120,6 +120,28 @@ impl Graph {
         }
     }
 
+    /// A comparison with 0 in the one way in which it is written: −a − b > 0 is 0 > a + b, whatever the signs of zeros.
+    pub(super) fn test(&mut self, test: Test) -> Test {
+        let opposite = match test {
+            Test::Above(x, ZERO) => self.opposite(x).map(|y| Test::Above(ZERO, y)),
+            Test::Above(ZERO, x) => self.opposite(x).map(|y| Test::Above(y, ZERO)),
+            _ => None,
+        };
+        opposite.unwrap_or(test)
+    }
+
+    /// A node of the opposite value but for the sign of 0, if this one only subtracts.
+    fn opposite(&mut self, id: u32) -> Option<u32> {
+        match self.nodes[id as usize] {
+            Node::Neg(x) => Some(x),
+            Node::Sub(x, y) => {
+                let sum = Node::Add(self.opposite(x)?, y);
+                Some(self.node(sum))
+            }
+            _ => None,
+        }
+    }
+
     fn negated(&mut self, node: Node) -> u32 {
         let id = self.node(node);
         self.node(Node::Neg(id))

@@ -45,7 +45,12 @@ fn chosen(names: &[&str]) -> impl Iterator<Item = &'static Claim> {
 fn claims() -> bool {
     println!("| claim | says | by |\n|---|---|---|");
     for claim in CLAIMS {
-        let by = format!("{:?}", claim.by).to_lowercase();
+        let by = match claim.by {
+            By::Rules => "rules",
+            By::Bitwuzla => "bitwuzla",
+            By::Gappa => "gappa",
+            By::Both => "rules, bitwuzla",
+        };
         println!("| `{}` | {} | {by} |", claim.name, claim.promise);
     }
     true
@@ -59,7 +64,7 @@ fn prove(names: &[&str]) -> bool {
         for format in FORMATS {
             let verdict = judge(format, claim.formula, 20_000);
             match (claim.by, &verdict) {
-                (By::Rules, Verdict::Proved) => proved += 1,
+                (By::Rules | By::Both, Verdict::Proved) => proved += 1,
                 (By::Bitwuzla | By::Gappa, Verdict::Open(_)) => left += 1,
                 (by, _) => {
                     wrong += 1;

@@ -84,10 +84,10 @@ impl PartialOrd for Term {
         }
     }
     fn gt(&self, other: &Self) -> bool {
-        decide(Test::Above(self.0, other.0))
+        decide(with(|g| g.test(Test::Above(self.0, other.0))))
     }
     fn lt(&self, other: &Self) -> bool {
-        decide(Test::Above(other.0, self.0))
+        other > self
     }
     fn le(&self, other: &Self) -> bool {
         decide(Test::AtMost(self.0, other.0))
@@ -115,7 +115,7 @@ impl Real for Term {
         Self(node(Node::Sqrt(self.0)))
     }
     fn above(self, other: Self) -> Above {
-        Above(Test::Above(self.0, other.0))
+        Above(with(|g| g.test(Test::Above(self.0, other.0))))
     }
     // one decision, for what floats decide by one comparison of bits
     fn any_outside(self, low: Self, high: Self) -> bool {

@@ -70,6 +70,7 @@ fn operation(op: usize, x: Term, y: Term) -> Term {
         9 => x.at_most(y),
         10 => x.above(y).select(x - y, y - x),
         11 => x - x,
+        13 => -x - y,
         _ => x.above(Term::ZERO).select(y, -x),
     }
 }
@@ -241,7 +242,7 @@ fn decisions_about_operations() {
     for test in TESTS {
         check(
             SMALL,
-            pairs(&pairs(&OPERATIONS, &limits), &operands),
+            pairs(&pairs(&[&OPERATIONS[..], &[13]].concat(), &limits), &operands),
             |given, &((op, limit), (range, other))| {
                 let (x, y) = (given.number("x", range), given.number("y", other));
                 let result = operation(op, x, y);

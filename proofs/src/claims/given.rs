@@ -249,17 +249,6 @@ pub fn any_arrival(given: Given) -> Option<IncidentLight<Term>> {
     Some(light_at(given, position)?.at(any_vector(given, "p")))
 }
 
-/// One of the six directions of the axes of coordinates, and a distance at which a product with it is exact.
-pub fn straight(given: Given) -> (UnitVec3<Term>, Term) {
-    let axes = [UnitVec3::X, UnitVec3::Y, UnitVec3::Z];
-    let axis = axes[given.one_of(3) as usize];
-    let axis = if given.one_of(2) == 0 { axis } else { -axis };
-    (
-        axis,
-        Term::of([0.25, 1.0, 1024.0][given.one_of(3) as usize]),
-    )
-}
-
 /// A surface, the eye and the ambient light. Of the power by its shininess, which is any bits, only
 /// the contract is known, which integer and real ones have in common.
 pub struct Scene {

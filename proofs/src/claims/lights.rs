@@ -1,6 +1,6 @@
 //! The light that arrives at a point.
 
-use shading::{Light, Real, Rgb, SpotLight, Vec3};
+use shading::{Light, Rgb};
 use shading_proofs::{Given, Goal, Range, Term};
 
 use super::given::*;
@@ -65,21 +65,4 @@ pub fn spot_at_most_its_lamp(given: Given) -> Vec<Goal> {
     any_spot(given, position).map_or(vec![], |spot| {
         at_most(spot.at(p).intensity(), spot.point.at(p).intensity())
     })
-}
-
-/// Straight ahead of a spot, and straight behind one of less than a hemisphere.
-pub fn spot_ahead_and_behind(given: Given) -> Vec<Goal> {
-    let ((axis, q), is_ahead) = (straight(given), given.one_of(2) == 0);
-    let Some(spot) = any_spot(given, Vec3::ZERO) else {
-        return vec![];
-    };
-    let spot = SpotLight { axis, ..spot };
-    let p = axis * q;
-    if is_ahead {
-        return same(spot.at(p).intensity(), spot.point.at(p).intensity());
-    }
-    for cosine in spot.cone.cosines() {
-        given.assume_at_most(Term::ZERO, cosine);
-    }
-    black(spot.at(-p).intensity())
 }

@@ -19,6 +19,8 @@ pub enum By {
     Rules,
     Bitwuzla,
     Gappa,
+    /// The rules, and Bitwuzla once more.
+    Both,
 }
 
 pub struct Claim {
@@ -40,25 +42,25 @@ macro_rules! claims {
 }
 
 pub const CLAIMS: &[Claim] = claims! {
-    anchors::vectors_by_components Rules "the operators of `Vec3` and `UnitVec3`, `dot` and `cross` are those of the components"
+    anchors::vectors_by_components Both "the operators of `Vec3` and `UnitVec3`, `dot` and `cross` are those of the components"
     anchors::directions_by_formula Rules
         "`Vec3::unit`, `unit_or`, `length`, `normal::plane` and `half_vector` are v/√(v·v), where v·v is between 1/p and p"
-    anchors::in_front_by_formula Rules
+    anchors::in_front_by_formula Both
         "any light: `is_in_front` is whether n·v > 0, v = L or position − p"
     anchors::facing_by_formula Rules "`normal::facing` is −N if (−F)·V > 0, and N otherwise"
-    anchors::terms_by_formula Rules
+    anchors::terms_by_formula Both
         "`term::lambert`, `phong`, `blinn` and `reflection` are their formulas"
     anchors::attenuation_by_formula Rules
         "`Attenuation::new` and its limits and ranges accept what is valid; `attenuation` and `at` are min(limit, \
          1/(a + bq + cq²)) times the window"
-    anchors::cone_by_formula Rules
+    anchors::cone_by_formula Both
         "`Cone::from_cosines` accepts −1 ≤ outer ≤ inner ≤ 1, and `factor` is 1, 0, t² or t²(3 − 2t), with edges within 8 u"
     anchors::arrival_by_formula Rules
         "any sun, and any lamp or spot whose squared distance is from 1/p to p: `l`, `distance`, `intensity` and a filter \
          are their formulas"
     anchors::sum_by_formula Rules
         "the three sums over such a light and a sun, both in front, and `Shaded::total` are their formulas"
-    vectors::length_of_numbers Rules "`Vec3::length` of any numbers is in [0, ∞]"
+    vectors::length_of_numbers Both "`Vec3::length` of any numbers is in [0, ∞]"
     vectors::unit_of_any Rules
         "`Vec3::unit` of any bits is `None` or has components up to 1.25 in size"
     vectors::unit_of_nothing Rules
@@ -66,7 +68,7 @@ pub const CLAIMS: &[Claim] = claims! {
          infinite or NaN"
     vectors::unit_or_of_any Rules
         "`Vec3::unit_or` of any bits has components up to 1.25 in size, if the fallback has"
-    vectors::unit_or_of_nothing Rules
+    vectors::unit_or_of_nothing Both
         "`Vec3::unit_or` is the fallback where `Vec3::unit` is `None`, to the bit"
     vectors::direction_of_any Rules
         "`UnitVec3::new` of any bits is `None` or has components up to 1.25 in size, unless |v|² is within \
@@ -77,10 +79,10 @@ pub const CLAIMS: &[Claim] = claims! {
         "`UnitVec3::new` is `None` for the zero vector, and if a component is infinite or NaN"
     vectors::half_vector_of_any Rules
         "`half_vector` of any bits is `None` or has components up to 1.25 in size"
-    vectors::half_vector_of_opposite Rules "`half_vector` of L and −L, any bits, is `None`"
-    vectors::half_vector_of_broken Rules "`half_vector` is `None` if a component is infinite or NaN"
-    vectors::clamped Rules "`Rgb::clamped` of any bits is in [0, 1], NaN too"
-    falloff::attenuation_of_any Rules
+    vectors::half_vector_of_opposite Both "`half_vector` of L and −L, any bits, is `None`"
+    vectors::half_vector_of_broken Both "`half_vector` is `None` if a component is infinite or NaN"
+    vectors::clamped Both "`Rgb::clamped` of any bits is in [0, 1], NaN too"
+    falloff::attenuation_of_any Both
         "`attenuation` of any bits is in [0, MAX]; `Attenuation::new` of any bits is `None`, or \
          has `coefficients` in [0, MAX]"
     falloff::attenuation_of_invalid Rules
@@ -97,13 +99,13 @@ pub const CLAIMS: &[Claim] = claims! {
         "any attenuation with a range: `at` is never above what it is without, q ≥ 0"
     falloff::cone_of_any Rules
         "any cone: `cosines` are in [−1, 1] and `factor` in [0, 1], axis and L of any bits"
-    falloff::cone_of_invalid Rules
+    falloff::cone_of_invalid Both
         "`Cone::from_cosines` and `Cone::from_half_angles` are `None` outside of [−1, 1] and of \
          [0, π], for NaN, and if the inner edge is beyond the outer one"
-    falloff::cone_on_its_axis Rules "any cone: `factor` is 1 on the axis"
+    falloff::cone_on_its_axis Both "any cone: `factor` is 1 on the axis"
     falloff::cone_never_falls Rules
         "`Cone::factor`, but for `smoothstep`, never falls as the computed cosine rises"
-    falloff::cone_of_everything Rules
+    falloff::cone_of_everything Both
         "`Cone::factor` of a cone of cosine −1 is 1 where the computed cosine is at least −1 − 16 \
          u"
     lights::light_that_arrives Rules
@@ -117,9 +119,6 @@ pub const CLAIMS: &[Claim] = claims! {
          infinite or NaN"
     lights::black_light Rules "any light through a black filter is black"
     lights::spot_at_most_its_lamp Rules "a spot is never brighter than its lamp"
-    lights::spot_ahead_and_behind Rules
-        "straight ahead along an axis of coordinates, at a distance of ¼, 1 or 1024, any spot is \
-         as bright as its lamp; behind, one of at most a hemisphere is black"
     sums::lit_by_any Rules
         "`shade` under any light: no channel is negative or NaN, nor one of `Shaded::total`"
     sums::any_number_of_lights Rules
@@ -133,18 +132,15 @@ pub const CLAIMS: &[Claim] = claims! {
     sums::broken_lamp Rules
         "any lamp or spot with a coordinate that is infinite or NaN adds nothing, to the bit, \
          before or after another"
-    sums::opposite Rules "`shade::blinn_phong` has no highlight for L = −V"
+    sums::opposite Both "`shade::blinn_phong` has no highlight for L = −V"
     sums::reflected_at_most Rules
         "diffuse and specular are at most the largest number times k, for two lights, one of any \
          kind"
     sums::reflected_of_one Rules
         "diffuse and specular of one light are at most what arrives times k, any sun, and any lamp \
          or spot whose squared distance is from 1/p to p"
-    sums::head_on Rules
-        "straight under any lamp at these distances, seen from there, diffuse and specular are \
-         what arrives times k, nine integers m"
     sums::black_surface Rules "a reflectance of 0 gives 0, even if the sum of two lights overflows"
-    sums::added_results Rules
+    sums::added_results Both
         "`Shaded` + `Shaded` and `Shaded` × a number of 0 or more: no channel is negative or NaN"
     normals::normals_of_any Rules
         "`normal::plane`, `triangle`, `sphere`, `implicit`, `parametric` and `from_tangents` of \
@@ -159,10 +155,9 @@ pub const CLAIMS: &[Claim] = claims! {
         "`normal::parametric` is `None` if the tangents are equal, or one is 0, infinite or NaN"
     normals::tangents_of_none Rules
         "`normal::from_tangents` is `None` if the tangents are equal, or one is 0, infinite or NaN"
-    normals::facing_faces Bitwuzla
-        "`normal::facing` of a normal that is that of the face: N·V is not negative, N and V of \
-         any numbers"
-    normals::facing_stays Bitwuzla
+    normals::facing_faces Rules
+        "`normal::facing` of a normal that is that of the face: N·V is not negative, any bits"
+    normals::facing_stays Rules
         "`normal::facing` is N, to the bit, if F·V is 0 or above or NaN, F the normal of the face"
     normals::transformed_of_any Rules
         "`normal::transformed` is `None` or has components up to 1.25 in size, N of any bits, and \
@@ -180,13 +175,13 @@ pub const CLAIMS: &[Claim] = claims! {
         "`normal::mapped` of any bits is `None` or has components up to 1.25 in size"
     normals::mapped_of_none Rules
         "`normal::mapped` is `None` if T or the sample is 0, infinite or NaN, or T is N"
-    terms::lambert_of_any Rules "`term::lambert` of any bits is in [0, ∞]"
+    terms::lambert_of_any Both "`term::lambert` of any bits is in [0, ∞]"
     terms::cosine_of_units Gappa "N·L and −N·L of two directions are in [−1 − 16 u, 1 + 16 u]"
-    terms::lambert_of_units Rules "`term::lambert` is at most 1 + 16 u where N·L is"
+    terms::lambert_of_units Both "`term::lambert` is at most 1 + 16 u where N·L is"
     terms::highlights_of_any Rules
         "`term::phong` and `term::blinn` of any bits by an integer are in [0, 1], odd and even \
          ones up to 2³² − 1"
-    terms::highlights_in_the_dark Rules
+    terms::highlights_in_the_dark Both
         "`term::phong` and `term::blinn` by an integer are 0 for a cosine that is not above 0 or \
          is NaN"
     terms::highlights_of_one Rules
@@ -194,13 +189,13 @@ pub const CLAIMS: &[Claim] = claims! {
          for every cosine above 0"
     terms::powers_in_their_range Rules
         "`Lobe::raise` and `Lobe::raise_root` of [0, 1] by an integer are in [0, 1]"
-    terms::one_squaring Rules
+    terms::one_squaring Both
         "the square of a number in [0, 1], and its product with another, are in [0, 1]"
-    terms::phong_normalization Rules "`term::phong_normalization` of any bits is in [0.3, MAX]"
+    terms::phong_normalization Both "`term::phong_normalization` of any bits is in [0.3, MAX]"
     terms::blinn_normalization Rules
         "`term::blinn_normalization` of any bits is in [0.02, MAX], given what a real power \
          promises"
-    terms::dual_values Rules
+    terms::dual_values Both
         "+ − × ÷ √ and `powi` of `Dual` have the value of the same number without a gradient, to \
          the bit, any bits"
 };

@@ -91,13 +91,10 @@ pub fn tangents_of_none(given: Given) -> Vec<Goal> {
 }
 
 pub fn facing_faces(given: Given) -> Vec<Goal> {
-    let direction = |name| {
-        let numbers = Range::within(-INF, INF);
-        UnitVec3::assume_unit(given.vector(name, numbers))
-    };
-    let (n, v) = (direction("n"), direction("v"));
-    let _ = dot(-n, v) > Term::ZERO; // as above
-    within([dot(normal::facing(n, v, n), v)], light().or_nan())
+    let [n, v] = ["n", "v"].map(|name| any_direction(given, name));
+    let _ = Term::ZERO > dot(n, v); // on either path, what is selected is known
+    let is_away = Term::ZERO > dot(normal::facing(n, v, n), v);
+    none(is_away.then_some(()))
 }
 
 pub fn facing_stays(given: Given) -> Vec<Goal> {
@@ -105,7 +102,6 @@ pub fn facing_stays(given: Given) -> Vec<Goal> {
     if Term::ZERO > dot(face, v) {
         return vec![];
     }
-    let _ = dot(-face, v) > Term::ZERO; // on either path, what is selected is known
     same(normal::facing(n, v, face), n)
 }
 

@@ -1,10 +1,9 @@
 //! The reflected light.
 
-use shading::{IncidentLight, Light, Material, PointLight, Real, Rgb, Shaded, Vec3, shade};
+use shading::{IncidentLight, Light, Real, Rgb, Shaded};
 use shading_proofs::{Given, Goal, Node, Term, Test, with};
 
 use super::given::*;
-use super::terms::SHININESS;
 
 /// No channel is negative or NaN, nor one of the total.
 fn is_light(s: Shaded<Term>) -> Vec<Goal> {
@@ -137,36 +136,6 @@ pub fn reflected_of_one(given: Given) -> Vec<Goal> {
     [
         at_most(lit.diffuse, arriving * k_d),
         at_most(lit.specular, arriving * k_s),
-    ]
-    .concat()
-}
-
-/// A lamp straight above a surface, seen from there, with an integer shininess.
-pub fn head_on(given: Given) -> Vec<Goal> {
-    let (n, q) = straight(given);
-    let material = Material {
-        k_a: Rgb::BLACK,
-        k_d: checked_rgb(given, "k_d"),
-        k_s: checked_rgb(given, "k_s"),
-        m: SHININESS[given.one_of(9) as usize],
-    };
-    let Some(attenuation) = any_attenuation(given) else {
-        return vec![];
-    };
-    let lamp = PointLight {
-        position: n * q,
-        intensity: checked_rgb(given, "I"),
-        attenuation,
-    };
-    let light = lamp.at(Vec3::ZERO);
-    let lit = match given.one_of(2) {
-        0 => shade::phong(n, n, &material, Rgb::BLACK, [light]),
-        _ => shade::blinn_phong(n, n, &material, Rgb::BLACK, [light]),
-    };
-    let arriving = light.intensity();
-    [
-        same(lit.diffuse, arriving * material.k_d),
-        same(lit.specular, arriving * material.k_s),
     ]
     .concat()
 }
