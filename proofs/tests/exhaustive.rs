@@ -242,7 +242,10 @@ fn decisions_about_operations() {
     for test in TESTS {
         check(
             SMALL,
-            pairs(&pairs(&[&OPERATIONS[..], &[13]].concat(), &limits), &operands),
+            pairs(
+                &pairs(&[&OPERATIONS[..], &[13]].concat(), &limits),
+                &operands,
+            ),
             |given, &((op, limit), (range, other))| {
                 let (x, y) = (given.number("x", range), given.number("y", other));
                 let result = operation(op, x, y);

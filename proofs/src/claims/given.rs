@@ -4,8 +4,9 @@
 //! compares the lists here with the crate's interface, so that a claim about "any light" is about
 //! every kind of light that there is.
 
+use shading::number::Mask;
 use shading::{Attenuation, Cone, DirectionalLight, IncidentLight, Light, Material, PointLight};
-use shading::{Real, Rgb, Select, Shaded, SpotLight, UnitVec3, Vec3, shade};
+use shading::{Real, Rgb, Shaded, SpotLight, UnitVec3, Vec3, shade};
 use shading_proofs::{Given, Goal, Range, Term};
 
 pub const INF: f64 = f64::INFINITY;
