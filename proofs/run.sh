@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Proves what docs/proofs.md says, each part with the tool that the page names, and fails where one proves less. With `--all`, a
-# fault planted in a copy of the source must refute each claim that names it, Bitwuzla repeats everything that answers.txt lists,
+# fault planted in a copy of the source must refute each claim that names it, Bitwuzla repeats what takes it minutes,
 # each wrong rule in a copy of the prover must be found, what is not recorded is tried with every number, and Coq checks the
 # certificates of Gappa. The last lines say how long each part took. Installs what is missing.
 set -euo pipefail
@@ -58,7 +58,7 @@ queries() {
     # shellcheck disable=SC2046 # one word per claim
     "$prover" queries "$work/queries" $(sed -n 's/^| `\(.*\)` | .*bitwuzla |$/\1/p' "$work/claims") \
         ${all:+blinn_normalization corner_of_none implicit_of_none sphere_of_none}
-    "$solver" proofs/solve.py "$work/queries" "$([[ $all ]] && echo 300 || echo 30)"
+    "$solver" proofs/solve.py "$work/queries" "$([[ $all ]] && echo 600 || echo 120)"
 }
 
 copy() { # FOLDER: a copy of the crate and of this package, built on its own

@@ -245,3 +245,84 @@ fn lit(light: Fixed, cosine: Fixed) -> Fixed {
         .total()
         .r
 }
+
+/// How many cosines a power is the product of. Its only operation that counts is the product; a square root halves.
+#[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
+struct Factors(u64);
+
+/// What a power must not use: no number of factors comes out of it right.
+const WRONG: Factors = Factors(1 << 60);
+
+macro_rules! wrong {
+    ($($trait:ident::$method:ident)*) => {$(
+        impl std::ops::$trait for Factors {
+            type Output = Self;
+            fn $method(self, _: Self) -> Self {
+                WRONG
+            }
+        }
+    )*};
+}
+wrong!(Add::add Sub::sub Div::div);
+
+impl std::ops::Mul for Factors {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+}
+
+impl std::ops::Neg for Factors {
+    type Output = Self;
+    fn neg(self) -> Self {
+        WRONG
+    }
+}
+
+impl Real for Factors {
+    type Mask = bool;
+    type Sum = Rgb<Self>;
+    const ZERO: Self = WRONG;
+    const ONE: Self = Self(0);
+    const NEG_ONE: Self = WRONG;
+    const MAX: Self = WRONG;
+    const EXTREME: Self = WRONG;
+    fn of(_: f64) -> Self {
+        WRONG
+    }
+    fn sqrt(self) -> Self {
+        if self.0 % 2 == 0 {
+            Self(self.0 / 2)
+        } else {
+            WRONG
+        }
+    }
+    /// No cosine lies below the least one.
+    fn above(self, _: Self) -> bool {
+        false
+    }
+}
+
+fn has_m_factors(m: u32) {
+    assert_eq!(m.raise(Factors(1)), Factors(m.into()), "{m}");
+    assert_eq!(
+        m.raise_root(Factors(2)),
+        Factors(m.into()),
+        "{m}, by the square"
+    );
+}
+
+/// With `one_squaring`, which keeps each product in [0, 1], a power is in [0, 1] for each m that is tried here.
+#[test]
+fn a_power_has_m_factors() {
+    let near = |bit: u32| (0..32).map(move |i| (1_u32 << bit).wrapping_add(i).wrapping_sub(16));
+    (0..1 << 20)
+        .chain((20..32).flat_map(near))
+        .for_each(has_m_factors);
+}
+
+#[test]
+#[ignore = "every m"]
+fn every_power_has_m_factors() {
+    (0..=u32::MAX).for_each(has_m_factors);
+}
