@@ -267,6 +267,7 @@ wrong!(Add::add Sub::sub Div::div);
 
 impl std::ops::Mul for Factors {
     type Output = Self;
+    #[allow(clippy::suspicious_arithmetic_impl)] // a product has the factors of both
     fn mul(self, other: Self) -> Self {
         Self(self.0 + other.0)
     }
@@ -291,7 +292,7 @@ impl Real for Factors {
         WRONG
     }
     fn sqrt(self) -> Self {
-        if self.0 % 2 == 0 {
+        if self.0.is_multiple_of(2) {
             Self(self.0 / 2)
         } else {
             WRONG

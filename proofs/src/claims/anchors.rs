@@ -190,12 +190,11 @@ fn beam(given: Given) -> Option<Beam> {
     let stored = |cosine| is_everywhere(-two, smaller(cosine, Term::ONE - slack));
     let (inner, outer) = (stored(inner), stored(outer));
     let formula = Box::new(move |cosine: Term| {
-        if !(inner > outer) {
-            return choose(inner, cosine, Term::ZERO, Term::ONE);
-        }
         let t = share_of((cosine - outer) / (inner - outer));
         let smooth = smaller(t * t * (Term::of(3.0) - (t + t)), Term::ONE);
-        choose(inner, cosine, [t * t, smooth][edge as usize], Term::ONE)
+        let soft = [t * t, smooth][edge as usize];
+        let outside = if inner > outer { soft } else { Term::ZERO };
+        choose(inner, cosine, outside, Term::ONE)
     });
     Some(Beam { made, formula })
 }
@@ -286,9 +285,10 @@ pub fn arrival_by_formula(given: Given) -> Vec<Goal> {
     let filtered = [0, 1, 2].map(|i| finite_light(color[i] * finite_light(through[i])));
     // of a sun, all of its light arrives
     let (l, is_sun) = (w.map(|x| x / length), length.0 == Term::ONE.0);
-    let (distance, arriving): (Term, fn(Term) -> Term) = match is_sun {
-        true => (Term::MAX, |x| x),
-        false => (length, finite_light),
+    let (distance, arriving): (Term, fn(Term) -> Term) = if is_sun {
+        (Term::MAX, |x| x)
+    } else {
+        (length, finite_light)
     };
     [
         same(light.l(), l),
