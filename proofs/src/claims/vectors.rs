@@ -34,9 +34,9 @@ pub fn unit_or_of_nothing(given: Given) -> Vec<Goal> {
 
 /// Whether |v|² is within 4ε of 1.
 fn is_unit(given: Given, v: Vec3<Term>) -> bool {
-    let off = v.dot(v) - Term::ONE;
+    let off = dot(v, v) - Term::ONE;
     let four_epsilon = Term::of(8.0 * given.format().u());
-    off.at_least(-off) <= four_epsilon
+    larger(off, -off) <= four_epsilon
 }
 
 pub fn direction_of_any(given: Given) -> Vec<Goal> {
