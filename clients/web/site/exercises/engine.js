@@ -19,10 +19,12 @@ export class Engine {
     });
   }
 
-  /** The bytes that the crate's normal of a surface gives, from these numbers. */
+  /** The crate's normal of a surface, by its number, from these numbers. */
   normal(surface, numbers) {
-    new Float64Array(this.exports.memory.buffer, this.exports.numbers(numbers.length), numbers.length).set(numbers);
-    return [...new Float64Array(this.exports.memory.buffer, this.exports.normal(surface), 3)];
+    const at = this.exports.numbers(numbers.length); // the memory may grow there
+    new Float64Array(this.exports.memory.buffer, at, numbers.length).set(numbers);
+    const from = this.exports.normal(surface);
+    return [...new Float64Array(this.exports.memory.buffer, from, 3)];
   }
 
   /** The right colors of a small picture, or those that a mistake gives. */
