@@ -1,10 +1,12 @@
-//! Puts the memory map of the target where the linker finds it.
+//! Puts the memory map of the target where the linker finds it, and compiles the ball in C.
 
 use std::path::Path;
 use std::{env, fs, io};
 
 fn main() -> io::Result<()> {
     println!("cargo::rerun-if-changed=build.rs");
+    #[cfg(feature = "ball")]
+    compile_ball();
     let variable = |name| env::var(name).map_err(io::Error::other);
     if variable("CARGO_CFG_TARGET_OS")? != "none" {
         return Ok(());
@@ -15,4 +17,20 @@ fn main() -> io::Result<()> {
     fs::copy(&map, Path::new(&out).join("memory.x"))?;
     println!("cargo::rustc-link-search={out}");
     Ok(())
+}
+
+/// Compiles the headers' programs at the same level of optimization as the crate's.
+#[cfg(feature = "ball")]
+fn compile_ball() {
+    let (headers, example) = ("../../languages", "../../languages/arduino/examples/Ball");
+    println!("cargo::rerun-if-changed={headers}/shading_fixed.h");
+    println!("cargo::rerun-if-changed={example}");
+    println!("cargo::rerun-if-changed=src/ball");
+    cc::Build::new()
+        .file("src/ball/in_fixed.c")
+        .include(headers)
+        .include(example)
+        .flag("-std=c99")
+        .flag("-ffreestanding")
+        .compile("ball");
 }

@@ -1,10 +1,11 @@
 //! One picture by several programs: a ball under one lamp, with Blinn's highlight, 240 × 240 pixels
 //! in RGB565. The crate draws it in each of its numbers. Beside it stands the same as a careful
 //! author of firmware writes it by hand: the same formula, in which nothing is computed twice, and
-//! no care for what cannot happen here.
+//! no care for what cannot happen here, and the same by the headers for C.
 
 mod by_hand;
 mod by_the_crate;
+mod in_c;
 
 use crate::is_same;
 
@@ -43,6 +44,9 @@ pub const F32_BY_MICROMATH: Pixel = by_hand::with_micromath;
 /// By hand with the numbers of the crate `fixed`.
 pub const FIXED_BY_HAND: Pixel = by_hand::fixed::pixel;
 
+/// In fixed point, by the header for C.
+pub const FIXED_IN_C: Pixel = in_c::fixed;
+
 /// Draws a row of the picture: `show` is given each column and its color.
 #[inline(always)]
 pub fn draw_row(row: i16, pixel: Pixel, mut show: impl FnMut(u8, u16)) {
@@ -57,12 +61,13 @@ pub fn draw_row(row: i16, pixel: Pixel, mut show: impl FnMut(u8, u16)) {
 }
 
 /// The programs that run on chips, by name.
-pub const PROGRAMS: [(&str, Pixel); 5] = [
+pub const PROGRAMS: [(&str, Pixel); 6] = [
     ("f32", F32),
     ("f32_by_hand", F32_BY_HAND),
     ("f32_by_micromath", F32_BY_MICROMATH),
     ("fixed", FIXED),
     ("fixed_by_hand", FIXED_BY_HAND),
+    ("fixed_in_c", FIXED_IN_C),
 ];
 
 /// The program that the variable `BALL` names at build time.
