@@ -23,14 +23,21 @@ fn main() -> io::Result<()> {
 #[cfg(feature = "ball")]
 fn compile_ball() {
     let (headers, example) = ("../../languages", "../../languages/arduino/examples/Ball");
+    println!("cargo::rerun-if-changed={headers}/shading.h");
     println!("cargo::rerun-if-changed={headers}/shading_fixed.h");
     println!("cargo::rerun-if-changed={example}");
     println!("cargo::rerun-if-changed=src/ball");
-    cc::Build::new()
-        .file("src/ball/in_fixed.c")
+    let mut build = cc::Build::new();
+    // Debian's compiler for RISC-V has no library of its own
+    if env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|target| target == "riscv32") {
+        build.flag("--specs=picolibc.specs");
+    }
+    build
+        .files(["src/ball/in_fixed.c", "src/ball/in_f32.c"])
         .include(headers)
         .include(example)
         .flag("-std=c99")
-        .flag("-ffreestanding")
+        .flag("-ffp-contract=off")
+        .flag("-fno-math-errno")
         .compile("ball");
 }

@@ -44,6 +44,8 @@ pub const F32_BY_MICROMATH: Pixel = by_hand::with_micromath;
 /// By hand with the numbers of the crate `fixed`.
 pub const FIXED_BY_HAND: Pixel = by_hand::fixed::pixel;
 
+/// In single precision with a real m, by the header for C.
+pub const F32_IN_C: Pixel = in_c::f32;
 /// In fixed point, by the header for C.
 pub const FIXED_IN_C: Pixel = in_c::fixed;
 
@@ -61,10 +63,11 @@ pub fn draw_row(row: i16, pixel: Pixel, mut show: impl FnMut(u8, u16)) {
 }
 
 /// The programs that run on chips, by name.
-pub const PROGRAMS: [(&str, Pixel); 6] = [
+pub const PROGRAMS: [(&str, Pixel); 7] = [
     ("f32", F32),
     ("f32_by_hand", F32_BY_HAND),
     ("f32_by_micromath", F32_BY_MICROMATH),
+    ("f32_in_c", F32_IN_C),
     ("fixed", FIXED),
     ("fixed_by_hand", FIXED_BY_HAND),
     ("fixed_in_c", FIXED_IN_C),

@@ -1,0 +1,99 @@
+//! Prints how many instructions a point light costs in Blinn–Phong, with a real m: by the crate, and by the header for C.
+//! Four points, each lit by four lamps. Fails if a bit differs.
+#![no_std]
+#![no_main]
+
+use core::hint::black_box;
+
+use firmware::{AMBIENT, CAP, LAMPS, board, brass};
+use shading::f32::{PointLight, Rgb, UnitVec3, Vec3};
+use shading::{Material, shade};
+
+/// As in shading.h.
+#[repr(C)]
+struct Light {
+    position: Vec3,
+    is_sun: f32,
+    intensity: Rgb,
+    limit: f32,
+    coefficients: [f32; 3],
+    range: f32,
+    axis: Vec3,
+    is_smoothstep: f32,
+    cosines: [f32; 2],
+    is_gltf: f32,
+}
+
+#[repr(C)]
+struct CMaterial {
+    k_a: Rgb,
+    m: f32,
+    k_d: Rgb,
+    k_s: Rgb,
+}
+
+unsafe extern "C" {
+    safe fn point_in_c(
+        n: &UnitVec3,
+        v: &UnitVec3,
+        material: &CMaterial,
+        i_a: &Rgb,
+        lamps: &Light,
+        count: u32,
+        color: &mut Rgb,
+    );
+}
+
+firmware::program!(by_the_crate(), by_the_header());
+
+const M: f32 = 32.0;
+
+fn shaded(n: UnitVec3, material: &Material<f32, f32>, lamps: &[PointLight; 4]) -> Rgb {
+    let lights = lamps.iter().map(|lamp| lamp.at(*n));
+    shade::blinn_phong(n, UnitVec3::Z, material, AMBIENT, lights).total()
+}
+
+/// The mean of the calls, for one light.
+fn by_each(mut call: impl FnMut(UnitVec3) -> u32) -> u32 {
+    let lights = (CAP.len() * LAMPS.len()) as u32;
+    (CAP.map(&mut call).iter().sum::<u32>() + lights / 2) / lights
+}
+
+fn by_the_crate() -> u32 {
+    let material = brass::<f32, _>(M);
+    by_each(|n| {
+        let (n, v, i_a) = (black_box(&n), black_box(&UnitVec3::Z), black_box(&AMBIENT));
+        let (material, lamps) = (black_box(&material), black_box(&LAMPS));
+        board::instructions(|| {
+            let lights = lamps.iter().map(|lamp| lamp.at(**n));
+            black_box(&shade::blinn_phong(*n, *v, material, *i_a, lights).total());
+        })
+    })
+}
+
+fn by_the_header() -> u32 {
+    let Material { k_a, k_d, k_s, m } = brass::<f32, _>(M);
+    let material = CMaterial { k_a, m, k_d, k_s };
+    let lamps = LAMPS.map(|lamp| Light {
+        position: lamp.position,
+        is_sun: 0.0,
+        intensity: lamp.intensity,
+        limit: f32::MAX,
+        coefficients: lamp.attenuation.coefficients(),
+        range: f32::MAX,
+        axis: *UnitVec3::Z,
+        is_smoothstep: 0.0,
+        cosines: [-1.0, -1.0],
+        is_gltf: 0.0,
+    });
+    by_each(|n| {
+        let mut color = Rgb::BLACK;
+        let count = board::instructions(|| {
+            let (v, i_a) = (&UnitVec3::Z, &AMBIENT);
+            point_in_c(&n, v, &material, i_a, &lamps[0], 4, &mut color);
+        });
+        let expected = shaded(n, &brass(M), &LAMPS);
+        assert!(color.map(f32::to_bits) == expected.map(f32::to_bits));
+        count
+    })
+}
