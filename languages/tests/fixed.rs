@@ -1,6 +1,8 @@
 //! Each function of `shading_fixed.h` has the bits of the crate, for any bits of its arguments, whichever products the
 //! processor has; and no operation of it is undefined in C.
 
+#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // of bits
+
 use std::io::{Read, Write};
 use std::process::{Command, Stdio};
 
@@ -44,7 +46,14 @@ fn by_the_header(compiler: &str, is_narrow: u8, scenes: &[Scene]) -> Vec<[i32; R
         env!("CARGO_TARGET_TMPDIR")
     );
     let status = Command::new(compiler)
-        .args(["-std=c99", "-O2", "-Wall", "-Wextra", "-pedantic", "-Werror"])
+        .args([
+            "-std=c99",
+            "-O2",
+            "-Wall",
+            "-Wextra",
+            "-pedantic",
+            "-Werror",
+        ])
         .args(["-fsanitize=undefined", "-fno-sanitize-recover=undefined"])
         .arg(format!("-DSHADING_FIXED_NARROW_PRODUCT={is_narrow}"))
         .arg(format!("-I{folder}"))
@@ -72,12 +81,11 @@ fn by_the_header(compiler: &str, is_narrow: u8, scenes: &[Scene]) -> Vec<[i32; R
     from.read_to_end(&mut received).unwrap();
     writer.join().unwrap();
     assert!(child.wait().unwrap().success());
-    let (words, rest) = received.as_chunks::<4>();
-    assert!(rest.is_empty());
-    let words: Vec<_> = words.iter().map(|bytes| i32::from_ne_bytes(*bytes)).collect();
-    let (results, rest) = words.as_chunks();
-    assert!(rest.is_empty() && results.len() == scenes.len());
-    results.to_vec()
+    assert!(received.len() == 4 * RESULTS * scenes.len());
+    let word = |bytes: &[u8]| i32::from_ne_bytes(bytes.try_into().expect("four bytes"));
+    let words: Vec<_> = received.chunks_exact(4).map(word).collect();
+    let results = |words: &[i32]| words.try_into().expect("as many as in fixed.c");
+    words.chunks_exact(RESULTS).map(results).collect()
 }
 
 fn by_the_crate(scene: &Scene) -> [i32; RESULTS] {
@@ -91,12 +99,16 @@ fn by_the_crate(scene: &Scene) -> [i32; RESULTS] {
     let give3 = |give: &mut dyn FnMut(&[Fixed]), v: Vec3| give(&[v.x, v.y, v.z]);
 
     let (n, v, p) = (unit(0), unit(3), vector(6));
-    let m = scene[9].cast_unsigned();
+    let m = scene[9] as u32;
     give3(&mut give, or_zero((*n).unit()));
     give(&[p.length()]);
     give3(&mut give, *reflection(n, v));
     give3(&mut give, or_zero(half_vector(n, v)));
-    give(&[term::lambert(n, v), term::phong(n, v, m), term::blinn(v, n, m)]);
+    give(&[
+        term::lambert(n, v),
+        term::phong(n, v, m),
+        term::blinn(v, n, m),
+    ]);
     give(&[Real::sqrt(n.x)]);
     give3(&mut give, or_zero(normal::plane(p.x, p.y, p.z)));
     give3(&mut give, or_zero(normal::sphere(*n, p)));
@@ -117,7 +129,11 @@ fn by_the_crate(scene: &Scene) -> [i32; RESULTS] {
             attenuation,
         };
         let hard = Cone::from_cosines(number(i + 17), number(i + 18)).expect("a valid cone");
-        let cone = if scene[i + 2] == 0 { hard } else { hard.smoothstep() };
+        let cone = if scene[i + 2] == 0 {
+            hard
+        } else {
+            hard.smoothstep()
+        };
         let axis = unit(i + 14);
         match scene[i] {
             0 => DirectionalLight { l, intensity }.at(p),

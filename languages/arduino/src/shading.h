@@ -1,0 +1,644 @@
+/* shading: Lambert, Phong and Blinn-Phong in linear light. MIT or Apache 2.0. */
+/* Written by the package shading-languages from the source of the crate shading; do not edit it. */
+/* All directions have length 1 and point away from the surface. A direction that does not exist is 0. */
+/* Numbers are finite, and light, reflectances and the shininess m at least 0; then no result is NaN or negative light. */
+
+#ifndef SHADING_H
+#define SHADING_H
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+typedef struct {
+    float x, y;
+} shading_vec2;
+
+/* A vector, or red, green and blue. */
+typedef struct {
+    float x, y, z;
+} shading_vec3;
+
+static inline shading_vec3 shading_vector(float x, float y, float z) {
+    shading_vec3 v = {x, y, z};
+    return v;
+}
+static inline shading_vec3 shading_add(shading_vec3 a, shading_vec3 b) {
+    return shading_vector(a.x + b.x, a.y + b.y, a.z + b.z);
+}
+static inline shading_vec3 shading_sub(shading_vec3 a, shading_vec3 b) {
+    return shading_vector(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+static inline shading_vec3 shading_mul(shading_vec3 a, shading_vec3 b) {
+    return shading_vector(a.x * b.x, a.y * b.y, a.z * b.z);
+}
+static inline shading_vec3 shading_neg(shading_vec3 a) {
+    return shading_vector(-a.x, -a.y, -a.z);
+}
+static inline shading_vec3 shading_scale(shading_vec3 a, float s) {
+    return shading_vector(a.x * s, a.y * s, a.z * s);
+}
+static inline shading_vec3 shading_over(shading_vec3 a, float s) {
+    return shading_vector(a.x / s, a.y / s, a.z / s);
+}
+static inline float shading_dot(shading_vec3 a, shading_vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+static inline shading_vec3 shading_cross(shading_vec3 a, shading_vec3 b) {
+    return shading_vector(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+static inline float shading_max(float x, float least) {
+    return x > least ? x : least;
+}
+static inline float shading_min(float x, float most) {
+    return x > most ? most : x;
+}
+static inline float shading_clamp(float x, float least, float most) {
+    return shading_min(shading_max(x, least), most);
+}
+static inline shading_vec3 shading_at_most(shading_vec3 a, float most) {
+    return shading_vector(shading_min(a.x, most), shading_min(a.y, most), shading_min(a.z, most));
+}
+
+/* A light of any kind. A sun has its direction L for a position; a lamp has the cosines -1. */
+typedef struct {
+    shading_vec3 position;
+    float is_sun;
+    shading_vec3 intensity;
+    float limit;
+    shading_vec3 coefficients;
+    float range;
+    shading_vec3 axis;
+    float is_smoothstep;
+    shading_vec2 cosines;
+    float is_gltf;
+} shading_Light;
+
+/* The reflectances of a surface, and its shininess m. */
+typedef struct {
+    shading_vec3 k_a;
+    float m;
+    shading_vec3 k_d;
+    shading_vec3 k_s;
+} shading_Material;
+
+/* What arrives at a point from one light: L, the distance q and I. */
+typedef struct {
+    shading_vec3 l;
+    float q;
+    shading_vec3 i;
+} shading_Arrival;
+
+/* The sums over lights of I max(0, N.L) and of I times the highlight. They begin as 0. */
+typedef struct {
+    shading_vec3 diffuse;
+    shading_vec3 specular;
+} shading_Sums;
+
+/* The tangent t of a triangle with texture coordinates, and its handedness h. */
+typedef struct {
+    shading_vec3 t;
+    float h;
+} shading_Tangent;
+
+/* A vector w of the direction of another, whose square is in range, |w|, and the length of the other. */
+typedef struct {
+    shading_vec3 w;
+    float w_length;
+    float length;
+} shading_Measured;
+
+/* Whether a square is so small or large that it is not exact. */
+static inline int shading_is_extreme(float square) {
+    return !(square >= 7.888609e-31f && square < 1.2676506e30f);
+}
+
+static inline int32_t shading_bits(float x) {
+    int32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+static inline float shading_from_bits(int32_t bits) {
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static inline int32_t shading_above(float x, float least) {
+    return (int32_t)((uint32_t)shading_bits(x) - (uint32_t)shading_bits(least));
+}
+
+/* e of x = 2^e z, where z is within [least, 2 least). */
+static inline float shading_exponent(float x, float least) {
+    int32_t above = shading_above(x, least);
+    return (float)((above - (above & 0x7FFFFF)) / 0x800000);
+}
+/* z of x = 2^e z. */
+static inline float shading_significand(float x, float least) {
+    int32_t above = shading_above(x, least);
+    return shading_from_bits(shading_bits(x) - (above - (above & 0x7FFFFF)));
+}
+/* 2^(n - 127) for the low byte n of the bits of x. */
+static inline float shading_two_to_low_bits(float x) {
+    return shading_from_bits((int32_t)((uint32_t)shading_bits(x) << 23));
+}
+/* How many numbers x is above another of the same exponent: x - shift, which a compiler may take apart. */
+static inline float shading_steps_above(float x, float shift) {
+    return (float)shading_above(x, shift);
+}
+
+/* (c/d)^m for c/d within [0, 1] and m >= 0, by the crate's own logarithm: within 2^-22. */
+static inline float shading_power_of_quotient(float c, float d, float m) {
+    float t1 = c * 16777216.0f;
+    float t2 = d * 11863283.0f;
+    float t3 = shading_significand(t1, t2);
+    float t4 = d * 16777216.0f;
+    float t5 = (t3 - t4) / (t3 + t4);
+    float t6 = t5 * t5;
+    float t7 = shading_max(shading_min(m
+            * (shading_exponent(t1, t2) + t5 * (2.8853905f + t6 * 0.9615518f + t6 * t6 * 0.59732693f)), 0.0f),
+            -126.0f);
+    float t8 = t7 + 12583038.0f;
+    float t9 = t7 - shading_steps_above(t8, 12583038.0f);
+    float t10 = t9 * t9;
+    return (2.0f + t9 + t9 * (0.38629442f + 0.4804531f * t9 + t10 * (0.111006565f + 0.019235516f * t9) + t10
+            * t10 * (0.0026797508f + 0.00031013472f * t9))) * shading_two_to_low_bits(t8);
+}
+
+/* c^m for c within [0, 1] and m >= 0, within 2^-22. */
+static inline float shading_power(float c, float m) {
+    float t1 = c * 16777216.0f;
+    float t2 = shading_significand(t1, 11863283.0f);
+    float t3 = (t2 - 16777216.0f) / (t2 + 16777216.0f);
+    float t4 = t3 * t3;
+    float t5 = shading_max(m * (shading_exponent(t1, 11863283.0f) + t3
+            * (2.8853905f + t4 * 0.9615518f + t4 * t4 * 0.59732693f)), -126.0f);
+    float t6 = t5 + 12583038.0f;
+    float t7 = t5 - shading_steps_above(t6, 12583038.0f);
+    float t8 = t7 * t7;
+    return (2.0f + t7 + t7 * (0.38629442f + 0.4804531f * t7 + t8 * (0.111006565f + 0.019235516f * t7) + t8
+            * t8 * (0.0026797508f + 0.00031013472f * t7))) * shading_two_to_low_bits(t6);
+}
+
+/* The length of v, and w in its direction: v itself, or v times a power of 2 where its square is out of range. */
+static inline shading_Measured shading_measured(shading_vec3 v) {
+    float square = shading_dot(v, v);
+    if (shading_is_extreme(square)) {
+        float t1 = square < 1.2676506e30f ? (square < 7.888609e-31f ? 1.2676506e30f : 1.0f) : 7.888609e-31f;
+        shading_vec3 t2 = shading_scale(shading_scale(v, shading_min(t1, 1.0f)), shading_max(t1, 1.0f));
+        float t2_dot_t2 = shading_dot(t2, t2);
+        float t3 = sqrtf(t2_dot_t2);
+        shading_Measured result = {t2, t2_dot_t2 > 0.0f && t2_dot_t2 < 3.4028235e38f ? t3 : 0.0f,
+                t2_dot_t2 > 0.0f && t2_dot_t2 < 3.4028235e38f ? shading_min(t3 / t1, 3.4028235e38f) : t3};
+        return result;
+    }
+    float t1 = sqrtf(square);
+    shading_Measured result = {v, t1, t1};
+    return result;
+}
+
+/* v/|v|; 0 where v is 0. */
+static inline shading_vec3 shading_unit(shading_vec3 v) {
+    shading_Measured of = shading_measured(v);
+    return of.w_length > 0.0f ? shading_over(of.w, of.w_length) : shading_vector(0.0f, 0.0f, 0.0f);
+}
+
+/* The vector from a point to another, times a power of 2 where its square is out of range. */
+static inline shading_vec3 shading_between(shading_vec3 origin, shading_vec3 p) {
+    shading_vec3 v = shading_sub(p, origin);
+    float square = shading_dot(v, v);
+    if (shading_is_extreme(square)) {
+        float t1 = square < 1.2676506e30f ? (square < 7.888609e-31f ? 1.2676506e30f : 1.0f) : 7.888609e-31f;
+        float t2 = shading_min(t1, 1.0f);
+        return shading_scale(shading_sub(shading_scale(p, t2), shading_scale(origin, t2)),
+                shading_max(t1, 1.0f));
+    }
+    return v;
+}
+
+/* (a - origin) x (b - origin), in the right direction even where its square is out of range. */
+static inline shading_vec3 shading_crossed(shading_vec3 origin, shading_vec3 a, shading_vec3 b) {
+    shading_vec3 c = shading_cross(shading_sub(a, origin), shading_sub(b, origin));
+    if (shading_is_extreme(shading_dot(c, c))) {
+        return shading_cross(shading_between(origin, a), shading_between(origin, b));
+    }
+    return c;
+}
+
+/* The reflection vector R = 2(N.L)N - L. Phong 1975; Foley, van Dam et al. 16.1. */
+static inline shading_vec3 shading_reflection(shading_vec3 n, shading_vec3 l) {
+    float n_dot_l = shading_dot(n, l);
+    return shading_sub(shading_scale(n, n_dot_l + n_dot_l), l);
+}
+
+/* The half vector H = (L + V)/|L + V|; 0 where L = -V. Blinn 1977. */
+static inline shading_vec3 shading_half_vector(shading_vec3 l, shading_vec3 v) {
+    return shading_unit(shading_add(l, v));
+}
+
+/* The ambient term k_a I_a. Foley, van Dam et al. 16.1. */
+static inline shading_vec3 shading_term_ambient(shading_vec3 k_a, shading_vec3 i_a) {
+    return shading_mul(k_a, i_a);
+}
+
+/* Lambert's factor max(0, N.L). Lambert 1760. */
+static inline float shading_term_lambert(shading_vec3 n, shading_vec3 l) {
+    return shading_max(shading_dot(n, l), 0.0f);
+}
+
+/* Phong's highlight max(0, R.V)^m. Phong 1975. */
+static inline float shading_term_phong(shading_vec3 r, shading_vec3 v, float m) {
+    float r_dot_v = shading_dot(r, v);
+    return r_dot_v > 0.0f ? shading_power(shading_clamp(r_dot_v, 0.0f, 1.0f), shading_max(m, 0.0f)) : 0.0f;
+}
+
+/* Blinn's highlight max(0, N.H)^m. Blinn 1977. */
+static inline float shading_term_blinn(shading_vec3 n, shading_vec3 h, float m) {
+    float n_dot_h = shading_dot(n, h);
+    return n_dot_h > 0.0f ? shading_power(shading_clamp(n_dot_h, 0.0f, 1.0f), shading_max(m, 0.0f)) : 0.0f;
+}
+
+/* What makes Phong's highlight reflect at most k_s: (m + 2)/(2 pi). Lafortune and Willems 1994. */
+static inline float shading_term_phong_normalization(float m) {
+    return (shading_max(m, 0.0f) + 2.0f) * 0.15915494f;
+}
+
+/* The same of Blinn's: (m + 2)(m + 4)/(8 pi (2^(-m/2) + m)). Giesen 2009. */
+static inline float shading_term_blinn_normalization(float m) {
+    float exponent = shading_max(m, 0.0f);
+    return (exponent + 2.0f) * 0.039788734f
+            * ((exponent + 4.0f) / (exponent + shading_power(0.70710677f, shading_max(exponent, 0.0f))));
+}
+
+/* The attenuation 1/(a + bq + cq^2). Foley, van Dam et al. 16.1; OpenGL 2.1, 2.14.1. */
+static inline float shading_attenuation(float a, float b, float c, float q) {
+    return shading_clamp(1.0f / (a + q * (b + c * q)), 0.0f, 3.4028235e38f);
+}
+
+/* What ends a light at the range r: max(0, 1 - (q/r)^4)^2. Karis 2013. */
+static inline float shading_window(float q, float r) {
+    float fraction = q / r;
+    float square = fraction * fraction;
+    float root = shading_max(1.0f - square * square, 0.0f);
+    return root * root;
+}
+
+/* The same without the square: KHR_lights_punctual. */
+static inline float shading_window_gltf(float q, float r) {
+    float fraction = q / r;
+    float square = fraction * fraction;
+    return shading_max(1.0f - square * square, 0.0f);
+}
+
+/* t^2, where t rises from 0 at the cosine of the outer edge to 1 at that of the inner. KHR_lights_punctual. */
+static inline float shading_beam(float cosine, float inner, float outer) {
+    if (!(inner > outer)) {
+        return inner > cosine ? 0.0f : 1.0f;
+    }
+    float t = shading_clamp((cosine - outer) / (inner - outer), 0.0f, 1.0f);
+    return inner > cosine ? t * t : 1.0f;
+}
+
+/* The same with t^2(3 - 2t). POV-Ray 3.7. */
+static inline float shading_beam_smoothstep(float cosine, float inner, float outer) {
+    if (!(inner > outer)) {
+        return inner > cosine ? 0.0f : 1.0f;
+    }
+    float t = shading_clamp((cosine - outer) / (inner - outer), 0.0f, 1.0f);
+    return inner > cosine ? shading_min(t * t * (3.0f - (t + t)), 1.0f) : 1.0f;
+}
+
+/* The factor of a spot's cone, given the cosines of its inner and its outer half-angle. */
+static inline float shading_cone(shading_vec3 axis, shading_vec3 l, shading_vec2 cosines) {
+    return shading_beam(shading_dot(shading_neg(axis), l), cosines.x < -0.9999995f ? -2.0f
+            : shading_min(cosines.x, 0.9999995f), cosines.x < -0.9999995f ? -2.0f
+            : shading_min(cosines.y, 0.9999995f));
+}
+
+/* The same with a smoothstep between the edges. */
+static inline float shading_cone_smoothstep(shading_vec3 axis, shading_vec3 l, shading_vec2 cosines) {
+    return shading_beam_smoothstep(shading_dot(shading_neg(axis), l), cosines.x < -0.9999995f ? -2.0f
+            : shading_min(cosines.x, 0.9999995f), cosines.x < -0.9999995f ? -2.0f
+            : shading_min(cosines.y, 0.9999995f));
+}
+
+/* What arrives at the point p: L, the distance q and I. Foley, van Dam et al. 16.1. */
+static inline shading_Arrival shading_arrival(shading_Light light, shading_vec3 p) {
+    if (light.is_sun > 0.0f) {
+        shading_Arrival result = {light.position, 3.4028235e38f, light.intensity};
+        return result;
+    }
+    shading_Measured to_light = shading_measured(shading_sub(light.position, p));
+    float t1 = shading_dot(shading_neg(light.axis), to_light.w) / to_light.w_length;
+    float t2 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.x, 0.9999995f);
+    float t3 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.y, 0.9999995f);
+    shading_Arrival result = {to_light.w_length > 0.0f ? shading_over(to_light.w, to_light.w_length)
+            : shading_vector(0.0f, 0.0f, 1.0f), shading_min(to_light.length, 3.4028235e38f),
+            shading_at_most(shading_scale(light.intensity, to_light.w_length > 0.0f
+            ? shading_clamp(1.0f / (light.coefficients.x + to_light.length
+            * (light.coefficients.y + light.coefficients.z * to_light.length)), 0.0f, light.limit)
+            * (light.range < 3.4028235e38f
+            ? (light.is_gltf > 0.0f ? shading_window_gltf(to_light.length, light.range)
+            : shading_window(to_light.length, light.range)) : 1.0f)
+            * (light.cosines.x > -1.0f
+            ? (light.is_smoothstep > 0.0f ? shading_beam_smoothstep(t1, t2, t3) : shading_beam(t1, t2, t3))
+            : 1.0f) : 0.0f), 3.4028235e38f)};
+    return result;
+}
+
+/* What one light adds by Lambert's model: I k_d max(0, N.L). */
+static inline shading_vec3 shading_shade_lambert(shading_vec3 n, shading_Material material,
+        shading_Arrival light) {
+    float n_dot_l = shading_dot(n, light.l);
+    if (!(n_dot_l > 0.0f)) {
+        return shading_vector(0.0f, 0.0f, 0.0f);
+    }
+    return shading_mul(shading_scale(light.i, shading_clamp(n_dot_l, 0.0f, 1.0f)), material.k_d);
+}
+
+/* What one light adds by Phong's model: I (k_d N.L + k_s max(0, R.V)^m), where N.L > 0. Phong 1975. */
+static inline shading_vec3 shading_shade_phong(shading_vec3 n, shading_vec3 v, shading_Material material,
+        shading_Arrival light) {
+    float n_dot_l = shading_dot(n, light.l);
+    if (!(n_dot_l > 0.0f)) {
+        return shading_vector(0.0f, 0.0f, 0.0f);
+    }
+    shading_vec3 r = shading_sub(shading_scale(n, n_dot_l + n_dot_l), light.l);
+    float r_dot_v = shading_dot(r, v);
+    return shading_add(shading_mul(shading_scale(light.i, shading_clamp(n_dot_l, 0.0f, 1.0f)), material.k_d),
+            shading_mul(shading_scale(light.i, r_dot_v > 0.0f
+            ? shading_power(shading_clamp(r_dot_v, 0.0f, 1.0f), shading_max(material.m, 0.0f)) : 0.0f),
+            material.k_s));
+}
+
+/* What one light adds by Blinn and Phong's model: I (k_d N.L + k_s max(0, N.H)^m), where N.L > 0. Blinn 1977. */
+static inline shading_vec3 shading_shade_blinn_phong(shading_vec3 n, shading_vec3 v,
+        shading_Material material, shading_Arrival light) {
+    float n_dot_l = shading_dot(n, light.l);
+    if (!(n_dot_l > 0.0f)) {
+        return shading_vector(0.0f, 0.0f, 0.0f);
+    }
+    shading_vec3 h = shading_add(light.l, v);
+    float n_dot_h = shading_dot(n, h);
+    return shading_add(shading_mul(shading_scale(light.i, shading_clamp(n_dot_l, 0.0f, 1.0f)), material.k_d),
+            shading_mul(shading_scale(light.i, n_dot_h > 0.0f
+            ? shading_power_of_quotient(n_dot_h * n_dot_h, shading_dot(h, h),
+            shading_max(0.5f * material.m, 0.0f)) : 0.0f), material.k_s));
+}
+
+/* The sums over lights after one more, by Lambert's model. A light from behind adds nothing and costs no root. */
+static inline shading_Sums shading_add_lambert(shading_Sums sums, shading_vec3 n, shading_Light light,
+        shading_vec3 p) {
+    if (light.is_sun > 0.0f) {
+        float t1 = shading_dot(n, light.position);
+        if (!(t1 > 0.0f)) {
+            shading_Sums result = {sums.diffuse, sums.specular};
+            return result;
+        }
+        shading_Sums result = {shading_add(sums.diffuse,
+                shading_scale(light.intensity, shading_clamp(t1, 0.0f, 1.0f))), sums.specular};
+        return result;
+    }
+    shading_vec3 t1 = shading_sub(light.position, p);
+    if (!(shading_dot(n, t1) > 0.0f)) {
+        shading_Sums result = {sums.diffuse, sums.specular};
+        return result;
+    }
+    shading_Measured t2 = shading_measured(t1);
+    float t3 = shading_dot(shading_neg(light.axis), t2.w) / t2.w_length;
+    float t4 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.x, 0.9999995f);
+    float t5 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.y, 0.9999995f);
+    shading_Sums result = {shading_add(sums.diffuse,
+            shading_scale(light.intensity,
+            shading_clamp(1.0f / (light.coefficients.x + t2.length
+            * (light.coefficients.y + light.coefficients.z * t2.length)), 0.0f, light.limit)
+            * (light.range < 3.4028235e38f
+            ? (light.is_gltf > 0.0f ? shading_window_gltf(t2.length, light.range)
+            : shading_window(t2.length, light.range)) : 1.0f)
+            * (light.cosines.x > -1.0f
+            ? (light.is_smoothstep > 0.0f ? shading_beam_smoothstep(t3, t4, t5) : shading_beam(t3, t4, t5))
+            : 1.0f) * shading_clamp(shading_dot(n, t2.w) / t2.w_length, 0.0f, 1.0f))), sums.specular};
+    return result;
+}
+
+/* The same by Phong's model. */
+static inline shading_Sums shading_add_phong(shading_Sums sums, shading_vec3 n, shading_vec3 v, float m,
+        shading_Light light, shading_vec3 p) {
+    if (light.is_sun > 0.0f) {
+        float t1 = shading_dot(n, light.position);
+        if (!(t1 > 0.0f)) {
+            shading_Sums result = {sums.diffuse, sums.specular};
+            return result;
+        }
+        float t2 = shading_dot(shading_sub(shading_scale(n, t1 + t1), light.position), v);
+        shading_Sums result = {shading_add(sums.diffuse,
+                shading_scale(light.intensity, shading_clamp(t1, 0.0f, 1.0f))),
+                shading_add(sums.specular,
+                shading_scale(light.intensity, t2 > 0.0f
+                ? shading_power(shading_clamp(t2, 0.0f, 1.0f), shading_max(m, 0.0f)) : 0.0f))};
+        return result;
+    }
+    shading_vec3 t1 = shading_sub(light.position, p);
+    if (!(shading_dot(n, t1) > 0.0f)) {
+        shading_Sums result = {sums.diffuse, sums.specular};
+        return result;
+    }
+    shading_Measured t2 = shading_measured(t1);
+    float t3 = shading_dot(shading_neg(light.axis), t2.w) / t2.w_length;
+    float t4 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.x, 0.9999995f);
+    float t5 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.y, 0.9999995f);
+    float t6 = shading_clamp(1.0f
+            / (light.coefficients.x + t2.length * (light.coefficients.y + light.coefficients.z * t2.length)),
+            0.0f, light.limit) * (light.range < 3.4028235e38f
+            ? (light.is_gltf > 0.0f ? shading_window_gltf(t2.length, light.range)
+            : shading_window(t2.length, light.range)) : 1.0f)
+            * (light.cosines.x > -1.0f
+            ? (light.is_smoothstep > 0.0f ? shading_beam_smoothstep(t3, t4, t5) : shading_beam(t3, t4, t5))
+            : 1.0f);
+    float t7 = shading_dot(n, t2.w);
+    float t8 = shading_dot(shading_sub(shading_scale(n, t7 + t7), t2.w), v) / t2.w_length;
+    shading_Sums result = {shading_add(sums.diffuse,
+            shading_scale(light.intensity, t6 * shading_clamp(t7 / t2.w_length, 0.0f, 1.0f))),
+            shading_add(sums.specular,
+            shading_scale(light.intensity, t6
+            * (t8 > 0.0f ? shading_power(shading_clamp(t8, 0.0f, 1.0f), shading_max(m, 0.0f)) : 0.0f)))};
+    return result;
+}
+
+/* The same by Blinn and Phong's model. */
+static inline shading_Sums shading_add_blinn_phong(shading_Sums sums, shading_vec3 n, shading_vec3 v, float m,
+        shading_Light light, shading_vec3 p) {
+    if (light.is_sun > 0.0f) {
+        float t1 = shading_dot(n, light.position);
+        if (!(t1 > 0.0f)) {
+            shading_Sums result = {sums.diffuse, sums.specular};
+            return result;
+        }
+        shading_vec3 t2 = shading_add(light.position, v);
+        float n_dot_t2 = shading_dot(n, t2);
+        shading_Sums result = {shading_add(sums.diffuse,
+                shading_scale(light.intensity, shading_clamp(t1, 0.0f, 1.0f))),
+                shading_add(sums.specular,
+                shading_scale(light.intensity, n_dot_t2 > 0.0f
+                ? shading_power_of_quotient(n_dot_t2 * n_dot_t2, shading_dot(t2, t2),
+                shading_max(0.5f * m, 0.0f)) : 0.0f))};
+        return result;
+    }
+    shading_vec3 t1 = shading_sub(light.position, p);
+    if (!(shading_dot(n, t1) > 0.0f)) {
+        shading_Sums result = {sums.diffuse, sums.specular};
+        return result;
+    }
+    shading_Measured t2 = shading_measured(t1);
+    float t3 = shading_dot(shading_neg(light.axis), t2.w) / t2.w_length;
+    float t4 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.x, 0.9999995f);
+    float t5 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.y, 0.9999995f);
+    float t6 = shading_clamp(1.0f
+            / (light.coefficients.x + t2.length * (light.coefficients.y + light.coefficients.z * t2.length)),
+            0.0f, light.limit) * (light.range < 3.4028235e38f
+            ? (light.is_gltf > 0.0f ? shading_window_gltf(t2.length, light.range)
+            : shading_window(t2.length, light.range)) : 1.0f)
+            * (light.cosines.x > -1.0f
+            ? (light.is_smoothstep > 0.0f ? shading_beam_smoothstep(t3, t4, t5) : shading_beam(t3, t4, t5))
+            : 1.0f);
+    shading_vec3 t7 = shading_add(t2.w, shading_scale(v, t2.w_length));
+    float n_dot_t7 = shading_dot(n, t7);
+    shading_Sums result = {shading_add(sums.diffuse,
+            shading_scale(light.intensity, t6
+            * shading_clamp(shading_dot(n, t2.w) / t2.w_length, 0.0f, 1.0f))),
+            shading_add(sums.specular,
+            shading_scale(light.intensity, t6
+            * (n_dot_t7 > 0.0f ? shading_power_of_quotient(n_dot_t7 * n_dot_t7, shading_dot(t7, t7),
+            shading_max(0.5f * m, 0.0f)) : 0.0f)))};
+    return result;
+}
+
+/* The light that the point reflects: k_a I_a + k_d times the diffuse sum + k_s times the specular one. */
+static inline shading_vec3 shading_total(shading_Sums sums, shading_Material material, shading_vec3 i_a) {
+    return shading_add(shading_add(shading_mul(material.k_a, i_a),
+            shading_mul(shading_at_most(sums.diffuse, 3.4028235e38f), material.k_d)),
+            shading_mul(shading_at_most(sums.specular, 3.4028235e38f), material.k_s));
+}
+
+/* The normal of the plane ax + by + cz + d = 0: (a, b, c)/|(a, b, c)|. Foley, van Dam et al. 11.1.3. */
+static inline shading_vec3 shading_normal_plane(float a, float b, float c) {
+    return shading_unit(shading_vector(a, b, c));
+}
+
+/* The normal of a triangle, counter-clockwise: (v2 - v1) x (v3 - v1), length 1. Foley, van Dam et al. 11.1.3. */
+static inline shading_vec3 shading_normal_triangle(shading_vec3 v1, shading_vec3 v2, shading_vec3 v3) {
+    return shading_unit(shading_crossed(v1, v2, v3));
+}
+
+/* The normal of a sphere: (p - center)/|p - center|. Foley, van Dam et al. 15.10.1. */
+static inline shading_vec3 shading_normal_sphere(shading_vec3 center, shading_vec3 p) {
+    return shading_unit(shading_between(center, p));
+}
+
+/* The normal of f(p) = 0 by the gradient of f, length 1. Foley, van Dam et al. 11.4. */
+static inline shading_vec3 shading_normal_from_gradient(shading_vec3 gradient) {
+    return shading_unit(gradient);
+}
+
+/* The normal of s(u, v): ds/du x ds/dv, length 1. Foley, van Dam et al. 11.3.4. */
+static inline shading_vec3 shading_normal_from_tangents(shading_vec3 s_u, shading_vec3 s_v) {
+    return shading_unit(shading_crossed(shading_vector(0.0f, 0.0f, 0.0f), s_u, s_v));
+}
+
+/* N toward the eye: N if F.V >= 0, else -N, where F is the normal of the face. GLSL 4.60, 8.5. */
+static inline shading_vec3 shading_normal_facing(shading_vec3 n, shading_vec3 v, shading_vec3 f) {
+    return shading_dot(shading_neg(f), v) > 0.0f ? shading_neg(n) : n;
+}
+
+/* A normal transformed by the matrix of the columns a, b, c: cof(M) N, length 1. Lengyel 2024. */
+static inline shading_vec3 shading_normal_transformed(shading_vec3 n, shading_vec3 a, shading_vec3 b,
+        shading_vec3 c) {
+    if (shading_is_extreme(shading_dot(a, a)) || shading_is_extreme(shading_dot(b,
+            b)) || shading_is_extreme(shading_dot(c, c))) {
+        shading_vec3 t1 = shading_add(shading_unit(b), shading_scale(b, 0.0f));
+        shading_vec3 t2 = shading_add(shading_unit(c), shading_scale(c, 0.0f));
+        float t3 = fabsf(n.x);
+        shading_Measured t4 = shading_measured(a);
+        float t5 = fabsf(n.y);
+        shading_Measured t6 = shading_measured(b);
+        float t7 = fabsf(n.z);
+        shading_Measured t8 = shading_measured(c);
+        float t9 = shading_min(shading_min(t3 > 0.0f ? t4.length : 3.4028235e38f, t5 > 0.0f ? t6.length
+                : 3.4028235e38f), t7 > 0.0f ? t8.length : 3.4028235e38f);
+        shading_vec3 t10 = shading_add(shading_unit(a), shading_scale(a, 0.0f));
+        return shading_unit(shading_add(shading_add(shading_scale(shading_cross(t1, t2), t3 > 0.0f ? n.x
+                * (t4.length > t9 ? t9 / t4.length : 1.0f) : 0.0f),
+                shading_scale(shading_cross(t2, t10), t5 > 0.0f ? n.y
+                * (t6.length > t9 ? t9 / t6.length : 1.0f) : 0.0f)),
+                shading_scale(shading_cross(t10, t1), t7 > 0.0f ? n.z
+                * (t8.length > t9 ? t9 / t8.length : 1.0f) : 0.0f)));
+    }
+    return shading_unit(shading_add(shading_add(shading_scale(shading_cross(b, c), n.x),
+            shading_scale(shading_cross(c, a), n.y)), shading_scale(shading_cross(a, b), n.z)));
+}
+
+/* A triangle's normal times its angle at v1, to be summed over a mesh. Thuermer and Wuethrich 1998. */
+static inline shading_vec3 shading_normal_corner(shading_vec3 v1, shading_vec3 v2, shading_vec3 v3) {
+    shading_vec3 t1 = shading_between(v1, v2);
+    shading_vec3 t2 = shading_between(v1, v3);
+    shading_Measured t3 = shading_measured(shading_cross(t1, t2));
+    float t1_dot_t2 = shading_dot(t1, t2);
+    float t4 = fabsf(t1_dot_t2);
+    float t5 = t4 * 2.4142137f > t3.length ? (t1_dot_t2 > 0.0f ? 1.0f : -1.0f) : 0.0f;
+    float t6 = t3.length > t4 * 0.41421357f ? 1.0f : 0.0f;
+    float t7 = (t5 * t3.length - t6 * t1_dot_t2) / (t5 * t1_dot_t2 + t6 * t3.length);
+    float t8 = t7 * t7;
+    float t9 = t8 * t8;
+    float t10 = t9 * t9;
+    return shading_scale(t3.w_length > 0.0f ? shading_over(t3.w, t3.w_length)
+            : shading_vector(0.0f, 0.0f, 0.0f),
+            shading_max(1.5707964f - t5 * (1.5707964f - t6 * 0.7853982f)
+            + (t7 + t7 * (t8 * (-0.33333334f + t8 * 0.2f + t9 * (-0.14285715f + t8 * 0.111111104f) + t10
+            * (-0.0909089f + t8 * 0.07691945f + t9 * (-0.06661951f + t8 * 0.05840374f) + t10
+            * (-0.050085507f + t8 * 0.03734732f + t9 * -0.01718003f))))), 0.0f));
+}
+
+/* The tangent of a triangle and its handedness, by the texture coordinates of its vertices. Lengyel 2001. */
+static inline shading_Tangent shading_normal_tangent(shading_vec3 v1, shading_vec3 v2, shading_vec3 v3,
+        shading_vec2 uv1, shading_vec2 uv2, shading_vec2 uv3) {
+    shading_vec3 t1 = shading_scale(v1, 0.5f);
+    shading_vec3 t2 = shading_sub(shading_scale(v2, 0.5f), t1);
+    shading_vec3 t3 = shading_sub(shading_scale(v3, 0.5f), t1);
+    float t4 = shading_max(shading_measured(t2).length, shading_measured(t3).length);
+    float t5 = uv1.y * 0.5f;
+    float t6 = uv3.y * 0.5f - t5;
+    float t7 = uv2.y * 0.5f - t5;
+    float t8 = shading_max(fabsf(t7), fabsf(t6));
+    float t9 = t6 / t8;
+    float t10 = t7 / t8;
+    float t11 = uv1.x * 0.5f;
+    float t12 = uv2.x * 0.5f - t11;
+    float t13 = uv3.x * 0.5f - t11;
+    float t14 = shading_max(fabsf(t12), fabsf(t13));
+    float t15 = t12 / t14 * t9 - t13 / t14 * t10;
+    float t16 = t15 > 0.0f ? 1.0f : -1.0f;
+    shading_Measured t17 = shading_measured(shading_scale(shading_sub(shading_scale(shading_over(t2, t4), t9),
+            shading_scale(shading_over(t3, t4), t10)), t16));
+    if (!(t17.w_length > 0.0f && fabsf(t15) > 0.0f)) {
+        shading_Tangent result = {shading_vector(0.0f, 0.0f, 0.0f), 0.0f};
+        return result;
+    }
+    shading_Tangent result = {shading_over(t17.w, t17.w_length), t16};
+    return result;
+}
+
+/* A normal from a map: x t + y b + z N, length 1. glTF 2.0, 3.7.2.1. */
+static inline shading_vec3 shading_normal_mapped(shading_vec3 n, shading_vec3 tangent, float h,
+        shading_vec3 s) {
+    shading_Measured t1 = shading_measured(shading_crossed(shading_vector(0.0f, 0.0f, 0.0f), n, tangent));
+    shading_Measured t2 = shading_measured(s);
+    if (!(t1.w_length > 0.0f && t2.w_length > 0.0f)) {
+        return shading_vector(0.0f, 0.0f, 0.0f);
+    }
+    shading_vec3 t3 = shading_over(t1.w, t1.w_length);
+    return shading_unit(shading_add(shading_add(shading_scale(shading_cross(t3, n), t2.w.x / t2.w_length),
+            shading_scale(shading_scale(t3, h > 0.0f ? 1.0f : -1.0f), t2.w.y / t2.w_length)),
+            shading_scale(n, t2.w.z / t2.w_length)));
+}
+
+#endif
