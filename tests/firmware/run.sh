@@ -130,7 +130,8 @@ for target in $m4f $m0 $riscv; do
     # shellcheck disable=SC2086 # two words
     read -r by_the_crate by_the_header <<<"$(run "$target" release c $icount)"
     echo "$target: $by_the_crate, $by_the_header"
-    within "$target: hundredths of the crate's instructions in C" $((100 * by_the_header / by_the_crate)) 105
+    within "$target: hundredths of the crate's instructions in C" $((100 * by_the_header / by_the_crate)) \
+        $([ "$target" = $m4f ] && echo 118 || echo 105)
 done
 
 echo "== the ball, by the crate, by hand and in C: bytes of flash, millions of instructions, pixels that differ from the exact picture"

@@ -149,51 +149,55 @@ static inline float shading_steps_above(float x, float shift) {
 
 /* (c/d)^m for c/d within [0, 1] and m >= 0, by the crate's own logarithm: within 2^-22. */
 static inline float shading_power_of_quotient(float c, float d, float m) {
-    float t1 = c * 16777216.0f;
-    float t2 = d * 11863283.0f;
-    float t3 = shading_significand(t1, t2);
-    float t4 = d * 16777216.0f;
-    float t5 = (t3 - t4) / (t3 + t4);
-    float t6 = t5 * t5;
-    float t7 = shading_max(shading_min(m
-            * (shading_exponent(t1, t2) + t5 * (2.8853905f + t6 * 0.9615518f + t6 * t6 * 0.59732693f)), 0.0f),
-            -126.0f);
-    float t8 = t7 + 12583038.0f;
-    float t9 = t7 - shading_steps_above(t8, 12583038.0f);
-    float t10 = t9 * t9;
-    return (2.0f + t9 + t9 * (0.38629442f + 0.4804531f * t9 + t10 * (0.111006565f + 0.019235516f * t9) + t10
-            * t10 * (0.0026797508f + 0.00031013472f * t9))) * shading_two_to_low_bits(t8);
+    float scaled = c * 16777216.0f;
+    float least = d * 11863283.0f;
+    float z = shading_significand(scaled, least);
+    float one = d * 16777216.0f;
+    float s = (z - one) / (z + one);
+    float s2 = s * s;
+    float log2 = shading_exponent(scaled, least) + s * (2.8853905f + s2 * 0.9615518f + s2 * s2 * 0.59732693f);
+    float y = shading_max(shading_min(m * log2, 0.0f), -126.0f);
+    float shifted = y + 12583038.0f;
+    float r = y - shading_steps_above(shifted, 12583038.0f);
+    float r2 = r * r;
+    float q = 0.38629442f + 0.4804531f * r + r2 * (0.111006565f + 0.019235516f * r) + r2 * r2
+            * (0.0026797508f + 0.00031013472f * r);
+    return (2.0f + r + r * q) * shading_two_to_low_bits(shifted);
 }
 
 /* c^m for c within [0, 1] and m >= 0, within 2^-22. */
 static inline float shading_power(float c, float m) {
-    float t1 = c * 16777216.0f;
-    float t2 = shading_significand(t1, 11863283.0f);
-    float t3 = (t2 - 16777216.0f) / (t2 + 16777216.0f);
-    float t4 = t3 * t3;
-    float t5 = shading_max(m * (shading_exponent(t1, 11863283.0f) + t3
-            * (2.8853905f + t4 * 0.9615518f + t4 * t4 * 0.59732693f)), -126.0f);
-    float t6 = t5 + 12583038.0f;
-    float t7 = t5 - shading_steps_above(t6, 12583038.0f);
-    float t8 = t7 * t7;
-    return (2.0f + t7 + t7 * (0.38629442f + 0.4804531f * t7 + t8 * (0.111006565f + 0.019235516f * t7) + t8
-            * t8 * (0.0026797508f + 0.00031013472f * t7))) * shading_two_to_low_bits(t6);
+    float scaled = c * 16777216.0f;
+    float z = shading_significand(scaled, 11863283.0f);
+    float s = (z - 16777216.0f) / (z + 16777216.0f);
+    float s2 = s * s;
+    float log2 = shading_exponent(scaled, 11863283.0f) + s
+            * (2.8853905f + s2 * 0.9615518f + s2 * s2 * 0.59732693f);
+    float y = shading_max(m * log2, -126.0f);
+    float shifted = y + 12583038.0f;
+    float r = y - shading_steps_above(shifted, 12583038.0f);
+    float r2 = r * r;
+    float q = 0.38629442f + 0.4804531f * r + r2 * (0.111006565f + 0.019235516f * r) + r2 * r2
+            * (0.0026797508f + 0.00031013472f * r);
+    return (2.0f + r + r * q) * shading_two_to_low_bits(shifted);
 }
 
 /* The length of v, and w in its direction: v itself, or v times a power of 2 where its square is out of range. */
 static inline shading_Measured shading_measured(shading_vec3 v) {
     float square = shading_dot(v, v);
     if (shading_is_extreme(square)) {
-        float t1 = square < 1.2676506e30f ? (square < 7.888609e-31f ? 1.2676506e30f : 1.0f) : 7.888609e-31f;
-        shading_vec3 t2 = shading_scale(shading_scale(v, shading_min(t1, 1.0f)), shading_max(t1, 1.0f));
-        float t2_dot_t2 = shading_dot(t2, t2);
-        float t3 = sqrtf(t2_dot_t2);
-        shading_Measured result = {t2, t2_dot_t2 > 0.0f && t2_dot_t2 < 3.4028235e38f ? t3 : 0.0f,
-                t2_dot_t2 > 0.0f && t2_dot_t2 < 3.4028235e38f ? shading_min(t3 / t1, 3.4028235e38f) : t3};
+        float power = square < 1.2676506e30f ? (square < 7.888609e-31f ? 1.2676506e30f : 1.0f)
+                : 7.888609e-31f;
+        shading_vec3 w = shading_scale(shading_scale(v, shading_min(power, 1.0f)), shading_max(power, 1.0f));
+        float w_square = shading_dot(w, w);
+        float root = sqrtf(w_square);
+        shading_Measured result = {w, w_square > 0.0f && w_square < 3.4028235e38f ? root : 0.0f,
+                w_square > 0.0f && w_square < 3.4028235e38f ? shading_min(root / power, 3.4028235e38f)
+                : root};
         return result;
     }
-    float t1 = sqrtf(square);
-    shading_Measured result = {v, t1, t1};
+    float length = sqrtf(square);
+    shading_Measured result = {v, length, length};
     return result;
 }
 
@@ -208,10 +212,11 @@ static inline shading_vec3 shading_between(shading_vec3 origin, shading_vec3 p) 
     shading_vec3 v = shading_sub(p, origin);
     float square = shading_dot(v, v);
     if (shading_is_extreme(square)) {
-        float t1 = square < 1.2676506e30f ? (square < 7.888609e-31f ? 1.2676506e30f : 1.0f) : 7.888609e-31f;
-        float t2 = shading_min(t1, 1.0f);
-        return shading_scale(shading_sub(shading_scale(p, t2), shading_scale(origin, t2)),
-                shading_max(t1, 1.0f));
+        float power = square < 1.2676506e30f ? (square < 7.888609e-31f ? 1.2676506e30f : 1.0f)
+                : 7.888609e-31f;
+        float shrink = shading_min(power, 1.0f);
+        return shading_scale(shading_sub(shading_scale(p, shrink), shading_scale(origin, shrink)),
+                shading_max(power, 1.0f));
     }
     return v;
 }
@@ -310,16 +315,34 @@ static inline float shading_beam_smoothstep(float cosine, float inner, float out
 
 /* The factor of a spot's cone, given the cosines of its inner and its outer half-angle. */
 static inline float shading_cone(shading_vec3 axis, shading_vec3 l, shading_vec2 cosines) {
-    return shading_beam(shading_dot(shading_neg(axis), l), cosines.x < -0.9999995f ? -2.0f
-            : shading_min(cosines.x, 0.9999995f), cosines.x < -0.9999995f ? -2.0f
-            : shading_min(cosines.y, 0.9999995f));
+    float inner = cosines.x < -0.9999995f ? -2.0f : shading_min(cosines.x, 0.9999995f);
+    float outer = cosines.x < -0.9999995f ? -2.0f : shading_min(cosines.y, 0.9999995f);
+    return shading_beam(shading_dot(shading_neg(axis), l), inner, outer);
 }
 
 /* The same with a smoothstep between the edges. */
 static inline float shading_cone_smoothstep(shading_vec3 axis, shading_vec3 l, shading_vec2 cosines) {
-    return shading_beam_smoothstep(shading_dot(shading_neg(axis), l), cosines.x < -0.9999995f ? -2.0f
-            : shading_min(cosines.x, 0.9999995f), cosines.x < -0.9999995f ? -2.0f
-            : shading_min(cosines.y, 0.9999995f));
+    float cosine = shading_dot(shading_neg(axis), l);
+    float inner = cosines.x < -0.9999995f ? -2.0f : shading_min(cosines.x, 0.9999995f);
+    float outer = cosines.x < -0.9999995f ? -2.0f : shading_min(cosines.y, 0.9999995f);
+    return shading_beam_smoothstep(cosine, inner, outer);
+}
+
+/* What dims a light after the distance q: its attenuation, at most its limit, and the window of its range. */
+static inline float shading_falloff(shading_Light light, float q) {
+    return shading_clamp(1.0f
+            / (light.coefficients.x + q * (light.coefficients.y + light.coefficients.z * q)), 0.0f,
+            light.limit) * (light.range < 3.4028235e38f
+            ? (light.is_gltf > 0.0f ? shading_window_gltf(q, light.range) : shading_window(q, light.range))
+            : 1.0f);
+}
+
+/* The factor of a spot's cone, by the cosine between its axis and -L. */
+static inline float shading_spot(shading_Light light, float cosine) {
+    float inner = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.x, 0.9999995f);
+    float outer = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.y, 0.9999995f);
+    return light.is_smoothstep > 0.0f ? shading_beam_smoothstep(cosine, inner, outer)
+            : shading_beam(cosine, inner, outer);
 }
 
 /* What arrives at the point p: L, the distance q and I. Foley, van Dam et al. 16.1. */
@@ -329,20 +352,13 @@ static inline shading_Arrival shading_arrival(shading_Light light, shading_vec3 
         return result;
     }
     shading_Measured to_light = shading_measured(shading_sub(light.position, p));
-    float t1 = shading_dot(shading_neg(light.axis), to_light.w) / to_light.w_length;
-    float t2 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.x, 0.9999995f);
-    float t3 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.y, 0.9999995f);
+    float dimmed = to_light.w_length > 0.0f ? shading_falloff(light, to_light.length)
+            * (light.cosines.x > -1.0f
+            ? shading_spot(light, shading_dot(shading_neg(light.axis), to_light.w) / to_light.w_length)
+            : 1.0f) : 0.0f;
     shading_Arrival result = {to_light.w_length > 0.0f ? shading_over(to_light.w, to_light.w_length)
             : shading_vector(0.0f, 0.0f, 1.0f), shading_min(to_light.length, 3.4028235e38f),
-            shading_at_most(shading_scale(light.intensity, to_light.w_length > 0.0f
-            ? shading_clamp(1.0f / (light.coefficients.x + to_light.length
-            * (light.coefficients.y + light.coefficients.z * to_light.length)), 0.0f, light.limit)
-            * (light.range < 3.4028235e38f
-            ? (light.is_gltf > 0.0f ? shading_window_gltf(to_light.length, light.range)
-            : shading_window(to_light.length, light.range)) : 1.0f)
-            * (light.cosines.x > -1.0f
-            ? (light.is_smoothstep > 0.0f ? shading_beam_smoothstep(t1, t2, t3) : shading_beam(t1, t2, t3))
-            : 1.0f) : 0.0f), 3.4028235e38f)};
+            shading_at_most(shading_scale(light.intensity, dimmed), 3.4028235e38f)};
     return result;
 }
 
@@ -363,12 +379,14 @@ static inline shading_vec3 shading_shade_phong(shading_vec3 n, shading_vec3 v, s
     if (!(n_dot_l > 0.0f)) {
         return shading_vector(0.0f, 0.0f, 0.0f);
     }
+    shading_vec3 diffuse = shading_mul(shading_scale(light.i, shading_clamp(n_dot_l, 0.0f, 1.0f)),
+            material.k_d);
     shading_vec3 r = shading_sub(shading_scale(n, n_dot_l + n_dot_l), light.l);
     float r_dot_v = shading_dot(r, v);
-    return shading_add(shading_mul(shading_scale(light.i, shading_clamp(n_dot_l, 0.0f, 1.0f)), material.k_d),
-            shading_mul(shading_scale(light.i, r_dot_v > 0.0f
-            ? shading_power(shading_clamp(r_dot_v, 0.0f, 1.0f), shading_max(material.m, 0.0f)) : 0.0f),
-            material.k_s));
+    float highlight = r_dot_v > 0.0f
+            ? shading_power(shading_clamp(r_dot_v, 0.0f, 1.0f), shading_max(material.m, 0.0f)) : 0.0f;
+    shading_vec3 specular = shading_mul(shading_scale(light.i, highlight), material.k_s);
+    return shading_add(diffuse, specular);
 }
 
 /* What one light adds by Blinn and Phong's model: I (k_d N.L + k_s max(0, N.H)^m), where N.L > 0. Blinn 1977. */
@@ -378,46 +396,42 @@ static inline shading_vec3 shading_shade_blinn_phong(shading_vec3 n, shading_vec
     if (!(n_dot_l > 0.0f)) {
         return shading_vector(0.0f, 0.0f, 0.0f);
     }
+    shading_vec3 diffuse = shading_mul(shading_scale(light.i, shading_clamp(n_dot_l, 0.0f, 1.0f)),
+            material.k_d);
     shading_vec3 h = shading_add(light.l, v);
     float n_dot_h = shading_dot(n, h);
-    return shading_add(shading_mul(shading_scale(light.i, shading_clamp(n_dot_l, 0.0f, 1.0f)), material.k_d),
-            shading_mul(shading_scale(light.i, n_dot_h > 0.0f
+    float highlight = n_dot_h > 0.0f
             ? shading_power_of_quotient(n_dot_h * n_dot_h, shading_dot(h, h),
-            shading_max(0.5f * material.m, 0.0f)) : 0.0f), material.k_s));
+            shading_max(0.5f * material.m, 0.0f)) : 0.0f;
+    shading_vec3 specular = shading_mul(shading_scale(light.i, highlight), material.k_s);
+    return shading_add(diffuse, specular);
 }
 
 /* The sums over lights after one more, by Lambert's model. A light from behind adds nothing and costs no root. */
 static inline shading_Sums shading_add_lambert(shading_Sums sums, shading_vec3 n, shading_Light light,
         shading_vec3 p) {
     if (light.is_sun > 0.0f) {
-        float t1 = shading_dot(n, light.position);
-        if (!(t1 > 0.0f)) {
-            shading_Sums result = {sums.diffuse, sums.specular};
-            return result;
+        float n_dot_l = shading_dot(n, light.position);
+        if (!(n_dot_l > 0.0f)) {
+            return sums;
         }
         shading_Sums result = {shading_add(sums.diffuse,
-                shading_scale(light.intensity, shading_clamp(t1, 0.0f, 1.0f))), sums.specular};
+                shading_scale(light.intensity, shading_clamp(n_dot_l, 0.0f, 1.0f))), sums.specular};
         return result;
     }
-    shading_vec3 t1 = shading_sub(light.position, p);
-    if (!(shading_dot(n, t1) > 0.0f)) {
-        shading_Sums result = {sums.diffuse, sums.specular};
-        return result;
+    shading_vec3 way = shading_sub(light.position, p);
+    if (!(shading_dot(n, way) > 0.0f)) {
+        return sums;
     }
-    shading_Measured t2 = shading_measured(t1);
-    float t3 = shading_dot(shading_neg(light.axis), t2.w) / t2.w_length;
-    float t4 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.x, 0.9999995f);
-    float t5 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.y, 0.9999995f);
+    shading_Measured to_light = shading_measured(way);
+    float dimmed = shading_falloff(light, to_light.length)
+            * (light.cosines.x > -1.0f
+            ? shading_spot(light, shading_dot(shading_neg(light.axis), to_light.w) / to_light.w_length)
+            : 1.0f);
     shading_Sums result = {shading_add(sums.diffuse,
             shading_scale(light.intensity,
-            shading_clamp(1.0f / (light.coefficients.x + t2.length
-            * (light.coefficients.y + light.coefficients.z * t2.length)), 0.0f, light.limit)
-            * (light.range < 3.4028235e38f
-            ? (light.is_gltf > 0.0f ? shading_window_gltf(t2.length, light.range)
-            : shading_window(t2.length, light.range)) : 1.0f)
-            * (light.cosines.x > -1.0f
-            ? (light.is_smoothstep > 0.0f ? shading_beam_smoothstep(t3, t4, t5) : shading_beam(t3, t4, t5))
-            : 1.0f) * shading_clamp(shading_dot(n, t2.w) / t2.w_length, 0.0f, 1.0f))), sums.specular};
+            dimmed * shading_clamp(shading_dot(n, to_light.w) / to_light.w_length, 0.0f, 1.0f))),
+            sums.specular};
     return result;
 }
 
@@ -425,43 +439,35 @@ static inline shading_Sums shading_add_lambert(shading_Sums sums, shading_vec3 n
 static inline shading_Sums shading_add_phong(shading_Sums sums, shading_vec3 n, shading_vec3 v, float m,
         shading_Light light, shading_vec3 p) {
     if (light.is_sun > 0.0f) {
-        float t1 = shading_dot(n, light.position);
-        if (!(t1 > 0.0f)) {
-            shading_Sums result = {sums.diffuse, sums.specular};
-            return result;
+        float n_dot_l = shading_dot(n, light.position);
+        if (!(n_dot_l > 0.0f)) {
+            return sums;
         }
-        float t2 = shading_dot(shading_sub(shading_scale(n, t1 + t1), light.position), v);
+        float r_dot_v = shading_dot(shading_sub(shading_scale(n, n_dot_l + n_dot_l), light.position), v);
+        float highlight_of_sun = r_dot_v > 0.0f
+                ? shading_power(shading_clamp(r_dot_v, 0.0f, 1.0f), shading_max(m, 0.0f)) : 0.0f;
         shading_Sums result = {shading_add(sums.diffuse,
-                shading_scale(light.intensity, shading_clamp(t1, 0.0f, 1.0f))),
-                shading_add(sums.specular,
-                shading_scale(light.intensity, t2 > 0.0f
-                ? shading_power(shading_clamp(t2, 0.0f, 1.0f), shading_max(m, 0.0f)) : 0.0f))};
+                shading_scale(light.intensity, shading_clamp(n_dot_l, 0.0f, 1.0f))),
+                shading_add(sums.specular, shading_scale(light.intensity, highlight_of_sun))};
         return result;
     }
-    shading_vec3 t1 = shading_sub(light.position, p);
-    if (!(shading_dot(n, t1) > 0.0f)) {
-        shading_Sums result = {sums.diffuse, sums.specular};
-        return result;
+    shading_vec3 way = shading_sub(light.position, p);
+    if (!(shading_dot(n, way) > 0.0f)) {
+        return sums;
     }
-    shading_Measured t2 = shading_measured(t1);
-    float t3 = shading_dot(shading_neg(light.axis), t2.w) / t2.w_length;
-    float t4 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.x, 0.9999995f);
-    float t5 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.y, 0.9999995f);
-    float t6 = shading_clamp(1.0f
-            / (light.coefficients.x + t2.length * (light.coefficients.y + light.coefficients.z * t2.length)),
-            0.0f, light.limit) * (light.range < 3.4028235e38f
-            ? (light.is_gltf > 0.0f ? shading_window_gltf(t2.length, light.range)
-            : shading_window(t2.length, light.range)) : 1.0f)
+    shading_Measured to_light = shading_measured(way);
+    float dimmed = shading_falloff(light, to_light.length)
             * (light.cosines.x > -1.0f
-            ? (light.is_smoothstep > 0.0f ? shading_beam_smoothstep(t3, t4, t5) : shading_beam(t3, t4, t5))
+            ? shading_spot(light, shading_dot(shading_neg(light.axis), to_light.w) / to_light.w_length)
             : 1.0f);
-    float t7 = shading_dot(n, t2.w);
-    float t8 = shading_dot(shading_sub(shading_scale(n, t7 + t7), t2.w), v) / t2.w_length;
+    float n_dot_w = shading_dot(n, to_light.w);
+    float cosine = shading_dot(shading_sub(shading_scale(n, n_dot_w + n_dot_w), to_light.w), v)
+            / to_light.w_length;
+    float highlight = cosine > 0.0f ? shading_power(shading_clamp(cosine, 0.0f, 1.0f), shading_max(m, 0.0f))
+            : 0.0f;
     shading_Sums result = {shading_add(sums.diffuse,
-            shading_scale(light.intensity, t6 * shading_clamp(t7 / t2.w_length, 0.0f, 1.0f))),
-            shading_add(sums.specular,
-            shading_scale(light.intensity, t6
-            * (t8 > 0.0f ? shading_power(shading_clamp(t8, 0.0f, 1.0f), shading_max(m, 0.0f)) : 0.0f)))};
+            shading_scale(light.intensity, dimmed * shading_clamp(n_dot_w / to_light.w_length, 0.0f, 1.0f))),
+            shading_add(sums.specular, shading_scale(light.intensity, dimmed * highlight))};
     return result;
 }
 
@@ -469,47 +475,38 @@ static inline shading_Sums shading_add_phong(shading_Sums sums, shading_vec3 n, 
 static inline shading_Sums shading_add_blinn_phong(shading_Sums sums, shading_vec3 n, shading_vec3 v, float m,
         shading_Light light, shading_vec3 p) {
     if (light.is_sun > 0.0f) {
-        float t1 = shading_dot(n, light.position);
-        if (!(t1 > 0.0f)) {
-            shading_Sums result = {sums.diffuse, sums.specular};
-            return result;
+        float n_dot_l = shading_dot(n, light.position);
+        if (!(n_dot_l > 0.0f)) {
+            return sums;
         }
-        shading_vec3 t2 = shading_add(light.position, v);
-        float n_dot_t2 = shading_dot(n, t2);
+        shading_vec3 h = shading_add(light.position, v);
+        float n_dot_h = shading_dot(n, h);
+        float highlight_of_sun = n_dot_h > 0.0f
+                ? shading_power_of_quotient(n_dot_h * n_dot_h, shading_dot(h, h), shading_max(0.5f * m, 0.0f))
+                : 0.0f;
         shading_Sums result = {shading_add(sums.diffuse,
-                shading_scale(light.intensity, shading_clamp(t1, 0.0f, 1.0f))),
-                shading_add(sums.specular,
-                shading_scale(light.intensity, n_dot_t2 > 0.0f
-                ? shading_power_of_quotient(n_dot_t2 * n_dot_t2, shading_dot(t2, t2),
-                shading_max(0.5f * m, 0.0f)) : 0.0f))};
+                shading_scale(light.intensity, shading_clamp(n_dot_l, 0.0f, 1.0f))),
+                shading_add(sums.specular, shading_scale(light.intensity, highlight_of_sun))};
         return result;
     }
-    shading_vec3 t1 = shading_sub(light.position, p);
-    if (!(shading_dot(n, t1) > 0.0f)) {
-        shading_Sums result = {sums.diffuse, sums.specular};
-        return result;
+    shading_vec3 way = shading_sub(light.position, p);
+    if (!(shading_dot(n, way) > 0.0f)) {
+        return sums;
     }
-    shading_Measured t2 = shading_measured(t1);
-    float t3 = shading_dot(shading_neg(light.axis), t2.w) / t2.w_length;
-    float t4 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.x, 0.9999995f);
-    float t5 = light.cosines.x < -0.9999995f ? -2.0f : shading_min(light.cosines.y, 0.9999995f);
-    float t6 = shading_clamp(1.0f
-            / (light.coefficients.x + t2.length * (light.coefficients.y + light.coefficients.z * t2.length)),
-            0.0f, light.limit) * (light.range < 3.4028235e38f
-            ? (light.is_gltf > 0.0f ? shading_window_gltf(t2.length, light.range)
-            : shading_window(t2.length, light.range)) : 1.0f)
+    shading_Measured to_light = shading_measured(way);
+    float dimmed = shading_falloff(light, to_light.length)
             * (light.cosines.x > -1.0f
-            ? (light.is_smoothstep > 0.0f ? shading_beam_smoothstep(t3, t4, t5) : shading_beam(t3, t4, t5))
+            ? shading_spot(light, shading_dot(shading_neg(light.axis), to_light.w) / to_light.w_length)
             : 1.0f);
-    shading_vec3 t7 = shading_add(t2.w, shading_scale(v, t2.w_length));
-    float n_dot_t7 = shading_dot(n, t7);
+    shading_vec3 halfway = shading_add(to_light.w, shading_scale(v, to_light.w_length));
+    float cosine = shading_dot(n, halfway);
+    float highlight = cosine > 0.0f
+            ? shading_power_of_quotient(cosine * cosine, shading_dot(halfway, halfway),
+            shading_max(0.5f * m, 0.0f)) : 0.0f;
     shading_Sums result = {shading_add(sums.diffuse,
-            shading_scale(light.intensity, t6
-            * shading_clamp(shading_dot(n, t2.w) / t2.w_length, 0.0f, 1.0f))),
-            shading_add(sums.specular,
-            shading_scale(light.intensity, t6
-            * (n_dot_t7 > 0.0f ? shading_power_of_quotient(n_dot_t7 * n_dot_t7, shading_dot(t7, t7),
-            shading_max(0.5f * m, 0.0f)) : 0.0f)))};
+            shading_scale(light.intensity,
+            dimmed * shading_clamp(shading_dot(n, to_light.w) / to_light.w_length, 0.0f, 1.0f))),
+            shading_add(sums.specular, shading_scale(light.intensity, dimmed * highlight))};
     return result;
 }
 
@@ -553,25 +550,25 @@ static inline shading_vec3 shading_normal_facing(shading_vec3 n, shading_vec3 v,
 /* A normal transformed by the matrix of the columns a, b, c: cof(M) N, length 1. Lengyel 2024. */
 static inline shading_vec3 shading_normal_transformed(shading_vec3 n, shading_vec3 a, shading_vec3 b,
         shading_vec3 c) {
-    if (shading_is_extreme(shading_dot(a, a)) || shading_is_extreme(shading_dot(b,
-            b)) || shading_is_extreme(shading_dot(c, c))) {
-        shading_vec3 t1 = shading_add(shading_unit(b), shading_scale(b, 0.0f));
-        shading_vec3 t2 = shading_add(shading_unit(c), shading_scale(c, 0.0f));
-        float t3 = fabsf(n.x);
-        shading_Measured t4 = shading_measured(a);
-        float t5 = fabsf(n.y);
-        shading_Measured t6 = shading_measured(b);
-        float t7 = fabsf(n.z);
-        shading_Measured t8 = shading_measured(c);
-        float t9 = shading_min(shading_min(t3 > 0.0f ? t4.length : 3.4028235e38f, t5 > 0.0f ? t6.length
-                : 3.4028235e38f), t7 > 0.0f ? t8.length : 3.4028235e38f);
-        shading_vec3 t10 = shading_add(shading_unit(a), shading_scale(a, 0.0f));
-        return shading_unit(shading_add(shading_add(shading_scale(shading_cross(t1, t2), t3 > 0.0f ? n.x
-                * (t4.length > t9 ? t9 / t4.length : 1.0f) : 0.0f),
-                shading_scale(shading_cross(t2, t10), t5 > 0.0f ? n.y
-                * (t6.length > t9 ? t9 / t6.length : 1.0f) : 0.0f)),
-                shading_scale(shading_cross(t10, t1), t7 > 0.0f ? n.z
-                * (t8.length > t9 ? t9 / t8.length : 1.0f) : 0.0f)));
+    if (shading_is_extreme(shading_dot(a, a)) || shading_is_extreme(shading_dot(b, b))
+            || shading_is_extreme(shading_dot(c, c))) {
+        shading_vec3 along_b = shading_add(shading_unit(b), shading_scale(b, 0.0f));
+        shading_vec3 along_c = shading_add(shading_unit(c), shading_scale(c, 0.0f));
+        float abs_x = fabsf(n.x);
+        shading_Measured x = shading_measured(a);
+        float abs_y = fabsf(n.y);
+        shading_Measured y = shading_measured(b);
+        float abs_z = fabsf(n.z);
+        shading_Measured z = shading_measured(c);
+        float least = shading_min(shading_min(abs_x > 0.0f ? x.length : 3.4028235e38f,
+                abs_y > 0.0f ? y.length : 3.4028235e38f), abs_z > 0.0f ? z.length : 3.4028235e38f);
+        float n_x = abs_x > 0.0f ? n.x * (x.length > least ? least / x.length : 1.0f) : 0.0f;
+        shading_vec3 along_a = shading_add(shading_unit(a), shading_scale(a, 0.0f));
+        float n_y = abs_y > 0.0f ? n.y * (y.length > least ? least / y.length : 1.0f) : 0.0f;
+        float n_z = abs_z > 0.0f ? n.z * (z.length > least ? least / z.length : 1.0f) : 0.0f;
+        return shading_unit(shading_add(shading_add(shading_scale(shading_cross(along_b, along_c), n_x),
+                shading_scale(shading_cross(along_c, along_a), n_y)),
+                shading_scale(shading_cross(along_a, along_b), n_z)));
     }
     return shading_unit(shading_add(shading_add(shading_scale(shading_cross(b, c), n.x),
             shading_scale(shading_cross(c, a), n.y)), shading_scale(shading_cross(a, b), n.z)));
@@ -579,66 +576,68 @@ static inline shading_vec3 shading_normal_transformed(shading_vec3 n, shading_ve
 
 /* A triangle's normal times its angle at v1, to be summed over a mesh. Thuermer and Wuethrich 1998. */
 static inline shading_vec3 shading_normal_corner(shading_vec3 v1, shading_vec3 v2, shading_vec3 v3) {
-    shading_vec3 t1 = shading_between(v1, v2);
-    shading_vec3 t2 = shading_between(v1, v3);
-    shading_Measured t3 = shading_measured(shading_cross(t1, t2));
-    float t1_dot_t2 = shading_dot(t1, t2);
-    float t4 = fabsf(t1_dot_t2);
-    float t5 = t4 * 2.4142137f > t3.length ? (t1_dot_t2 > 0.0f ? 1.0f : -1.0f) : 0.0f;
-    float t6 = t3.length > t4 * 0.41421357f ? 1.0f : 0.0f;
-    float t7 = (t5 * t3.length - t6 * t1_dot_t2) / (t5 * t1_dot_t2 + t6 * t3.length);
-    float t8 = t7 * t7;
-    float t9 = t8 * t8;
-    float t10 = t9 * t9;
-    return shading_scale(t3.w_length > 0.0f ? shading_over(t3.w, t3.w_length)
-            : shading_vector(0.0f, 0.0f, 0.0f),
-            shading_max(1.5707964f - t5 * (1.5707964f - t6 * 0.7853982f)
-            + (t7 + t7 * (t8 * (-0.33333334f + t8 * 0.2f + t9 * (-0.14285715f + t8 * 0.111111104f) + t10
-            * (-0.0909089f + t8 * 0.07691945f + t9 * (-0.06661951f + t8 * 0.05840374f) + t10
-            * (-0.050085507f + t8 * 0.03734732f + t9 * -0.01718003f))))), 0.0f));
+    shading_vec3 e1 = shading_between(v1, v2);
+    shading_vec3 e2 = shading_between(v1, v3);
+    shading_Measured c = shading_measured(shading_cross(e1, e2));
+    float cosine = shading_dot(e1, e2);
+    float adjacent = fabsf(cosine);
+    float x = adjacent * 2.4142137f > c.length ? (cosine > 0.0f ? 1.0f : -1.0f) : 0.0f;
+    float y = c.length > adjacent * 0.41421357f ? 1.0f : 0.0f;
+    float t = (x * c.length - y * cosine) / (x * cosine + y * c.length);
+    float z = t * t;
+    float z2 = z * z;
+    float z4 = z2 * z2;
+    float series = -0.33333334f + z * 0.2f + z2 * (-0.14285715f + z * 0.111111104f) + z4
+            * (-0.0909089f + z * 0.07691945f + z2 * (-0.06661951f + z * 0.05840374f) + z4
+            * (-0.050085507f + z * 0.03734732f + z2 * -0.01718003f));
+    float arctangent = t + t * (z * series);
+    float angle = shading_max(1.5707964f - x * (1.5707964f - y * 0.7853982f) + arctangent, 0.0f);
+    return shading_scale(c.w_length > 0.0f ? shading_over(c.w, c.w_length) : shading_vector(0.0f, 0.0f, 0.0f),
+            angle);
 }
 
 /* The tangent of a triangle and its handedness, by the texture coordinates of its vertices. Lengyel 2001. */
 static inline shading_Tangent shading_normal_tangent(shading_vec3 v1, shading_vec3 v2, shading_vec3 v3,
         shading_vec2 uv1, shading_vec2 uv2, shading_vec2 uv3) {
-    shading_vec3 t1 = shading_scale(v1, 0.5f);
-    shading_vec3 t2 = shading_sub(shading_scale(v2, 0.5f), t1);
-    shading_vec3 t3 = shading_sub(shading_scale(v3, 0.5f), t1);
-    float t4 = shading_max(shading_measured(t2).length, shading_measured(t3).length);
-    float t5 = uv1.y * 0.5f;
-    float t6 = uv3.y * 0.5f - t5;
-    float t7 = uv2.y * 0.5f - t5;
-    float t8 = shading_max(fabsf(t7), fabsf(t6));
-    float t9 = t6 / t8;
-    float t10 = t7 / t8;
-    float t11 = uv1.x * 0.5f;
-    float t12 = uv2.x * 0.5f - t11;
-    float t13 = uv3.x * 0.5f - t11;
-    float t14 = shading_max(fabsf(t12), fabsf(t13));
-    float t15 = t12 / t14 * t9 - t13 / t14 * t10;
-    float t16 = t15 > 0.0f ? 1.0f : -1.0f;
-    shading_Measured t17 = shading_measured(shading_scale(shading_sub(shading_scale(shading_over(t2, t4), t9),
-            shading_scale(shading_over(t3, t4), t10)), t16));
-    if (!(t17.w_length > 0.0f && fabsf(t15) > 0.0f)) {
+    shading_vec3 half_v1 = shading_scale(v1, 0.5f);
+    shading_vec3 e2 = shading_sub(shading_scale(v2, 0.5f), half_v1);
+    shading_vec3 e3 = shading_sub(shading_scale(v3, 0.5f), half_v1);
+    float edge = shading_max(shading_measured(e2).length, shading_measured(e3).length);
+    float half_y = uv1.y * 0.5f;
+    float y3 = uv3.y * 0.5f - half_y;
+    float y2 = uv2.y * 0.5f - half_y;
+    float y_size = shading_max(fabsf(y2), fabsf(y3));
+    float y3_part = y3 / y_size;
+    float y2_part = y2 / y_size;
+    float half_x = uv1.x * 0.5f;
+    float x2 = uv2.x * 0.5f - half_x;
+    float x3 = uv3.x * 0.5f - half_x;
+    float x_size = shading_max(fabsf(x2), fabsf(x3));
+    float d = x2 / x_size * y3_part - x3 / x_size * y2_part;
+    float h = d > 0.0f ? 1.0f : -1.0f;
+    shading_Measured t = shading_measured(shading_scale(shading_sub(shading_scale(shading_over(e2, edge),
+            y3_part), shading_scale(shading_over(e3, edge), y2_part)), h));
+    if (!(t.w_length > 0.0f && fabsf(d) > 0.0f)) {
         shading_Tangent result = {shading_vector(0.0f, 0.0f, 0.0f), 0.0f};
         return result;
     }
-    shading_Tangent result = {shading_over(t17.w, t17.w_length), t16};
+    shading_Tangent result = {shading_over(t.w, t.w_length), h};
     return result;
 }
 
 /* A normal from a map: x t + y b + z N, length 1. glTF 2.0, 3.7.2.1. */
 static inline shading_vec3 shading_normal_mapped(shading_vec3 n, shading_vec3 tangent, float h,
         shading_vec3 s) {
-    shading_Measured t1 = shading_measured(shading_crossed(shading_vector(0.0f, 0.0f, 0.0f), n, tangent));
-    shading_Measured t2 = shading_measured(s);
-    if (!(t1.w_length > 0.0f && t2.w_length > 0.0f)) {
+    shading_Measured across = shading_measured(shading_crossed(shading_vector(0.0f, 0.0f, 0.0f), n, tangent));
+    shading_Measured sample = shading_measured(s);
+    if (!(across.w_length > 0.0f && sample.w_length > 0.0f)) {
         return shading_vector(0.0f, 0.0f, 0.0f);
     }
-    shading_vec3 t3 = shading_over(t1.w, t1.w_length);
-    return shading_unit(shading_add(shading_add(shading_scale(shading_cross(t3, n), t2.w.x / t2.w_length),
-            shading_scale(shading_scale(t3, h > 0.0f ? 1.0f : -1.0f), t2.w.y / t2.w_length)),
-            shading_scale(n, t2.w.z / t2.w_length)));
+    shading_vec3 side = shading_over(across.w, across.w_length);
+    return shading_unit(shading_add(shading_add(shading_scale(shading_cross(side, n),
+            sample.w.x / sample.w_length),
+            shading_scale(shading_scale(side, h > 0.0f ? 1.0f : -1.0f), sample.w.y / sample.w_length)),
+            shading_scale(n, sample.w.z / sample.w_length)));
 }
 
 #endif
