@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# Checks the clients, or some of them: `run.sh [programs] [chip] [languages] [page] [shader]`. Without a name, it checks all but
-# the shader, whose compiler takes a quarter of an hour to build. Installs what is missing. PICTURES names a folder for the
+# Checks the clients, or some of them: `run.sh [programs] [chip] [languages] [page] [shader] [packages] [javascript] [bench]`.
+# Without a name, it checks the first four: the compiler of the shader takes a quarter of an hour to build. `packages` builds what a
+# release of the languages consists of, `javascript` tries the npm package in versions of Node.js, a bundler and a browser, and
+# `bench` measures beside NumPy, numba and jax. Installs what is missing. PICTURES names a folder for the
 # pages' screenshots; DEVICE is the number of the Vulkan device, 0 if nothing is said: Mesa's, where no driver is installed.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -48,12 +50,9 @@ chip() {
 # the same scene from C, C++, JavaScript and Python: each bit is the crate's
 languages() {
     command -v g++ >/dev/null || install_packages g++
-    command -v npm >/dev/null || install_packages nodejs npm
-    installer rustup --quiet target add wasm32-unknown-unknown
     local work=$built/languages
     mkdir -p "$work"
     cargo build --quiet --release -p languages
-    cargo build --quiet --release -p languages --lib --target wasm32-unknown-unknown
     "$built/release/scene" "$work/expected"
 
     # the static library from C, the dynamic one from C++
@@ -62,24 +61,98 @@ languages() {
     c++ -std=c++17 "${flags[@]}" languages/main.cpp -L "$built/release" -lshading_c -Wl,-rpath,"$built/release" -o "$work/c++"
     draws_the_same C "$work/c"
     draws_the_same C++ "$work/c++"
+    "$work/c" "$work/dome.ppm"
+    [ "$(stat --format %s "$work/dome.ppm")" = 12301 ] # a header of 13 bytes, and 64 × 64 pixels of 3
 
-    # the npm package: its tests and types, from the module that cargo has built
-    (cd languages/javascript && npm ci --silent --no-audit --no-fund && CARGO_TARGET_DIR=$built npm run --silent build && npm test --silent)
-    draws_the_same JavaScript node languages/main.mjs
-
-    # the wheel, from a copy of the folder that stands alone: its tests, its types and the notebook
+    packages
+    draws_the_same JavaScript node "$work/npm/main.mjs"
+    (cd "$work/npm" && INTERFACE=$PWD/../interface.json npm test --silent)
     local python=$work/python/bin/python
-    [ -x "$python" ] || python3 -m venv "$work/python"
-    rm -rf "$work/copy"
-    cp -r languages "$work/copy"
-    sed -i "s#path = \"../..\"#path = \"$(realpath ..)\"#" "$work/copy/Cargo.toml"
-    echo "[workspace]" >>"$work/copy/Cargo.toml"
-    CARGO_TARGET_DIR=$built/wheel "$python" -m pip --quiet --disable-pip-version-check install "$work/copy[notebook,test]"
     draws_the_same Python "$python" languages/main.py
-    (cd "$work/copy" && "$python" -m pytest --quiet -p no:cacheprovider)
-    (cd "$work/copy" && "$python" -m mypy --no-error-summary python/shading python/tests)
+    "$python" -m pip --quiet --disable-pip-version-check install hypothesis mypy pytest ipykernel nbclient pillow
+    (cd languages && "$python" -m pytest --quiet -p no:cacheprovider)
+    (cd languages && "$python" -m mypy --no-error-summary --cache-dir "$work/mypy" python/shading python/tests)
     "$python" -c 'import nbclient, nbformat; nbclient.NotebookClient(nbformat.read("languages/shading.ipynb", 4),
         resources={"metadata": {"path": "languages"}}).execute()'
+    local recipe
+    for recipe in languages/recipes/*.py; do
+        (cd "$work" && "$python" "$OLDPWD/$recipe")
+    done
+}
+
+# The wheel and the npm package, for a release, in target/languages/packages; and each in an empty environment, without Rust.
+packages() {
+    command -v npm >/dev/null || install_packages nodejs npm
+    installer rustup --quiet target add wasm32-unknown-unknown
+    local work=$built/languages
+    local out=$work/packages
+    rm -rf "$out" "$work/python" "$work/npm"
+    mkdir -p "$out" "$work/npm"
+    cp languages/interface.json "$work"
+    CARGO_TARGET_DIR=$built/wheel python3 -m pip --quiet --disable-pip-version-check wheel --no-deps --wheel-dir "$out" ./languages
+    (cd languages/javascript && CARGO_TARGET_DIR=$built npm run --silent build && npm pack --silent --pack-destination "$out")
+    ls "$out"
+
+    python3 -m venv "$work/python"
+    without_rust "$work/python/bin/python" -m pip --quiet --disable-pip-version-check install --only-binary :all: "$out"/*.whl
+    cp languages/javascript/test/* languages/main.mjs languages/page.html "$work/npm"
+    (cd "$work/npm" && npm ci --silent --no-audit --no-fund &&
+        without_rust npm install --silent --no-save --no-audit --no-fund "$out"/*.tgz)
+}
+
+# without_rust COMMAND...: where neither cargo nor rustc is found
+without_rust() {
+    local path
+    path=$(tr : '\n' <<<"$PATH" | while read -r folder; do
+        [ -x "$folder/cargo" ] || [ -x "$folder/rustc" ] || echo "$folder"
+    done | paste --serial --delimiters :)
+    PATH=$path "$@"
+}
+
+# the npm package in each supported version of Node.js, in a bundler, and in a browser without one
+javascript() {
+    command -v "${CHROMIUM:-chromium}" >/dev/null || install_packages chromium
+    packages
+    local work=$built/languages/npm version
+    for version in 18 20 22; do
+        (cd "$work" && npx --yes --package "node@$version" -- node -e '
+            const { load, directional } = require("shading");
+            const sun = directional({ toward: [0, 0, 1] });
+            const scene = { points: [0, 0, 0], normals: [0, 0, 1], eye: [0, 0, 5], lights: sun, k_d: 0.5 };
+            Promise.all([load(), import("shading").then((module) => module.load())]).then((both) => {
+                for (const { shade } of both) if (shade(scene)[1] !== 0.5) process.exit(1);
+                console.log(`Node.js ${process.version}: require and import`);
+            });')
+    done
+
+    # vite says nothing about modules of Node.js
+    mkdir -p "$work/bundle"
+    sed 's#./node_modules/shading/index.js#shading#' "$work/page.html" >"$work/bundle/index.html"
+    (cd "$work" && npx --yes vite@6 build bundle 2>&1) | tee "$built/vite.txt"
+    ! grep --ignore-case -E 'node:|externalized|warn' "$built/vite.txt" || exit 1
+
+    local server port=8765 folder
+    for folder in "$work" "$work/bundle/dist"; do
+        local page=page.html
+        [ -e "$folder/page.html" ] || page=index.html
+        python3 -m http.server --bind localhost --directory "$folder" $port >/dev/null 2>&1 &
+        server=$!
+        sleep 1
+        "${CHROMIUM:-chromium}" --headless --no-sandbox --disable-gpu --virtual-time-budget=20000 --dump-dom \
+            "http://localhost:$port/$page" 2>/dev/null >"$built/page.txt" || true
+        kill $server
+        grep --only-matching 'pixel 104 95 85 255' "$built/page.txt"
+        port=$((port + 1))
+    done
+}
+
+# beside NumPy, numba and jax, in one run
+bench() {
+    packages
+    local python=$built/languages/python/bin/python
+    "$python" -m pip --quiet --disable-pip-version-check install numba jax
+    "$python" languages/bench.py
+    (cd "$built/languages/npm" && cp ../../../languages/bench.mjs . && node bench.mjs)
 }
 
 # draws_the_same LANGUAGE COMMAND...: the command writes the colors to the file that follows it

@@ -2,7 +2,7 @@
 import { writeFileSync } from "node:fs";
 import { argv } from "node:process";
 
-import { directional, load, point, spot } from "./javascript/index.js";
+import { directional, load, point, spot } from "shading";
 
 const SIDE = 64;
 
@@ -12,10 +12,11 @@ const lights = [
   spot({ position: [0, 3, 3], axis: [0, -1, -1], intensity: [3, 1, 1], attenuation: [1, 0.5, 0], range: 8,
     inner: 0.25, outer: 0.375 }),
 ];
-const material = { ka: 0.125, kd: [0.5, 0.375, 0.25], ks: 0.5, m: 32 };
 const places = Array.from({ length: SIDE * SIDE }, (_, i) => [(i % SIDE - 32) / 32, (32 - Math.floor(i / SIDE)) / 32]);
 const points = places.flatMap(([x, y]) => [x, y, 1 - x * x - y * y]);
 const normals = places.flatMap(([x, y]) => [2 * x, 2 * y, 1]);
 
 const { shade } = await load();
-writeFileSync(argv[2], shade({ points, normals, eye: [0, 0, 5], lights, material, ambient: 0.5 }));
+writeFileSync(argv[2], shade({
+  points, normals, eye: [0, 0, 5], lights, k_a: 0.125, k_d: [0.5, 0.375, 0.25], k_s: 0.5, m: 32, ambient: 0.5,
+}));

@@ -4,18 +4,15 @@ export type Triple = readonly [number, number, number] | Float32Array | Float64A
 export type Color = Triple | number;
 /** Numbers of many points, three by three. */
 export type Triples = Float32Array | Float64Array | readonly number[];
+/**
+ * A number, three numbers, or a texture: three numbers for each point, or one if it is gray. (Three numbers for three points are a
+ * color.)
+ */
+export type Texture = number | Triples;
 
 /** A light, made by `directional`, `point` or `spot`. */
 export interface Light {
   readonly kind: "directional" | "point" | "spot";
-  readonly position?: Triple;
-  readonly direction?: Triple;
-  readonly intensity: Color;
-  readonly attenuation?: Triple;
-  readonly range?: number;
-  readonly inner?: number;
-  readonly outer?: number;
-  readonly gltf?: boolean;
 }
 
 export interface Lamp {
@@ -42,41 +39,67 @@ export function point(light: Lamp): Light;
  */
 export function spot(light: Lamp & { axis: Triple; inner?: number; outer?: number }): Light;
 
-export interface Material {
-  /** The ambient reflectance. Default 0. */
-  ka?: Color;
-  /** The diffuse reflectance. Default 0. */
-  kd?: Color;
-  /** The reflectance of the highlight. Default 0. */
-  ks?: Color;
-  /** The shininess, 0 or more; whole numbers are faster. Default 1. */
-  m?: number;
-}
-
 export interface Scene {
   points: Triples;
-  /** As many as points, of any length. Where one has no direction, the result is black. */
+  /** As many as points, of any length. Where one is 0, the result is black. */
   normals: Triples;
-  eye: Triple;
-  lights: readonly Light[];
-  material?: Material;
+  /** Three numbers, or three for each point. A point that is at the eye is black. */
+  eye: Triples;
+  lights: Light | readonly Light[];
+  /** What the surface reflects of the ambient light. At least one of k_a, k_d and k_s must be given; the others are 0. */
+  k_a?: Texture;
+  /** What it reflects diffusely. */
+  k_d?: Texture;
+  /** What it reflects in the highlight. */
+  k_s?: Texture;
+  /** The shininess, 0 or more, or one for each point; whole numbers are faster. Default 1. */
+  m?: number | Triples;
   /** The ambient light. Default 1. */
-  ambient?: Color;
+  ambient?: Texture;
   /** Default "blinn-phong". */
   model?: "lambert" | "phong" | "blinn-phong";
+  /**
+   * Which fraction of each light, from 0 to 1, reaches each point: for the first light those of all points, then for the second.
+   * Without it, each light reaches each point.
+   */
+  visible?: Triples | Uint8Array | readonly boolean[];
+  /** Whether to return the ambient, the diffuse and the specular part one by one. Default false. */
+  parts?: boolean;
+}
+
+export interface Parts {
+  ambient: Float32Array;
+  diffuse: Float32Array;
+  specular: Float32Array;
 }
 
 export interface Shading {
   /**
-   * The linear light that each point sends to the eye: ka ambient, plus I (kd N·L + ks max(0, cosine)^m) for each light with
-   * N·L > 0, where the cosine is R·V for "phong" and N·H for "blinn-phong". Throws a RangeError that names the bad argument.
+   * The linear light that each point sends to the eye: k_a ambient, plus I (k_d N·L + k_s max(0, cosine)^m) for each light with
+   * N·L > 0, where the cosine is R·V for "phong" and N·H for "blinn-phong". Throws a TypeError or RangeError that names the bad
+   * argument; a RangeError of a light or a point has its index in `light` or `index`.
    */
-  shade(scene: Scene): Float32Array;
-  /** The bytes of linear colors in sRGB, each rounded to the nearest. */
-  toSrgb8(colors: Triples): Uint8Array;
+  shade(scene: Scene & { parts: true }): Parts;
+  shade(scene: Scene & { parts?: false }): Float32Array;
+  /** The bytes of linear colors in sRGB, each rounded to the nearest: three for each color. */
+  toSrgb8(colors: Triples): Uint8ClampedArray;
+  /** The same with an opaque alpha, four for each color, as the ImageData of a canvas takes them. */
+  toSrgba8(colors: Triples): Uint8ClampedArray<ArrayBuffer>;
+  /** The linear colors of sRGB bytes, for k_d. */
+  fromSrgb8(texture: Uint8Array | Uint8ClampedArray): Float32Array;
+  /**
+   * The unit normals (−∂z/∂x, −∂z/∂y, 1) of a grid of heights, row by row. x grows by `dx` from a column to the next, and y by
+   * `dy` from a row to the next; the defaults are 1. `dy` is negative if the first row is the top of an image and y points up.
+   */
+  heightField(field: { z: Triples; columns: number; dx?: number; dy?: number }): Float32Array;
+  /**
+   * The unit normals of a mesh of triangles, counter-clockwise as seen from outside: one for each vertex. With a crease, the
+   * greatest angle in radians between triangles that are one smooth surface, there is one for each corner of each triangle.
+   */
+  meshNormals(mesh: { vertices: Triples; faces: Uint32Array | Uint16Array | readonly number[]; crease?: number }): Float32Array;
   /** The module's memory. Each call frees what it takes. */
   readonly memory: WebAssembly.Memory;
 }
 
-/** Loads the module. Without a source, it is the file shading.wasm beside index.js. */
+/** Loads the module. Without a source, it is the file shading.wasm of the package. */
 export function load(source?: URL | string | ArrayBuffer | Uint8Array | WebAssembly.Module): Promise<Shading>;

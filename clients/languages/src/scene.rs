@@ -1,14 +1,12 @@
-//! The structures of `shading.h`, and the types of the crate that they become. C uses them with
-//! `f32`, Python also with `f64`.
+//! What lights many points, and the arrays that describe them. Each array has a row for each point,
+//! or one for all.
 
-use shading::{
-    Attenuation, Cone, DirectionalLight, Elementary, IncidentLight, Lobe, PointLight, Rgb, Scalar,
-    Shaded, SpotLight, UnitVec3, Vec3, shade,
-};
+use crate::light::{Light, is_finite, is_light};
+use crate::number::Number;
+use crate::problem::{Problem, Status, triple};
+use crate::threads;
 
-use crate::Status;
-
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Model {
     Lambert,
     Phong,
@@ -16,194 +14,147 @@ pub enum Model {
 }
 
 impl Model {
-    pub fn of(model: u32) -> Result<Self, Status> {
+    pub fn of(model: u32) -> Result<Self, Problem> {
         match model {
             0 => Ok(Self::Lambert),
             1 => Ok(Self::Phong),
             2 => Ok(Self::BlinnPhong),
-            _ => Err(Status::Model),
+            _ => Err(Problem::new(
+                Status::Model,
+                "model",
+                "0 (lambert), 1 (phong) or 2 (blinn-phong)",
+                model,
+            )),
         }
     }
 }
 
-/// `f32` or `f64`.
-pub trait Number: Elementary + Scalar + Lobe<Self> + Send + Sync {
-    /// A whole shininess as an integer, which is faster.
-    fn whole(self) -> Option<u32>;
+#[derive(Clone, Copy)]
+pub struct Scene<'a, T> {
+    pub model: Model,
+    pub count: usize,
+    pub points: &'a [[T; 3]],
+    pub normals: &'a [[T; 3]],
+    pub eye: &'a [[T; 3]],
+    pub k_a: &'a [[T; 3]],
+    pub k_d: &'a [[T; 3]],
+    pub k_s: &'a [[T; 3]],
+    pub m: &'a [T],
+    pub ambient: &'a [[T; 3]],
+    pub lights: &'a [Light<T>],
+    /// The fraction of each light that reaches each point, or one for all points, light after light.
+    /// Without it, each light reaches each point.
+    pub visible: Option<&'a [T]>,
 }
 
-macro_rules! numbers {
-    ($($float:ident)*) => {$(
-        impl Number for $float {
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a whole number
-            fn whole(self) -> Option<u32> {
-                (self.fract() == 0.0 && (0.0..65_536.0).contains(&self)).then_some(self as u32)
+impl<T: Number> Scene<'_, T> {
+    /// The lights of the crate, if all numbers of the scene have a meaning.
+    pub fn checked(&self) -> Result<Vec<shading::Light<T>>, Problem> {
+        self.check_lengths()?;
+        let lights = self.lights.iter().enumerate();
+        let lights = lights
+            .map(|(i, light)| light.checked().map_err(|problem| problem.in_light(i)))
+            .collect::<Result<Vec<_>, _>>()?;
+        for (status, name, rows) in [
+            (Status::Points, "points", self.points),
+            (Status::Normals, "normals", self.normals),
+            (Status::Eye, "eye", self.eye),
+        ] {
+            check(rows, is_finite, |row| {
+                Problem::new(status, name, "finite numbers", triple(row))
+            })?;
+        }
+        let has_highlight = self.model != Model::Lambert;
+        for (status, name, rows, is_used) in [
+            (Status::Reflectance, "k_a", self.k_a, true),
+            (Status::Reflectance, "k_d", self.k_d, true),
+            (Status::Reflectance, "k_s", self.k_s, has_highlight),
+            (Status::Ambient, "ambient", self.ambient, true),
+        ] {
+            let is_right = |x: T| !is_used | is_light(x);
+            check(rows, is_right, |row| {
+                Problem::new(status, name, "finite numbers of 0 or more", triple(row))
+            })?;
+        }
+        check_numbers(
+            self.m,
+            |m| !has_highlight | (m >= T::ZERO),
+            |m| Problem::new(Status::Shininess, "m", "numbers of 0 or more", m),
+        )?;
+        let fractions = self.visible.unwrap_or(&[]);
+        let is_fraction = |x| (x >= T::ZERO) & (x <= T::ONE);
+        match first_wrong(fractions, is_fraction) {
+            None => Ok(lights),
+            Some(i) => {
+                let expected = "fractions from 0 to 1";
+                let problem = Problem::new(Status::Visible, "visible", expected, fractions[i]);
+                let is_per_light = fractions.len() == self.lights.len();
+                Err(problem.at(i, if is_per_light { 1 } else { fractions.len() }))
             }
         }
-    )*};
-}
-numbers!(f32 f64);
-
-#[derive(Clone, Copy)]
-#[repr(C)]
-pub struct Material<T = f32> {
-    pub k_a: [T; 3],
-    pub k_d: [T; 3],
-    pub k_s: [T; 3],
-    pub m: T,
-}
-
-#[derive(Clone, Copy)]
-#[repr(C)]
-pub struct Light<T = f32> {
-    pub kind: u32,
-    pub position: [T; 3],
-    pub direction: [T; 3],
-    pub intensity: [T; 3],
-    pub attenuation: [T; 3],
-    pub range: T,
-    pub inner: T,
-    pub outer: T,
-    pub gltf: u32,
-}
-
-// as in the callers
-const _: () = assert!(size_of::<Light>() == 68 && size_of::<Material>() == 40);
-
-/// Light or a reflectance: neither negative nor infinite nor NaN.
-fn color<T: Number>(color: [T; 3]) -> Option<Rgb<T>> {
-    let is_light = |channel: T| channel >= T::ZERO && channel <= T::MAX;
-    color
-        .iter()
-        .all(|&channel| is_light(channel))
-        .then(|| color.into())
-}
-
-impl<T: Number> Light<T> {
-    pub fn checked(&self) -> Option<shading::Light<T>> {
-        Some(match self.kind {
-            0 => shading::Light::Directional(DirectionalLight {
-                l: self.direction()?,
-                intensity: color(self.intensity)?,
-            }),
-            1 => shading::Light::Point(self.point()?),
-            2 => shading::Light::Spot(SpotLight {
-                point: self.point()?,
-                axis: self.direction()?,
-                cone: Cone::from_half_angles(self.inner, self.outer)?,
-            }),
-            _ => return None,
-        })
     }
 
-    fn point(&self) -> Option<PointLight<T>> {
-        let [a, b, c] = self.attenuation;
-        let attenuation = Attenuation::new(a, b, c)?;
-        Some(PointLight {
-            position: self.position.into(),
-            intensity: color(self.intensity)?,
-            attenuation: match self.gltf {
-                0 => attenuation.within(self.range)?,
-                1 => attenuation.within_gltf(self.range)?,
-                _ => return None,
-            },
-        })
-    }
-
-    fn direction(&self) -> Option<UnitVec3<T>> {
-        Vec3::from(self.direction).unit()
-    }
-}
-
-/// A point of a surface, and the eye that sees it.
-#[derive(Clone, Copy)]
-pub struct Place<T> {
-    pub point: [T; 3],
-    pub normal: [T; 3],
-    pub eye: [T; 3],
-}
-
-/// The light that a point sends to the eye. It is black if the normal has no direction, or if the
-/// point is at the eye.
-#[inline]
-pub fn shaded<T: Number>(
-    model: Model,
-    place: Place<T>,
-    material: &Material<T>,
-    i_a: Rgb<T>,
-    lights: impl Iterator<Item = IncidentLight<T>>,
-) -> Shaded<T> {
-    let directions = Vec3::from(place.normal)
-        .unit()
-        .zip((Vec3::from(place.eye) - Vec3::from(place.point)).unit());
-    let black = Rgb::BLACK;
-    let [k_a, k_d, k_s] = [material.k_a, material.k_d, material.k_s].map(Rgb::from);
-    let (integer, real) = (material.m.whole(), material.m);
-    let Some((n, v)) = directions else {
-        return Shaded {
-            ambient: black,
-            diffuse: black,
-            specular: black,
-        };
-    };
-    match (model, integer) {
-        (Model::Lambert, _) => {
-            let m = 1;
-            shade::lambert(n, &shading::Material { k_a, k_d, k_s, m }, i_a, lights)
+    fn check_lengths(&self) -> Result<(), Problem> {
+        let rows = [
+            ("points", self.points.len()),
+            ("normals", self.normals.len()),
+            ("eye", self.eye.len()),
+            ("k_a", self.k_a.len()),
+            ("k_d", self.k_d.len()),
+            ("k_s", self.k_s.len()),
+            ("m", self.m.len()),
+            ("ambient", self.ambient.len()),
+        ];
+        let (count, lights) = (self.count, self.lights.len());
+        for (name, length) in rows {
+            if length != 1 && length != count {
+                let expected = format!("as many as points, {count}, or one for all");
+                return Err(Problem::new(Status::Count, name, &expected, length));
+            }
         }
-        (Model::Phong, Some(m)) => {
-            shade::phong(n, v, &shading::Material { k_a, k_d, k_s, m }, i_a, lights)
-        }
-        (Model::Phong, None) => {
-            let m = real;
-            shade::phong(n, v, &shading::Material { k_a, k_d, k_s, m }, i_a, lights)
-        }
-        (Model::BlinnPhong, Some(m)) => {
-            shade::blinn_phong(n, v, &shading::Material { k_a, k_d, k_s, m }, i_a, lights)
-        }
-        (Model::BlinnPhong, None) => {
-            let m = real;
-            shade::blinn_phong(n, v, &shading::Material { k_a, k_d, k_s, m }, i_a, lights)
+        match self.visible {
+            Some(fractions) if ![lights, lights * count].contains(&fractions.len()) => {
+                let expected =
+                    format!("a fraction for each of {lights} lights, or for each light and point");
+                let got = fractions.len();
+                Err(Problem::new(Status::Count, "visible", &expected, got))
+            }
+            _ => Ok(()),
         }
     }
 }
 
-/// What lights many points, and their buffers.
-pub struct Scene<'a> {
-    pub model: Model,
-    pub points: &'a [[f32; 3]],
-    pub normals: &'a [[f32; 3]],
-    pub eye: [f32; 3],
-    pub material: Material,
-    pub ambient: [f32; 3],
-    pub lights: &'a [Light],
+/// The first row with a number that is not right is a problem.
+fn check<T: Number>(
+    rows: &[[T; 3]],
+    is_right: impl Fn(T) -> bool + Send + Sync,
+    problem: impl FnOnce([T; 3]) -> Problem,
+) -> Result<(), Problem> {
+    match first_wrong(rows.as_flattened(), is_right) {
+        None => Ok(()),
+        Some(i) => Err(problem(rows[i / 3]).at(i / 3, rows.len())),
+    }
 }
 
-impl Scene<'_> {
-    pub fn shade(&self, out: &mut [[f32; 3]]) -> Result<(), Status> {
-        let mut material = self.material;
-        if let Model::Lambert = self.model {
-            (material.k_s, material.m) = ([0.0; 3], 1.0);
-        }
-        let colors = [material.k_a, material.k_d, material.k_s];
-        let are_colors = colors.iter().all(|&channels| color(channels).is_some());
-        if !(are_colors && material.m >= 0.0) {
-            return Err(Status::Material);
-        }
-        let i_a = color(self.ambient).ok_or(Status::Material)?;
-        let lights: Option<Vec<_>> = self.lights.iter().map(Light::checked).collect();
-        let lights = lights.ok_or(Status::Light)?;
-        for ((&point, &normal), out) in self.points.iter().zip(self.normals).zip(out) {
-            let place = Place {
-                point,
-                normal,
-                eye: self.eye,
-            };
-            let arriving = lights.iter().map(|light| light.at(point));
-            *out = shaded(self.model, place, &material, i_a, arriving)
-                .total()
-                .into();
-        }
-        Ok(())
+fn check_numbers<T: Number>(
+    numbers: &[T],
+    is_right: impl Fn(T) -> bool + Send + Sync,
+    problem: impl FnOnce(T) -> Problem,
+) -> Result<(), Problem> {
+    match first_wrong(numbers, is_right) {
+        None => Ok(()),
+        Some(i) => Err(problem(numbers[i]).at(i, numbers.len())),
     }
+}
+
+fn first_wrong<T: Number>(
+    numbers: &[T],
+    is_right: impl Fn(T) -> bool + Send + Sync,
+) -> Option<usize> {
+    // without a branch for each number, which almost always is right
+    let are_right = |span: &[T]| span.iter().fold(true, |right, &x| right & is_right(x));
+    if threads::all(numbers, are_right) {
+        return None;
+    }
+    numbers.iter().position(|&x| !is_right(x))
 }

@@ -1,0 +1,176 @@
+// The calls of ../../interface.json, which Python and C make too, and those that only JavaScript can write.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { test } from "node:test";
+
+import { directional, load, point, spot } from "shading";
+
+const LIGHTS = { directional, point, spot };
+const shading = await load();
+const { shade, toSrgb8, toSrgba8, fromSrgb8, heightField, meshNormals } = shading;
+const path = process.env.INTERFACE ?? new URL("../../interface.json", import.meta.url);
+// JSON has neither NaN nor infinity
+const INTERFACE = JSON.parse(readFileSync(path, "utf8"), (_, value) => ({ nan: NaN, inf: Infinity })[value] ?? value);
+
+const made = (light) => {
+  const [[kind, given]] = Object.entries(light);
+  return LIGHTS[kind](given);
+};
+const flat = (value) => Array.isArray(value) ? value.flat(2) : value;
+
+function called({ change, leave_out: without, light, height_field: field, mesh_normals: mesh }) {
+  if (field) return heightField({ ...field, z: flat(field.z), columns: field.z[0].length });
+  if (mesh) return meshNormals({ ...mesh, vertices: flat(mesh.vertices), faces: flat(mesh.faces) });
+  const { lights, ...rest } = { ...INTERFACE.base, ...change };
+  const scene = Object.fromEntries(Object.entries(rest).map(([name, value]) => [name, flat(value)]));
+  delete scene[without];
+  return shade({ ...scene, lights: light ? [made(light)] : lights.map(made) });
+}
+
+for (const call of [...INTERFACE.calls, ...INTERFACE.normals]) {
+  test(`as in the other languages: ${call.what}`, () => {
+    if (call.value) {
+      const expected = flat(call.value);
+      called(call).forEach((x, i) => assert.ok(Math.abs(x - expected[i % expected.length]) <= 1e-7, `${x} at ${i}`));
+      return;
+    }
+    const sentence = call.javascript ?? call.error;
+    assert.throws(() => called(call), (error) => {
+      assert.ok(error.message.includes(sentence), error.message);
+      return error instanceof TypeError || error instanceof RangeError;
+    });
+  });
+}
+
+test("arguments are those of the other languages", () => {
+  const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
+  const functions = { ...shading, ...LIGHTS };
+  delete functions.memory;
+  assert.deepEqual(Object.keys(functions).sort(), INTERFACE.functions.map(camel).sort());
+  const types = readFileSync(new URL(import.meta.resolve("shading").replace("node.js", "index.d.ts")), "utf8");
+  for (const [name, defaults] of Object.entries({ ...INTERFACE.lights, shade: INTERFACE.shade })) {
+    const call = name === "shade" ? shade : LIGHTS[name];
+    const names = Object.keys(defaults);
+    // the error lists them all
+    assert.throws(() => call({ k: 1 }), (error) => {
+      const listed = error.message.split("only ")[1].split(", ");
+      assert.deepEqual(listed.sort(), names.sort());
+      return true;
+    });
+    for (const argument of names) assert.match(types, new RegExp(`\\b${argument}\\??:`), argument);
+  }
+});
+
+const POINTS = { points: [0, 0, 0, 2, 0, 0], normals: [0, 0, 1, 0, 0, 1], eye: [0, 0, 5] };
+const SUN = directional({ toward: [0, 0, 1] });
+const shaded = (changes) => shade({ ...POINTS, lights: [SUN], k_d: 0.5, ...changes });
+
+test("defaults are those of the other languages", () => {
+  const written = (defaults, given) => ({ ...Object.fromEntries(Object.entries(defaults)
+    .filter(([, value]) => value !== null && value !== "none")), ...given });
+  const places = { toward: [1, 2, 3], position: [1, 2, 3], axis: [-1, -2, -3] };
+  const needed = (defaults) => Object.fromEntries(Object.entries(places).filter(([name]) => name in defaults));
+  for (const [kind, defaults] of Object.entries(INTERFACE.lights)) {
+    assert.deepEqual(LIGHTS[kind](needed(defaults)), LIGHTS[kind](written(defaults, needed(defaults))));
+  }
+  const scene = { ...POINTS, lights: [point({ position: [1, 2, 3] })], k_a: 0.25, k_d: 0.5, k_s: 0.5 };
+  assert.deepEqual(shade(scene), shade(written(INTERFACE.shade, scene)));
+});
+
+const WRONG = {
+  "k_d: expected linear numbers, usually from 0 to 1, got Uint8Array; fromSrgb8 decodes": () => shaded({ k_d: new Uint8Array(6) }),
+  "k_d: expected linear numbers, usually from 0 to 1, got Uint8ClampedArray": () => shaded({ k_d: new Uint8ClampedArray(6) }),
+  "points: expected an array of numbers, got [0,null,0]": () => shaded({ points: [0, , 0] }), // eslint-disable-line no-sparse-arrays
+  "points: expected an array of numbers, got undefined": () => shaded({ points: undefined }),
+  "points: expected an array of numbers, got \"0,0,0\"": () => shaded({ points: "0,0,0" }),
+  "points: expected an array of numbers, got [[0,0,0]]": () => shaded({ points: [[0, 0, 0]] }),
+  "normals: expected three numbers for each of 2 points, got 2": () => shaded({ normals: [0, 0] }),
+  "points: expected three numbers for each point, got 2": () => shaded({ points: [0, 0] }),
+  "shade: there is no kd, only points, normals": () => shaded({ kd: 1 }),
+  "shade: there is no material, only": () => shaded({ material: { kd: 1 } }),
+  "shade: expected an object with points, normals": () => shade(),
+  "point: there is no colour, only position, intensity": () => point({ position: [0, 0, 1], colour: 1 }),
+  "position: expected three finite numbers, got undefined": () => point({}),
+  "point: expected an object with position, intensity": () => point(),
+  "position: expected three finite numbers, got \"a,b\"": () => point({ position: "a,b" }),
+  "position: expected three finite numbers, got \"abc\"": () => point({ position: "abc" }),
+  "position: expected three finite numbers, got [\"0\",0,0]": () => point({ position: ["0", 0, 0] }),
+  "lights: expected a light, made by directional, point or spot, or an array of lights, got null":
+    () => shaded({ lights: null }),
+  "lights: expected a light, made by directional, point or spot, or an array of lights, got undefined":
+    () => shaded({ lights: undefined }),
+  "lights[0]: expected a light, made by directional, point or spot, got {\"kind\":\"foo\"}":
+    () => shaded({ lights: [{ kind: "foo" }] }),
+  "lights[1]: expected a light, made by directional, point or spot, got 3": () => shaded({ lights: [SUN, 3] }),
+  "lights[1].intensity: expected finite numbers of 0 or more, got (-1, 0, 0)": () => shaded({
+    lights: [SUN, directional({ toward: [0, 0, 1], intensity: [-1, 0, 0] })],
+  }),
+  "range: expected a number, got \"far\"": () => point({ position: [0, 0, 1], range: "far" }),
+  "eye: expected an array of numbers, got 0.5": () => shaded({ eye: 0.5 }),
+  "eye: expected 3 or 6 numbers, got 2": () => shaded({ eye: [0, 5] }),
+  "k_d: expected 1, 2, 3 or 6 numbers, got 4": () => shaded({ k_d: [1, 1, 1, 1] }),
+  "m: expected 1 or 2 numbers, got 3": () => shaded({ m: [1, 1, 1] }),
+  "visible: expected 2 numbers, for each light those of all points, got 3": () => shaded({ visible: [1, 1, 1] }),
+  "parts: expected true or false, got 1": () => shaded({ parts: 1 }),
+  "colors: expected linear light, where 1 is white": () => toSrgb8(new Uint8Array(3)),
+  "texture: expected a Uint8Array, got [1,2,3]": () => fromSrgb8([1, 2, 3]),
+  "columns: expected a whole number that divides 4, the number of heights, got 3": () => heightField({ z: [0, 0, 0, 0], columns: 3 }),
+  "columns: expected a whole number that divides 4": () => heightField({ z: [0, 0, 0, 0] }),
+  "faces: expected indices below 3, the number of vertices, got -1 at [0]": () => meshNormals({
+    vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0], faces: [0, 1, -1],
+  }),
+};
+
+for (const [sentence, call] of Object.entries(WRONG)) {
+  test(`what only JavaScript can write: ${sentence}`, () => {
+    assert.throws(call, (error) => {
+      assert.ok(error.message.includes(sentence), error.message);
+      return error instanceof TypeError || error instanceof RangeError;
+    });
+  });
+}
+
+test("an error has the index of the light or the point", () => {
+  const dark = directional({ toward: [0, 0, 1], intensity: -1 });
+  assert.throws(() => shaded({ lights: [SUN, SUN, dark] }), { name: "RangeError", light: 2 });
+  assert.throws(() => shaded({ points: [0, 0, 0, 0, 0, NaN] }), { name: "RangeError", index: 1 });
+});
+
+test("one light needs no list", () => assert.deepEqual(shaded({ lights: SUN }), shaded({ lights: [SUN] })));
+
+test("a gray texture has a number for each point", () => {
+  assert.deepEqual([...shaded({ k_d: new Float32Array([0.5, 1]) })], [0.5, 0.5, 0.5, 1, 1, 1]);
+});
+
+test("the parts add up", () => {
+  const scene = { k_a: 0.25, k_s: 0.5, m: [4, 8.5], parts: true };
+  const { ambient, diffuse, specular } = shaded(scene);
+  const total = shaded({ ...scene, parts: false });
+  assert.deepEqual(total, total.map((_, i) => Math.fround(Math.fround(ambient[i] + diffuse[i]) + specular[i])));
+  assert.ok(ambient[0] === 0.25 && diffuse[0] === 0.5 && specular[0] === 0.5);
+});
+
+test("alpha is opaque, and bytes come back", () => {
+  const every = Uint8Array.from({ length: 768 }, (_, i) => i / 3);
+  const colors = fromSrgb8(every);
+  assert.deepEqual([...toSrgb8(colors)], [...every]);
+  assert.deepEqual([...toSrgba8(colors)].filter((_, i) => i % 4 === 3), Array(256).fill(255));
+  assert.deepEqual([...toSrgba8(colors)].filter((_, i) => i % 4 !== 3), [...every]);
+});
+
+test("a crease keeps edges", () => {
+  // two triangles that meet in a right angle, in the edge from (0, 0, 0) to (0, 1, 0)
+  const mesh = { vertices: [0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1], faces: [0, 2, 1, 0, 1, 3] };
+  const flat = meshNormals({ ...mesh, crease: 1.5 });
+  assert.deepEqual([...flat], [...Array(3).fill([0, 0, 1]).flat(), ...Array(3).fill([1, 0, 0]).flat()]);
+  const smooth = meshNormals({ ...mesh, crease: 1.6 }).slice(0, 3);
+  smooth.forEach((x, i) => assert.ok(Math.abs(x - [Math.SQRT1_2, 0, Math.SQRT1_2][i]) < 1e-6));
+});
+
+test("require has the same functions", async () => {
+  const common = createRequire(import.meta.url)("shading");
+  assert.deepEqual(Object.keys(common).sort(), ["directional", "load", "point", "spot"]);
+  const module = await common.load();
+  assert.deepEqual(module.shade({ ...POINTS, lights: common.directional({ toward: [0, 0, 1] }), k_d: 0.5 }), shaded({}));
+});

@@ -1,0 +1,188 @@
+"""The calls of ../../interface.json, which JavaScript and C make too, and those that only Python can write."""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+import json
+import math
+from pathlib import Path
+from typing import Any, Callable
+
+import numpy as np
+import pytest
+
+import shading
+
+FILE = next(path for path in (folder / "interface.json" for folder in Path(__file__).parents) if path.is_file())
+
+
+def numbers(value: Any) -> Any:
+    """JSON has neither NaN nor infinity."""
+    if isinstance(value, list):
+        return [numbers(inner) for inner in value]
+    if isinstance(value, dict):
+        return {name: numbers(inner) for name, inner in value.items()}
+    return float(value) if value in ("nan", "inf") else value
+
+
+INTERFACE: dict[str, Any] = numbers(json.loads(FILE.read_text(encoding="utf-8")))
+
+
+def made(light: dict[str, dict[str, Any]]) -> shading.Light:
+    ((kind, arguments),) = light.items()
+    function: Callable[..., shading.Light] = getattr(shading, kind)
+    return function(**arguments)
+
+
+def called(call: dict[str, Any]) -> Any:
+    for name in ("height_field", "mesh_normals"):
+        if name in call:
+            return getattr(shading, name)(**call[name])
+    scene = {**INTERFACE["base"], **call.get("change", {})}
+    scene.pop(call.get("leave_out"), None)
+    lights = [made(light) for light in scene.pop("lights")]
+    if "light" in call:
+        lights = [made(call["light"])]
+    return shading.shade(**scene, lights=lights)
+
+
+@pytest.mark.parametrize("call", INTERFACE["calls"] + INTERFACE["normals"], ids=lambda call: str(call["what"]))
+def test_each_call_ends_as_in_the_other_languages(call: dict[str, Any]) -> None:
+    if "value" in call:
+        value = called(call)
+        np.testing.assert_allclose(value, np.broadcast_to(call["value"], value.shape), rtol=1e-15, atol=1e-16)
+        return
+    with pytest.raises((TypeError, ValueError)) as error:
+        called(call)
+    assert call.get("python", call["error"]) in str(error.value)
+
+
+def test_arguments_and_defaults_are_those_of_the_other_languages() -> None:
+    assert shading.__all__ == INTERFACE["functions"]
+    functions = {name: INTERFACE[name] for name in ("shade", "height_field", "mesh_normals")}
+    for name, arguments in {**functions, **INTERFACE["lights"]}.items():
+        parameters = inspect.signature(getattr(shading, name)).parameters
+        defaults: dict[str, Any] = {
+            key: None if parameter.default is inspect.Parameter.empty else parameter.default for key, parameter in parameters.items()
+        }
+        expected = {
+            key: None if value == "none" else tuple(value) if isinstance(value, list) else value for key, value in arguments.items()
+        }
+        assert defaults == expected, name
+        required = {key for key, parameter in parameters.items() if parameter.default is inspect.Parameter.empty}
+        assert required == {key for key, value in arguments.items() if value is None}, name
+
+
+POINTS = np.zeros((4, 5, 3))
+BYTES = np.full((4, 5, 3), 128, np.uint8)
+SUN = shading.directional((0, 0, 1))
+
+
+def shaded(**changes: Any) -> Any:
+    scene: dict[str, Any] = dict(points=POINTS, normals=POINTS + (0, 0, 1), eye=(0, 0, 5), lights=SUN, k_d=0.5)
+    return shading.shade(**{**scene, **changes})
+
+
+def one_nan() -> Any:
+    points = POINTS.copy()
+    points[1, 2, 0] = np.nan
+    return points
+
+
+WRONG: dict[str, Callable[[], Any]] = {
+    "k_d: expected linear numbers, usually from 0 to 1, got uint8; from_srgb8 decodes": lambda: shaded(k_d=BYTES),
+    "k_d: expected linear numbers, usually from 0 to 1, got uint16": lambda: shaded(k_d=BYTES.astype(np.uint16)),
+    "points: expected an array without a mask, got a masked one": lambda: shaded(points=np.ma.array(POINTS, mask=POINTS == 0)),
+    "k_d: expected an array without a mask": lambda: shaded(k_d=np.ma.array([0.5, 0.5, 0.5], mask=[False, True, False])),
+    "points: expected finite numbers, got (NaN, 0, 0) at [1, 2]": lambda: shaded(points=one_nan()),
+    "visible: expected fractions from 0 to 1, got -1 at [0, 1, 2]": lambda: shaded(
+        visible=np.where(np.isnan(one_nan()[..., 0]), -1, 1)
+    ),
+    "z: expected finite heights (fill in what is missing first), got NaN at [1, 2]": lambda: shading.height_field(one_nan()[..., 0]),
+    "got an unexpected keyword argument 'kd'": lambda: shaded(kd=1),
+    "position: expected three finite numbers, got 'a,b'": lambda: shading.point("a,b"),  # type: ignore[arg-type]
+    "position: expected three finite numbers, got None": lambda: shading.point(None),  # type: ignore[arg-type]
+    "kind: expected a light made by directional, point or spot, got 'foo'": lambda: shading.Light("foo"),
+    "intensity: expected finite numbers of 0 or more, got (-1, 0, 0)": lambda: dataclasses.replace(SUN, intensity=(-1, 0, 0)),
+    "lights: expected a light, made by directional, point or spot, or a sequence of lights, got None": lambda: shaded(lights=None),
+    "lights[0]: expected a light, made by directional, point or spot, got (0, 0, 1)": lambda: shaded(lights=[(0, 0, 1)]),
+    "k_d: expected a shape that broadcasts to (4, 5, 3), got (4, 5); a gray texture is k_d[..., None]": lambda: shaded(
+        k_d=np.ones((4, 5))
+    ),
+    "normals: expected a shape that broadcasts to (4, 5, 3), got (3, 5, 3)": lambda: shaded(normals=np.ones((3, 5, 3))),
+    "points: expected numbers in a regular shape, got [[0, 0, 0], [0, 0]]": lambda: shaded(points=[[0, 0, 0], [0, 0]]),
+    "points: expected numbers, got": lambda: shaded(points=POINTS.astype(complex)),
+    "lights[0].intensity: expected finite numbers of 0 or more, got (inf, inf, inf)": lambda: shaded(
+        points=POINTS.astype(np.float32), normals=POINTS.astype(np.float32) + np.float32(1), lights=shading.point((0, 0, 1), 1e39)
+    ),
+    "colors: expected linear light, where 1 is white, got whole numbers up to 128": lambda: shading.to_srgb8(BYTES),
+    "texture: expected the shape (..., 3), got (2, 2, 4); leave alpha out": lambda: shading.from_srgb8(np.zeros((2, 2, 4), np.uint8)),
+    "faces: expected whole numbers, got an array of float64": lambda: shading.mesh_normals(np.zeros((3, 3)), [(0.0, 1, 2)]),
+    "faces: expected indices below 3, the number of vertices, got (0, 1, -1) at [0]": lambda: shading.mesh_normals(
+        np.zeros((3, 3)), [(0, 1, -1)]
+    ),
+    "z: expected the shape (rows, columns), got (3,)": lambda: shading.height_field([1, 2, 3]),
+    "range: expected a number, got 'far'": lambda: shading.point((0, 0, 1), range="far"),  # type: ignore[arg-type]
+}
+
+
+@pytest.mark.parametrize("message", WRONG)
+def test_what_only_python_can_write_ends_in_a_sentence(message: str) -> None:
+    with pytest.raises((TypeError, ValueError)) as error:
+        WRONG[message]()
+    assert message in str(error.value)
+
+
+def test_one_light_needs_no_list() -> None:
+    np.testing.assert_array_equal(shaded(lights=SUN), shaded(lights=[SUN]))
+    np.testing.assert_array_equal(shaded(lights=iter([SUN])), shaded(lights=(SUN,)))
+
+
+def test_alpha_is_opaque() -> None:
+    colors = np.random.default_rng(1).random((4, 5, 3))
+    image = shading.to_srgba8(colors)
+    assert image.shape == (4, 5, 4) and (image[..., 3] == 255).all()
+    np.testing.assert_array_equal(image[..., :3], shading.to_srgb8(colors))
+
+
+def test_reliefs_have_the_normals_of_their_formula() -> None:
+    y, x = np.mgrid[0:6, 0:7] * 0.5
+    z = 0.25 * x**2 - 0.5 * x * y + y**2  # a parabola along each axis, of which the slopes are exact
+    expected = np.stack([0.5 * y - 0.5 * x, 0.5 * x - 2 * y, np.ones_like(z)], -1)
+    expected /= np.linalg.norm(expected, axis=-1, keepdims=True)
+    np.testing.assert_allclose(shading.height_field(z, 0.5, 0.5), expected, atol=1e-14)
+    turned = shading.height_field(z[::-1], 0.5, -0.5)[::-1]  # as the rows of an image
+    np.testing.assert_allclose(turned, expected, atol=1e-14)
+    assert shading.height_field(z.astype(np.float32)).dtype == np.float32
+    np.testing.assert_array_equal(shading.height_field([[3.0]]), [[(0, 0, 1)]])
+
+
+# the corners of a cube, and two triangles for each side
+CUBE = np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
+SIDES = np.array([
+    (0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3),
+])  # fmt: skip
+
+
+def test_meshes_are_smooth_up_to_the_crease() -> None:
+    smooth = shading.mesh_normals(CUBE, SIDES)
+    np.testing.assert_allclose(smooth, CUBE / math.sqrt(3), atol=1e-15)  # by symmetry, whatever the diagonals
+    e1, e2 = CUBE[SIDES[:, 1]] - CUBE[SIDES[:, 0]], CUBE[SIDES[:, 2]] - CUBE[SIDES[:, 0]]
+    flat = np.cross(e1, e2) / 4  # a right angle of two edges of 2
+    for crease in (0.0, math.radians(89)):
+        corners = shading.mesh_normals(CUBE, SIDES, crease)
+        np.testing.assert_allclose(corners, np.repeat(flat[:, None], 3, 1), atol=1e-15)
+    for crease in (math.radians(90.001), math.pi):
+        corners = shading.mesh_normals(CUBE, SIDES, crease)
+        np.testing.assert_allclose(corners, smooth[SIDES], atol=1e-15)
+    unused = shading.mesh_normals(np.vstack([CUBE, [(9, 9, 9)]]), SIDES)
+    np.testing.assert_array_equal(unused[-1], 0)
+
+
+def test_help_begins_with_what_one_calls() -> None:
+    import pydoc
+
+    text = pydoc.plain(pydoc.render_doc(shading))
+    assert "MRO" not in text and "class Light" not in text
+    assert text.index("shading.shade(points, normals") < 1500
