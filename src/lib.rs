@@ -180,7 +180,7 @@ macro_rules! pages {
         // the first definition of a link counts, so these replace those of the files
         /// [falloffs]: mod@crate::guide::lights#falloffs-beams-and-filters-of-your-own
         /// [gltf]: mod@crate::guide::lights#lights-of-a-gltf-file
-        /// [programs]: mod@crate::guide::porting#lights-of-other-programs
+        /// [programs]: mod@crate::guide::porting#lights-and-materials-of-other-programs
         /// [watts]: mod@crate::guide::lights#lumen-and-candela
         /// [display]: mod@crate::guide::embedded#a-mesh-on-a-display
         /// [laws]: https://docs.rs/shading-laws

@@ -146,10 +146,11 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
 /// for the idea.
 ///
 /// ```
-/// use shading::{UnitVec3, Vec3, normal};
+/// use shading::f32::{UnitVec3, Vec3};
+/// use shading::normal;
 ///
-/// let (n, tangent) = (UnitVec3::<f32>::Z, Vec3::new(1.0, 0.0, 0.0));
-/// let decode = |texel: [u8; 3]| Vec3::from(texel).map(|c| f32::from(c) / 255.0 * 2.0 - 1.0);
+/// let (n, tangent) = (UnitVec3::Z, Vec3::new(1.0, 0.0, 0.0));
+/// let decode = |texel: [u8; 3]| Vec3::from(texel.map(|c| f32::from(c) / 255.0 * 2.0 - 1.0));
 ///
 /// let flat = normal::mapped(n, tangent, 1.0, decode([128, 128, 255])).unwrap();
 /// assert!(n.dot(flat) > 0.9999);
