@@ -1,5 +1,5 @@
-// The recipes as one program uses them: what one makes, another takes. `.ci/pages blocks` puts the items of each recipe into a
-// module that is named after it.
+// The recipes as one program uses them: what one makes, another takes. `.ci/pages blocks` puts the items of each
+// recipe into a module that is named after it.
 use shading::f32::{DirectionalLight, IncidentLight, Light, Rgb, UnitVec3, Vec3};
 
 fn main() {
@@ -12,7 +12,16 @@ fn main() {
     };
     let plastic = wavefront_materials::material(&mtl);
     let (n, p) = (UnitVec3::Z, Vec3::ZERO);
-    let lamp = lights_of_a_gltf_file::gltf("point", [1.0; 3], 8.0, Vec3::new(0.0, 0.0, 2.0), n, None, None).unwrap();
+    let lamp = lights_of_a_gltf_file::gltf(
+        "point",
+        [1.0; 3],
+        8.0,
+        Vec3::new(0.0, 0.0, 2.0),
+        n,
+        None,
+        None,
+    )
+    .unwrap();
     let sun = Light::from(DirectionalLight {
         l: height_maps_and_the_sun::sun(315.0, 45.0),
         intensity: color_temperature::black_body(5000.0),
@@ -29,12 +38,30 @@ fn main() {
 
     // the same material in the other sums, with what arrives without the lights below the face
     let above = || lights_below_the_face::above(&lights, p, n);
-    let faded = a_highlight_that_fades::faded(n, n, &plastic, Rgb::BLACK, above().collect::<Vec<_>>().into_iter());
+    let faded = a_highlight_that_fades::faded(
+        n,
+        n,
+        &plastic,
+        Rgb::BLACK,
+        above().collect::<Vec<_>>().into_iter(),
+    );
     assert!(faded.specular.r <= shaded.specular.r);
-    let rough = rough_surfaces::diffuse(&plastic, Rgb::BLACK, above(), rough_surfaces::oren_nayar(n, n, 0.5));
+    let rough = rough_surfaces::diffuse(
+        &plastic,
+        Rgb::BLACK,
+        above(),
+        rough_surfaces::oren_nayar(n, n, 0.5),
+    );
     assert!(rough.r > 0.0 && rough.r < faded.diffuse.r + 1e-6);
-    assert!(hair_brushed_metal_and_lines::strand(UnitVec3::X, n, &plastic, Rgb::BLACK, above()).r > 0.0);
-    let wrapped = rough_surfaces::diffuse(&plastic, Rgb::BLACK, above(), wrapped_and_toon_shading::wrapped(n, 0.5));
+    assert!(
+        hair_brushed_metal_and_lines::strand(UnitVec3::X, n, &plastic, Rgb::BLACK, above()).r > 0.0
+    );
+    let wrapped = rough_surfaces::diffuse(
+        &plastic,
+        Rgb::BLACK,
+        above(),
+        wrapped_and_toon_shading::wrapped(n, 0.5),
+    );
     assert!(wrapped.r > rough.r);
 
     // the side of a mirrored cube at x = 1, which the mirror moves to x = −1: normal and face are turned together
@@ -43,14 +70,20 @@ fn main() {
     let v = Vec3::new(-1.0, 0.0, 1.0).unit().unwrap();
     let lit = |face| {
         let n = two_sided_surfaces::two_sided(face, *outward, None, v);
-        let sun = Light::from(DirectionalLight { l: v, intensity: Rgb::WHITE });
+        let sun = Light::from(DirectionalLight {
+            l: v,
+            intensity: Rgb::WHITE,
+        });
         let lit: Vec<_> = lights_below_the_face::above(&[sun], p, face).collect();
         rough_surfaces::diffuse(&plastic, Rgb::BLACK, lit.into_iter(), |l| n.dot(l).max(0.0)).r
     };
     assert!((lit(outward) - 0.5 * 0.5_f32.sqrt()).abs() < 1e-6); // k_d N·L, L at 45° to the side
 
     // a leaf against the sun keeps its light when shadows are cast
-    let behind = Light::from(DirectionalLight { l: UnitVec3::NEG_Z, intensity: Rgb::WHITE });
+    let behind = Light::from(DirectionalLight {
+        l: UnitVec3::NEG_Z,
+        intensity: Rgb::WHITE,
+    });
     let through = Rgb::new(0.2, 0.5, 0.1);
     let reaching: Vec<IncidentLight> = leaves_and_paper_2::reaching_leaf(p, n, &[behind], nothing);
     let leaf = leaves_and_paper::leaf(n, n, &plastic, through, Rgb::BLACK, &reaching);
