@@ -1,0 +1,154 @@
+//! Arguments for the functions of the files.
+
+use shading_languages::{Function, Kind};
+
+/// The numbers of the arguments of many calls, one call after another.
+pub fn arguments(function: &Function, draw: Draw, calls: usize) -> Vec<f32> {
+    let mut random = Random { state: 7, draw };
+    let mut all = vec![];
+    for _ in 0..calls {
+        for (name, kind) in &function.parameters {
+            random.draw(name, *kind, &mut all);
+        }
+    }
+    all
+}
+
+/// How the numbers of an argument are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Draw {
+    Ordinary,
+    /// 0, −0, ±1, the least and the largest, beside ordinary ones.
+    Special,
+    /// From the least number to the largest, each of its own size.
+    Extreme,
+}
+
+struct Random {
+    state: u64,
+    draw: Draw,
+}
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.state = self
+            .state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (self.state >> 33) ^ (self.state >> 11)
+    }
+
+    fn fraction(&mut self) -> f32 {
+        (self.bits() & 0xFF_FFFF) as f32 / 16_777_216.0
+    }
+
+    fn special(&mut self, of: &[f32], otherwise: f32) -> f32 {
+        if self.draw == Draw::Special && self.bits() & 1 == 0 {
+            of[self.bits() as usize % of.len()]
+        } else {
+            otherwise
+        }
+    }
+
+    /// 10^x for an x from −45 to 38.5.
+    fn size(&mut self) -> f32 {
+        if self.draw == Draw::Extreme {
+            10_f64.powf(f64::from(self.fraction()) * 83.5 - 45.0) as f32
+        } else {
+            4.0
+        }
+    }
+
+    fn signed(&mut self) -> f32 {
+        let x = 2.0 * self.fraction() - 1.0;
+        self.special(&[0.0, -0.0, 1.0, -1.0, 0.5, 0.999_999_9, -0.999_999_9], x)
+    }
+
+    fn positive(&mut self, size: f32) -> f32 {
+        let x = size * self.fraction();
+        self.special(&[0.0, 1.0, 1e-12, f32::MAX, f32::MIN_POSITIVE], x)
+    }
+
+    fn unit(&mut self) -> [f32; 3] {
+        let v = shading::Vec3::new(self.signed(), self.signed(), self.signed());
+        <[f32; 3]>::from(v.unit_or(shading::UnitVec3::Z))
+    }
+
+    fn draw(&mut self, name: &str, kind: Kind, all: &mut Vec<f32>) {
+        match kind {
+            Kind::Flag => all.push((self.bits() & 1) as f32),
+            Kind::Cosine => {
+                let x = self.signed();
+                all.push(x);
+            }
+            Kind::Fraction => {
+                let x = self.fraction();
+                let x = self.special(&[0.0, 1.0, f32::MIN_POSITIVE, 0.999_999_94], x);
+                all.push(x);
+            }
+            Kind::Number => {
+                let x = self.signed() * self.size();
+                all.push(x);
+            }
+            Kind::Positive => {
+                let size = match name {
+                    "m" => 200.0,
+                    _ => 8.0,
+                };
+                let size = if self.draw == Draw::Extreme {
+                    self.size()
+                } else {
+                    size
+                };
+                let x = self.positive(size);
+                // a range and a limit are above 0
+                all.push(if matches!(name, "range" | "limit" | "r") {
+                    x.max(1e-30)
+                } else {
+                    x
+                });
+            }
+            Kind::Pair => all.extend([self.signed(), self.signed()]),
+            Kind::Cosines => {
+                let (a, b) = (self.signed() + 0.0, self.signed() + 0.0);
+                all.extend(if a > b { [a, b] } else { [b, a] });
+            }
+            Kind::Vector => {
+                let size = self.size();
+                let apart = self.draw == Draw::Extreme && self.bits() & 1 == 0;
+                for _ in 0..3 {
+                    let size = if apart { self.size() } else { size };
+                    all.push(size * self.signed());
+                }
+            }
+            Kind::Unit => all.extend(self.unit()),
+            Kind::Color if name == "coefficients" => {
+                for _ in 0..3 {
+                    let x = self.positive(1.0).min(1e30);
+                    all.push(x);
+                }
+                // not all are 0
+                let at = all.len() - 3;
+                if all[at..] == [0.0; 3] {
+                    all[at] = 1.0;
+                }
+            }
+            Kind::Color => {
+                let size = if self.draw == Draw::Extreme {
+                    self.size().min(1e18)
+                } else {
+                    1.0
+                };
+                for _ in 0..3 {
+                    let x = size * self.fraction();
+                    all.push(self.special(&[0.0, 1.0], x));
+                }
+            }
+            _ => {
+                for (name, kind) in kind.fields().expect("a struct").2 {
+                    self.draw(name, *kind, all);
+                }
+            }
+        }
+    }
+}
