@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Checks the clients, or some of them: `run.sh [programs] [chip] [languages] [page] [shader] [packages] [javascript] [bench]`.
-# Without a name, it checks the first four: the compiler of the shader takes a quarter of an hour to build. `packages` builds what a
+# Checks the clients, or some of them: `run.sh [programs] [chip] [languages] [page] [gpu] [packages] [javascript] [bench]`.
+# Without a name, it checks the first four: `gpu` compiles wgpu. `packages` builds what a
 # release of the languages consists of, `javascript` tries the npm package in versions of Node.js, a bundler and a browser, and
 # `bench` measures beside NumPy, numba and jax. Installs what is missing. PICTURES names a folder for the
-# pages' screenshots; DEVICE is the number of the Vulkan device, 0 if nothing is said: Mesa's, where no driver is installed.
+# pages' screenshots.
 set -euo pipefail
 cd "$(dirname "$0")"
 . ../.ci/toolchain
@@ -173,20 +173,35 @@ page() {
     node web/test/exercises.mjs ${PICTURES:+"$(realpath "$PICTURES")"}
 }
 
-# every function and a scene on a Vulkan device
-shader() {
-    local toolchain=nightly-2026-08-15 module=$built/kernel.spv # the toolchain that rust-gpu 0.11 is written for
-    install_packages spirv-tools libvulkan1 mesa-vulkan-drivers
-    rustup toolchain list | grep -q "^$toolchain" ||
-        installer rustup toolchain install $toolchain --profile minimal --no-self-update \
-            --component rust-src --component rustc-dev --component llvm-tools
-    (cd shader && cargo fmt --check && cargo clippy --quiet --lib --bins -- -D warnings)
-    (cd shader && cargo +$toolchain run --quiet --release --example compiler -- "$module")
-    local unwanted
-    for unwanted in Float64 Int64 Int8 Fma; do
-        ! spirv-dis "$module" | grep --word-regexp "$unwanted" || { echo "the module needs $unwanted" >&2; exit 1; }
+# the files of languages/: a ball and a teapot in C, C++, Metal (as C++), HLSL and WGSL, and every function in WGSL
+gpu() {
+    install_packages gcc g++ glslang-tools spirv-tools libvulkan1 mesa-vulkan-drivers
+    local work=$built/gpu files=../languages shaders=gpu/shaders power language
+    mkdir -p "$work"
+    (cd gpu && cargo fmt --check && cargo clippy --quiet -- -D warnings && cargo build --quiet)
+    local program=${CARGO_TARGET_DIR:-gpu/target}/debug/gpu
+    "$program" scene "$work"
+
+    local flags=(-O2 -ffp-contract=off -Wall -Wextra -pedantic -Wdouble-promotion -Werror -I "$files")
+    gcc -std=c99 "${flags[@]}" $shaders/scene.c -o "$work/c" -lm
+    g++ -x c++ -std=c++11 "${flags[@]}" $shaders/scene.c -o "$work/c++"
+    touch "$work/metal_stdlib" # the shim has what the file needs of it
+    g++ -x c++ -std=c++11 -O2 -ffp-contract=off -DMETAL -DSHADING_EXACT_POWER -I "$work" -I "$files" $shaders/scene.c -o "$work/metal"
+    for language in c c++ metal; do
+        "$work/$language" <"$work/scene.bin" >"$work/$language.bin"
+        "$program" compare "$work/$language.bin" exact
     done
-    (cd shader && cargo run --quiet --release -- "$module" "${DEVICE:-0}")
+
+    for power in "" "#define SHADING_EXACT_POWER"; do
+        for language in "#version 300 es" "#version 330"; do
+            { printf '%s\nprecision highp float;\n%s\n' "$language" "$power" && cat "$files/shading.glsl" $shaders/scene.frag; } >"$work/scene.frag"
+            glslangValidator "$work/scene.frag"
+        done
+        { echo "$power" && cat $shaders/scene.hlsl; } >"$work/scene.hlsl"
+        glslangValidator -D -S comp -e main -V -I"$files" "$work/scene.hlsl" -o "$work/scene.spv"
+        spirv-val "$work/scene.spv"
+    done
+    XDG_RUNTIME_DIR=$work "$program" run
 }
 
 [ $# -gt 0 ] || set -- programs chip languages page

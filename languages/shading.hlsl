@@ -54,7 +54,7 @@ struct shading_Tangent {
 struct shading_Measured {
     float3 w;
     float w_length;
-    float length;
+    float v_length;
 };
 
 // Whether a square is so small or large that it is not exact.
@@ -153,8 +153,8 @@ shading_Measured shading_measured(float3 v) {
 
 // v/|v|; 0 where v is 0.
 float3 shading_unit(float3 v) {
-    shading_Measured of = shading_measured(v);
-    return of.w_length > 0.0 ? of.w / of.w_length : float3(0.0, 0.0, 0.0);
+    shading_Measured way = shading_measured(v);
+    return way.w_length > 0.0 ? way.w / way.w_length : float3(0.0, 0.0, 0.0);
 }
 
 // The vector from a point to another, times a power of 2 where its square is out of range.
@@ -299,11 +299,11 @@ shading_Arrival shading_arrival(shading_Light light, float3 p) {
         return result;
     }
     shading_Measured to_light = shading_measured(light.position - p);
-    float dimmed = to_light.w_length > 0.0 ? shading_falloff(light, to_light.length)
+    float dimmed = to_light.w_length > 0.0 ? shading_falloff(light, to_light.v_length)
             * (light.cosines.x > -1.0 ? shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
             : 1.0) : 0.0;
     shading_Arrival result = {to_light.w_length > 0.0 ? to_light.w / to_light.w_length
-            : float3(0.0, 0.0, 1.0), min(to_light.length, 3.4028235e38),
+            : float3(0.0, 0.0, 1.0), min(to_light.v_length, 3.4028235e38),
             min(light.intensity * dimmed, float3(3.4028235e38, 3.4028235e38, 3.4028235e38))};
     return result;
 }
@@ -361,7 +361,7 @@ shading_Sums shading_add_lambert(shading_Sums sums, float3 n, shading_Light ligh
         return sums;
     }
     shading_Measured to_light = shading_measured(way);
-    float dimmed = shading_falloff(light, to_light.length)
+    float dimmed = shading_falloff(light, to_light.v_length)
             * (light.cosines.x > -1.0 ? shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
             : 1.0);
     shading_Sums result = {sums.diffuse + light.intensity
@@ -388,7 +388,7 @@ shading_Sums shading_add_phong(shading_Sums sums, float3 n, float3 v, float m, s
         return sums;
     }
     shading_Measured to_light = shading_measured(way);
-    float dimmed = shading_falloff(light, to_light.length)
+    float dimmed = shading_falloff(light, to_light.v_length)
             * (light.cosines.x > -1.0 ? shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
             : 1.0);
     float n_dot_w = dot(n, to_light.w);
@@ -421,7 +421,7 @@ shading_Sums shading_add_blinn_phong(shading_Sums sums, float3 n, float3 v, floa
         return sums;
     }
     shading_Measured to_light = shading_measured(way);
-    float dimmed = shading_falloff(light, to_light.length)
+    float dimmed = shading_falloff(light, to_light.v_length)
             * (light.cosines.x > -1.0 ? shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
             : 1.0);
     float3 halfway = to_light.w + v * to_light.w_length;
@@ -482,12 +482,12 @@ float3 shading_normal_transformed(float3 n, float3 a, float3 b, float3 c) {
         shading_Measured y = shading_measured(b);
         float abs_z = abs(n.z);
         shading_Measured z = shading_measured(c);
-        float least = min(min(abs_x > 0.0 ? x.length : 3.4028235e38, abs_y > 0.0 ? y.length : 3.4028235e38),
-                abs_z > 0.0 ? z.length : 3.4028235e38);
-        float n_x = abs_x > 0.0 ? n.x * (x.length > least ? least / x.length : 1.0) : 0.0;
+        float least = min(min(abs_x > 0.0 ? x.v_length : 3.4028235e38,
+                abs_y > 0.0 ? y.v_length : 3.4028235e38), abs_z > 0.0 ? z.v_length : 3.4028235e38);
+        float n_x = abs_x > 0.0 ? n.x * (x.v_length > least ? least / x.v_length : 1.0) : 0.0;
         float3 along_a = shading_unit(a) + a * 0.0;
-        float n_y = abs_y > 0.0 ? n.y * (y.length > least ? least / y.length : 1.0) : 0.0;
-        float n_z = abs_z > 0.0 ? n.z * (z.length > least ? least / z.length : 1.0) : 0.0;
+        float n_y = abs_y > 0.0 ? n.y * (y.v_length > least ? least / y.v_length : 1.0) : 0.0;
+        float n_z = abs_z > 0.0 ? n.z * (z.v_length > least ? least / z.v_length : 1.0) : 0.0;
         return shading_unit(cross(along_b, along_c) * n_x + cross(along_c, along_a) * n_y
                 + cross(along_a, along_b) * n_z);
     }
@@ -501,9 +501,9 @@ float3 shading_normal_corner(float3 v1, float3 v2, float3 v3) {
     shading_Measured c = shading_measured(cross(e1, e2));
     float cosine = dot(e1, e2);
     float adjacent = abs(cosine);
-    float x = adjacent * 2.4142137 > c.length ? (cosine > 0.0 ? 1.0 : -1.0) : 0.0;
-    float y = c.length > adjacent * 0.41421357 ? 1.0 : 0.0;
-    float t = (x * c.length - y * cosine) / (x * cosine + y * c.length);
+    float x = adjacent * 2.4142137 > c.v_length ? (cosine > 0.0 ? 1.0 : -1.0) : 0.0;
+    float y = c.v_length > adjacent * 0.41421357 ? 1.0 : 0.0;
+    float t = (x * c.v_length - y * cosine) / (x * cosine + y * c.v_length);
     float z = t * t;
     float z2 = z * z;
     float z4 = z2 * z2;
@@ -520,7 +520,7 @@ shading_Tangent shading_normal_tangent(float3 v1, float3 v2, float3 v3, float2 u
     float3 half_v1 = v1 * 0.5;
     float3 e2 = v2 * 0.5 - half_v1;
     float3 e3 = v3 * 0.5 - half_v1;
-    float edge = max(shading_measured(e2).length, shading_measured(e3).length);
+    float edge = max(shading_measured(e2).v_length, shading_measured(e3).v_length);
     float half_y = uv1.y * 0.5;
     float y3 = uv3.y * 0.5 - half_y;
     float y2 = uv2.y * 0.5 - half_y;
@@ -545,13 +545,13 @@ shading_Tangent shading_normal_tangent(float3 v1, float3 v2, float3 v3, float2 u
 // A normal from a map: x t + y b + z N, length 1. glTF 2.0, 3.7.2.1.
 float3 shading_normal_mapped(float3 n, float3 tangent, float h, float3 s) {
     shading_Measured across = shading_measured(shading_crossed(float3(0.0, 0.0, 0.0), n, tangent));
-    shading_Measured sample = shading_measured(s);
-    if (!(across.w_length > 0.0 && sample.w_length > 0.0)) {
+    shading_Measured texel = shading_measured(s);
+    if (!(across.w_length > 0.0 && texel.w_length > 0.0)) {
         return float3(0.0, 0.0, 0.0);
     }
     float3 side = across.w / across.w_length;
-    return shading_unit(cross(side, n) * (sample.w.x / sample.w_length) + side * (h > 0.0 ? 1.0 : -1.0)
-            * (sample.w.y / sample.w_length) + n * (sample.w.z / sample.w_length));
+    return shading_unit(cross(side, n) * (texel.w.x / texel.w_length) + side * (h > 0.0 ? 1.0 : -1.0)
+            * (texel.w.y / texel.w_length) + n * (texel.w.z / texel.w_length));
 }
 
 #endif

@@ -59,7 +59,7 @@ struct Tangent {
 struct Measured {
     float3 w;
     float w_length;
-    float length;
+    float v_length;
 };
 
 // Whether a square is so small or large that it is not exact.
@@ -158,8 +158,8 @@ inline Measured measured(float3 v) {
 
 // v/|v|; 0 where v is 0.
 inline float3 unit(float3 v) {
-    Measured of = measured(v);
-    return of.w_length > 0.0f ? of.w / of.w_length : float3(0.0f);
+    Measured way = measured(v);
+    return way.w_length > 0.0f ? way.w / way.w_length : float3(0.0f);
 }
 
 // The vector from a point to another, times a power of 2 where its square is out of range.
@@ -303,11 +303,11 @@ inline Arrival arrival(Light light, float3 p) {
         return result;
     }
     Measured to_light = measured(light.position - p);
-    float dimmed = to_light.w_length > 0.0f ? falloff(light, to_light.length)
+    float dimmed = to_light.w_length > 0.0f ? falloff(light, to_light.v_length)
             * (light.cosines.x > -1.0f ? spot(light, dot(-light.axis, to_light.w) / to_light.w_length) : 1.0f)
             : 0.0f;
     Arrival result = {to_light.w_length > 0.0f ? to_light.w / to_light.w_length : float3(0.0f, 0.0f, 1.0f),
-            min(to_light.length, 3.4028235e38f), min(light.intensity * dimmed, float3(3.4028235e38f))};
+            min(to_light.v_length, 3.4028235e38f), min(light.intensity * dimmed, float3(3.4028235e38f))};
     return result;
 }
 
@@ -364,7 +364,7 @@ inline Sums add_lambert(Sums sums, float3 n, Light light, float3 p) {
         return sums;
     }
     Measured to_light = measured(way);
-    float dimmed = falloff(light, to_light.length)
+    float dimmed = falloff(light, to_light.v_length)
             * (light.cosines.x > -1.0f ? spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
             : 1.0f);
     Sums result = {sums.diffuse + light.intensity
@@ -390,7 +390,7 @@ inline Sums add_phong(Sums sums, float3 n, float3 v, float m, Light light, float
         return sums;
     }
     Measured to_light = measured(way);
-    float dimmed = falloff(light, to_light.length)
+    float dimmed = falloff(light, to_light.v_length)
             * (light.cosines.x > -1.0f ? spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
             : 1.0f);
     float n_dot_w = dot(n, to_light.w);
@@ -421,7 +421,7 @@ inline Sums add_blinn_phong(Sums sums, float3 n, float3 v, float m, Light light,
         return sums;
     }
     Measured to_light = measured(way);
-    float dimmed = falloff(light, to_light.length)
+    float dimmed = falloff(light, to_light.v_length)
             * (light.cosines.x > -1.0f ? spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
             : 1.0f);
     float3 halfway = to_light.w + v * to_light.w_length;
@@ -481,12 +481,12 @@ inline float3 normal_transformed(float3 n, float3 a, float3 b, float3 c) {
         Measured y = measured(b);
         float abs_z = abs(n.z);
         Measured z = measured(c);
-        float least = min(min(abs_x > 0.0f ? x.length : 3.4028235e38f,
-                abs_y > 0.0f ? y.length : 3.4028235e38f), abs_z > 0.0f ? z.length : 3.4028235e38f);
-        float n_x = abs_x > 0.0f ? n.x * (x.length > least ? least / x.length : 1.0f) : 0.0f;
+        float least = min(min(abs_x > 0.0f ? x.v_length : 3.4028235e38f,
+                abs_y > 0.0f ? y.v_length : 3.4028235e38f), abs_z > 0.0f ? z.v_length : 3.4028235e38f);
+        float n_x = abs_x > 0.0f ? n.x * (x.v_length > least ? least / x.v_length : 1.0f) : 0.0f;
         float3 along_a = unit(a) + a * 0.0f;
-        float n_y = abs_y > 0.0f ? n.y * (y.length > least ? least / y.length : 1.0f) : 0.0f;
-        float n_z = abs_z > 0.0f ? n.z * (z.length > least ? least / z.length : 1.0f) : 0.0f;
+        float n_y = abs_y > 0.0f ? n.y * (y.v_length > least ? least / y.v_length : 1.0f) : 0.0f;
+        float n_z = abs_z > 0.0f ? n.z * (z.v_length > least ? least / z.v_length : 1.0f) : 0.0f;
         return unit(cross(along_b, along_c) * n_x + cross(along_c, along_a) * n_y + cross(along_a, along_b)
                 * n_z);
     }
@@ -500,9 +500,9 @@ inline float3 normal_corner(float3 v1, float3 v2, float3 v3) {
     Measured c = measured(cross(e1, e2));
     float cosine = dot(e1, e2);
     float adjacent = abs(cosine);
-    float x = adjacent * 2.4142137f > c.length ? (cosine > 0.0f ? 1.0f : -1.0f) : 0.0f;
-    float y = c.length > adjacent * 0.41421357f ? 1.0f : 0.0f;
-    float t = (x * c.length - y * cosine) / (x * cosine + y * c.length);
+    float x = adjacent * 2.4142137f > c.v_length ? (cosine > 0.0f ? 1.0f : -1.0f) : 0.0f;
+    float y = c.v_length > adjacent * 0.41421357f ? 1.0f : 0.0f;
+    float t = (x * c.v_length - y * cosine) / (x * cosine + y * c.v_length);
     float z = t * t;
     float z2 = z * z;
     float z4 = z2 * z2;
@@ -519,7 +519,7 @@ inline Tangent normal_tangent(float3 v1, float3 v2, float3 v3, float2 uv1, float
     float3 half_v1 = v1 * 0.5f;
     float3 e2 = v2 * 0.5f - half_v1;
     float3 e3 = v3 * 0.5f - half_v1;
-    float edge = max(measured(e2).length, measured(e3).length);
+    float edge = max(measured(e2).v_length, measured(e3).v_length);
     float half_y = uv1.y * 0.5f;
     float y3 = uv3.y * 0.5f - half_y;
     float y2 = uv2.y * 0.5f - half_y;
@@ -544,13 +544,13 @@ inline Tangent normal_tangent(float3 v1, float3 v2, float3 v3, float2 uv1, float
 // A normal from a map: x t + y b + z N, length 1. glTF 2.0, 3.7.2.1.
 inline float3 normal_mapped(float3 n, float3 tangent, float h, float3 s) {
     Measured across = measured(crossed(float3(0.0f), n, tangent));
-    Measured sample = measured(s);
-    if (!(across.w_length > 0.0f && sample.w_length > 0.0f)) {
+    Measured texel = measured(s);
+    if (!(across.w_length > 0.0f && texel.w_length > 0.0f)) {
         return float3(0.0f);
     }
     float3 side = across.w / across.w_length;
-    return unit(cross(side, n) * (sample.w.x / sample.w_length) + side * (h > 0.0f ? 1.0f : -1.0f)
-            * (sample.w.y / sample.w_length) + n * (sample.w.z / sample.w_length));
+    return unit(cross(side, n) * (texel.w.x / texel.w_length) + side * (h > 0.0f ? 1.0f : -1.0f)
+            * (texel.w.y / texel.w_length) + n * (texel.w.z / texel.w_length));
 }
 
 } // namespace shading

@@ -48,7 +48,7 @@ struct shading_Tangent {
 struct shading_Measured {
     w: vec3f,
     w_length: f32,
-    length: f32,
+    v_length: f32,
 }
 
 // Whether a square is so small or large that it is not exact.
@@ -129,8 +129,8 @@ fn shading_measured(v: vec3f) -> shading_Measured {
 
 // v/|v|; 0 where v is 0.
 fn shading_unit(v: vec3f) -> vec3f {
-    let of = shading_measured(v);
-    return select(vec3f(0.0), of.w / of.w_length, of.w_length > 0.0);
+    let way = shading_measured(v);
+    return select(vec3f(0.0), way.w / way.w_length, way.w_length > 0.0);
 }
 
 // The vector from a point to another, times a power of 2 where its square is out of range.
@@ -275,11 +275,11 @@ fn shading_arrival(light: shading_Light, p: vec3f) -> shading_Arrival {
         return shading_Arrival(light.position, 3.4028235e38, light.intensity);
     }
     let to_light = shading_measured(light.position - p);
-    let dimmed = select(0.0, shading_falloff(light, to_light.length)
+    let dimmed = select(0.0, shading_falloff(light, to_light.v_length)
             * select(1.0, shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length),
             light.cosines.x > -1.0), to_light.w_length > 0.0);
     return shading_Arrival(select(vec3f(0.0, 0.0, 1.0), to_light.w / to_light.w_length,
-            to_light.w_length > 0.0), min(to_light.length, 3.4028235e38),
+            to_light.w_length > 0.0), min(to_light.v_length, 3.4028235e38),
             min(light.intensity * dimmed, vec3f(3.4028235e38)));
 }
 
@@ -337,7 +337,7 @@ fn shading_add_lambert(sums: shading_Sums, n: vec3f, light: shading_Light, p: ve
         return sums;
     }
     let to_light = shading_measured(way);
-    let dimmed = shading_falloff(light, to_light.length)
+    let dimmed = shading_falloff(light, to_light.v_length)
             * select(1.0, shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length),
             light.cosines.x > -1.0);
     return shading_Sums(sums.diffuse + light.intensity
@@ -363,7 +363,7 @@ fn shading_add_phong(sums: shading_Sums, n: vec3f, v: vec3f, m: f32, light: shad
         return sums;
     }
     let to_light = shading_measured(way);
-    let dimmed = shading_falloff(light, to_light.length)
+    let dimmed = shading_falloff(light, to_light.v_length)
             * select(1.0, shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length),
             light.cosines.x > -1.0);
     let n_dot_w = dot(n, to_light.w);
@@ -394,7 +394,7 @@ fn shading_add_blinn_phong(sums: shading_Sums, n: vec3f, v: vec3f, m: f32, light
         return sums;
     }
     let to_light = shading_measured(way);
-    let dimmed = shading_falloff(light, to_light.length)
+    let dimmed = shading_falloff(light, to_light.v_length)
             * select(1.0, shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length),
             light.cosines.x > -1.0);
     let halfway = to_light.w + v * to_light.w_length;
@@ -454,12 +454,13 @@ fn shading_normal_transformed(n: vec3f, a: vec3f, b: vec3f, c: vec3f) -> vec3f {
         let y = shading_measured(b);
         let abs_z = abs(n.z);
         let z = shading_measured(c);
-        let least = min(min(select(3.4028235e38, x.length, abs_x > 0.0),
-                select(3.4028235e38, y.length, abs_y > 0.0)), select(3.4028235e38, z.length, abs_z > 0.0));
-        let n_x = select(0.0, n.x * select(1.0, least / x.length, x.length > least), abs_x > 0.0);
+        let least = min(min(select(3.4028235e38, x.v_length, abs_x > 0.0),
+                select(3.4028235e38, y.v_length, abs_y > 0.0)),
+                select(3.4028235e38, z.v_length, abs_z > 0.0));
+        let n_x = select(0.0, n.x * select(1.0, least / x.v_length, x.v_length > least), abs_x > 0.0);
         let along_a = shading_unit(a) + a * 0.0;
-        let n_y = select(0.0, n.y * select(1.0, least / y.length, y.length > least), abs_y > 0.0);
-        let n_z = select(0.0, n.z * select(1.0, least / z.length, z.length > least), abs_z > 0.0);
+        let n_y = select(0.0, n.y * select(1.0, least / y.v_length, y.v_length > least), abs_y > 0.0);
+        let n_z = select(0.0, n.z * select(1.0, least / z.v_length, z.v_length > least), abs_z > 0.0);
         return shading_unit(cross(along_b, along_c) * n_x + cross(along_c, along_a) * n_y
                 + cross(along_a, along_b) * n_z);
     }
@@ -473,9 +474,9 @@ fn shading_normal_corner(v1: vec3f, v2: vec3f, v3: vec3f) -> vec3f {
     let c = shading_measured(cross(e1, e2));
     let cosine = dot(e1, e2);
     let adjacent = abs(cosine);
-    let x = select(0.0, select(-1.0, 1.0, cosine > 0.0), adjacent * 2.4142137 > c.length);
-    let y = select(0.0, 1.0, c.length > adjacent * 0.41421357);
-    let t = (x * c.length - y * cosine) / (x * cosine + y * c.length);
+    let x = select(0.0, select(-1.0, 1.0, cosine > 0.0), adjacent * 2.4142137 > c.v_length);
+    let y = select(0.0, 1.0, c.v_length > adjacent * 0.41421357);
+    let t = (x * c.v_length - y * cosine) / (x * cosine + y * c.v_length);
     let z = t * t;
     let z2 = z * z;
     let z4 = z2 * z2;
@@ -493,7 +494,7 @@ fn shading_normal_tangent(v1: vec3f, v2: vec3f, v3: vec3f, uv1: vec2f, uv2: vec2
     let half_v1 = v1 * 0.5;
     let e2 = v2 * 0.5 - half_v1;
     let e3 = v3 * 0.5 - half_v1;
-    let edge = max(shading_measured(e2).length, shading_measured(e3).length);
+    let edge = max(shading_measured(e2).v_length, shading_measured(e3).v_length);
     let half_y = uv1.y * 0.5;
     let y3 = uv3.y * 0.5 - half_y;
     let y2 = uv2.y * 0.5 - half_y;
@@ -516,12 +517,12 @@ fn shading_normal_tangent(v1: vec3f, v2: vec3f, v3: vec3f, uv1: vec2f, uv2: vec2
 // A normal from a map: x t + y b + z N, length 1. glTF 2.0, 3.7.2.1.
 fn shading_normal_mapped(n: vec3f, tangent: vec3f, h: f32, s: vec3f) -> vec3f {
     let across = shading_measured(shading_crossed(vec3f(0.0), n, tangent));
-    let sample = shading_measured(s);
-    if !(across.w_length > 0.0 && sample.w_length > 0.0) {
+    let texel = shading_measured(s);
+    if !(across.w_length > 0.0 && texel.w_length > 0.0) {
         return vec3f(0.0);
     }
     let side = across.w / across.w_length;
-    return shading_unit(cross(side, n) * (sample.w.x / sample.w_length) + side * select(-1.0, 1.0, h > 0.0)
-            * (sample.w.y / sample.w_length) + n * (sample.w.z / sample.w_length));
+    return shading_unit(cross(side, n) * (texel.w.x / texel.w_length) + side * select(-1.0, 1.0, h > 0.0)
+            * (texel.w.y / texel.w_length) + n * (texel.w.z / texel.w_length));
 }
 

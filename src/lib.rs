@@ -98,7 +98,8 @@
 //! - [Porting](guide::porting): how to replace your own loop and keep your vectors; the lights of other programs.
 //! - [Numbers](guide::numbers): how to compute with a number type of your own.
 //! - [Embedded](guide::embedded): from an empty folder to a picture on an emulated board; costs on chips.
-//! - [GPU](guide::gpu): scenes in buffers, and this crate as a shader.
+//! - [GPU](guide::gpu): the formulas in shading languages, and scenes in buffers.
+//! - [C](guide::c): the formulas in C and C++, without Rust.
 //! - [Scenes in files](guide::schema): the forms that `serde` reads.
 //! - [Totality](guide::totality): what each function gives where its formula has no answer.
 //! - [Proofs](guide::proofs): which of that is proved, and how.
@@ -185,6 +186,7 @@ macro_rules! pages {
         /// [display]: mod@crate::guide::embedded#a-mesh-on-a-display
         /// [laws]: https://docs.rs/shading-laws
         /// [embedded]: mod@crate::guide::embedded
+        /// [c]: mod@crate::guide::c
         /// [gpu]: mod@crate::guide::gpu
         /// [numbers]: mod@crate::guide::numbers
         /// [performance]: mod@crate::guide::performance
@@ -250,7 +252,8 @@ macro_rules! pages {
 pub mod guide {
     pages! {
         embedded, "../docs/embedded.md": "From an empty folder to a picture on an emulated board, and what the functions cost on chips.";
-        gpu, "../docs/gpu.md": "Scenes in uniform and storage buffers, and this crate as a shader.";
+        c, "../docs/c.md": "The formulas in C and C++, without Rust.";
+        gpu, "../docs/gpu.md": "The formulas in shading languages, and scenes in uniform and storage buffers.";
         numbers, "../docs/numbers.md": "How to compute with a number type of your own, and how to test it.";
         performance, "../docs/performance.md": "Which way to take, and what it costs.";
         porting, "../docs/porting.md": "How to replace a loop of your own, with your vectors.";

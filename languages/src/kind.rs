@@ -101,7 +101,7 @@ impl Kind {
                 &[
                     ("w", Self::Vector),
                     ("w_length", Self::Positive),
-                    ("length", Self::Positive),
+                    ("v_length", Self::Positive),
                 ],
             ),
             _ => return None,

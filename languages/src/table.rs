@@ -392,7 +392,7 @@ rows! {
     plain fn unit(v: Vector) -> Unit {
         v.unit()
     } [
-        of = T::measured(v);
+        way = T::measured(v);
     ]
 
     /// The vector from a point to another, times a power of 2 where its square is out of range.
@@ -716,7 +716,7 @@ rows! {
         normal::mapped(n, tangent, h, s)
     } [
         across = T::measured(T::crossed(Vec3::ZERO, *n, tangent));
-        sample = T::measured(s);
+        texel = T::measured(s);
         side = across.w / across.w_length;
     ]
 }

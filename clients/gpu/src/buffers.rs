@@ -36,9 +36,9 @@ impl From<&Light> for GpuLight {
         Self {
             position: point.position,
             intensity: point.intensity,
-            limit: point.attenuation.limit(),
+            limit: point.attenuation.limit().unwrap_or(f32::MAX),
             coefficients: point.attenuation.coefficients(),
-            range: point.attenuation.range(),
+            range: point.attenuation.range().unwrap_or(f32::MAX),
             is_gltf: f32::from(point.attenuation.is_gltf()),
             axis: spot.map_or(Vec3::ZERO, |spot| *spot.axis),
             is_smoothstep: f32::from(spot.is_some_and(|spot| spot.cone.is_smoothstep())),
