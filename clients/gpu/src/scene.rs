@@ -29,7 +29,7 @@ pub fn lights() -> [Light; 3] {
         intensity: Rgb::new(1.0, 0.8, 0.6),
         attenuation: Attenuation::const_new(1.0, 0.0, 0.25)
             .unwrap()
-            .const_within(6.0)
+            .within(6.0)
             .unwrap(),
     };
     let sun = DirectionalLight {
@@ -43,9 +43,7 @@ pub fn lights() -> [Light; 3] {
             attenuation: Attenuation::NONE,
         },
         axis: UnitVec3::assume_unit(Vec3::new(0.0, -0.8, -0.6)),
-        cone: Cone::const_from_cosines(0.98, 0.9)
-            .unwrap()
-            .const_smoothstep(),
+        cone: Cone::from_cosines(0.98, 0.9).unwrap().smoothstep(),
     };
     [lamp.into(), sun.into(), spot.into()]
 }
