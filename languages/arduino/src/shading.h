@@ -105,7 +105,7 @@ typedef struct {
 typedef struct {
     shading_vec3 w;
     float w_length;
-    float length;
+    float v_length;
 } shading_Measured;
 
 /* Whether a square is so small or large that it is not exact. */
@@ -203,8 +203,8 @@ static inline shading_Measured shading_measured(shading_vec3 v) {
 
 /* v/|v|; 0 where v is 0. */
 static inline shading_vec3 shading_unit(shading_vec3 v) {
-    shading_Measured of = shading_measured(v);
-    return of.w_length > 0.0f ? shading_over(of.w, of.w_length) : shading_vector(0.0f, 0.0f, 0.0f);
+    shading_Measured way = shading_measured(v);
+    return way.w_length > 0.0f ? shading_over(way.w, way.w_length) : shading_vector(0.0f, 0.0f, 0.0f);
 }
 
 /* The vector from a point to another, times a power of 2 where its square is out of range. */
@@ -352,12 +352,12 @@ static inline shading_Arrival shading_arrival(shading_Light light, shading_vec3 
         return result;
     }
     shading_Measured to_light = shading_measured(shading_sub(light.position, p));
-    float dimmed = to_light.w_length > 0.0f ? shading_falloff(light, to_light.length)
+    float dimmed = to_light.w_length > 0.0f ? shading_falloff(light, to_light.v_length)
             * (light.cosines.x > -1.0f
             ? shading_spot(light, shading_dot(shading_neg(light.axis), to_light.w) / to_light.w_length)
             : 1.0f) : 0.0f;
     shading_Arrival result = {to_light.w_length > 0.0f ? shading_over(to_light.w, to_light.w_length)
-            : shading_vector(0.0f, 0.0f, 1.0f), shading_min(to_light.length, 3.4028235e38f),
+            : shading_vector(0.0f, 0.0f, 1.0f), shading_min(to_light.v_length, 3.4028235e38f),
             shading_at_most(shading_scale(light.intensity, dimmed), 3.4028235e38f)};
     return result;
 }
@@ -424,7 +424,7 @@ static inline shading_Sums shading_add_lambert(shading_Sums sums, shading_vec3 n
         return sums;
     }
     shading_Measured to_light = shading_measured(way);
-    float dimmed = shading_falloff(light, to_light.length)
+    float dimmed = shading_falloff(light, to_light.v_length)
             * (light.cosines.x > -1.0f
             ? shading_spot(light, shading_dot(shading_neg(light.axis), to_light.w) / to_light.w_length)
             : 1.0f);
@@ -456,7 +456,7 @@ static inline shading_Sums shading_add_phong(shading_Sums sums, shading_vec3 n, 
         return sums;
     }
     shading_Measured to_light = shading_measured(way);
-    float dimmed = shading_falloff(light, to_light.length)
+    float dimmed = shading_falloff(light, to_light.v_length)
             * (light.cosines.x > -1.0f
             ? shading_spot(light, shading_dot(shading_neg(light.axis), to_light.w) / to_light.w_length)
             : 1.0f);
@@ -494,7 +494,7 @@ static inline shading_Sums shading_add_blinn_phong(shading_Sums sums, shading_ve
         return sums;
     }
     shading_Measured to_light = shading_measured(way);
-    float dimmed = shading_falloff(light, to_light.length)
+    float dimmed = shading_falloff(light, to_light.v_length)
             * (light.cosines.x > -1.0f
             ? shading_spot(light, shading_dot(shading_neg(light.axis), to_light.w) / to_light.w_length)
             : 1.0f);
@@ -560,12 +560,12 @@ static inline shading_vec3 shading_normal_transformed(shading_vec3 n, shading_ve
         shading_Measured y = shading_measured(b);
         float abs_z = fabsf(n.z);
         shading_Measured z = shading_measured(c);
-        float least = shading_min(shading_min(abs_x > 0.0f ? x.length : 3.4028235e38f,
-                abs_y > 0.0f ? y.length : 3.4028235e38f), abs_z > 0.0f ? z.length : 3.4028235e38f);
-        float n_x = abs_x > 0.0f ? n.x * (x.length > least ? least / x.length : 1.0f) : 0.0f;
+        float least = shading_min(shading_min(abs_x > 0.0f ? x.v_length : 3.4028235e38f,
+                abs_y > 0.0f ? y.v_length : 3.4028235e38f), abs_z > 0.0f ? z.v_length : 3.4028235e38f);
+        float n_x = abs_x > 0.0f ? n.x * (x.v_length > least ? least / x.v_length : 1.0f) : 0.0f;
         shading_vec3 along_a = shading_add(shading_unit(a), shading_scale(a, 0.0f));
-        float n_y = abs_y > 0.0f ? n.y * (y.length > least ? least / y.length : 1.0f) : 0.0f;
-        float n_z = abs_z > 0.0f ? n.z * (z.length > least ? least / z.length : 1.0f) : 0.0f;
+        float n_y = abs_y > 0.0f ? n.y * (y.v_length > least ? least / y.v_length : 1.0f) : 0.0f;
+        float n_z = abs_z > 0.0f ? n.z * (z.v_length > least ? least / z.v_length : 1.0f) : 0.0f;
         return shading_unit(shading_add(shading_add(shading_scale(shading_cross(along_b, along_c), n_x),
                 shading_scale(shading_cross(along_c, along_a), n_y)),
                 shading_scale(shading_cross(along_a, along_b), n_z)));
@@ -581,9 +581,9 @@ static inline shading_vec3 shading_normal_corner(shading_vec3 v1, shading_vec3 v
     shading_Measured c = shading_measured(shading_cross(e1, e2));
     float cosine = shading_dot(e1, e2);
     float adjacent = fabsf(cosine);
-    float x = adjacent * 2.4142137f > c.length ? (cosine > 0.0f ? 1.0f : -1.0f) : 0.0f;
-    float y = c.length > adjacent * 0.41421357f ? 1.0f : 0.0f;
-    float t = (x * c.length - y * cosine) / (x * cosine + y * c.length);
+    float x = adjacent * 2.4142137f > c.v_length ? (cosine > 0.0f ? 1.0f : -1.0f) : 0.0f;
+    float y = c.v_length > adjacent * 0.41421357f ? 1.0f : 0.0f;
+    float t = (x * c.v_length - y * cosine) / (x * cosine + y * c.v_length);
     float z = t * t;
     float z2 = z * z;
     float z4 = z2 * z2;
@@ -602,7 +602,7 @@ static inline shading_Tangent shading_normal_tangent(shading_vec3 v1, shading_ve
     shading_vec3 half_v1 = shading_scale(v1, 0.5f);
     shading_vec3 e2 = shading_sub(shading_scale(v2, 0.5f), half_v1);
     shading_vec3 e3 = shading_sub(shading_scale(v3, 0.5f), half_v1);
-    float edge = shading_max(shading_measured(e2).length, shading_measured(e3).length);
+    float edge = shading_max(shading_measured(e2).v_length, shading_measured(e3).v_length);
     float half_y = uv1.y * 0.5f;
     float y3 = uv3.y * 0.5f - half_y;
     float y2 = uv2.y * 0.5f - half_y;
@@ -629,15 +629,15 @@ static inline shading_Tangent shading_normal_tangent(shading_vec3 v1, shading_ve
 static inline shading_vec3 shading_normal_mapped(shading_vec3 n, shading_vec3 tangent, float h,
         shading_vec3 s) {
     shading_Measured across = shading_measured(shading_crossed(shading_vector(0.0f, 0.0f, 0.0f), n, tangent));
-    shading_Measured sample = shading_measured(s);
-    if (!(across.w_length > 0.0f && sample.w_length > 0.0f)) {
+    shading_Measured texel = shading_measured(s);
+    if (!(across.w_length > 0.0f && texel.w_length > 0.0f)) {
         return shading_vector(0.0f, 0.0f, 0.0f);
     }
     shading_vec3 side = shading_over(across.w, across.w_length);
     return shading_unit(shading_add(shading_add(shading_scale(shading_cross(side, n),
-            sample.w.x / sample.w_length),
-            shading_scale(shading_scale(side, h > 0.0f ? 1.0f : -1.0f), sample.w.y / sample.w_length)),
-            shading_scale(n, sample.w.z / sample.w_length)));
+            texel.w.x / texel.w_length),
+            shading_scale(shading_scale(side, h > 0.0f ? 1.0f : -1.0f), texel.w.y / texel.w_length)),
+            shading_scale(n, texel.w.z / texel.w_length)));
 }
 
 #endif

@@ -85,7 +85,11 @@ impl Random {
                 let x = self.fraction();
                 let x = self.special(&[0.0, 1.0, f32::MIN_POSITIVE, 0.999_999_94], x);
                 // a divisor is above 0
-                all.push(if name == "d" { x.max(f32::MIN_POSITIVE) } else { x });
+                all.push(if name == "d" {
+                    x.max(f32::MIN_POSITIVE)
+                } else {
+                    x
+                });
             }
             Kind::Number => {
                 let x = self.signed() * self.size();
