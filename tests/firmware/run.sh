@@ -148,7 +148,7 @@ pictures=$(cargo run --quiet --release --bin frame --features ball)
 approximate=$([ "${1-}" != approximate ] || echo f32_by_micromath)
 # bytes and thousands of instructions
 declare -A limit=(
-    [$m4f fixed]="3400 21850" [$m0 fixed]="4900 75000" [$riscv fixed]="4600 33000"
+    [$m4f fixed]="3400 21850" [$m0 fixed]="5050 75000" [$riscv fixed]="4600 33000"
     [$m4f f32]="2460 12000" [$m0 f32]="5400 386000" [$riscv f32]="6970 200000"
 )
 declare -A flash_of thousands
@@ -166,7 +166,7 @@ for target in $m4f $m0 $riscv; do
         within "$target $program: bytes of the ball" "${flash_of[$program]}" "$most_bytes"
         within "$target $program: thousands of instructions" "${thousands[$program]}" "$most_thousands"
     done
-    within "$target: hundredths of the flash by hand" $((100 * flash_of[fixed] / flash_of[fixed_by_hand])) 139
+    within "$target: hundredths of the flash by hand" $((100 * flash_of[fixed] / flash_of[fixed_by_hand])) 143
     within "$target: hundredths of the instructions by hand" $((100 * thousands[fixed] / thousands[fixed_by_hand])) \
         $([ "$target" = $riscv ] && echo 55 || echo 50)
     within "$target: hundredths of the crate's instructions in fixed point in C" \
@@ -180,7 +180,7 @@ done
 
 echo "== flash of a program with one sum, and with five"
 declare -A sites=(
-    [$m4f fixed]="3350 10250" [$m0 fixed]="5150 12800" [$riscv fixed]="5300 13950"
+    [$m4f fixed]="3350 10250" [$m0 fixed]="5150 12700" [$riscv fixed]="5300 13950"
     [$m4f f32]="1650 6500" [$m0 f32]="5250 11200" [$riscv f32]="6350 13200"
 )
 for target in $m4f $m0 $riscv; do
