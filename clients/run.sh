@@ -128,7 +128,7 @@ javascript() {
     # vite says nothing about modules of Node.js
     mkdir -p "$work/bundle"
     sed 's#./node_modules/shading/index.js#shading#' "$work/page.html" >"$work/bundle/index.html"
-    (cd "$work" && npx --yes vite@6 build bundle 2>&1) | tee "$built/vite.txt"
+    (cd "$work" && npx --yes vite@6 build --target es2022 bundle 2>&1) | tee "$built/vite.txt"
     ! grep --ignore-case -E 'node:|externalized|warn' "$built/vite.txt" || exit 1
 
     local server port=8765 folder
