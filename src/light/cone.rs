@@ -125,7 +125,6 @@ impl<T: Real> Cone<T> {
     #[inline]
     #[must_use]
     pub fn cosines(self) -> [T; 2] {
-        // not by `map` on an array, which rust-gpu cannot compile
         [
             self.inner.at_least(T::NEG_ONE),
             self.outer.at_least(T::NEG_ONE),

@@ -140,7 +140,6 @@ pub fn single_of_quotient<T: Bits>(c: T, d: T, m: T) -> T {
 /// log₂ (c/d).
 #[inline(always)]
 fn log2_single<T: Bits>(c: T, d: T) -> T {
-    // not `LOG.map`, as rust-gpu cannot compile it
     let of = T::of_f32;
 
     // Scaling by 2²⁴ is exact and makes even the least subnormal number normal. The quotient s does
