@@ -79,3 +79,39 @@ fn bits_compare_as_floats_do() {
         }
     }
 }
+
+/// The light of a level that is not whole, by the formula of sRGB.
+fn decoded(encoded: f64) -> f64 {
+    if encoded <= 0.040_45 {
+        encoded / 12.92
+    } else {
+        ((encoded + 0.055) / 1.055).powf(2.4)
+    }
+}
+
+/// As the encoders of `f64` say: what is farther than 2⁻²⁴ of itself from an edge is on its right side.
+#[test]
+fn double_precision_misses_an_edge_by_the_roundoff_of_single_at_most() {
+    const ROUNDOFF: f64 = 1.0 / 16_777_216.0;
+    let gray = shading::Rgb::<f64>::gray;
+    let edge = |levels: u16, level: u16| (f64::from(level) - 0.5) / f64::from(levels - 1);
+    let assert_edge = |edge: f64, level: u16, encoded: &dyn Fn(f64) -> u16| {
+        let [below, above] = [edge * (1.0 - ROUNDOFF), edge * (1.0 + ROUNDOFF)].map(encoded);
+        assert_eq!([below, above], [level - 1, level], "{edge:e}");
+    };
+    for level in 1..256 {
+        let srgb = |x| gray(x).to_srgb8()[0].into();
+        assert_edge(decoded(edge(256, level)), level, &srgb);
+        assert_edge(edge(256, level), level, &|x| gray(x).to_linear8()[0].into());
+    }
+    for level in 1..64 {
+        let green = |x| gray(x).to_rgb565() >> 5 & 63;
+        assert_edge(decoded(edge(64, level)), level, &green);
+    }
+    for level in 1..32 {
+        let red = |x| gray(x).to_rgb565() >> 11;
+        assert_edge(decoded(edge(32, level)), level, &red);
+    }
+    // 127.5/255 is nearer than half of that, and on the wrong side, since the nearest `f32` is
+    assert_eq!(gray(0.503_921_598_196_029_6).to_linear8(), [128; 3]);
+}
