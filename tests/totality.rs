@@ -671,7 +671,7 @@ mod normals {
             for size in [tiniest(), T::ONE, T::MAX] {
                 for i in 0..3 {
                     let mut columns = x_y_z().map(|axis| *axis * size);
-                    columns[i] = columns[i] / size;
+                    columns[i] /= size;
                     columns[i].y = bad;
                     assert_eq!(transformed(columns), [None; 3], "{columns:?}");
                 }
