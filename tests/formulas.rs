@@ -1094,7 +1094,7 @@ mod sums {
     /// 1/4 of the ambient light and 1/2 of the sun. Encoded, 0.75 is 0.880825: 224.6 of 255, 27.3 of 31, 55.49 of 63.
     #[test]
     fn a_result_encodes_its_total() {
-        let rgb565 = 0b11011 << 11 | 0b110111 << 5 | 0b11011;
+        let rgb565 = 0b1_1011 << 11 | 0b11_0111 << 5 | 0b1_1011;
         let s = of_one_light::<f32>();
         assert_eq!(
             (s.to_srgb8(), s.to_rgb565(), s.to_linear8()),

@@ -13,6 +13,14 @@ mod rises;
 mod target; // which `products` reads
 mod vectors;
 
+// files of the crate, of which the tests try what is private
+#[allow(dead_code, clippy::pedantic)]
+#[path = "../../src/fixed/product.rs"]
+mod product;
+#[allow(dead_code, clippy::pedantic)]
+#[path = "../../src/fixed/reciprocal.rs"]
+mod reciprocal;
+
 use kit::random::Random;
 use shading::fixed::Fixed;
 

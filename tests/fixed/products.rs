@@ -2,12 +2,7 @@
 //! processor computes by one of them alone, so a difference would show only on it.
 
 use crate::Random;
-
-#[allow(dead_code, clippy::pedantic)]
-#[path = "../../src/fixed/product.rs"]
-mod product;
-
-use product::{halves, long};
+use crate::product::{halves, long};
 
 /// Zero, the powers of two and their neighbors, numbers of any magnitude, and halves of all zeros or ones.
 fn numbers() -> Vec<u32> {

@@ -7,14 +7,7 @@ use std::time::{Duration, Instant};
 use shading::fixed::{Attenuation, Fixed, Rgb};
 use shading::{Real, attenuation};
 
-use crate::{Random, exact, steps};
-
-#[allow(dead_code, clippy::pedantic)]
-#[path = "../../src/fixed/product.rs"]
-mod product;
-#[allow(dead_code, clippy::pedantic)]
-#[path = "../../src/fixed/reciprocal.rs"]
-mod reciprocal; // which the reciprocal reads
+use crate::{Random, exact, reciprocal, steps};
 
 /// A light after a distance: what the climb changes.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +54,7 @@ impl Given {
 
     /// The same with one of a, b, c and q greater by a step.
     fn with_a_step(mut self, argument: usize) -> Self {
-        self.arguments[argument] = self.arguments[argument] + Fixed::STEP;
+        self.arguments[argument] += Fixed::STEP;
         self
     }
 
