@@ -203,8 +203,14 @@ impl<T: Real> Rgb<T> {
     #[doc(alias = "decode")]
     #[inline]
     pub fn from_rgb565(bits: u16) -> Self {
-        let [r, g, b] = [bits >> 11, bits >> 5 & 63, bits & 31].map(usize::from);
-        Rgb::new(FIVE_BITS[r], SIX_BITS[g], FIVE_BITS[b]).map(T::of_f32)
+        // by one expression a channel: through `map` of an array, the compiler no longer sees the bounds
+        let bits = usize::from(bits);
+        let (r, g, b) = (
+            FIVE_BITS[bits >> 11 & 31],
+            SIX_BITS[bits >> 5 & 63],
+            FIVE_BITS[bits & 31],
+        );
+        Rgb::new(r, g, b).map(T::of_f32)
     }
 }
 
