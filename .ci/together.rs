@@ -79,13 +79,26 @@ fn main() {
     };
     assert!((lit(outward) - 0.5 * 0.5_f32.sqrt()).abs() < 1e-6); // k_d N·L, L at 45° to the side
 
-    // a leaf against the sun keeps its light when shadows are cast
-    let behind = Light::from(DirectionalLight {
-        l: UnitVec3::NEG_Z,
-        intensity: Rgb::WHITE,
-    });
+    // a leaf in the plane z = 0 casts a shadow, but not on itself: it keeps the sun behind it, which `shadows` leaves out, and
+    // the one in front of it
     let through = Rgb::new(0.2, 0.5, 0.1);
-    let reaching: Vec<IncidentLight> = leaves_and_paper_2::reaching_leaf(p, n, &[behind], nothing);
-    let leaf = leaves_and_paper::leaf(n, n, &plastic, through, Rgb::BLACK, &reaching);
+    let itself = |from: Vec3, toward: UnitVec3, within: f32| {
+        let t = -from.z / toward.z;
+        0.0 < t && t < within
+    };
+    let sun = |l| {
+        Light::from(DirectionalLight {
+            l,
+            intensity: Rgb::WHITE,
+        })
+    };
+    let suns = [sun(UnitVec3::NEG_Z), sun(n)];
+    let reaching: Vec<IncidentLight> = leaves_and_paper_2::reaching_leaf(p, n, &suns, itself);
+    assert_eq!(reaching.len(), 2);
+    let behind = &reaching[..1];
+    let leaf = leaves_and_paper::leaf(n, n, &plastic, through, Rgb::BLACK, behind);
     assert_eq!(leaf.total(), through);
+    let front = leaves_and_paper::leaf(n, n, &plastic, through, Rgb::BLACK, &reaching[1..]);
+    let by_shadows = shadows::shaded(p, n, n, &plastic, &suns, itself);
+    assert_eq!(by_shadows.diffuse, front.diffuse); // the light from the front alone
 }
