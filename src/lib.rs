@@ -232,6 +232,7 @@ macro_rules! pages {
         /// [smooth-meshes-and-creases]: mod@crate::guide::surfaces#smooth-meshes-and-creases
         /// [speed]: mod@crate::guide::speed
         /// [spherical-lamps]: mod@crate::guide::lights#spherical-lamps
+        /// [spots]: mod@crate::guide::lights#spots
         /// [surfaces]: mod@crate::guide::surfaces
         /// [textures-and-emission]: mod@crate::guide::colors#textures-and-emission
         /// [two-sided-surfaces]: mod@crate::guide::surfaces#two-sided-surfaces
@@ -256,15 +257,20 @@ pub mod guide {
         gpu, "../docs/gpu.md": "The formulas in shading languages, and scenes in uniform and storage buffers.";
         numbers, "../docs/numbers.md": "How to compute with a number type of your own, and how to test it.";
         performance, "../docs/performance.md": "Which way to take, and what it costs.";
-        porting, "../docs/porting.md": "How to replace a loop of your own, with your vectors.";
+        porting, "../docs/porting.md": "How to replace a loop of your own, with your vectors.",
+            "three", "babylon", "godot", "unity", "unreal", "bevy", "blender", "opengl", "directx", "collada", "usd";
         precision, "../docs/precision.md": "How far each function is from its formula.";
         proofs, "../docs/proofs.md": "Which promises are proved, from what, and how to prove one of your own.";
         recipes, "../docs/recipes.md": "Parts of a renderer to copy, by what you see and by topic.";
-        lights, "../docs/lights.md": "Recipes for lamps, suns and spots: shadows, falloffs, files and units.", "hemisphere";
-        surfaces, "../docs/surfaces.md": "Recipes for normals: both sides, meshes, maps, heights and depths.", "bump";
-        materials, "../docs/materials.md": "Recipes for materials: plastic, clay, leaves, hair, files and other programs.", "roughness";
-        colors, "../docs/colors.md": "Recipes for images: textures, exposure, bands and fog.", "texture";
-        speed, "../docs/speed.md": "Recipes for speed: Gouraud shading, and points in lanes.";
+        lights, "../docs/lights.md": "Recipes for lamps, suns and spots: shadows, falloffs, files and units.",
+            "hemisphere", "shadow", "penumbra", "flashlight", "candela", "lumen", "kelvin", "gltf";
+        surfaces, "../docs/surfaces.md": "Recipes for normals: both sides, meshes, maps, heights and depths.",
+            "bump", "hillshade", "terrain", "heightmap", "crease", "skinning", "depth", "stl", "svg";
+        materials, "../docs/materials.md": "Recipes for materials: plastic, clay, leaves, hair, files and other programs.",
+            "roughness", "fresnel", "mtl", "toon", "rim", "metal", "anisotropic", "subsurface";
+        colors, "../docs/colors.md": "Recipes for images: textures, exposure, bands and fog.",
+            "texture", "exposure", "tonemap", "dither", "fog", "gamma";
+        speed, "../docs/speed.md": "Recipes for speed: Gouraud shading, and points in lanes.", "simd", "interpolate";
         schema, "../docs/schema.md": "The forms in which `serde` reads and writes lights and materials.";
         sources, "../docs/sources.md": "Where each formula comes from, and whether the source was read.";
         totality, "../docs/totality.md": "What each function gives where its formula has no answer.";
