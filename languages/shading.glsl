@@ -54,11 +54,6 @@ struct shading_Measured {
     float v_length;
 };
 
-// Whether a square is so small or large that it is not exact.
-bool shading_is_extreme(float square) {
-    return !(square >= 7.888609e-31 && square < 1.2676506e30);
-}
-
 #ifdef SHADING_EXACT_POWER
 
 // e of x = 2^e z, where z is within [least, 2 least).
@@ -130,6 +125,11 @@ float shading_power(float c, float m) {
 }
 
 #endif
+
+// Whether a square is so small or large that it is not exact.
+bool shading_is_extreme(float square) {
+    return !(square >= 7.888609e-31 && square < 1.2676506e30);
+}
 
 // The length of v, and w in its direction: v itself, or v times a power of 2 where its square is out of range.
 shading_Measured shading_measured(vec3 v) {

@@ -62,11 +62,6 @@ struct Measured {
     float v_length;
 };
 
-// Whether a square is so small or large that it is not exact.
-inline bool is_extreme(float square) {
-    return !(square >= 7.888609e-31f && square < 1.2676506e30f);
-}
-
 #ifdef SHADING_EXACT_POWER
 
 // e of x = 2^e z, where z is within [least, 2 least).
@@ -137,6 +132,11 @@ inline float power(float c, float m) {
 }
 
 #endif
+
+// Whether a square is so small or large that it is not exact.
+inline bool is_extreme(float square) {
+    return !(square >= 7.888609e-31f && square < 1.2676506e30f);
+}
 
 // The length of v, and w in its direction: v itself, or v times a power of 2 where its square is out of range.
 inline Measured measured(float3 v) {

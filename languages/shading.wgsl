@@ -51,11 +51,6 @@ struct shading_Measured {
     v_length: f32,
 }
 
-// Whether a square is so small or large that it is not exact.
-fn shading_is_extreme(square: f32) -> bool {
-    return !(square >= 7.888609e-31 && square < 1.2676506e30);
-}
-
 // (c/d)^m for c/d within [0, by the language's own power.
 fn shading_power_of_quotient(c: f32, d: f32, m: f32) -> f32 {
     return pow(min(c / d, 1.0), m);
@@ -64,6 +59,11 @@ fn shading_power_of_quotient(c: f32, d: f32, m: f32) -> f32 {
 // c^m for c within [0, by the language's own power.
 fn shading_power(c: f32, m: f32) -> f32 {
     return pow(c, m);
+}
+
+// Whether a square is so small or large that it is not exact.
+fn shading_is_extreme(square: f32) -> bool {
+    return !(square >= 7.888609e-31 && square < 1.2676506e30);
 }
 
 // The length of v, and w in its direction: v itself, or v times a power of 2 where its square is out of range.

@@ -51,11 +51,6 @@ struct shading_Measured {
     v_length: f32,
 }
 
-// Whether a square is so small or large that it is not exact.
-fn shading_is_extreme(square: f32) -> bool {
-    return !(square >= 7.888609e-31 && square < 1.2676506e30);
-}
-
 // e of x = 2^e z, where z is within [least, 2 least).
 fn shading_exponent(x: f32, least: f32) -> f32 {
     return f32((bitcast<i32>(x) - bitcast<i32>(least)) >> 23);
@@ -109,6 +104,11 @@ fn shading_power(c: f32, m: f32) -> f32 {
     let q = 0.38629442 + 0.4804531 * r + r2 * (0.111006565 + 0.019235516 * r) + r2 * r2
             * (0.0026797508 + 0.00031013472 * r);
     return (2.0 + r + r * q) * shading_two_to_low_bits(shifted);
+}
+
+// Whether a square is so small or large that it is not exact.
+fn shading_is_extreme(square: f32) -> bool {
+    return !(square >= 7.888609e-31 && square < 1.2676506e30);
 }
 
 // The length of v, and w in its direction: v itself, or v times a power of 2 where its square is out of range.

@@ -5,6 +5,7 @@ use std::mem::take;
 use crate::dialect::{C, Dialect, GLSL, HLSL, METAL, Powers, WGSL, filled};
 use crate::graph::{EXTREME, Graph, with};
 use crate::kind::{Arguments, Kind};
+use crate::levels::encodings;
 use crate::number::Expr;
 use crate::pattern::{Pattern, Patterns};
 use crate::print::{Printer, wrapped};
@@ -55,7 +56,6 @@ pub fn text(dialect: &'static Dialect) -> String {
     for kind in Kind::STRUCTS {
         out += &structure(dialect, kind);
     }
-    out += &is_extreme(dialect);
     let (powers, others) = functions().split_at(2);
     let own = || {
         let functions: String = powers
@@ -78,8 +78,12 @@ pub fn text(dialect: &'static Dialect) -> String {
             out += "#endif\n\n";
         }
     }
+    out += &is_extreme(dialect);
     for function in others {
         out += &function_text(dialect, function);
+    }
+    if !dialect.encodings.is_empty() {
+        out += &encodings(dialect);
     }
     format!("{}{}", out, dialect.file[1])
 }
@@ -125,12 +129,20 @@ fn structure(dialect: &Dialect, kind: Kind) -> String {
     out + &filled(end, &[("name", &name)]) + "\n\n"
 }
 
-fn head(dialect: &Dialect, name: &str, parameters: &[(&str, Kind)], result: &str) -> String {
+fn head(
+    dialect: &Dialect,
+    name: &str,
+    parameters: &[(&str, Kind)],
+    changed: Option<&str>,
+    result: &str,
+) -> String {
     let parameter = |(name, kind): &(&str, Kind)| {
-        filled(
-            dialect.parameter,
-            &[("type", &type_of(dialect, *kind)), ("name", name)],
-        )
+        let form = match dialect.pointers {
+            Some([_, form, _]) if Some(*name) == changed => form,
+            Some([form, ..]) if kind.fields().is_some() => form,
+            _ => dialect.parameter,
+        };
+        filled(form, &[("type", &type_of(dialect, *kind)), ("name", name)])
     };
     let parameters: Vec<_> = parameters.iter().map(parameter).collect();
     let places = [
@@ -145,7 +157,16 @@ fn head(dialect: &Dialect, name: &str, parameters: &[(&str, Kind)], result: &str
 fn is_extreme(dialect: &Dialect) -> String {
     with(|g| *g = Graph::new("", false, false));
     let extreme = with(|g| g.value(EXTREME)).expect("a constant");
-    let [low, high] = [1.0 / extreme, extreme].map(|x| dialect.number(x));
+    let ends = [1.0 / extreme, extreme];
+    let [low, high] = ends.map(|x| dialect.number(x));
+    let [low_bits, high_bits] = ends.map(f32::to_bits);
+    let places = [
+        ("low", &low[..]),
+        ("high", &high),
+        ("low_bits", &format!("0x{low_bits:08X}")),
+        ("width", &format!("0x{:08X}", high_bits - low_bits)),
+    ];
+    let test = filled(dialect.is_extreme, &places);
     let doc = comment(
         dialect,
         "Whether a square is so small or large that it is not exact.",
@@ -154,9 +175,10 @@ fn is_extreme(dialect: &Dialect) -> String {
         dialect,
         &dialect.named("is_extreme"),
         &[("square", Kind::Number)],
+        None,
         dialect.truth,
     );
-    format!("{doc}{head}    return !(square >= {low} && square < {high});\n}}\n\n")
+    format!("{doc}{head}    return {test};\n}}\n\n")
 }
 
 /// The power of the language.
@@ -177,6 +199,7 @@ fn built_in(dialect: &Dialect) -> String {
             dialect,
             &dialect.named(function.name),
             &function.parameters,
+            None,
             dialect.types[0],
         );
         format!("{doc}{head}    return {body};\n}}\n\n")
@@ -221,11 +244,21 @@ fn function_text(dialect: &'static Dialect, function: &Function) -> String {
         .doc
         .lines()
         .map(|line| comment(dialect, line.trim()));
-    let result = type_of(dialect, function.result);
     let name = dialect.named(function.name);
-    let head = head(dialect, &name, &function.parameters, &result);
+    // a struct is changed in place where structs are passed by pointers
+    let changed = function.parameters.iter().find(|(_, kind)| {
+        *kind == function.result && kind.fields().is_some() && dialect.pointers.is_some()
+    });
+    let changed = changed.map(|(name, _)| *name);
+    let result = match changed {
+        Some(_) => "void".into(),
+        None => type_of(dialect, function.result),
+    };
+    let head = head(dialect, &name, &function.parameters, changed, &result);
     let (body, unused) = with(|g| {
         let mut printer = Printer::new(dialect, Values::new(g, patterns), function.result);
+        printer.parameters.clone_from(&function.parameters);
+        printer.changed = changed;
         printer.name_values(names);
         printer.body(&tree)
     });
@@ -247,7 +280,7 @@ pub(crate) fn own_function(
 ) -> String {
     with(|g| *g = Graph::new("", false, true));
     let tree = explore(formula, &[]);
-    let head = head(dialect, name, parameters, &type_of(dialect, result));
+    let head = head(dialect, name, parameters, None, &type_of(dialect, result));
     let (body, _) = with(|g| {
         let mut printer = Printer::new(dialect, Values::new(g, [].into()), result);
         printer.prefix = [dialect.namespace, dialect.prefix].concat();

@@ -12,6 +12,7 @@ pub mod dialect;
 mod file;
 mod graph;
 mod kind;
+mod levels;
 mod number;
 mod pattern;
 mod print;

@@ -23,6 +23,9 @@ pub struct Printer<'a> {
     dialect: &'static Dialect,
     values: Values<'a>,
     result: Kind,
+    pub parameters: Vec<(&'static str, Kind)>,
+    /// The parameter that is changed in place of a result.
+    pub changed: Option<&'static str>,
     /// The names that the books have for values.
     named: HashMap<usize, String>,
     /// What stands before the functions of the files that it calls.
@@ -40,6 +43,8 @@ impl<'a> Printer<'a> {
             dialect,
             values,
             result,
+            parameters: vec![],
+            changed: None,
             named,
             prefix: dialect.prefix.into(),
             variables,
@@ -142,6 +147,18 @@ impl<'a> Printer<'a> {
                 let Some((name, _, fields)) = self.result.fields() else {
                     return self.line(indent, &format!("return {};", texts[0]));
                 };
+                if let Some(changed) = self.changed {
+                    for (text, (field, _)) in texts.iter().zip(fields) {
+                        let place = self.variable(&format!("{changed}.{field}"));
+                        if *text != place {
+                            self.line(indent, &format!("{place} = {text};"));
+                        }
+                    }
+                    if indent.len() > 4 {
+                        self.line(indent, "return;");
+                    }
+                    return;
+                }
                 if let Some(whole) = self.whole(&results, fields) {
                     return self.line(indent, &format!("return {whole};"));
                 }
@@ -313,6 +330,18 @@ impl<'a> Printer<'a> {
         }
     }
 
+    /// A parameter, or a field of one.
+    fn variable(&self, name: &str) -> String {
+        let is_of = |(of, kind): &(&str, Kind)| {
+            let rest = name.strip_prefix(of);
+            kind.fields().is_some() && rest.is_some_and(|rest| rest.starts_with('.'))
+        };
+        match self.dialect.pointers {
+            Some([.., arrow]) if self.parameters.iter().any(is_of) => name.replacen('.', arrow, 1),
+            _ => name.into(),
+        }
+    }
+
     fn call(&self, name: &str, arguments: &[usize]) -> (String, u8) {
         let arguments: Vec<_> = arguments.iter().map(|value| self.text(*value, 0)).collect();
         (format!("{name}({})", arguments.join(", ")), ATOM)
@@ -322,7 +351,7 @@ impl<'a> Printer<'a> {
     fn body_of(&self, value: usize) -> (String, u8) {
         let is_vector = self.values.types[value] == Type::Vector;
         match &self.values.all[value] {
-            Value::Variable(name) => (name.clone(), ATOM),
+            Value::Variable(name) => (self.variable(name), ATOM),
             Value::Constant(bits) => {
                 let x = f32::from_bits(*bits);
                 (self.dialect.number(x), if x < 0.0 { SIGN } else { ATOM })

@@ -61,8 +61,23 @@ static void compute(void) {
     give(shading_fixed_to_srgb8(n.x));
 }
 
-int main(void) {
+/* Writes the encodings of all light from below black to above white. */
+static void levels(void) {
+    shading_fixed light;
+    for (light = -2; light < 65540; light++) {
+        int32_t both[2];
+        both[0] = shading_fixed_to_rgb565(shading_fixed_vector(light, light, light));
+        both[1] = shading_fixed_to_srgb8(light);
+        fwrite(both, sizeof both, 1, stdout);
+    }
+}
+
+int main(int argc, char **argv) {
     static int32_t read[ARGUMENTS];
+    if (argc == 2 && argv[1][0] == 'l') {
+        levels();
+        return 0;
+    }
     arguments = read;
     while (fread(read, sizeof read, 1, stdin) == 1) {
         next_result = results;

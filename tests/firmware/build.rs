@@ -37,7 +37,11 @@ fn compile_ball() {
         .include(headers)
         .include(example)
         .flag("-std=c99")
+        .flag("-pedantic")
+        .flag("-Wdouble-promotion")
+        .warnings_into_errors(true)
         .flag("-ffp-contract=off")
         .flag("-fno-math-errno")
+        .flag("-fno-trapping-math")
         .compile("ball");
 }

@@ -7,12 +7,16 @@ using namespace shading;
 #define IN_SPACE(name) name
 #define VECTOR(x, y, z) float3(x, y, z)
 #define SUB(a, b) ((a) - (b))
+#define ADD(sums, n, v, m, light, p) sums = add_blinn_phong(sums, n, v, m, light, p)
+#define TOTAL(sums, material, i_a) total(sums, material, i_a)
 typedef float3 vec3;
 #else
 #include "shading.h"
 #define IN_SPACE(name) shading_##name
 #define VECTOR(x, y, z) shading_vector(x, y, z)
 #define SUB(a, b) shading_sub(a, b)
+#define ADD(sums, n, v, m, light, p) shading_add_blinn_phong(&sums, n, v, m, &light, p)
+#define TOTAL(sums, material, i_a) shading_total(&sums, &material, i_a)
 typedef shading_vec3 vec3;
 #endif
 #include <stdio.h>
@@ -62,9 +66,9 @@ int main(void) {
                 n = IN_SPACE(unit)(n);
             }
             for (i = 0; i < 3; i++) {
-                sums = IN_SPACE(add_blinn_phong)(sums, n, v, material.m, lights[i], p);
+                ADD(sums, n, v, material.m, lights[i], p);
             }
-            color = IN_SPACE(total)(sums, material, VECTOR(0.2f, 0.2f, 0.2f));
+            color = TOTAL(sums, material, VECTOR(0.2f, 0.2f, 0.2f));
         }
         x[0] = color.x;
         x[1] = color.y;

@@ -13,6 +13,7 @@ pub const C: Dialect = Dialect {
     pads: false,
     function: "static inline {type} {name}({parameters}) {",
     parameter: "{type} {name}",
+    pointers: Some(["const {type} *{name}", "{type} *{name}", "->"]),
     variable: "{type} {name} = {value};",
     branch: "if ({test}) {",
     choice: "{test} ? {yes} : {no}",
@@ -47,6 +48,8 @@ pub const C: Dialect = Dialect {
     vectors: VECTORS,
     bits: BITS,
     powers: Powers::Own,
+    is_extreme: "(uint32_t)shading_bits(square) - {low_bits}u >= {width}u",
+    encodings: ENCODINGS,
 };
 
 const VECTORS: &str = "\
@@ -136,6 +139,41 @@ static inline float shading_two_to_low_bits(float x) {
 /* How many numbers x is above another of the same exponent: x - shift, which a compiler may take apart. */
 static inline float shading_steps_above(float x, float shift) {
     return (float)shading_above(x, shift);
+}
+
+";
+
+const ENCODINGS: &str = "\
+/* The least light of each level but 0, in sRGB. IEC 61966-2-1. */
+static const float shading_edges_of_5_bits[31] = {
+{5_bits}};
+static const float shading_edges_of_6_bits[63] = {
+{6_bits}};
+static const float shading_edges_of_8_bits[255] = {
+{8_bits}};
+
+/* The level of light. The bits of numbers rise as they do, and are faster to compare without an FPU. */
+static inline uint32_t shading_level(const float *edges, uint32_t count, float light) {
+    uint32_t level = 0, step;
+    for (step = count / 2; step > 0; step /= 2) {
+        if (shading_bits(light) >= shading_bits(edges[level + step - 1])) {
+            level += step;
+        }
+    }
+    return level;
+}
+
+/* One channel of a color as an sRGB byte, rounded once. */
+static inline uint8_t shading_to_srgb8(float channel) {
+    return (uint8_t)shading_level(shading_edges_of_8_bits, 256, channel);
+}
+
+/* A color in sRGB for a display of 16 bits: 5 bits red, 6 green, 5 blue, each rounded once. */
+static inline uint16_t shading_to_rgb565(shading_vec3 color) {
+    uint32_t r = shading_level(shading_edges_of_5_bits, 32, color.x);
+    uint32_t g = shading_level(shading_edges_of_6_bits, 64, color.y);
+    uint32_t b = shading_level(shading_edges_of_5_bits, 32, color.z);
+    return (uint16_t)(r << 11 | g << 5 | b);
 }
 
 ";

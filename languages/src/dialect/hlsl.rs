@@ -1,6 +1,6 @@
 //! HLSL, for Direct3D, Unity and Unreal.
 
-use super::{Dialect, GRAPHICS, Powers};
+use super::{Dialect, GRAPHICS, IS_EXTREME, Powers};
 
 pub const HLSL: Dialect = Dialect {
     prefix: "shading_",
@@ -13,6 +13,7 @@ pub const HLSL: Dialect = Dialect {
     pads: true,
     function: "{type} {name}({parameters}) {",
     parameter: "{type} {name}",
+    pointers: None,
     variable: "{type} {name} = {value};",
     branch: "if ({test}) {",
     choice: "{test} ? {yes} : {no}",
@@ -26,6 +27,8 @@ pub const HLSL: Dialect = Dialect {
     vectors: "",
     bits: BITS,
     powers: Powers::Defined,
+    is_extreme: IS_EXTREME,
+    encodings: "",
 };
 
 /// The operations on the bits of a number, which the crate's own power needs.

@@ -1,6 +1,6 @@
 //! The Metal Shading Language.
 
-use super::{Dialect, GRAPHICS, Powers};
+use super::{Dialect, GRAPHICS, IS_EXTREME, Powers};
 
 pub const METAL: Dialect = Dialect {
     prefix: "",
@@ -13,6 +13,7 @@ pub const METAL: Dialect = Dialect {
     pads: true,
     function: "inline {type} {name}({parameters}) {",
     parameter: "{type} {name}",
+    pointers: None,
     variable: "{type} {name} = {value};",
     branch: "if ({test}) {",
     choice: "{test} ? {yes} : {no}",
@@ -29,6 +30,8 @@ pub const METAL: Dialect = Dialect {
     vectors: "",
     bits: BITS,
     powers: Powers::Defined,
+    is_extreme: IS_EXTREME,
+    encodings: "",
 };
 
 /// The operations on the bits of a number, which the crate's own power needs.

@@ -32,6 +32,9 @@ pub struct Dialect {
     pub pads: bool,
     pub function: &'static str,
     pub parameter: &'static str,
+    /// In a language that passes structs by pointers: one that is read, one that is changed, and what stands before
+    /// a field.
+    pub pointers: Option<[&'static str; 3]>,
     pub variable: &'static str,
     pub branch: &'static str,
     pub choice: &'static str,
@@ -54,6 +57,10 @@ pub struct Dialect {
     /// The operations on the bits of a number that the crate's power needs.
     pub bits: &'static str,
     pub powers: Powers,
+    /// The test whether a square is out of range.
+    pub is_extreme: &'static str,
+    /// The encodings of light, in a language whose textures do not encode.
+    pub encodings: &'static str,
 }
 
 /// Which power a file has.
@@ -72,6 +79,8 @@ const GRAPHICS: &[&str] = &[
     "sqrt", "abs", "min", "max", "clamp", "dot", "cross", "length", "sin", "cos", "tan", "atan2",
     "exp", "log", "pow", "atan",
 ];
+
+const IS_EXTREME: &str = "!(square >= {low} && square < {high})";
 
 impl Dialect {
     /// The name of a function or a type of the files, where it is defined.

@@ -1,6 +1,6 @@
 //! WGSL, for wgpu, Bevy and browsers.
 
-use super::{Dialect, GRAPHICS, Powers};
+use super::{Dialect, GRAPHICS, IS_EXTREME, Powers};
 
 pub const WGSL: Dialect = Dialect {
     prefix: "shading_",
@@ -13,6 +13,7 @@ pub const WGSL: Dialect = Dialect {
     pads: false,
     function: "fn {name}({parameters}) -> {type} {",
     parameter: "{name}: {type}",
+    pointers: None,
     variable: "let {name} = {value};",
     branch: "if {test} {",
     choice: "select({no}, {yes}, {test})",
@@ -26,6 +27,8 @@ pub const WGSL: Dialect = Dialect {
     vectors: "",
     bits: BITS,
     powers: Powers::BuiltIn,
+    is_extreme: IS_EXTREME,
+    encodings: "",
 };
 
 /// The operations on the bits of a number, which the crate's own power needs.

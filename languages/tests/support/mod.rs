@@ -1,5 +1,11 @@
 //! Arguments for the functions of the files.
 
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss
+)]
+
 use shading_languages::{Function, Kind};
 
 /// The numbers of the arguments of many calls, one call after another.

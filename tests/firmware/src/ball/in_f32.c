@@ -12,7 +12,9 @@ void f32_in_c(int16_t right, int16_t up, float *color) {
     float x = (float)right * (1.0f / 120.0f), y = (float)up * (1.0f / 120.0f);
     shading_vec3 p = {x, y, sqrtf(1.0f - x * x - y * y)}, n = shading_unit(p);
     shading_Sums sums = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
-    shading_vec3 total = shading_total(shading_add_blinn_phong(sums, n, v, brass.m, lamp, p), brass, i_a);
+    shading_vec3 total;
+    shading_add_blinn_phong(&sums, n, v, brass.m, &lamp, p);
+    total = shading_total(&sums, &brass, i_a);
     color[0] = total.x;
     color[1] = total.y;
     color[2] = total.z;
@@ -21,6 +23,6 @@ void f32_in_c(int16_t right, int16_t up, float *color) {
 void point_in_c(const shading_vec3 *n, const shading_vec3 *v, const shading_Material *material, const shading_vec3 *i_a,
                 const shading_Light *lamps, uint32_t count, shading_vec3 *color) {
     shading_Sums sums = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
-    for (uint32_t i = 0; i < count; i++) sums = shading_add_blinn_phong(sums, *n, *v, material->m, lamps[i], *n);
-    *color = shading_total(sums, *material, *i_a);
+    for (uint32_t i = 0; i < count; i++) shading_add_blinn_phong(&sums, *n, *v, material->m, &lamps[i], *n);
+    *color = shading_total(&sums, material, *i_a);
 }

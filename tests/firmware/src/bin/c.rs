@@ -1,4 +1,5 @@
-//! Prints how many instructions a point light costs in Blinn–Phong, with a real m: by the crate, and by the header for C.
+//! Prints how many instructions a point light costs in Blinn–Phong, with a real m: by the crate, by the crate as a
+//! light of any kind, and by the header for C, whose lights are of any kind.
 //! Four points, each lit by four lamps. Fails if a bit differs.
 #![no_std]
 #![no_main]
@@ -6,7 +7,7 @@
 use core::hint::black_box;
 
 use firmware::{AMBIENT, CAP, LAMPS, board, brass};
-use shading::f32::{PointLight, Rgb, UnitVec3, Vec3};
+use shading::f32::{IncidentLight, Light as Any, PointLight, Rgb, UnitVec3, Vec3};
 use shading::{Material, shade};
 
 /// As in shading.h.
@@ -44,7 +45,11 @@ unsafe extern "C" {
     );
 }
 
-firmware::program!(by_the_crate(), by_the_header());
+firmware::program!(
+    by_the_crate(LAMPS, PointLight::at),
+    by_the_crate(LAMPS.map(Any::from), Any::at),
+    by_the_header()
+);
 
 const M: f32 = 32.0;
 
@@ -59,13 +64,13 @@ fn by_each(mut call: impl FnMut(UnitVec3) -> u32) -> u32 {
     (CAP.map(&mut call).iter().sum::<u32>() + lights / 2) / lights
 }
 
-fn by_the_crate() -> u32 {
+fn by_the_crate<L>(lamps: [L; 4], at: impl Fn(&L, Vec3) -> IncidentLight) -> u32 {
     let material = brass::<f32, _>(M);
     by_each(|n| {
         let (n, v, i_a) = (black_box(&n), black_box(&UnitVec3::Z), black_box(&AMBIENT));
-        let (material, lamps) = (black_box(&material), black_box(&LAMPS));
+        let (material, lamps) = (black_box(&material), black_box(&lamps));
         board::instructions(|| {
-            let lights = lamps.iter().map(|lamp| lamp.at(**n));
+            let lights = lamps.iter().map(|lamp| at(lamp, **n));
             black_box(&shade::blinn_phong(*n, *v, material, *i_a, lights).total());
         })
     })

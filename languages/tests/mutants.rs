@@ -1,0 +1,147 @@
+//! Every mistake that can be planted in the headers for C is found by the comparison with the crate. It takes minutes:
+//!
+//! ```sh
+//! cargo test --release -p shading-languages --test mutants -- --ignored --nocapture
+//! ```
+
+use std::path::Path;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::{fs, thread};
+
+use fixed_point::{LEVELS, PROGRAM, by_the_crate, levels_by_the_crate, scenes, words};
+use host::{answer, bytes, compiled};
+use mutant::{Mutant, mutants};
+use shading_languages::{Arguments, functions};
+use support::{Draw, arguments};
+
+mod fixed_point;
+mod host;
+mod mutant;
+mod support;
+
+/// What a program is asked, and what the crate answers.
+struct Question {
+    argument: &'static str,
+    input: Vec<u8>,
+    expected: Vec<u8>,
+}
+
+/// What is asked of the functions of `shading.h`.
+fn of_floats() -> Vec<Question> {
+    let mut all = vec![];
+    for draw in [Draw::Ordinary, Draw::Special, Draw::Extreme] {
+        for function in functions() {
+            let input = arguments(function, draw, 20_000);
+            let width: usize = function.parameters.iter().map(|p| p.1.width()).sum();
+            let compute = |x: &[f32]| (function.compute)(Arguments::new(x.to_vec()));
+            let expected: Vec<_> = input.chunks(width).flat_map(compute).collect();
+            all.push(Question {
+                argument: function.name,
+                input: bytes(&input),
+                expected: bytes(&expected),
+            });
+        }
+    }
+    let light = host::light();
+    all.push(Question {
+        argument: "levels",
+        input: bytes(&light),
+        expected: host::levels_by_the_crate(&light),
+    });
+    all
+}
+
+/// What is asked of those of `shading_fixed.h`: a few scenes before many.
+fn of_fixed_point() -> Vec<Question> {
+    let scenes: Vec<_> = scenes().take(100_000).collect();
+    let of = |scenes: &[_]| Question {
+        argument: "",
+        input: words(scenes.iter().flatten()),
+        expected: words(&scenes.iter().flat_map(by_the_crate).collect::<Vec<_>>()),
+    };
+    let levels = Question {
+        argument: LEVELS,
+        input: vec![],
+        expected: levels_by_the_crate(),
+    };
+    vec![of(&scenes[..1000]), levels, of(&scenes[1000..])]
+}
+
+/// Whether a mutant is found; nothing, if it does not compile.
+fn is_found(
+    name: &str,
+    source: &str,
+    flags: &[&str],
+    mutant: &Mutant,
+    questions: &[Question],
+) -> Option<bool> {
+    let id = format!("{:?}", thread::current().id()).replace(['(', ')'], "");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(&id);
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join(name), &mutant.header).unwrap();
+    let folder = folder.to_str().expect("a path");
+    let command = [&["gcc", "-std=c99", "-O1", "-w", "-I", folder], flags].concat();
+    let program = compiled(&command, source, &format!("mutant_{id}")).ok()?;
+    let is_other =
+        |q: &Question| answer(&program, q.argument, &q.input).as_ref() != Some(&q.expected);
+    Some(questions.iter().any(is_other))
+}
+
+/// The mutants that are not found.
+fn survivors(name: &str, source: &str, flags: &[&str], questions: &[Question]) -> Vec<Mutant> {
+    let header = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(name)).unwrap();
+    let all = mutants(&header);
+    let unchanged = Mutant {
+        before: String::new(),
+        after: String::new(),
+        header,
+    };
+    assert_eq!(
+        is_found(name, source, flags, &unchanged, questions),
+        Some(false)
+    );
+    let (next, found) = (AtomicUsize::new(0), AtomicUsize::new(0));
+    let survivors = Mutex::new(vec![]);
+    let work = || {
+        while let Some(mutant) = all.get(next.fetch_add(1, Ordering::Relaxed)) {
+            match is_found(name, source, flags, mutant, questions) {
+                None => {}
+                Some(true) => _ = found.fetch_add(1, Ordering::Relaxed),
+                Some(false) => survivors.lock().unwrap().push(mutant.clone()),
+            }
+        }
+    };
+    let processors = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| (0..processors).for_each(|_| _ = scope.spawn(work)));
+    let survivors = survivors.into_inner().unwrap();
+    let found = found.into_inner();
+    println!("{name}: {found} of {} are found", found + survivors.len());
+    survivors
+}
+
+fn report(survivors: &[Mutant]) {
+    for Mutant { before, after, .. } in survivors {
+        println!("- {}\n+ {}", before.trim(), after.trim());
+    }
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn mistakes_in_single_precision_are_found() {
+    let questions = of_floats();
+    let survivors = survivors("shading.h", &host::program(), &[], &questions);
+    report(&survivors);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn mistakes_in_fixed_point_are_found() {
+    let questions = of_fixed_point();
+    for flag in [
+        "-DSHADING_FIXED_NARROW_PRODUCT=0",
+        "-DSHADING_FIXED_NARROW_PRODUCT=1",
+    ] {
+        report(&survivors("shading_fixed.h", PROGRAM, &[flag], &questions));
+    }
+}
