@@ -200,6 +200,7 @@ macro_rules! pages {
         /// [ambient-light]: mod@crate::guide::lights#ambient-light
         /// [area-lights]: mod@crate::guide::lights#area-lights
         /// [bands]: mod@crate::guide::colors#bands
+        /// [brighter-at-a-grazing-angle]: mod@crate::guide::materials#brighter-at-a-grazing-angle
         /// [bumps-from-heights]: mod@crate::guide::surfaces#bumps-from-heights
         /// [color-temperature]: mod@crate::guide::lights#color-temperature
         /// [colors]: mod@crate::guide::colors
