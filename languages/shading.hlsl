@@ -142,8 +142,8 @@ shading_Measured shading_measured(float3 v) {
         float3 w = v * min(power, 1.0) * max(power, 1.0);
         float w_square = dot(w, w);
         float root = sqrt(w_square);
-        shading_Measured result = {w, w_square > 0.0 && w_square < 3.4028235e38 ? root : 0.0,
-                w_square > 0.0 && w_square < 3.4028235e38 ? min(root / power, 3.4028235e38) : root};
+        shading_Measured result = {w, w_square > 0.0 && w_square < 3.4028234e38 ? root : 0.0,
+                w_square > 0.0 && w_square < 3.4028234e38 ? min(root / power, 3.4028234e38) : root};
         return result;
     }
     float length = sqrt(square);
@@ -225,7 +225,7 @@ float shading_term_blinn_normalization(float m) {
 
 // The attenuation 1/(a + bq + cq^2). Foley, van Dam et al. 16.1; OpenGL 2.1, 2.14.1.
 float shading_attenuation(float a, float b, float c, float q) {
-    return clamp(1.0 / (a + q * (b + c * q)), 0.0, 3.4028235e38);
+    return clamp(1.0 / (a + q * (b + c * q)), 0.0, 3.4028234e38);
 }
 
 // What ends a light at the range r: max(0, 1 - (q/r)^4)^2. Karis 2013.
@@ -279,7 +279,7 @@ float shading_cone_smoothstep(float3 axis, float3 l, float2 cosines) {
 // What dims a light after the distance q: its attenuation, at most its limit, and the window of its range.
 float shading_falloff(shading_Light light, float q) {
     return clamp(1.0 / (light.coefficients.x + q * (light.coefficients.y + light.coefficients.z * q)), 0.0,
-            light.limit) * (light.range < 3.4028235e38
+            light.limit) * (light.range < 3.4028234e38
             ? (light.is_gltf > 0.0 ? shading_window_gltf(q, light.range) : shading_window(q, light.range))
             : 1.0);
 }
@@ -295,7 +295,7 @@ float shading_spot(shading_Light light, float cosine) {
 // What arrives at the point p: L, the distance q and I. Foley, van Dam et al. 16.1.
 shading_Arrival shading_arrival(shading_Light light, float3 p) {
     if (light.is_sun > 0.0) {
-        shading_Arrival result = {light.position, 3.4028235e38, light.intensity};
+        shading_Arrival result = {light.position, 3.4028234e38, light.intensity};
         return result;
     }
     shading_Measured to_light = shading_measured(light.position - p);
@@ -303,8 +303,8 @@ shading_Arrival shading_arrival(shading_Light light, float3 p) {
             * (light.cosines.x > -1.0 ? shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
             : 1.0) : 0.0;
     shading_Arrival result = {to_light.w_length > 0.0 ? to_light.w / to_light.w_length
-            : float3(0.0, 0.0, 1.0), min(to_light.v_length, 3.4028235e38),
-            min(light.intensity * dimmed, float3(3.4028235e38, 3.4028235e38, 3.4028235e38))};
+            : float3(0.0, 0.0, 1.0), min(to_light.v_length, 3.4028234e38),
+            min(light.intensity * dimmed, float3(3.4028234e38, 3.4028234e38, 3.4028234e38))};
     return result;
 }
 
@@ -436,8 +436,8 @@ shading_Sums shading_add_blinn_phong(shading_Sums sums, float3 n, float3 v, floa
 
 // The light that the point reflects: k_a I_a + k_d times the diffuse sum + k_s times the specular one.
 float3 shading_total(shading_Sums sums, shading_Material material, float3 i_a) {
-    return material.k_a * i_a + min(sums.diffuse, float3(3.4028235e38, 3.4028235e38, 3.4028235e38))
-            * material.k_d + min(sums.specular, float3(3.4028235e38, 3.4028235e38, 3.4028235e38))
+    return material.k_a * i_a + min(sums.diffuse, float3(3.4028234e38, 3.4028234e38, 3.4028234e38))
+            * material.k_d + min(sums.specular, float3(3.4028234e38, 3.4028234e38, 3.4028234e38))
             * material.k_s;
 }
 
@@ -482,8 +482,8 @@ float3 shading_normal_transformed(float3 n, float3 a, float3 b, float3 c) {
         shading_Measured y = shading_measured(b);
         float abs_z = abs(n.z);
         shading_Measured z = shading_measured(c);
-        float least = min(min(abs_x > 0.0 ? x.v_length : 3.4028235e38,
-                abs_y > 0.0 ? y.v_length : 3.4028235e38), abs_z > 0.0 ? z.v_length : 3.4028235e38);
+        float least = min(min(abs_x > 0.0 ? x.v_length : 3.4028234e38,
+                abs_y > 0.0 ? y.v_length : 3.4028234e38), abs_z > 0.0 ? z.v_length : 3.4028234e38);
         float n_x = abs_x > 0.0 ? n.x * (x.v_length > least ? least / x.v_length : 1.0) : 0.0;
         float3 along_a = shading_unit(a) + a * 0.0;
         float n_y = abs_y > 0.0 ? n.y * (y.v_length > least ? least / y.v_length : 1.0) : 0.0;

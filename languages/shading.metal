@@ -147,8 +147,8 @@ inline Measured measured(float3 v) {
         float3 w = v * min(power, 1.0f) * max(power, 1.0f);
         float w_square = dot(w, w);
         float root = sqrt(w_square);
-        Measured result = {w, w_square > 0.0f && w_square < 3.4028235e38f ? root : 0.0f,
-                w_square > 0.0f && w_square < 3.4028235e38f ? min(root / power, 3.4028235e38f) : root};
+        Measured result = {w, w_square > 0.0f && w_square < 3.4028234e38f ? root : 0.0f,
+                w_square > 0.0f && w_square < 3.4028234e38f ? min(root / power, 3.4028234e38f) : root};
         return result;
     }
     float length = sqrt(square);
@@ -231,7 +231,7 @@ inline float term_blinn_normalization(float m) {
 
 // The attenuation 1/(a + bq + cq^2). Foley, van Dam et al. 16.1; OpenGL 2.1, 2.14.1.
 inline float attenuation(float a, float b, float c, float q) {
-    return clamp(1.0f / (a + q * (b + c * q)), 0.0f, 3.4028235e38f);
+    return clamp(1.0f / (a + q * (b + c * q)), 0.0f, 3.4028234e38f);
 }
 
 // What ends a light at the range r: max(0, 1 - (q/r)^4)^2. Karis 2013.
@@ -285,7 +285,7 @@ inline float cone_smoothstep(float3 axis, float3 l, float2 cosines) {
 // What dims a light after the distance q: its attenuation, at most its limit, and the window of its range.
 inline float falloff(Light light, float q) {
     return clamp(1.0f / (light.coefficients.x + q * (light.coefficients.y + light.coefficients.z * q)), 0.0f,
-            light.limit) * (light.range < 3.4028235e38f
+            light.limit) * (light.range < 3.4028234e38f
             ? (light.is_gltf > 0.0f ? window_gltf(q, light.range) : window(q, light.range)) : 1.0f);
 }
 
@@ -299,7 +299,7 @@ inline float spot(Light light, float cosine) {
 // What arrives at the point p: L, the distance q and I. Foley, van Dam et al. 16.1.
 inline Arrival arrival(Light light, float3 p) {
     if (light.is_sun > 0.0f) {
-        Arrival result = {light.position, 3.4028235e38f, light.intensity};
+        Arrival result = {light.position, 3.4028234e38f, light.intensity};
         return result;
     }
     Measured to_light = measured(light.position - p);
@@ -307,7 +307,7 @@ inline Arrival arrival(Light light, float3 p) {
             * (light.cosines.x > -1.0f ? spot(light, dot(-light.axis, to_light.w) / to_light.w_length) : 1.0f)
             : 0.0f;
     Arrival result = {to_light.w_length > 0.0f ? to_light.w / to_light.w_length : float3(0.0f, 0.0f, 1.0f),
-            min(to_light.v_length, 3.4028235e38f), min(light.intensity * dimmed, float3(3.4028235e38f))};
+            min(to_light.v_length, 3.4028234e38f), min(light.intensity * dimmed, float3(3.4028234e38f))};
     return result;
 }
 
@@ -436,8 +436,8 @@ inline Sums add_blinn_phong(Sums sums, float3 n, float3 v, float m, Light light,
 
 // The light that the point reflects: k_a I_a + k_d times the diffuse sum + k_s times the specular one.
 inline float3 total(Sums sums, Material material, float3 i_a) {
-    return material.k_a * i_a + min(sums.diffuse, float3(3.4028235e38f)) * material.k_d
-            + min(sums.specular, float3(3.4028235e38f)) * material.k_s;
+    return material.k_a * i_a + min(sums.diffuse, float3(3.4028234e38f)) * material.k_d
+            + min(sums.specular, float3(3.4028234e38f)) * material.k_s;
 }
 
 // The normal of the plane ax + by + cz + d = 0: (a, b, c)/|(a, b, c)|. Foley, van Dam et al. 11.1.3.
@@ -481,8 +481,8 @@ inline float3 normal_transformed(float3 n, float3 a, float3 b, float3 c) {
         Measured y = measured(b);
         float abs_z = abs(n.z);
         Measured z = measured(c);
-        float least = min(min(abs_x > 0.0f ? x.v_length : 3.4028235e38f,
-                abs_y > 0.0f ? y.v_length : 3.4028235e38f), abs_z > 0.0f ? z.v_length : 3.4028235e38f);
+        float least = min(min(abs_x > 0.0f ? x.v_length : 3.4028234e38f,
+                abs_y > 0.0f ? y.v_length : 3.4028234e38f), abs_z > 0.0f ? z.v_length : 3.4028234e38f);
         float n_x = abs_x > 0.0f ? n.x * (x.v_length > least ? least / x.v_length : 1.0f) : 0.0f;
         float3 along_a = unit(a) + a * 0.0f;
         float n_y = abs_y > 0.0f ? n.y * (y.v_length > least ? least / y.v_length : 1.0f) : 0.0f;

@@ -75,8 +75,8 @@ fn shading_measured(v: vec3f) -> shading_Measured {
         let w = v * min(power, 1.0) * max(power, 1.0);
         let w_square = dot(w, w);
         let root = sqrt(w_square);
-        return shading_Measured(w, select(0.0, root, w_square > 0.0 && w_square < 3.4028235e38),
-                select(root, min(root / power, 3.4028235e38), w_square > 0.0 && w_square < 3.4028235e38));
+        return shading_Measured(w, select(0.0, root, w_square > 0.0 && w_square < 3.4028234e38),
+                select(root, min(root / power, 3.4028234e38), w_square > 0.0 && w_square < 3.4028234e38));
     }
     let length = sqrt(square);
     return shading_Measured(v, length, length);
@@ -157,7 +157,7 @@ fn shading_term_blinn_normalization(m: f32) -> f32 {
 
 // The attenuation 1/(a + bq + cq^2). Foley, van Dam et al. 16.1; OpenGL 2.1, 2.14.1.
 fn shading_attenuation(a: f32, b: f32, c: f32, q: f32) -> f32 {
-    return clamp(1.0 / (a + q * (b + c * q)), 0.0, 3.4028235e38);
+    return clamp(1.0 / (a + q * (b + c * q)), 0.0, 3.4028234e38);
 }
 
 // What ends a light at the range r: max(0, 1 - (q/r)^4)^2. Karis 2013.
@@ -213,7 +213,7 @@ fn shading_falloff(light: shading_Light, q: f32) -> f32 {
     return clamp(1.0 / (light.coefficients.x + q * (light.coefficients.y + light.coefficients.z * q)), 0.0,
             light.limit) * select(1.0,
             select(shading_window(q, light.range), shading_window_gltf(q, light.range), light.is_gltf > 0.0),
-            light.range < 3.4028235e38);
+            light.range < 3.4028234e38);
 }
 
 // The factor of a spot's cone, by the cosine between its axis and -L.
@@ -227,15 +227,15 @@ fn shading_spot(light: shading_Light, cosine: f32) -> f32 {
 // What arrives at the point p: L, the distance q and I. Foley, van Dam et al. 16.1.
 fn shading_arrival(light: shading_Light, p: vec3f) -> shading_Arrival {
     if light.is_sun > 0.0 {
-        return shading_Arrival(light.position, 3.4028235e38, light.intensity);
+        return shading_Arrival(light.position, 3.4028234e38, light.intensity);
     }
     let to_light = shading_measured(light.position - p);
     let dimmed = select(0.0, shading_falloff(light, to_light.v_length)
             * select(1.0, shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length),
             light.cosines.x > -1.0), to_light.w_length > 0.0);
     return shading_Arrival(select(vec3f(0.0, 0.0, 1.0), to_light.w / to_light.w_length,
-            to_light.w_length > 0.0), min(to_light.v_length, 3.4028235e38),
-            min(light.intensity * dimmed, vec3f(3.4028235e38)));
+            to_light.w_length > 0.0), min(to_light.v_length, 3.4028234e38),
+            min(light.intensity * dimmed, vec3f(3.4028234e38)));
 }
 
 // What one light adds by Lambert's model: I k_d max(0, N.L).
@@ -364,8 +364,8 @@ fn shading_add_blinn_phong(sums: shading_Sums, n: vec3f, v: vec3f, m: f32, light
 
 // The light that the point reflects: k_a I_a + k_d times the diffuse sum + k_s times the specular one.
 fn shading_total(sums: shading_Sums, material: shading_Material, i_a: vec3f) -> vec3f {
-    return material.k_a * i_a + min(sums.diffuse, vec3f(3.4028235e38)) * material.k_d
-            + min(sums.specular, vec3f(3.4028235e38)) * material.k_s;
+    return material.k_a * i_a + min(sums.diffuse, vec3f(3.4028234e38)) * material.k_d
+            + min(sums.specular, vec3f(3.4028234e38)) * material.k_s;
 }
 
 // The normal of the plane ax + by + cz + d = 0: (a, b, c)/|(a, b, c)|. Foley, van Dam et al. 11.1.3.
@@ -409,9 +409,9 @@ fn shading_normal_transformed(n: vec3f, a: vec3f, b: vec3f, c: vec3f) -> vec3f {
         let y = shading_measured(b);
         let abs_z = abs(n.z);
         let z = shading_measured(c);
-        let least = min(min(select(3.4028235e38, x.v_length, abs_x > 0.0),
-                select(3.4028235e38, y.v_length, abs_y > 0.0)),
-                select(3.4028235e38, z.v_length, abs_z > 0.0));
+        let least = min(min(select(3.4028234e38, x.v_length, abs_x > 0.0),
+                select(3.4028234e38, y.v_length, abs_y > 0.0)),
+                select(3.4028234e38, z.v_length, abs_z > 0.0));
         let n_x = select(0.0, n.x * select(1.0, least / x.v_length, x.v_length > least), abs_x > 0.0);
         let along_a = shading_unit(a) + a * 0.0;
         let n_y = select(0.0, n.y * select(1.0, least / y.v_length, y.v_length > least), abs_y > 0.0);

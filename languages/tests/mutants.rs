@@ -1,4 +1,5 @@
-//! Every mistake that can be planted in the headers for C is found by the comparison with the crate. It takes minutes:
+//! Every mistake that can be planted in the headers for C is found by the comparison with the crate. It takes minutes,
+//! and the compiler `tcc`:
 //!
 //! ```sh
 //! cargo test --release -p shading-languages --test mutants -- --ignored --nocapture
@@ -68,44 +69,57 @@ fn of_fixed_point() -> Vec<Question> {
     vec![of(&scenes[..1000]), levels, of(&scenes[1000..])]
 }
 
-/// Whether a mutant is found; nothing, if it does not compile.
-fn is_found(
-    name: &str,
-    source: &str,
-    flags: &[&str],
-    mutant: &Mutant,
-    questions: &[Question],
-) -> Option<bool> {
-    let id = format!("{:?}", thread::current().id()).replace(['(', ')'], "");
+/// A header, the compiler that takes it, and a program that computes its functions, or one of them.
+struct Subject<'a> {
+    name: &'a str,
+    compiler: &'a [&'a str],
+    program: &'a (dyn Fn(Option<&str>) -> String + Sync),
+    questions: &'a [Question],
+}
+
+/// Whether a mutant is found, by the function that has the mistake or else by any; nothing, if it does not compile.
+fn is_found(subject: &Subject, mutant: &Mutant) -> Option<bool> {
+    let thread = format!("{:?}", thread::current().id());
+    let id = format!("{}_{thread}", std::process::id()).replace(['(', ')'], "");
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(&id);
     fs::create_dir_all(&folder).unwrap();
-    fs::write(folder.join(name), &mutant.header).unwrap();
+    fs::write(folder.join(subject.name), &mutant.header).unwrap();
     let folder = folder.to_str().expect("a path");
-    let command = [&["gcc", "-std=c99", "-O1", "-w", "-I", folder], flags].concat();
-    let program = compiled(&command, source, &format!("mutant_{id}")).ok()?;
-    let is_other =
-        |q: &Question| answer(&program, q.argument, &q.input).as_ref() != Some(&q.expected);
-    Some(questions.iter().any(is_other))
+    let command = [subject.compiler, &["-std=c99", "-w", "-I", folder]].concat();
+    let by_one = |q: &&Question| q.argument == mutant.within;
+    let (own, others): (Vec<_>, Vec<_>) = subject.questions.iter().partition(by_one);
+    for (questions, which) in [(own, Some(&mutant.within[..])), (others, None)] {
+        if questions.is_empty() {
+            continue;
+        }
+        let source = (subject.program)(which);
+        let program = compiled(&command, &source, &format!("mutant_{id}")).ok()?;
+        let is_other =
+            |q: &Question| answer(&program, q.argument, &q.input).as_ref() != Some(&q.expected);
+        if questions.into_iter().any(is_other) {
+            return Some(true);
+        }
+    }
+    Some(false)
 }
 
 /// The mutants that are not found.
-fn survivors(name: &str, source: &str, flags: &[&str], questions: &[Question]) -> Vec<Mutant> {
+fn survivors(subject: &Subject) -> Vec<Mutant> {
+    let name = subject.name;
     let header = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(name)).unwrap();
     let all = mutants(&header);
     let unchanged = Mutant {
         before: String::new(),
         after: String::new(),
+        within: String::new(),
         header,
     };
-    assert_eq!(
-        is_found(name, source, flags, &unchanged, questions),
-        Some(false)
-    );
+    assert_eq!(is_found(subject, &unchanged), Some(false));
     let (next, found) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let survivors = Mutex::new(vec![]);
     let work = || {
         while let Some(mutant) = all.get(next.fetch_add(1, Ordering::Relaxed)) {
-            match is_found(name, source, flags, mutant, questions) {
+            match is_found(subject, mutant) {
                 None => {}
                 Some(true) => _ = found.fetch_add(1, Ordering::Relaxed),
                 Some(false) => survivors.lock().unwrap().push(mutant.clone()),
@@ -129,19 +143,28 @@ fn report(survivors: &[Mutant]) {
 #[test]
 #[ignore = "takes minutes"]
 fn mistakes_in_single_precision_are_found() {
-    let questions = of_floats();
-    let survivors = survivors("shading.h", &host::program(), &[], &questions);
-    report(&survivors);
+    let program = |only: Option<&str>| host::program(|name| only.is_none_or(|only| name == only));
+    report(&survivors(&Subject {
+        name: "shading.h",
+        compiler: &["gcc"],
+        program: &program,
+        questions: &of_floats(),
+    }));
 }
 
 #[test]
 #[ignore = "takes minutes"]
 fn mistakes_in_fixed_point_are_found() {
     let questions = of_fixed_point();
-    for flag in [
+    for narrow in [
         "-DSHADING_FIXED_NARROW_PRODUCT=0",
         "-DSHADING_FIXED_NARROW_PRODUCT=1",
     ] {
-        report(&survivors("shading_fixed.h", PROGRAM, &[flag], &questions));
+        report(&survivors(&Subject {
+            name: "shading_fixed.h",
+            compiler: &["tcc", narrow], // it compiles in a hundredth of a second
+            program: &|_| PROGRAM.into(),
+            questions: &questions,
+        }));
     }
 }

@@ -191,8 +191,8 @@ static inline shading_Measured shading_measured(shading_vec3 v) {
         shading_vec3 w = shading_scale(shading_scale(v, shading_min(power, 1.0f)), shading_max(power, 1.0f));
         float w_square = shading_dot(w, w);
         float root = sqrtf(w_square);
-        shading_Measured result = {w, w_square > 0.0f && w_square < 3.4028235e38f ? root : 0.0f,
-                w_square > 0.0f && w_square < 3.4028235e38f ? shading_min(root / power, 3.4028235e38f)
+        shading_Measured result = {w, w_square > 0.0f && w_square < 3.4028234e38f ? root : 0.0f,
+                w_square > 0.0f && w_square < 3.4028234e38f ? shading_min(root / power, 3.4028234e38f)
                 : root};
         return result;
     }
@@ -277,7 +277,7 @@ static inline float shading_term_blinn_normalization(float m) {
 
 /* The attenuation 1/(a + bq + cq^2). Foley, van Dam et al. 16.1; OpenGL 2.1, 2.14.1. */
 static inline float shading_attenuation(float a, float b, float c, float q) {
-    return shading_clamp(1.0f / (a + q * (b + c * q)), 0.0f, 3.4028235e38f);
+    return shading_clamp(1.0f / (a + q * (b + c * q)), 0.0f, 3.4028234e38f);
 }
 
 /* What ends a light at the range r: max(0, 1 - (q/r)^4)^2. Karis 2013. */
@@ -332,7 +332,7 @@ static inline float shading_cone_smoothstep(shading_vec3 axis, shading_vec3 l, s
 static inline float shading_falloff(const shading_Light *light, float q) {
     return shading_clamp(1.0f
             / (light->coefficients.x + q * (light->coefficients.y + light->coefficients.z * q)), 0.0f,
-            light->limit) * (light->range < 3.4028235e38f
+            light->limit) * (light->range < 3.4028234e38f
             ? (light->is_gltf > 0.0f ? shading_window_gltf(q, light->range) : shading_window(q, light->range))
             : 1.0f);
 }
@@ -348,7 +348,7 @@ static inline float shading_spot(const shading_Light *light, float cosine) {
 /* What arrives at the point p: L, the distance q and I. Foley, van Dam et al. 16.1. */
 static inline shading_Arrival shading_arrival(const shading_Light *light, shading_vec3 p) {
     if (light->is_sun > 0.0f) {
-        shading_Arrival result = {light->position, 3.4028235e38f, light->intensity};
+        shading_Arrival result = {light->position, 3.4028234e38f, light->intensity};
         return result;
     }
     shading_Measured to_light = shading_measured(shading_sub(light->position, p));
@@ -357,8 +357,8 @@ static inline shading_Arrival shading_arrival(const shading_Light *light, shadin
             ? shading_spot(light, shading_dot(shading_neg(light->axis), to_light.w) / to_light.w_length)
             : 1.0f) : 0.0f;
     shading_Arrival result = {to_light.w_length > 0.0f ? shading_over(to_light.w, to_light.w_length)
-            : shading_vector(0.0f, 0.0f, 1.0f), shading_min(to_light.v_length, 3.4028235e38f),
-            shading_at_most(shading_scale(light->intensity, dimmed), 3.4028235e38f)};
+            : shading_vector(0.0f, 0.0f, 1.0f), shading_min(to_light.v_length, 3.4028234e38f),
+            shading_at_most(shading_scale(light->intensity, dimmed), 3.4028234e38f)};
     return result;
 }
 
@@ -510,8 +510,8 @@ static inline void shading_add_blinn_phong(shading_Sums *sums, shading_vec3 n, s
 static inline shading_vec3 shading_total(const shading_Sums *sums, const shading_Material *material,
         shading_vec3 i_a) {
     return shading_add(shading_add(shading_mul(material->k_a, i_a),
-            shading_mul(shading_at_most(sums->diffuse, 3.4028235e38f), material->k_d)),
-            shading_mul(shading_at_most(sums->specular, 3.4028235e38f), material->k_s));
+            shading_mul(shading_at_most(sums->diffuse, 3.4028234e38f), material->k_d)),
+            shading_mul(shading_at_most(sums->specular, 3.4028234e38f), material->k_s));
 }
 
 /* The normal of the plane ax + by + cz + d = 0: (a, b, c)/|(a, b, c)|. Foley, van Dam et al. 11.1.3. */
@@ -557,8 +557,8 @@ static inline shading_vec3 shading_normal_transformed(shading_vec3 n, shading_ve
         shading_Measured y = shading_measured(b);
         float abs_z = fabsf(n.z);
         shading_Measured z = shading_measured(c);
-        float least = shading_min(shading_min(abs_x > 0.0f ? x.v_length : 3.4028235e38f,
-                abs_y > 0.0f ? y.v_length : 3.4028235e38f), abs_z > 0.0f ? z.v_length : 3.4028235e38f);
+        float least = shading_min(shading_min(abs_x > 0.0f ? x.v_length : 3.4028234e38f,
+                abs_y > 0.0f ? y.v_length : 3.4028234e38f), abs_z > 0.0f ? z.v_length : 3.4028234e38f);
         float n_x = abs_x > 0.0f ? n.x * (x.v_length > least ? least / x.v_length : 1.0f) : 0.0f;
         shading_vec3 along_a = shading_add(shading_unit(a), shading_scale(a, 0.0f));
         float n_y = abs_y > 0.0f ? n.y * (y.v_length > least ? least / y.v_length : 1.0f) : 0.0f;

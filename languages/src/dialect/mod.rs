@@ -98,6 +98,10 @@ impl Dialect {
     }
 
     pub(crate) fn number(&self, x: f32) -> String {
+        if x.to_bits() == f32::MAX.to_bits() {
+            // rounded down, because browsers call 3.4028235e38 an overflow
+            return format!("3.4028234e38{}", self.suffix);
+        }
         format!("{x:?}{}", self.suffix)
     }
 }

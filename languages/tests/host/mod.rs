@@ -10,9 +10,10 @@ use std::process::{Command, Stdio};
 use shading::Rgb;
 use shading_languages::{Function, Kind, functions};
 
-/// A program that computes the function of `shading.h` that its argument names.
-pub fn program() -> String {
+/// A program that computes the function of `shading.h` that its argument names; one of some.
+pub fn program(which: impl Fn(&str) -> bool) -> String {
     let mut out = String::from("#include \"shading.h\"\n#include <stdio.h>\n\n");
+    let functions = || functions().iter().filter(|function| which(function.name));
     for function in functions() {
         out += &reader(function);
     }

@@ -7,6 +7,8 @@ pub struct Mutant {
     pub before: String,
     pub after: String,
     pub header: String,
+    /// The function that has the mistake, without its prefix.
+    pub within: String,
 }
 
 /// What stands in the place of what.
@@ -50,9 +52,16 @@ const SWAPS: [(&str, &str); 33] = [
 pub fn mutants(header: &str) -> Vec<Mutant> {
     let lines: Vec<_> = header.lines().collect();
     let (mut all, mut is_comment, mut is_macro) = (vec![], false, false);
+    let mut within = String::new();
     for (at, line) in lines.iter().enumerate() {
         let begins_comment = line.trim_start().starts_with("/*");
         let is_code = !(is_comment || is_macro || begins_comment || line.starts_with('#'));
+        if let Some((head, _)) = line.split_once('(')
+            && head.starts_with("static")
+        {
+            let name = head.rsplit(' ').next().expect("a name");
+            within = name.trim_start_matches("shading_").into();
+        }
         if is_code {
             let code = line.find("/*").map_or(*line, |end| &line[..end]);
             for after in swapped(code).into_iter().chain(other_numbers(code)) {
@@ -62,6 +71,7 @@ pub fn mutants(header: &str) -> Vec<Mutant> {
                 all.push(Mutant {
                     before: (*line).into(),
                     header: lines.join("\n"),
+                    within: within.clone(),
                     after,
                 });
             }
