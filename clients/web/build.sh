@@ -3,6 +3,7 @@
 # http://localhost:8000.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+. ../.ci/toolchain
 target=wasm32-unknown-unknown
 site=$PWD/target/web
 
@@ -12,10 +13,13 @@ mkdir -p "$site"
 cp -r web/site/. "$site"
 mkdir "$site/pictures"
 cp ../docs/pictures/{gyroid,ks_and_m,teapot,the_sum,three_colors}.png "$site/pictures"
+command -v wasm-opt >/dev/null || install_packages binaryen
+built=${CARGO_TARGET_DIR:-target}/$target/release
+features=(--enable-bulk-memory --enable-sign-ext --enable-nontrapping-float-to-int --enable-mutable-globals)
 cargo build --quiet --package web --lib --release --target $target
-cp "${CARGO_TARGET_DIR:-target}/$target/release/web.wasm" "$site/demos/demos.wasm"
+wasm-opt -O2 "${features[@]}" "$built/web.wasm" -o "$site/demos/demos.wasm"
 # it is fetched more often than it computes
 CARGO_PROFILE_RELEASE_OPT_LEVEL=z cargo build --quiet --package exercises --release --target $target
-cp "${CARGO_TARGET_DIR:-target}/$target/release/exercises.wasm" "$site/exercises"
+wasm-opt -Oz "${features[@]}" "$built/exercises.wasm" -o "$site/exercises/exercises.wasm"
 wc -c "$site"/*/*.wasm
 [ "${1-}" != --serve ] || exec python3 -m http.server --bind localhost --directory "$site"

@@ -84,7 +84,7 @@ export const WRONG = {
     [half("return scale(add(l, v), 1 / 2);"), /average/],
     [half("return unit(sub(l, v));"), /difference of L and V/],
     [half("return unit(sub(v, l));"), /difference of V and L/],
-    [half("const s = add(l, v);", "return scale(s, 1 / Math.sqrt(dot(s, s)));"), /divides by 0|no number/],
+    [half("const s = add(l, v);", "return scale(s, 1 / Math.sqrt(dot(s, s)));"), /divides by 0|no number|before the division/],
     [half("return unit(cross(l, v));"), /cross product/],
     [half("return l;"), /not depend on the eye/],
     [half("return scale(add(l, v), 1 / Math.sqrt(2));"), /√2/],

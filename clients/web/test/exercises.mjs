@@ -349,6 +349,6 @@ files.push(join(folder, "style.css"), join(folder, "file.js"));
 let bytes = 0;
 for (const path of files) bytes += gzipSync(await readFile(path), { level: 9 }).length;
 console.log(`the page for exercises: ${(bytes / 1000).toFixed(1)} KB gzipped`);
-assert.ok(bytes <= 205_000, `${bytes} bytes`);
+assert.ok(bytes <= 180_000, `${bytes} bytes`);
 console.log(`the slowest: the first broken scene after ${slowest.first} ms, a verdict after ${slowest.verdict} ms`);
 await close();

@@ -1,15 +1,15 @@
 //! A page of exercises: the laws try a function that a student writes in JavaScript, and `shading` draws the right
 //! picture.
 //!
-//! The page writes JSON to [`input`] and calls a function. What the function answers is text, which [`text`] points
-//! to, or numbers.
+//! The page writes numbers where [`numbers`] points to and calls a function, which answers with numbers, or with text
+//! where [`text`] points to. Nothing here reads JSON, for which the page would be a tenth larger.
 
 mod picture;
 mod surfaces;
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use shading_laws::{Fault, Laws, Profile, Progress, Renderer, Scene};
+use shading_laws::{Fault, Kind, Laws, Model, Profile, Progress, Renderer, Scene};
 
 #[link(wasm_import_module = "page")]
 unsafe extern "C" {
@@ -19,7 +19,6 @@ unsafe extern "C" {
     fn goes_on(asked: usize, of: usize, broken: usize);
 }
 
-static INPUT: Mutex<Vec<u8>> = Mutex::new(Vec::new());
 static TEXT: Mutex<String> = Mutex::new(String::new());
 static NUMBERS: Mutex<Vec<f64>> = Mutex::new(Vec::new());
 
@@ -27,8 +26,10 @@ fn lock<T>(of: &'static Mutex<T>) -> MutexGuard<'static, T> {
     of.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-fn read() -> String {
-    String::from_utf8_lossy(&lock(&INPUT)).into_owned()
+/// Those whose bits are set; all, if none is.
+fn chosen<T: Copy>(all: &[T], bits: u32) -> Vec<T> {
+    let is_chosen = |i: &usize| bits == 0 || bits >> i & 1 == 1;
+    (0..all.len()).filter(is_chosen).map(|i| all[i]).collect()
 }
 
 /// The student's function, which answers in JavaScript.
@@ -58,14 +59,6 @@ impl Renderer for Student {
     }
 }
 
-/// Where the page writes so many bytes.
-#[unsafe(no_mangle)]
-pub extern "C" fn input(length: usize) -> *mut u8 {
-    let mut input = lock(&INPUT);
-    *input = vec![0; length];
-    input.as_mut_ptr()
-}
-
 /// Where the text of the last answer is.
 #[unsafe(no_mangle)]
 pub extern "C" fn text() -> *const u8 {
@@ -78,19 +71,28 @@ pub extern "C" fn text_length() -> usize {
     lock(&TEXT).len()
 }
 
-/// Tries the student's function by the laws. The input is its profile, and the text is the report.
+/// Tries the student's function by the laws, with so many random scenes. The bits choose models and kinds of light,
+/// and whether there may be a highlight behind the surface. The text is the report.
 #[unsafe(no_mangle)]
-pub extern "C" fn check(cases: usize, seed: u32) {
+pub extern "C" fn check(models: u32, lights: u32, is_ungated: bool, cases: usize, seed: u32) {
+    let departs = if is_ungated {
+        vec!["HighlightNotGated".into()]
+    } else {
+        Vec::new()
+    };
+    let profile = Profile {
+        models: chosen(&Model::ALL, models),
+        lights: chosen(&Kind::ALL, lights),
+        departs,
+        ..Profile::default()
+    };
     let laws = Laws {
         cases,
         seed: seed.into(),
         ..Laws::default()
     };
-    let report = Profile::from_json(&read()).and_then(|profile| laws.run(&mut Student(profile)));
-    *lock(&TEXT) = match report {
-        Ok(report) => report.to_json(),
-        Err(why) => format!("{{\"error\":{why:?}}}"),
-    };
+    let report = laws.run(&mut Student(profile));
+    *lock(&TEXT) = report.map_or_else(|why| why, |report| report.to_json());
 }
 
 /// Lists the known mistakes as text: the name and the words of each, in lines that a tab divides.
@@ -100,15 +102,15 @@ pub extern "C" fn mistakes() {
     *lock(&TEXT) = lines.collect();
 }
 
-/// A ball in the light of a scene, the input, row by row. A pixel is p, n, v, the right color, and the color that a
-/// mistake gives, by its number in the list; n is 0 beside the ball.
+/// A ball in the light of a scene, whose numbers were written, row by row. A pixel is p, n, v, the right color, and
+/// the color that a mistake gives, by its number in the list; n is 0 beside the ball.
 #[unsafe(no_mangle)]
 pub extern "C" fn draw(size: usize, mistake: usize) -> *const f64 {
     let fault = Fault::known().nth(mistake);
     let mut numbers = lock(&NUMBERS);
-    *numbers = match Scene::from_json(&read()) {
-        Ok(scene) => picture::ball(&scene, size, fault),
-        Err(_) => vec![0.0; 15 * size * size], // black, as where there is no ball
+    *numbers = match picture::scene(&numbers) {
+        Some(scene) => picture::ball(&scene, size, fault),
+        None => vec![0.0; 15 * size * size], // black, as where there is no ball
     };
     numbers.as_ptr()
 }

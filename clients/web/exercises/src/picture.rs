@@ -4,7 +4,61 @@ use shading::f64::{
     Attenuation, Cone, DirectionalLight, IncidentLight, PointLight, Rgb, SpotLight, UnitVec3, Vec3,
 };
 use shading::{Material, shade};
-use shading_laws::{Fault, Light, Model, Scene};
+use shading_laws::{Fault, Kind, Light, Model, Scene};
+
+/// The scene of these numbers: the model, m, k_a, k_d, k_s and I_a, and five triples of each light.
+pub fn scene(numbers: &[f64]) -> Option<Scene> {
+    let (&[model, m], numbers) = numbers.split_first_chunk()?;
+    let (colors, lights) = numbers.as_chunks::<3>().0.split_at_checked(4)?;
+    let &[k_a, k_d, k_s, i_a] = colors else {
+        return None;
+    };
+    let lights = lights.chunks_exact(5).map(light);
+    Some(Scene {
+        model: *Model::ALL.get(model as usize)?,
+        p: [0.0; 3],
+        n: [0.0; 3],
+        v: [0.0; 3],
+        k_a,
+        k_d,
+        k_s,
+        m,
+        i_a,
+        lights: lights.collect::<Option<_>>()?,
+    })
+}
+
+/// A light: its intensity, its direction or its position, its attenuation, its axis, and its kind and angle.
+fn light(triples: &[[f64; 3]]) -> Option<Light> {
+    let &[
+        intensity,
+        position,
+        attenuation,
+        axis,
+        [kind, half_angle, _],
+    ] = triples
+    else {
+        return None;
+    };
+    Some(match Kind::ALL.get(kind as usize)? {
+        Kind::Directional => Light::Directional {
+            intensity,
+            l: position,
+        },
+        Kind::Point => Light::Point {
+            intensity,
+            position,
+            attenuation,
+        },
+        Kind::Spot => Light::Spot {
+            intensity,
+            position,
+            attenuation,
+            axis,
+            half_angle,
+        },
+    })
+}
 
 /// p, n, v, the right color and the color with the mistake of each pixel; all are 0 beside the ball.
 pub fn ball(scene: &Scene, size: usize, fault: Option<Fault>) -> Vec<f64> {

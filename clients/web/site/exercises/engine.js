@@ -1,4 +1,5 @@
 // The laws and the crate, as the page itself asks them: for the list of mistakes, and for what these draw.
+import { numbersOf, write } from "./module.js";
 import { CANDIDATES, planted } from "./renderer.js";
 
 const SIZE = 20; // enough to see which pictures differ
@@ -21,18 +22,15 @@ export class Engine {
 
   /** The crate's normal of a surface, by its number, from these numbers. */
   normal(surface, numbers) {
-    const at = this.exports.numbers(numbers.length); // the memory may grow there
-    new Float64Array(this.exports.memory.buffer, at, numbers.length).set(numbers);
+    write(this.exports, numbers);
     const from = this.exports.normal(surface);
     return [...new Float64Array(this.exports.memory.buffer, from, 3)];
   }
 
   /** The right colors of a small picture, or those that a mistake gives. */
   colors(scene, mistake = null) {
-    const { memory, input, draw } = this.exports;
-    const text = new TextEncoder().encode(JSON.stringify(scene));
-    const at = input(text.length);
-    new Uint8Array(memory.buffer, at, text.length).set(text);
+    const { memory, draw } = this.exports;
+    write(this.exports, numbersOf(scene));
     const from = draw(SIZE, mistake?.number ?? 1e6);
     const numbers = new Float64Array(memory.buffer, from, 15 * SIZE * SIZE);
     const first = mistake ? 12 : 9;

@@ -185,6 +185,6 @@ export function mistakeExercise(number, mistake, scene) {
       f is the falloff 1/(a + bq + cq²), s is 1 within the cone of a spot and 0 outside, and the highlight needs
       <b>N</b>·<b>L</b> &gt; 0`,
     hints: ["Take one term away in your mind, the ambient, the diffuse or the specular one. Which of them is wrong in the picture?",
-      "Check lets the laws try a thousand scenes, and tells in which kind of scene the color is wrong."],
+      "Check lets the laws try hundreds of scenes, and tells in which kind of scene the color is wrong."],
   };
 }

@@ -8,7 +8,7 @@ import { prelude, Runner } from "./run.js";
 import { verdict } from "./words.js";
 
 const SIZE = 200; // of the pictures
-const CASES = 1024; // random scenes, beside the fixed ones
+const CASES = 400; // random scenes, beside the fixed ones
 const canvases = [...document.querySelectorAll("canvas")];
 const root = document.documentElement.dataset; // for tests: what was done, and how long it took
 
@@ -24,7 +24,7 @@ let modules;
 try {
   [module, ...modules] = await Promise.all([
     file("exercises.wasm").then((it) => it.arrayBuffer()).then((it) => WebAssembly.compile(it)),
-    ...["formulas.js", "typical.js", "worker.js"].map(text),
+    ...["formulas.js", "module.js", "typical.js", "worker.js"].map(text),
   ]);
 } catch (error) {
   $("start").textContent = `The exercises cannot start: ${error.message}`;

@@ -1,6 +1,7 @@
-// Runs the student's code beside the laws. The page makes one script of this text, formulas.js and typical.js, and adds
+// Runs the student's code beside the laws. The page makes one script of this text, formulas.js, module.js and typical.js, and adds
 // how the student's function is found. The page listens to a port that the student's code cannot reach.
 import { add, cross, dot, mul, RIGHT, scale, shadeBy, sub, unit } from "./formulas.js";
+import { numbersOf, profileOf, write } from "./module.js";
 import { diagnose, same } from "./typical.js";
 
 const MOST_CALLS = 600; // that are looked at to find what a wrong answer has in common with others
@@ -77,13 +78,9 @@ self.onmessage = ({ data, ports: [port] }) => {
     goes_on: (asked, of, broken) => say({ asked, of, broken, ms: now() - start }),
   };
   const { exports } = new WebAssembly.Instance(module, { page });
-  function give(value) {
-    const text = new TextEncoder().encode(JSON.stringify(value));
-    bytes(exports.input(text.length), text.length).set(text);
-  }
 
   function draw() {
-    give(exercise.scene);
+    write(exports, numbersOf(exercise.scene));
     const at = exports.draw(size, mistake);
     const scene = JSON.stringify(exercise.scene); // each pixel gets its own, which the student's code may change
     const numbers = new Float64Array(exports.memory.buffer, at, 15 * size * size).slice();
@@ -123,8 +120,7 @@ self.onmessage = ({ data, ports: [port] }) => {
   }
 
   function check() {
-    give({ name: "your code", ...profile });
-    exports.check(cases, seed);
+    exports.check(...profileOf(profile), cases, seed);
     const report = parse(new TextDecoder().decode(bytes(exports.text(), exports.text_length())));
     const isWhole = exercise.lamps; // RIGHT.shade knows directional lights only: what the laws say is enough there
     const asked = isWhole ? [] : calls.map((call) => ({ ...call, wanted: RIGHT[name](...call.given) }));
