@@ -4,6 +4,7 @@
 //! to which [`draw`] points. There is nothing between the two but these functions. The host runs the same
 //! code, and the tests compare the two pictures byte by byte.
 
+mod mesh;
 pub mod page;
 pub mod scene;
 pub mod surface;
@@ -12,6 +13,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use page::Page;
 use scene::Part;
+use shading::f32::Vec3;
 
 static PAGE: Mutex<Page> = Mutex::new(Page::EMPTY);
 
@@ -50,6 +52,20 @@ pub extern "C" fn probe(width: u32, height: u32, x: u32, y: u32) -> *const f32 {
     page()
         .probe(width as usize, height as usize, x as usize, y as usize)
         .as_ptr()
+}
+
+/// The bytes of the picture of a coarse mesh: flat, or by Gouraud.
+#[unsafe(no_mangle)]
+pub extern "C" fn draw_mesh(is_smooth: bool, width: u32, height: u32) -> *const u8 {
+    page()
+        .draw_mesh(is_smooth, width as usize, height as usize)
+        .as_ptr()
+}
+
+/// A number of the place of a point in the picture, in pixels: 0 and 1 for where it is, and 2 for its depth.
+#[unsafe(no_mangle)]
+pub extern "C" fn projected(x: f32, y: f32, z: f32, width: u32, height: u32, number: usize) -> f32 {
+    page().project(Vec3::new(x, y, z), width as usize, height as usize)[number.min(2)]
 }
 
 /// Where a lamp, 0 or 1, is in the picture, in pixels.

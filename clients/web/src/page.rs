@@ -3,14 +3,15 @@
 use shading::f32::{Rgb, UnitVec3, Vec3};
 use shading::{half_vector, reflection, term};
 
+use crate::mesh;
 use crate::scene::{Model, Part, SETTINGS, Scene};
-use crate::surface::{Camera, EYE, Point, Surface};
+use crate::surface::{Camera, Point, Surface, Turn};
 
 /// Larger pictures are refused.
 pub const MOST_PIXELS: usize = 2048 * 2048;
 
 /// How many numbers `Page::probe` gives, in the order of `PROBE` in `page.js`.
-pub const PROBE: usize = 57;
+pub const PROBE: usize = 73;
 
 pub struct Page {
     pub settings: [f32; SETTINGS],
@@ -21,9 +22,11 @@ pub struct Page {
     message: &'static str,
 }
 
-/// The points of one surface in one size: they change with neither the material nor the lamp.
+/// The points of one surface from one eye in one size: they change with neither the material nor the lamp.
 struct View {
     surface: Surface,
+    eye: Vec3,
+    turn: Turn,
     size: [usize; 2],
     points: Vec<Point>,
 }
@@ -46,7 +49,12 @@ impl Page {
             Some(0) => self.message = "The window has no room for a picture.",
             Some(area) if area <= MOST_PIXELS => {
                 self.pixels.resize(4 * area, 0);
-                let view = view(&mut self.views, surface(&self.settings), [width, height]);
+                let view = view(
+                    &mut self.views,
+                    surface(&self.settings),
+                    &scene,
+                    [width, height],
+                );
                 self.message = trouble(&scene, &view.points);
                 for point in &view.points {
                     let [r, g, b] = part.of(scene.shaded(point)).to_srgb8();
@@ -73,13 +81,19 @@ impl Page {
                 .checked_mul(height)
                 .is_some_and(|area| area <= MOST_PIXELS);
         if is_inside {
-            let view = view(&mut self.views, surface(&self.settings), [width, height]);
+            let scene = Scene::new(&self.settings);
+            let view = view(
+                &mut self.views,
+                surface(&self.settings),
+                &scene,
+                [width, height],
+            );
             let pixel = y * width + x;
             if let Ok(found) = view
                 .points
                 .binary_search_by_key(&pixel, |point| point.pixel)
             {
-                self.probe = numbers(&Scene::new(&self.settings), &view.points[found]);
+                self.probe = numbers(&scene, &view.points[found]);
             }
         }
         &self.probe
@@ -88,9 +102,10 @@ impl Page {
     /// Where in the picture a lamp is, or outside of the picture if it is off or behind the eye.
     #[must_use]
     pub fn lamp(&self, index: usize, width: usize, height: usize) -> [f32; 2] {
+        let camera = self.camera(width, height);
         let projected = self
             .position(index)
-            .and_then(|position| Camera::new(width, height).project(position));
+            .and_then(|position| camera.project(position));
         projected.map_or([-1.0; 2], |at| [at.x, at.y])
     }
 
@@ -100,8 +115,39 @@ impl Page {
     pub fn moved(&self, index: usize, width: usize, height: usize, to: [f32; 2]) -> [f32; 3] {
         let position = self.position(index);
         position.map_or([0.0; 3], |position| {
-            Camera::new(width, height).moved(position, to).into()
+            self.camera(width, height).moved(position, to).into()
         })
+    }
+
+    /// Where a point of space is in the picture, and its depth; all are −1 behind the eye.
+    #[must_use]
+    pub fn project(&self, point: Vec3, width: usize, height: usize) -> [f32; 3] {
+        let projected = self.camera(width, height).project(point);
+        projected.map_or([-1.0; 3], |at| [at.x, at.y, 1.0 / at.w])
+    }
+
+    fn camera(&self, width: usize, height: usize) -> Camera {
+        Camera::new(Scene::new(&self.settings).eye, width, height)
+    }
+
+    /// The picture of a coarse mesh, with the light mixed between its corners or once for each triangle; empty if
+    /// the size is refused.
+    pub fn draw_mesh(&mut self, is_smooth: bool, width: usize, height: usize) -> &[u8] {
+        self.pixels.clear();
+        if width
+            .checked_mul(height)
+            .is_some_and(|area| area <= MOST_PIXELS)
+        {
+            self.pixels.resize(4 * width * height, 0);
+            let scene = Scene::new(&self.settings);
+            let camera = Camera::new(scene.eye, width, height);
+            let surface = surface(&self.settings);
+            for (pixel, color) in mesh::shaded(&scene, surface, scene.turn, &camera, is_smooth) {
+                let [r, g, b] = color.to_srgb8();
+                self.pixels[4 * pixel..][..4].copy_from_slice(&[r, g, b, 255]);
+            }
+        }
+        &self.pixels
     }
 
     fn position(&self, index: usize) -> Option<Vec3> {
@@ -119,15 +165,21 @@ fn surface(settings: &[f32; SETTINGS]) -> Surface {
 }
 
 /// The view that is there already, or a new one in place of the oldest.
-fn view(views: &mut Vec<View>, surface: Surface, size: [usize; 2]) -> &View {
+fn view<'a>(
+    views: &'a mut Vec<View>,
+    surface: Surface,
+    scene: &Scene,
+    size: [usize; 2],
+) -> &'a View {
+    let wanted = (surface, scene.eye, scene.turn, size);
     let known = views
         .iter()
-        .position(|view| view.surface == surface && view.size == size);
+        .position(|it| (it.surface, it.eye, it.turn, it.size) == wanted);
     let index = known.unwrap_or_else(|| {
         if views.len() == 4 {
             views.remove(0);
         }
-        views.push(View::new(surface, size));
+        views.push(View::new(surface, scene, size));
         views.len() - 1
     });
     &views[index]
@@ -139,14 +191,15 @@ fn trouble(scene: &Scene, points: &[Point]) -> &'static str {
         return "1/(a + bq + cq²) has no value where a, b and c are 0. The lamps are off: raise one of them.";
     };
     let is_lit = |point: &Point| {
-        let mut lights = scene.lamps.iter().flatten().map(|lamp| lamp.at(point.p));
-        lights.any(|light| light.is_in_front(point.n) && light.intensity() != Rgb::BLACK)
+        scene
+            .lights(point.p)
+            .any(|light| light.is_in_front(point.n) && light.intensity() != Rgb::BLACK)
     };
     if points.iter().any(is_lit) {
         ""
-    } else if scene.lamps[1].is_some() {
+    } else if scene.lamps[1].is_some() || scene.sun.is_some() {
         "The lamps light nothing that is seen."
-    } else if lamp.point.position == EYE {
+    } else if lamp.point.position == scene.eye {
         "The lamp is at the eye, and its cone misses what is seen."
     } else {
         "The lamp lights nothing that is seen: it is black, inside or behind the surface, or its cone is too narrow."
@@ -154,10 +207,13 @@ fn trouble(scene: &Scene, points: &[Point]) -> &'static str {
 }
 
 impl View {
-    fn new(surface: Surface, size: [usize; 2]) -> Self {
-        let points = surface.seen_by(&Camera::new(size[0], size[1]));
+    fn new(surface: Surface, scene: &Scene, size: [usize; 2]) -> Self {
+        let (eye, turn) = (scene.eye, scene.turn);
+        let points = surface.seen_by(&Camera::new(eye, size[0], size[1]), turn);
         Self {
             surface,
+            eye,
+            turn,
             size,
             points,
         }
@@ -188,9 +244,19 @@ fn numbers(scene: &Scene, point: &Point) -> [f32; PROBE] {
         total.to_srgb8().map(f32::from),
     ]
     .as_flattened());
-    for lamp in scene.lamps.into_iter().flatten() {
+    let lamps = scene.lamps.iter().flatten().map(|lamp| {
         let incident = lamp.at(p).arrival();
         let (l, q) = (incident.l, incident.distance);
+        (
+            l,
+            q,
+            lamp.point.attenuation.at(q),
+            lamp.cone.factor(lamp.axis, l),
+        )
+    });
+    // the sun has no distance, and loses nothing on its way
+    let sun = scene.sun.iter().map(|sun| (sun.l, 0.0, 1.0, 1.0));
+    for (l, q, attenuation, cone) in lamps.chain(sun) {
         let r = reflection(n, l);
         let h = half_vector(l, v).unwrap_or(UnitVec3::assume_unit(Vec3::ZERO));
         let (r_dot_v, n_dot_h) = (r.dot(v), n.dot(h));
@@ -201,7 +267,7 @@ fn numbers(scene: &Scene, point: &Point) -> [f32; PROBE] {
         };
         put([l.into(), r.into(), h.into()].as_flattened());
         put(&[q, n.dot(l), r_dot_v, n_dot_h, highlight]);
-        put(&[lamp.point.attenuation.at(q), lamp.cone.factor(lamp.axis, l)]);
+        put(&[attenuation, cone]);
     }
     numbers
 }

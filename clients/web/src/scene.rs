@@ -1,12 +1,15 @@
-//! The page's controls as a material and two lamps, and the light from one point.
+//! The page's controls as a material, two lamps, a sun and an eye, and the light from one point.
 
-use shading::f32::{Attenuation, Cone, PointLight, Rgb, Shaded, SpotLight, UnitVec3, Vec3};
+use shading::f32::{
+    Attenuation, Cone, DirectionalLight, IncidentLight, PointLight, Rgb, Shaded, SpotLight,
+    UnitVec3, Vec3,
+};
 use shading::{Material, shade};
 
-use crate::surface::Point;
+use crate::surface::{EYE, Point, Turn};
 
 /// What the controls hold, in the order of `SETTINGS` in `page.js`.
-pub const SETTINGS: usize = 27;
+pub const SETTINGS: usize = 39;
 
 /// The light of the surroundings.
 pub const WHITE: Rgb = Rgb::WHITE;
@@ -32,6 +35,9 @@ pub struct Scene {
     pub material: Material<f32, f32>,
     /// `None` where a = b = c = 0, or where the second lamp is off.
     pub lamps: [Option<SpotLight>; 2],
+    pub sun: Option<DirectionalLight>,
+    pub eye: Vec3,
+    pub turn: Turn,
 }
 
 impl Scene {
@@ -58,6 +64,15 @@ impl Scene {
             x_2,
             y_2,
             z_2,
+            e_x,
+            e_y,
+            e_z,
+            cosine,
+            sine,
+            sun,
+            s_x,
+            s_y,
+            s_z,
             ref colors @ ..,
         ] = finite;
         let color = |i: usize| {
@@ -66,6 +81,10 @@ impl Scene {
         };
         let body = color(0);
         let lamp = |position, intensity| lamp(position, intensity, [a, b, c], angle, edge);
+        // from near the axis, or from within the object or far away, nothing is seen as the page means it
+        let eye = Vec3::new(e_x, e_y, e_z);
+        let is_eye = eye.x.hypot(eye.z) > 0.1 && (2.0..100.0).contains(&eye.length());
+        let turned = Vec3::new(cosine, sine, 0.0).unit_or(UnitVec3::X);
         let [k_a, k_d, k_s] = [k_a, k_d, k_s].map(|k| k.clamp(0.0, 1.0));
         Self {
             model: match model {
@@ -83,12 +102,24 @@ impl Scene {
                 lamp(Vec3::new(x, y, z), color(1)),
                 lamp(Vec3::new(x_2, y_2, z_2), color(2)).filter(|_| second != 0.0),
             ],
+            sun: (sun != 0.0).then(|| DirectionalLight {
+                l: Vec3::new(s_x, s_y, s_z).unit_or(UnitVec3::Y),
+                intensity: color(3),
+            }),
+            eye: if is_eye { eye } else { EYE },
+            turn: [turned.x, turned.y],
         }
+    }
+
+    /// What arrives at a point from the lamps that are on, and from the sun.
+    pub fn lights(&self, p: Vec3) -> impl Iterator<Item = IncidentLight> + '_ {
+        let lamps = self.lamps.iter().flatten().map(move |lamp| lamp.at(p));
+        lamps.chain(self.sun.iter().map(move |sun| sun.at(p)))
     }
 
     /// The light from a point, part by part.
     pub fn shaded(&self, &Point { p, n, v, .. }: &Point) -> Shaded {
-        let lights = self.lamps.iter().flatten().map(|lamp| lamp.at(p));
+        let lights = self.lights(p);
         match self.model {
             Model::Lambert => shade::lambert(n, &self.material, WHITE, lights),
             Model::Phong => shade::phong(n, v, &self.material, WHITE, lights),

@@ -8,11 +8,12 @@ use patch::Patch;
 #[path = "../../src/patch.rs"]
 mod patch;
 
-/// Looks from `EYE` at the origin.
+/// Looks from its eye at the origin.
 #[derive(Clone, Copy)]
 pub struct Camera {
     pub width: usize,
     pub height: usize,
+    pub eye: Vec3,
     right: UnitVec3,
     up: UnitVec3,
     forward: UnitVec3,
@@ -20,6 +21,7 @@ pub struct Camera {
     scale: f32,
 }
 
+/// Where the eye is as the page opens.
 pub const EYE: Vec3 = Vec3::new(0.0, 1.0, 5.0);
 
 /// A point as the camera sees it.
@@ -33,12 +35,13 @@ pub struct Projected {
 
 impl Camera {
     #[must_use]
-    pub fn new(width: usize, height: usize) -> Self {
-        let forward = (-EYE).unit_or(UnitVec3::NEG_Z);
+    pub fn new(eye: Vec3, width: usize, height: usize) -> Self {
+        let forward = (-eye).unit_or(UnitVec3::NEG_Z);
         let right = forward.cross(*UnitVec3::Y).unit_or(UnitVec3::X);
         Self {
             width,
             height,
+            eye,
             right,
             up: UnitVec3::assume_unit(right.cross(*forward)),
             forward,
@@ -56,7 +59,7 @@ impl Camera {
     /// Where a point appears; `None` behind the eye.
     #[must_use]
     pub fn project(&self, p: Vec3) -> Option<Projected> {
-        let from_eye = p - EYE;
+        let from_eye = p - self.eye;
         let depth = from_eye.dot(self.forward);
         (depth > 0.01).then(|| Projected {
             x: 0.5 * self.width as f32 + from_eye.dot(self.right) / depth * self.scale,
@@ -67,10 +70,10 @@ impl Camera {
 
     /// The point that appears at this place, at the depth of another point.
     pub fn moved(&self, p: Vec3, [x, y]: [f32; 2]) -> Vec3 {
-        let depth = (p - EYE).dot(self.forward);
+        let depth = (p - self.eye).dot(self.forward);
         let right = (x - 0.5 * self.width as f32) / self.scale;
         let up = (0.5 * self.height as f32 - y) / self.scale;
-        EYE + (*self.forward + *self.right * right + *self.up * up) * depth
+        self.eye + (*self.forward + *self.right * right + *self.up * up) * depth
     }
 }
 
@@ -84,6 +87,10 @@ pub struct Point {
     pub v: UnitVec3,
 }
 
+/// The cosine and the sine of the angle by which the object is turned about y. The page computes both, because the
+/// functions of two machines differ in their last bits.
+pub type Turn = [f32; 2];
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Surface {
     Sphere,
@@ -93,10 +100,10 @@ pub enum Surface {
 impl Surface {
     /// All visible points, in the order of their pixels.
     #[must_use]
-    pub fn seen_by(self, camera: &Camera) -> Vec<Point> {
+    pub fn seen_by(self, camera: &Camera, turn: Turn) -> Vec<Point> {
         match self {
             Self::Sphere => sphere(camera),
-            Self::Teapot => teapot(camera),
+            Self::Teapot => teapot(camera, turn),
         }
     }
 }
@@ -105,10 +112,10 @@ impl Surface {
 fn sphere(camera: &Camera) -> Vec<Point> {
     let seen = |pixel| {
         let ray = camera.ray(pixel % camera.width, pixel / camera.width);
-        let b = EYE.dot(ray);
-        let discriminant = b * b - EYE.dot(EYE) + 1.0;
+        let b = camera.eye.dot(ray);
+        let discriminant = b * b - camera.eye.dot(camera.eye) + 1.0;
         let root = (discriminant >= 0.0).then(|| discriminant.sqrt())?;
-        let p = EYE - *ray * (b + root);
+        let p = camera.eye - *ray * (b + root);
         let n = normal::sphere(Vec3::ZERO, p)?;
         Some(Point {
             pixel,
@@ -124,8 +131,8 @@ fn sphere(camera: &Camera) -> Vec<Point> {
 const FINENESS: usize = 16;
 
 /// The triangles only find the patch and its parameters; point and normal come from the patch itself.
-fn teapot(camera: &Camera) -> Vec<Point> {
-    let patches: Vec<Patch> = patches().collect();
+fn teapot(camera: &Camera, turn: Turn) -> Vec<Point> {
+    let patches: Vec<Patch> = patches(turn).collect();
     let mut raster = Raster::new(camera);
     for (number, patch) in patches.iter().enumerate() {
         let corner = |i: usize, j: usize| {
@@ -146,7 +153,7 @@ fn teapot(camera: &Camera) -> Vec<Point> {
         let &Found { w, patch, u, v } = found;
         let patch: &Patch = &patches[patch];
         let p = (w > 0.0).then(|| patch.at(u, v))?;
-        let to_eye = (EYE - p).unit()?;
+        let to_eye = (camera.eye - p).unit()?;
         let face = patch.normal(u, v)?; // exact, so it is the face's normal, too
         let n = normal::facing(face, to_eye, face);
         Some(Point {
@@ -162,8 +169,11 @@ fn teapot(camera: &Camera) -> Vec<Point> {
 include!(concat!(env!("OUT_DIR"), "/teapot.rs"));
 
 /// The file has z pointing up; here y does.
-fn patches() -> impl Iterator<Item = Patch> {
-    let point = |[x, y, z]: [f32; 3]| Vec3::new(x - 0.2, z - 1.5, -y) * 0.4;
+pub fn patches([cosine, sine]: Turn) -> impl Iterator<Item = Patch> {
+    let point = move |[x, y, z]: [f32; 3]| {
+        let Vec3 { x, y, z } = Vec3::new(x - 0.2, z - 1.5, -y) * 0.4;
+        Vec3::new(cosine * x + sine * z, y, cosine * z - sine * x)
+    };
     PATCHES
         .iter()
         .map(move |patch| Patch(patch.map(|i| point(POINTS[usize::from(i)]))))
@@ -171,22 +181,22 @@ fn patches() -> impl Iterator<Item = Patch> {
 
 /// The nearest surface at a pixel.
 #[derive(Clone, Copy, Default)]
-struct Found {
+pub struct Found {
     /// The reciprocal of the depth; 0 where nothing is.
-    w: f32,
-    patch: usize,
-    u: f32,
-    v: f32,
+    pub w: f32,
+    pub patch: usize,
+    pub u: f32,
+    pub v: f32,
 }
 
-struct Raster {
+pub struct Raster {
     width: usize,
     height: usize,
-    found: Vec<Found>,
+    pub found: Vec<Found>,
 }
 
 impl Raster {
-    fn new(&Camera { width, height, .. }: &Camera) -> Self {
+    pub fn new(&Camera { width, height, .. }: &Camera) -> Self {
         Self {
             width,
             height,
@@ -195,7 +205,7 @@ impl Raster {
     }
 
     /// Draws a triangle whose corners have parameters, at the pixels where nothing nearer was found.
-    fn fill(&mut self, patch: usize, corners: [(Projected, [f32; 2]); 3]) {
+    pub fn fill(&mut self, patch: usize, corners: [(Projected, [f32; 2]); 3]) {
         let [a, b, c] = corners.map(|(at, _)| at);
         let area = |p: [f32; 2], q: Projected, r: Projected| {
             (q.x - p[0]) * (r.y - p[1]) - (q.y - p[1]) * (r.x - p[0])

@@ -10,7 +10,10 @@ const OPENING: [f32; SETTINGS] = [
     1.0, 2.0, 0.1, 0.65, 0.4, 40.0, 0.8, 1.2, 1.8, 0.8, 0.0, 0.02, 180.0,
     0.0, // material, lamp
     0.0, -0.8, 0.9, 1.6, // second lamp
-    224.0, 128.0, 60.0, 255.0, 255.0, 255.0, 77.0, 139.0, 255.0, // colors
+    0.0, 1.0, 5.0, 1.0, 0.0, // the eye, and the turn of the object
+    0.0, 0.6, 0.64, 0.48, // the sun
+    224.0, 128.0, 60.0, 255.0, 255.0, 255.0, 77.0, 139.0, 255.0, 255.0, 241.0,
+    208.0, // colors
 ];
 const SURFACE: usize = 0;
 const MODEL: usize = 1;
@@ -20,8 +23,11 @@ const A: usize = 9;
 const ANGLE: usize = 12;
 const EDGE: usize = 13;
 const SECOND: usize = 14;
-const COLOR: usize = 18;
-const LIGHT: usize = 21;
+const EYE_AT: usize = 18;
+const TURN: usize = 21;
+const SUN: usize = 23;
+const COLOR: usize = 27;
+const LIGHT: usize = 30;
 /// The ends of the page's sliders.
 const ENDS: [[f32; 2]; SETTINGS] = [
     [0.0, 1.0],
@@ -42,6 +48,18 @@ const ENDS: [[f32; 2]; SETTINGS] = [
     [-6.0, 6.0],
     [-6.0, 6.0],
     [-6.0, 6.0],
+    [-5.0, 5.0],
+    [-4.0, 5.0],
+    [-5.0, 5.0],
+    [-1.0, 1.0],
+    [-1.0, 1.0],
+    [0.0, 1.0],
+    [-1.0, 1.0],
+    [-1.0, 1.0],
+    [-1.0, 1.0],
+    [0.0, 255.0],
+    [0.0, 255.0],
+    [0.0, 255.0],
     [0.0, 255.0],
     [0.0, 255.0],
     [0.0, 255.0],
@@ -174,7 +192,7 @@ fn any_bits_are_sound() {
 
 #[test]
 fn a_lamp_on_the_surface_and_at_the_eye_is_sound() {
-    let points = Surface::Teapot.seen_by(&Camera::new(SIZE, SIZE));
+    let points = Surface::Teapot.seen_by(&Camera::new(EYE, SIZE, SIZE), [1.0, 0.0]);
     let places = points.iter().step_by(97).map(|point| point.p).chain([EYE]);
     for place in places {
         for a in [0.0, 1.0] {
@@ -279,7 +297,7 @@ fn a_second_lamp_adds_its_light() {
 fn a_dragged_lamp_is_under_the_pointer() {
     for (lamp, first) in [(0, X), (1, SECOND + 1)] {
         let mut page = page(with(&[(SECOND, 1.0)]));
-        let camera = Camera::new(400, 400);
+        let camera = Camera::new(EYE, 400, 400);
         let depth = |page: &Page| {
             let [x, y, z] = [0, 1, 2].map(|i| page.settings[first + i]);
             1.0 / camera.project(Vec3::new(x, y, z)).expect("in sight").w
@@ -300,4 +318,69 @@ fn a_dragged_lamp_is_under_the_pointer() {
     let stays = Vec3::from(off.moved(1, 400, 400, [1.0, 1.0]));
     assert_eq!(stays, Vec3::ZERO, "it is off");
     assert!(off.lamp(1, 400, 400)[0] < 0.0, "and not in the picture");
+}
+
+/// Turning eye, lamps and object together about y leaves the picture as it is, but for rounding: nothing but their
+/// places to each other counts.
+#[test]
+fn turning_all_together_changes_nothing() {
+    let (cosine, sine) = (0.6_f32, 0.8_f32); // of a right triangle, exact but for rounding
+    let turned = |[x, y, z]: [f32; 3]| [cosine * x + sine * z, y, cosine * z - sine * x];
+    for surface in [0.0, 1.0] {
+        let before = with(&[(SURFACE, surface), (SECOND, 1.0), (SUN, 1.0)]);
+        let mut after = before;
+        for first in [X, SECOND + 1, EYE_AT, SUN + 1] {
+            let place = turned([before[first], before[first + 1], before[first + 2]]);
+            after[first..first + 3].copy_from_slice(&place);
+        }
+        (after[TURN], after[TURN + 1]) = (cosine, sine);
+        let [a, b] = [before, after].map(|it| page(it).draw(Part::Total, SIZE, SIZE).to_vec());
+        assert!(a.iter().any(|&byte| byte > 100), "something is seen");
+        let pairs = a.iter().zip(&b);
+        let others = pairs.filter(|(a, b)| a.abs_diff(**b) > 1).count();
+        // pixels at an edge may see what is beside it: fewer than 1 % of the numbers
+        assert!(others < a.len() / 100, "{others} of {} differ", a.len());
+    }
+}
+
+/// The sun's diffuse light by Lambert's law, at each pixel, in doubles; and a sun of any bits is sound.
+#[test]
+fn the_sun_shines_by_lambert() {
+    let black = [(LIGHT, 0.0), (LIGHT + 1, 0.0), (LIGHT + 2, 0.0)];
+    let white = [(COLOR, 255.0), (COLOR + 1, 255.0), (COLOR + 2, 255.0)];
+    let sunny = [(SUN, 1.0), (COLOR + 9, 255.0), (SURFACE, 0.0)];
+    let changes = [&black[..], &white[..], &sunny[..]].concat();
+    let mut page = page(with(&changes));
+    for pixel in 0..SIZE * SIZE {
+        let numbers = page.probe(SIZE, SIZE, pixel % SIZE, pixel / SIZE);
+        let [x, y, z] = [4, 5, 6].map(|i| f64::from(numbers[i]));
+        let expected = 0.65 * (0.6 * x + 0.64 * y + 0.48 * z).max(0.0);
+        let red = f64::from(numbers[13]);
+        assert!((red - expected).abs() < 1e-6, "{red}, not {expected}");
+    }
+}
+
+/// A coarse mesh covers nearly the pixels of the surface, by either way; a flat triangle has one color, so there are
+/// fewer colors than by Gouraud.
+#[test]
+fn meshes_are_flat_or_smooth() {
+    for surface in [0.0, 1.0] {
+        let mut page = page(with(&[(SURFACE, surface)]));
+        let exact = page.draw(Part::Total, 200, 200).to_vec();
+        let [flat, smooth] = [false, true].map(|smooth| page.draw_mesh(smooth, 200, 200).to_vec());
+        let seen = |pixels: &[u8]| pixels.chunks(4).filter(|pixel| pixel[3] == 255).count();
+        let colors = |pixels: &[u8]| {
+            pixels
+                .chunks(4)
+                .collect::<std::collections::HashSet<_>>()
+                .len()
+        };
+        for mesh in [&flat, &smooth] {
+            let (of, is) = (seen(&exact) as f64, seen(mesh) as f64);
+            // the chords of a circle of 16 corners leave out 1 − sin(π/8)/(π/8) = 2.6 % of it
+            assert!(is > 0.95 * of && is < 1.02 * of, "{is} pixels, not {of}");
+        }
+        assert!(colors(&flat) < 600 && colors(&smooth) > 2 * colors(&flat));
+    }
+    assert!(page(OPENING).draw_mesh(true, usize::MAX, 2).is_empty());
 }

@@ -3,19 +3,10 @@
 const SVG = "http://www.w3.org/2000/svg";
 const LENGTH = 0.6; // of an arrow, where the sphere has the radius 1
 
-/** Where a point of space is in the picture, in fractions of it: the camera of src/surface.rs. */
-export function project([x, y, z], { width, height }) {
-  const s = Math.sqrt(26);
-  const scale = 1.75 * Math.min(width, height);
-  const [ex, ey, ez] = [x, y - 1, z - 5];
-  const depth = (-ey - 5 * ez) / s;
-  return [0.5 + (ex / depth) * scale / width, 0.5 - ((5 * ey - ez) / s / depth) * scale / height];
-}
-
 /** The names and directions at a pixel; `model` is that of the settings. */
 export function directions({ N, V, lamps }, model) {
-  const of_lamps = lamps.flatMap(({ L, R, H }, i) => {
-    const index = lamps.length > 1 ? "₁₂"[i] : "";
+  const of_lamps = lamps.flatMap(({ name, L, R, H }) => {
+    const index = { 1: "₁", 2: "₂", sun: "ₛ" }[name] ?? "";
     const other = model === 1 ? [[`R${index}`, R]] : model === 2 ? [[`H${index}`, H]] : [];
     return [[`L${index}`, L], ...other];
   });
@@ -29,11 +20,12 @@ function part(name, attributes, text = "") {
   return it;
 }
 
-/** Draws them into an SVG of 100 by 100 over the picture. */
-export function draw(svg, at, model, size) {
-  const [x0, y0] = project(at.P, size).map((x) => 100 * x);
+/** Draws them into an SVG of 100 by 100 over the picture; `projected` gives fractions of it. */
+export function draw(svg, at, model, projected) {
+  const place = (p) => projected(p).slice(0, 2).map((x) => 100 * x);
+  const [x0, y0] = place(at.P);
   const groups = directions(at, model).map(([name, d]) => {
-    const [x, y] = project(at.P.map((p, i) => p + LENGTH * d[i]), size).map((x) => 100 * x);
+    const [x, y] = place(at.P.map((p, i) => p + LENGTH * d[i]));
     const length = Math.hypot(x - x0, y - y0) || 1e-9;
     const group = part("g", { class: `arrow ${name[0]}` });
     group.append(

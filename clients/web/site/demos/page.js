@@ -3,10 +3,11 @@ import { directions, draw as drawArrows } from "./arrows.js";
 import { plotFalloff, plotLobe } from "./plot.js";
 import { program } from "./rust.js";
 
-// as `Scene::new` in src/scene.rs takes them; three bytes of each color follow
+// as `Scene::new` in src/scene.rs takes them; the eye, the turn, the sun and three bytes of each color follow
 const SETTINGS = ["surface", "model", "ka", "kd", "ks", "m", "x", "y", "z", "a", "b", "c", "angle", "edge", "second", "x2", "y2", "z2"];
-const COLORS = ["color", "light", "light2"];
-const COUNT = SETTINGS.length + 3 * COLORS.length;
+const COLORS = ["color", "light", "light2", "sunlight"];
+const OF_LAMP2 = ["x2", "y2", "z2", "light2"];
+const OF_SUN = ["heading", "altitude", "sunlight"];
 // as `numbers` in src/page.rs gives them: numbers, and triples in capitals; those of the lamps that are on follow, one by one
 const PROBE = ["seen", "P", "N", "V", "AMBIENT", "DIFFUSE", "SPECULAR", "TOTAL", "SRGB"];
 const PROBE_OF_LAMP = ["L", "R", "H", "q", "nl", "rv", "nh", "highlight", "attenuation", "cone"];
@@ -18,6 +19,7 @@ const [canvas, form, frame] = [$("canvas"), $("controls"), $("frame")];
 const context = canvas.getContext("2d");
 const thumbnails = [...document.querySelectorAll("#parts canvas")];
 const models = [...document.querySelectorAll("#models canvas")];
+const meshes = [...document.querySelectorAll("#meshes canvas")];
 // in fractions of the picture; a click pins it
 const cross = { x: 0.45, y: 0.42, isPinned: false };
 
@@ -31,24 +33,45 @@ try {
   throw error;
 }
 
+const isOn = (name) => form.elements[name].checked;
+const field = (name) => Number(form.elements[name].value);
+
+/** The direction to the sun. */
+function sun() {
+  const [heading, altitude] = ["heading", "altitude"].map((name) => field(name) * Math.PI / 180);
+  return [Math.sin(heading) * Math.cos(altitude), Math.sin(altitude), Math.cos(heading) * Math.cos(altitude)].map(Math.fround);
+}
+
+/** The eye, which walks around the object from (0, 1, 5) and climbs over it. */
+function eye() {
+  const [walk, climb] = ["walk", "climb"].map((name) => field(name) * Math.PI / 180);
+  const y = Math.cos(climb) + 5 * Math.sin(climb);
+  const away = 5 * Math.cos(climb) - Math.sin(climb);
+  return [away * Math.sin(walk), y, away * Math.cos(walk)];
+}
+
 /** What the controls say, as numbers in the module's order. */
 function settings() {
-  // a control that is off is in no FormData
-  const value = (name) => (name === "second" ? Number(form.elements.second.checked) : Number(form.elements[name].value));
-  return [...SETTINGS.map(value), ...COLORS.flatMap((name) => bytes(form.elements[name].value))];
+  const turn = field("turn") * Math.PI / 180;
+  const values = SETTINGS.map((name) => (name === "second" ? Number(isOn(name)) : field(name)));
+  return [...values, ...eye(), Math.cos(turn), Math.sin(turn), Number(isOn("sun")), ...sun(),
+    ...COLORS.flatMap((name) => bytes(form.elements[name].value))].map(Math.fround);
 }
 
 const bytes = (color) => color.match(/\w\w/g).map((byte) => parseInt(byte, 16));
 
 /** Draws a part into a canvas, in the canvas's size. */
 function draw(part, { width, height }, context) {
-  const at = shader.draw(part, width, height);
+  show(shader.draw(part, width, height), width, height, context);
   const message = new Uint8Array(shader.memory.buffer, shader.message(), shader.message_length());
-  if (width && height) {
-    const pixels = new Uint8ClampedArray(shader.memory.buffer, at, 4 * width * height);
-    context.putImageData(new ImageData(pixels, width, height), 0, 0);
-  }
   return new TextDecoder().decode(message);
+}
+
+/** Shows the picture of the module at an address. */
+function show(at, width, height, context) {
+  if (!width || !height) return;
+  const pixels = new Uint8ClampedArray(shader.memory.buffer, at, 4 * width * height);
+  context.putImageData(new ImageData(pixels, width, height), 0, 0);
 }
 
 /** The settings stand in the address, so that a link shows the same picture. */
@@ -69,16 +92,16 @@ function remember() {
 function recall() {
   const all = new URLSearchParams(location.hash.slice(1));
   for (const [name, value] of all) {
-    const field = form.elements[name];
-    if (!field) continue;
-    if (field.type === "checkbox") field.checked = value === "on";
-    else field.value = value;
+    const control = form.elements[name];
+    if (!control) continue;
+    if (control.type === "checkbox") control.checked = value === "on";
+    else control.value = value;
   }
   const [x, y] = (all.get("at") ?? "").split(",").map(Number);
   if (x >= 0 && x <= 1 && y >= 0 && y <= 1) Object.assign(cross, { x, y, isPinned: true });
 }
 
-const write = (values) => new Float32Array(shader.memory.buffer, shader.settings(), COUNT).set(values);
+const write = (values) => new Float32Array(shader.memory.buffer, shader.settings(), values.length).set(values);
 
 /** The same scene by each model, side by side. */
 function compare() {
@@ -90,33 +113,51 @@ function compare() {
   write(values);
 }
 
+/** The same scene on a coarse mesh, flat and by Gouraud, beside that of each pixel. */
+function compareMeshes() {
+  meshes.forEach((canvas, i) => {
+    const { width, height } = canvas;
+    const context = canvas.getContext("2d");
+    if (i === 2) draw(0, canvas, context);
+    else show(shader.draw_mesh(i, width, height), width, height, context);
+  });
+}
+
 function redraw() {
   remember();
   write(settings());
   thumbnails.forEach((canvas, part) => draw(part, canvas, canvas.getContext("2d")));
   if ($("models").open) compare();
+  if ($("meshes").open) compareMeshes();
   const part = Number(document.querySelector("[name=part]:checked").value);
   $("message").textContent = draw(part, canvas, context);
-  for (const name of ["x2", "y2", "z2", "light2"]) form.elements[name].disabled = !form.elements.second.checked;
+  for (const name of OF_LAMP2) form.elements[name].disabled = !isOn("second");
+  for (const name of OF_SUN) form.elements[name].disabled = !isOn("sun");
   LAMPS.forEach(({ marker, color, names }, lamp) => {
-    const isOn = lamp === 0 || form.elements.second.checked;
-    showLamp($(marker), isOn, lampPlace(lamp), names.map((name) => Number(form.elements[name].value)));
+    showLamp($(marker), lamp === 0 || isOn("second"), lampPlace(lamp), names.map(field));
     $(marker).style.setProperty("--light", form.elements[color].value);
   });
   explain();
 }
 
 /** A lamp behind the object is drawn dashed, and one outside of the picture as an arrow at its edge. */
-function showLamp(marker, isOn, [x, y], position) {
+function showLamp(marker, isShown, [x, y], position) {
   const isOutside = !(x >= 0 && x <= 1 && y >= 0 && y <= 1);
   const isKnown = x !== -1 / canvas.width || y !== -1 / canvas.height; // else it is behind the eye
-  marker.hidden = !isOn || (isOutside && !isKnown);
+  marker.hidden = !isShown || (isOutside && !isKnown);
   const [cx, cy] = [x, y].map((c) => Math.min(0.98, Math.max(0.02, c)));
   Object.assign(marker.style, { left: `${100 * cx}%`, top: `${100 * cy}%` });
-  // the eye looks from (0, 1, 5) at the origin: what is farther than the origin is behind the object, if it is hidden
-  const isFar = position[1] + 5 * position[2] < 0;
+  // what is farther than the origin is behind the object, if it is hidden
+  const isFar = projected(position)[2] > projected([0, 0, 0])[2];
   marker.classList.toggle("far", !isOutside && isFar && covers(x, y));
   marker.classList.toggle("outside", isOutside);
+}
+
+/** Where a point of space is in the picture, in fractions of it, and its depth. */
+function projected(point) {
+  const { width, height } = canvas;
+  const [x, y, depth] = [0, 1, 2].map((number) => shader.projected(...point, width, height, number));
+  return [x / width, y / height, depth];
 }
 
 /** Whether the object is seen at a place of the picture. */
@@ -138,15 +179,22 @@ function place(marker, x, y) {
   Object.assign(marker.style, { left: `${100 * x}%`, top: `${100 * y}%` });
 }
 
+/** What shines, by the sign that stands beside its letters: nothing is added to those of a single lamp. */
+function lit() {
+  const hasFalloff = field("a") || field("b") || field("c");
+  const lamps = hasFalloff ? (isOn("second") ? ["1", "2"] : [isOn("sun") ? "1" : ""]) : [];
+  return [...lamps, ...(isOn("sun") ? ["sun"] : [])];
+}
+
 /** The numbers of the pixel under the cross. */
 function probe() {
   const { width, height } = canvas;
   const at = (fraction, size) => Math.min(Math.floor(fraction * size), size - 1);
   const address = shader.probe(width, height, at(cross.x, width), at(cross.y, height));
-  const numbers = [...new Float32Array(shader.memory.buffer, address, 57)];
+  const numbers = [...new Float32Array(shader.memory.buffer, address, 73)];
   const take = (name) => (name > "Z" ? numbers.shift() : numbers.splice(0, 3));
   const all = (names) => Object.fromEntries(names.map((name) => [name, take(name)]));
-  return { ...all(PROBE), lamps: LAMPS.map(() => all(PROBE_OF_LAMP)).slice(0, form.elements.second.checked ? 2 : 1) };
+  return { ...all(PROBE), lamps: lit().map((name) => ({ name, ...all(PROBE_OF_LAMP) })) };
 }
 
 const number = (x) => (Math.abs(x) >= 1000 ? x.toExponential(2) : x.toFixed(3)).replace("-", "−");
@@ -161,7 +209,8 @@ function explain() {
     (<span class="diffuse">k<sub>d</sub> O max(0, <b>N</b>·<b>L</b>)</span>${highlight})`;
 
   const at = probe();
-  plotFalloff($("falloff"), [a, b, c].map(Number), at.seen ? at.lamps : []);
+  const lamps = at.lamps.filter(({ name }) => name !== "sun");
+  plotFalloff($("falloff"), [a, b, c].map(Number), at.seen ? lamps : []);
   if (!at.seen) {
     $("numbers").textContent = "Nothing is seen here.";
     $("code").textContent = "// Nothing is seen at this pixel. Choose another.";
@@ -170,28 +219,31 @@ function explain() {
   }
   const values = Object.fromEntries(SETTINGS.map((name, i) => [name, settings()[i]]));
   const colors = Object.fromEntries(COLORS.map((name) => [name, bytes(form.elements[name].value)]));
-  $("code").textContent = program(at, values, colors, LAMPS.slice(0, values.second ? 2 : 1));
-  drawArrows($("vectors"), at, Number(model), canvas);
+  $("code").textContent = program(at, values, colors, LAMPS.slice(0, values.second ? 2 : 1), isOn("sun") ? sun() : null);
+  drawArrows($("vectors"), at, Number(model), projected);
   const degrees = (cosine) => `${((Math.acos(Math.max(-1, Math.min(1, cosine))) * 180) / Math.PI).toFixed(1)}°`;
   $("lobe").hidden = !dot;
   if (dot) plotLobe($("lobe"), Number(m), at.lamps.map((lamp) => (model === "1" ? lamp.rv : lamp.nh)));
   const row = (name, value, kind = "") => `<dt class="${kind}">${name}</dt><dd class="${kind}">${value}</dd>`;
-  const rows_of_lamp = (lamp, index) => {
-    const sub = at.lamps.length > 1 ? `<sub>${index + 1}</sub>` : "";
+  const rows_of_lamp = (lamp) => {
+    const sub = lamp.name && `<sub>${lamp.name}</sub>`;
+    const isSun = lamp.name === "sun"; // which has neither a distance nor a cone
     const behind = lamp.nl <= 0 ? " ≤ 0: turned from the lamp, no light from it" : "";
     const [cosine, name, vector] = model === "1" ? [lamp.rv, "R", lamp.R] : [lamp.nh, "H", lamp.H];
     return [
       row(`L${sub}`, triple(lamp.L)),
       dot ? row(`${name}${sub}`, triple(vector)) : "",
-      row(`q${sub}`, number(lamp.q)),
-      row(`f(q${sub})`, `1/(${a} + ${b} · ${number(lamp.q)} + ${c} · ${number(lamp.q)}²) = ${number(lamp.attenuation)}`),
-      row(`s${sub}`, `${number(lamp.cone)}, the fraction that passes the cone`),
+      isSun ? "" : row(`q${sub}`, number(lamp.q)),
+      isSun ? "" : row(`f(q${sub})`, `1/(${a} + ${b} · ${number(lamp.q)} + ${c} · ${number(lamp.q)}²) = ${number(lamp.attenuation)}`),
+      isSun ? "" : row(`s${sub}`, `${number(lamp.cone)}, the fraction that passes the cone`),
       row(`N·L${sub}`, `${number(lamp.nl)}, at ${degrees(lamp.nl)}${behind}`),
       dot ? row(dot.replace(/<\/?b>/g, "") + sub, `${number(cosine)}, at ${degrees(cosine)}; to the power of ${m}: ${number(lamp.highlight)}`) : "",
     ];
   };
-  const sum = (factor) => at.lamps.map((lamp, i) =>
-    `${number(lamp.attenuation)} · ${number(lamp.cone)} · ${number(factor(lamp))} · C${at.lamps.length > 1 ? `<sub>${i + 1}</sub>` : ""}`).join(" + ");
+  const sum = (factor) => at.lamps.map((lamp) => {
+    const left = lamp.name === "sun" ? "" : `${number(lamp.attenuation)} · ${number(lamp.cone)} · `;
+    return `${left}${number(factor(lamp))} · C${lamp.name && `<sub>${lamp.name}</sub>`}`;
+  }).join(" + ") || "0";
   const rows = [
     row("P", triple(at.P)),
     row("N", triple(at.N)),
@@ -334,7 +386,7 @@ new ResizeObserver(() => {
   redraw();
 }).observe(frame);
 
-$("models").addEventListener("toggle", soon);
+for (const id of ["models", "meshes"]) $(id).addEventListener("toggle", soon);
 addEventListener("hashchange", () => {
   form.reset();
   recall();

@@ -20,9 +20,9 @@ function radians(degrees) {
 
 /**
  * A program that prints the color of a point. `values` are the settings, `colors` the bytes of each color, and `lamps`
- * the names of the settings and the color of each lamp that is on.
+ * the names of the settings and the color of each lamp that is on. `sun` is the direction to the sun, or null.
  */
-export function program({ P, N, V }, values, colors, lamps) {
+export function program({ P, N, V }, values, colors, lamps, sun) {
   const { a, b, c, angle, edge, ka, kd, ks, m } = values;
   const model = ["lambert", "phong", "blinn_phong"][values.model];
   const isSpot = angle < 180;
@@ -36,8 +36,14 @@ export function program({ P, N, V }, values, colors, lamps) {
         SpotLight { point, axis, cone }.at(p)
 ` : "        point.at(p)\n";
   const material = [`k_a: color * ${float(ka)}`, `k_d: color * ${float(kd)}`, `k_s: Rgb::gray(${float(ks)})`, `m: ${float(m)}`];
-  const types = isSpot ? "Attenuation, Cone, PointLight, Rgb, SpotLight, UnitVec3, Vec3"
-    : "Attenuation, PointLight, Rgb, UnitVec3, Vec3";
+  const types = ["Attenuation", isSpot && "Cone", sun && "DirectionalLight", "PointLight", "Rgb", isSpot && "SpotLight", "UnitVec3",
+    "Vec3"].filter(Boolean).join(", ");
+  const ofSun = sun ? `    let sun = DirectionalLight {
+        l: Vec3::new(${vector(sun)}).unit_or(UnitVec3::Y),
+        intensity: ${rgb("sunlight")},
+    };
+    let lights = lights.into_iter().chain([sun.at(p)]);
+` : "";
   return `use shading::f32::{${types}};
 use shading::{Material, shade};
 
@@ -56,7 +62,7 @@ ${model === "lambert" ? "" : `    let v = UnitVec3::assume_unit(Vec3::new(${vect
     let lights = lamps.map(|(position, intensity)| {
         let point = PointLight { position, intensity, attenuation };
 ${light}    });
-    let shaded = shade::${model}(n, ${model === "lambert" ? "" : "v, "}&material, Rgb::WHITE, lights);
+${ofSun}    let shaded = shade::${model}(n, ${model === "lambert" ? "" : "v, "}&material, Rgb::WHITE, lights);
     println!("{:?}", shaded.total().to_srgb8());
 }
 `;
