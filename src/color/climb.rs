@@ -1,34 +1,40 @@
 //! Levels by a climb that begins close below: the level at the beginning of each of some intervals, from
 //! which a few comparisons lead to that of the number. The edges of 256 levels take 1 KB, and those of
-//! RGB565 0.4 KB; the intervals of each encoding take 0.1 KB more.
+//! RGB565 0.4 KB; its intervals take 0.1 KB more.
 
 macro_rules! climb {
     ($(#[$doc:meta])* $name:ident $bits:ident) => {
         $(#[$doc])*
         pub(crate) struct $name<const N: usize, const LENGTH: usize, const SHIFT: u32> {
-            begin: $bits,
             first: [u8; LENGTH],
             next_edges: [$bits; N],
         }
 
         impl<const N: usize, const LENGTH: usize, const SHIFT: u32> $name<N, LENGTH, SHIFT> {
-            /// Numbers from `begin` on, divided into intervals of 2^`SHIFT`.
+            /// Numbers from `begin` on, divided into intervals of 2^`SHIFT`. A mask finds the interval.
             pub(super) const fn new(begin: $bits, next_edges: [$bits; N]) -> Self {
+                assert!(LENGTH.is_power_of_two());
                 let (mut first, mut level, mut i) = ([0; LENGTH], 0, 0);
                 while i < LENGTH {
-                    while next_edges[level] <= begin + ((i as $bits) << SHIFT) {
+                    let start = begin + ((i as $bits) << SHIFT);
+                    while next_edges[level] <= start {
                         level += 1;
                     }
-                    first[i] = level as u8;
+                    first[Self::interval(start)] = level as u8;
                     i += 1;
                 }
-                Self { begin, first, next_edges }
+                Self { first, next_edges }
+            }
+
+            #[inline]
+            const fn interval(bits: $bits) -> usize {
+                (bits >> SHIFT) as usize % LENGTH
             }
 
             /// The level of a number, which is below the largest of its type: the last edge ends the climb.
             #[inline]
             pub(crate) const fn level(&self, bits: $bits) -> u32 {
-                let mut level = self.first[((bits - self.begin) >> SHIFT) as usize % LENGTH] as usize;
+                let mut level = self.first[Self::interval(bits)] as usize;
                 while bits >= self.next_edges[level % N] {
                     level += 1;
                 }

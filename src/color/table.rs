@@ -20,7 +20,7 @@ pub(super) enum Way {
 const WAY: Way = if SCARCE_FLASH { Way::Climb } else { Way::Steps };
 
 macro_rules! levels {
-    ($($name:ident $by:ident $levels:literal: $length:literal $shift:literal, $fixed:ident)*) => {$(
+    ($($name:ident $by:ident $levels:literal: $length:literal $shift:literal, $few:literal $wide:literal, $fixed:ident)*) => {$(
         /// The level of a channel.
         #[inline]
         pub(super) const fn $name(channel: f32) -> u32 {
@@ -30,8 +30,7 @@ macro_rules! levels {
         #[inline]
         pub(super) const fn $by(way: Way, channel: f32) -> u32 {
             static STEPS: Steps<$length, $shift> = Steps::of(next_edges::<$levels>());
-            // eight intervals in each of thirteen octaves
-            static CLIMB: Climb<$levels, 104, 20> = Climb::new(DARKEST.to_bits(), next_edges());
+            static CLIMB: Climb<$levels, $few, $wide> = Climb::new(DARKEST.to_bits(), next_edges());
             let bits = clamped(channel, DARKEST, BRIGHTEST);
             match way {
                 Way::Steps => STEPS.level(bits),
@@ -46,7 +45,7 @@ macro_rules! levels {
 }
 
 levels! {
-    eight_bits eight_bits_by 256: 2048 16, FIXED_EIGHT_BITS
-    six_bits six_bits_by 64: 512 18, FIXED_SIX_BITS
-    five_bits five_bits_by 32: 256 19, FIXED_FIVE_BITS
+    eight_bits eight_bits_by 256: 2048 16, 128 20, FIXED_EIGHT_BITS
+    six_bits six_bits_by 64: 512 18, 64 21, FIXED_SIX_BITS
+    five_bits five_bits_by 32: 256 19, 32 22, FIXED_FIVE_BITS
 }
