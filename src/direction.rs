@@ -1,8 +1,7 @@
 //! The reflection vector R and the half vector H.
 
 use crate::number::{Real, Scalar};
-use crate::vector::UnitVec3;
-use crate::vector::Vec3;
+use crate::vector::{UnitVec3, Vec3};
 
 /// The reflection vector R: the direction L mirrored in the normal N.
 ///

@@ -1,8 +1,7 @@
 //! The elementary functions and their slopes.
 
 use super::Dual;
-use crate::number::Elementary;
-use crate::number::{Mask, Real, by_squaring, magnitude, whole};
+use crate::number::{Elementary, Mask, Real, by_squaring, magnitude, whole};
 use crate::vector::Vec3;
 
 impl<T: Elementary> Elementary for Dual<T> {

@@ -6,9 +6,8 @@ mod real;
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::number::Elementary;
-use crate::number::Real;
 use crate::number::triple::assign;
+use crate::number::{Elementary, Real};
 use crate::vector::Vec3;
 
 /// A dual number: a value and its gradient, ∇ = (∂/∂x, ∂/∂y, ∂/∂z).

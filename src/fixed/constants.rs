@@ -4,10 +4,8 @@ use super::cosine::{PI, cosine};
 use super::real::dot;
 use super::root::unit_and_length;
 use super::{Fixed, ONE};
-use crate::light::Attenuation;
-use crate::light::Cone;
-use crate::vector::UnitVec3;
-use crate::vector::Vec3;
+use crate::light::{Attenuation, Cone};
+use crate::vector::{UnitVec3, Vec3};
 
 impl UnitVec3<Fixed> {
     /// [`new`](UnitVec3::new) for constants: the direction of the vector (x, y, z), of any length but 0.

@@ -7,8 +7,7 @@ use super::reciprocal::reciprocal;
 use super::root::{Scaled, halfway_cosine, root, unit_and_length};
 use super::{Fixed, ONE, rounded, triangle};
 use crate::color::Rgb;
-use crate::number::Elementary;
-use crate::number::{Dimmed, LightSum, Lobe, Measured, Real, Toward};
+use crate::number::{Dimmed, Elementary, LightSum, Lobe, Measured, Real, Toward};
 use crate::vector::Vec3;
 
 /// A dot product. It is rounded once, and above 0 if the exact sum is.

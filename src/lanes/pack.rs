@@ -2,12 +2,9 @@
 
 use super::Lanes;
 use crate::color::Rgb;
-use crate::light::Attenuation;
-use crate::light::Cone;
-use crate::light::{DirectionalLight, PointLight, SpotLight};
+use crate::light::{Attenuation, Cone, DirectionalLight, PointLight, SpotLight};
 use crate::number::Real;
-use crate::vector::UnitVec3;
-use crate::vector::Vec3;
+use crate::vector::{UnitVec3, Vec3};
 
 /// What is made of numbers, over lanes: gathered from that of each lane.
 trait Gather<Lane> {

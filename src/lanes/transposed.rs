@@ -2,8 +2,7 @@
 
 use super::Lanes;
 use crate::color::Rgb;
-use crate::vector::UnitVec3;
-use crate::vector::Vec3;
+use crate::vector::{UnitVec3, Vec3};
 
 macro_rules! transposed {
     ($type:ident { $x:ident, $y:ident, $z:ident }) => {

@@ -5,8 +5,7 @@ use core::f64::consts::PI;
 use crate::color::Rgb;
 use crate::number::cosine::{cosine_f32, cosine_f64};
 use crate::number::{Dimmed, Mask, Measured, Real, Scalar, constant, epsilon, parts};
-use crate::vector::UnitVec3;
-use crate::vector::Vec3;
+use crate::vector::{UnitVec3, Vec3};
 
 /// The cone of a spot light, given by its **half**-angle: the angle between the axis and the edge,
 /// as in OpenGL, glTF and three.js. Unity and Blender give twice that angle.

@@ -3,13 +3,11 @@
 use core::fmt;
 use core::ops::Mul;
 
-use super::Attenuation;
-use super::Cone;
+use super::{Attenuation, Cone};
 use crate::color::Rgb;
 use crate::number::triple::assign;
 use crate::number::{Dimmed, Mask, Measured, Real, Toward, cold};
-use crate::vector::UnitVec3;
-use crate::vector::Vec3;
+use crate::vector::{UnitVec3, Vec3};
 
 /// The kind of a light.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,8 +6,7 @@ mod incident;
 
 use crate::color::Rgb;
 use crate::number::Real;
-use crate::vector::UnitVec3;
-use crate::vector::Vec3;
+use crate::vector::{UnitVec3, Vec3};
 pub use attenuation::{Attenuation, attenuation};
 pub use cone::Cone;
 use incident::Kind;

@@ -2,8 +2,7 @@
 
 use super::surface::from_tangents;
 use crate::number::{Mask, Real, Scalar, is_extreme, magnitude};
-use crate::vector::UnitVec3;
-use crate::vector::Vec3;
+use crate::vector::{UnitVec3, Vec3};
 
 /// The normal on the viewer's side, for surfaces that are seen from both sides.
 ///

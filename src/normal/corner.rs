@@ -2,8 +2,7 @@
 
 use crate::number::Real;
 use crate::number::angle;
-use crate::vector::UnitVec3;
-use crate::vector::Vec3;
+use crate::vector::{UnitVec3, Vec3};
 
 /// The contribution of a triangle to the normal of its vertex v₁: the normal of the triangle,
 /// weighted by its angle there.

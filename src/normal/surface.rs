@@ -2,8 +2,7 @@
 
 use crate::dual::Dual;
 use crate::number::{Real, Scalar, epsilon, magnitude};
-use crate::vector::UnitVec3;
-use crate::vector::Vec3;
+use crate::vector::{UnitVec3, Vec3};
 
 /// The normal of the plane ax + by + cz + d = 0.
 ///

@@ -1,8 +1,7 @@
 //! The tangent that a normal map needs.
 
 use crate::number::{Mask, Real, Scalar, magnitude};
-use crate::vector::UnitVec3;
-use crate::vector::Vec3;
+use crate::vector::{UnitVec3, Vec3};
 
 /// The tangent of a triangle with texture coordinates, and its handedness:
 /// [`mapped`](crate::normal::mapped) takes both, if the mesh file has no tangents.
