@@ -69,6 +69,8 @@ use crate::direction::mirrored;
 use crate::light::IncidentLight;
 use crate::number::triple::assign;
 use crate::number::{LightSum, Lobe, Mask, Measured, Real};
+#[cfg(feature = "serde")]
+use crate::number::{Read, Written};
 use crate::term;
 use crate::vector::UnitVec3;
 
@@ -95,8 +97,8 @@ use crate::vector::UnitVec3;
     serde(
         deny_unknown_fields,
         bound(
-            serialize = "T: Real + crate::Scalar + serde::Serialize, M: serde::Serialize",
-            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>, M: serde::Deserialize<'de>"
+            serialize = "T: Written, M: serde::Serialize",
+            deserialize = "T: Read<'de>, M: serde::Deserialize<'de>"
         )
     )
 )]
@@ -228,11 +230,10 @@ assign!([T] Shaded<T>, T: Mul);
 impl<T: Real> Sum for Shaded<T> {
     #[inline]
     fn sum<I: Iterator<Item = Self>>(iter: I) -> Self {
-        let [ambient, diffuse, specular] = [Rgb::BLACK; 3];
         let none = Self {
-            ambient,
-            diffuse,
-            specular,
+            ambient: Rgb::BLACK,
+            diffuse: Rgb::BLACK,
+            specular: Rgb::BLACK,
         };
         iter.fold(none, Add::add)
     }
@@ -266,11 +267,9 @@ pub fn lambert<T: Real, M>(
     i_a: Rgb<T>,
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
-    let specular = Rgb::BLACK;
-    Shaded {
-        specular,
-        ..sum(n, material, i_a, lights, |_| T::ZERO)
-    }
+    let mut shaded = sum(n, material, i_a, lights, |_| T::ZERO);
+    shaded.specular = Rgb::BLACK;
+    shaded
 }
 
 /// Shades a shiny surface with Phong's highlight.
@@ -303,15 +302,10 @@ pub fn phong<T: Real, M: Lobe<T>>(
     lights: impl IntoIterator<Item = IncidentLight<T>>,
 ) -> Shaded<T> {
     // R is the direction of w mirrored
-    sum(
-        n,
-        material,
-        i_a,
-        lights,
-        |Measured { w, w_length, .. }| {
-            term::highlight(mirrored(n, w).dot(v) / w_length, material.m)
-        },
-    )
+    sum(n, material, i_a, lights, |measured| {
+        let r_dot_v = mirrored(n, measured.w).dot(v) / measured.w_length;
+        term::highlight(r_dot_v, material.m)
+    })
 }
 
 /// Shades a shiny surface with Blinn's highlight: Phong's model with the half vector.

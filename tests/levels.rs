@@ -21,14 +21,15 @@ included! {
     table "../src/color/table.rs"
 }
 
+use levels::Levels;
 use table::Way;
 
 /// Every edge of every encoding and the numbers beside it; every 997th number of either sign, and
 /// NaN; both zeros and the ends.
 fn numbers() -> impl Iterator<Item = f32> {
-    let edges = levels::next_edges::<256>().into_iter();
-    let edges = edges.chain(levels::next_edges::<64>());
-    let edges = edges.chain(levels::next_edges::<32>());
+    let edges = Levels::<256>::NEXT.into_iter();
+    let edges = edges.chain(Levels::<64>::NEXT);
+    let edges = edges.chain(Levels::<32>::NEXT);
     let beside = edges.flat_map(|bits| [bits.wrapping_sub(1), bits, bits.wrapping_add(1)]);
     let ends = [
         0.0,

@@ -2,11 +2,12 @@
 //! compiler decides it in whole numbers, so the tables are right to the last bit.
 
 /// The edges of N levels. Constants, so that the compiler searches for them once and not in each table.
-struct Levels<const N: usize>;
+pub(super) struct Levels<const N: usize>;
 
 impl<const N: usize> Levels<N> {
     const EDGES: [f64; N] = edges();
-    const NEXT: [u32; N] = next(Self::EDGES);
+    /// The bits of the least `f32` of the next level, and of NaN above the highest level.
+    pub(super) const NEXT: [u32; N] = next(Self::EDGES);
 }
 
 /// The least `f64` of each level of N, and 0 for the lowest.
@@ -24,11 +25,6 @@ const fn edges<const N: usize>() -> [f64; N] {
         level += 1;
     }
     edges
-}
-
-/// The bits of the least `f32` of the next level, and of NaN above the highest level.
-pub(super) const fn next_edges<const N: usize>() -> [u32; N] {
-    Levels::<N>::NEXT
 }
 
 const fn next<const N: usize>(edges: [f64; N]) -> [u32; N] {

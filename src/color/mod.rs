@@ -205,11 +205,9 @@ impl<T: Real> Rgb<T> {
     pub fn from_rgb565(bits: u16) -> Self {
         // by one expression a channel: through `map` of an array, the compiler no longer sees the bounds
         let bits = usize::from(bits);
-        let (r, g, b) = (
-            FIVE_BITS[bits >> 11 & 31],
-            SIX_BITS[bits >> 5 & 63],
-            FIVE_BITS[bits & 31],
-        );
+        let r = FIVE_BITS[bits >> 11 & 31];
+        let g = SIX_BITS[bits >> 5 & 63];
+        let b = FIVE_BITS[bits & 31];
         Rgb::new(r, g, b).map(T::of_f32)
     }
 }

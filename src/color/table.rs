@@ -4,7 +4,7 @@ use super::clamp::{BRIGHTEST, DARKEST, clamped};
 use super::climb::Climb;
 #[cfg(feature = "fixed")]
 use super::climb::FixedClimb;
-use super::levels::next_edges;
+use super::levels::Levels;
 #[cfg(feature = "fixed")]
 use super::levels::next_fixed_edges;
 use super::steps::Steps;
@@ -29,8 +29,8 @@ macro_rules! levels {
 
         #[inline]
         pub(super) const fn $by(way: Way, channel: f32) -> u32 {
-            static STEPS: Steps<$length, $shift> = Steps::of(next_edges::<$levels>());
-            static CLIMB: Climb<$levels, $few, $wide> = Climb::new(DARKEST.to_bits(), next_edges());
+            static STEPS: Steps<$length, $shift> = Steps::of(Levels::<$levels>::NEXT);
+            static CLIMB: Climb<$levels, $few, $wide> = Climb::new(DARKEST.to_bits(), Levels::<$levels>::NEXT);
             let bits = clamped(channel, DARKEST, BRIGHTEST);
             match way {
                 Way::Steps => STEPS.level(bits),

@@ -37,9 +37,8 @@ fn zip<A, B, C>(a: Vec3<A>, b: Vec3<B>, f: impl Fn(A, B) -> C) -> Vec3<C> {
 fn rescaled<T: Real>(plain: Vec3<Dual<T>>, value: Vec3<T>) -> Vec3<Dual<T>> {
     let [before, after] = [values(plain), value].map(|v| T::measured(v).length);
     let scale = after / before; // exactly 1, unless T has a hook of its own
-    zip(plain, value, |plain, value| {
-        Dual::new(value, plain.gradient * scale)
-    })
+    let with_value = |plain: Dual<T>, value| Dual::new(value, plain.gradient * scale);
+    zip(plain, value, with_value)
 }
 
 impl<T: Real> Measured<Dual<T>> {
@@ -56,18 +55,14 @@ impl<T: Real> Measured<Dual<T>> {
     /// gradient takes for constant: a formula uses the direction of w alone.
     #[inline]
     fn of(v: Vec3<Dual<T>>, measured: Measured<T>) -> Self {
-        let Measured {
-            w,
-            w_length,
-            length,
-        } = measured;
+        let (w, w_length) = (measured.w, measured.w_length);
         let along = v.x.gradient * w.x + v.y.gradient * w.y + v.z.gradient * w.z;
         let length_gradient = along * (T::ONE / w_length);
-        let shrunk = length / w_length; // exact for a float, whose w is v times a power of two
+        let shrunk = measured.length / w_length; // exact for a float, whose w is v times a power of two
         Self {
             w: zip(v, w, |v, w| Dual::new(w, v.gradient / shrunk)),
             w_length: Dual::new(w_length, length_gradient / shrunk),
-            length: Dual::new(length, length_gradient),
+            length: Dual::new(measured.length, length_gradient),
         }
     }
 }

@@ -6,12 +6,12 @@
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser};
 
-use crate::number::magnitude;
+use crate::number::{Read, Written, magnitude};
 use crate::{Attenuation, Cone, Real, Rgb, Scalar, UnitVec3, Vec3};
 
 macro_rules! list {
     ($type:ident by $read:ident) => {
-        impl<T: Real + Scalar + Serialize> Serialize for $type<T> {
+        impl<T: Written> Serialize for $type<T> {
             fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
                 let list = <[T; 3]>::from(*self);
                 match $read(list) {
@@ -21,7 +21,7 @@ macro_rules! list {
             }
         }
 
-        impl<'de, T: Real + Scalar + Deserialize<'de>> Deserialize<'de> for $type<T> {
+        impl<'de, T: Read<'de>> Deserialize<'de> for $type<T> {
             fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
                 $read(<[T; 3]>::deserialize(from)?).map_err(de::Error::custom)
             }
@@ -77,7 +77,7 @@ struct RawAttenuation<T> {
     range_gltf: Option<T>,
 }
 
-impl<T: Real + Scalar + Serialize> Serialize for Attenuation<T> {
+impl<T: Written> Serialize for Attenuation<T> {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         let [a, b, c] = self.coefficients();
         let [range, range_gltf] = if self.is_gltf() {
@@ -97,7 +97,7 @@ impl<T: Real + Scalar + Serialize> Serialize for Attenuation<T> {
     }
 }
 
-impl<'de, T: Real + Scalar + Deserialize<'de>> Deserialize<'de> for Attenuation<T> {
+impl<'de, T: Read<'de>> Deserialize<'de> for Attenuation<T> {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         const INVALID: &str = "attenuation: a, b and c must be finite, 0 or more, and not all 0";
         let raw = RawAttenuation::deserialize(from)?;
@@ -135,7 +135,7 @@ struct Edges<T> {
     smoothstep: bool,
 }
 
-impl<T: Real + Scalar + Serialize> Serialize for Cone<T> {
+impl<T: Written> Serialize for Cone<T> {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         let ([inner, outer], smoothstep) = (self.cosines(), self.is_smoothstep());
         let raw = if inner == outer {
@@ -151,29 +151,27 @@ impl<T: Real + Scalar + Serialize> Serialize for Cone<T> {
     }
 }
 
-impl<'de, T: Real + Scalar + Deserialize<'de>> Deserialize<'de> for Cone<T> {
+const COSINE: &str = "cosine: it must be between -1 and 1";
+const HALF_ANGLE: &str =
+    "half_angle: it must be between 0 and π; write half of the opening angle, in radians";
+const COSINES: &str =
+    "cosines: they must be between -1 and 1, and the inner one not below the outer";
+const HALF_ANGLES: &str =
+    "half_angles: they must be between 0 and π radians, and the inner one not above the outer";
+
+impl<'de, T: Read<'de>> Deserialize<'de> for Cone<T> {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         let (cone, reason, smoothstep) = match RawCone::deserialize(from)? {
-            RawCone::Cosine(cosine) => (
-                Self::from_cosine(cosine),
-                "cosine: it must be between -1 and 1",
-                false,
-            ),
-            RawCone::HalfAngle(radians) => (
-                Self::from_half_angle(radians),
-                "half_angle: it must be between 0 and π; write half of the opening angle, in radians",
-                false,
-            ),
-            RawCone::Cosines(edges) => (
-                Self::from_cosines(edges.inner, edges.outer),
-                "cosines: they must be between -1 and 1, and the inner one not below the outer",
-                edges.smoothstep,
-            ),
-            RawCone::HalfAngles(edges) => (
-                Self::from_half_angles(edges.inner, edges.outer),
-                "half_angles: they must be between 0 and π radians, and the inner one not above the outer",
-                edges.smoothstep,
-            ),
+            RawCone::Cosine(cosine) => (Self::from_cosine(cosine), COSINE, false),
+            RawCone::HalfAngle(radians) => (Self::from_half_angle(radians), HALF_ANGLE, false),
+            RawCone::Cosines(edges) => {
+                let cone = Self::from_cosines(edges.inner, edges.outer);
+                (cone, COSINES, edges.smoothstep)
+            }
+            RawCone::HalfAngles(edges) => {
+                let cone = Self::from_half_angles(edges.inner, edges.outer);
+                (cone, HALF_ANGLES, edges.smoothstep)
+            }
         };
         let cone = checked(cone, reason)?;
         Ok(if smoothstep { cone.smoothstep() } else { cone })

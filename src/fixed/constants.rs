@@ -27,7 +27,6 @@ impl UnitVec3<Fixed> {
 
 impl Attenuation<Fixed> {
     /// [`new`](Attenuation#method.new) for constants.
-    #[inline]
     #[must_use]
     pub const fn const_new(a: Fixed, b: Fixed, c: Fixed) -> Option<Self> {
         // the sign of a | b | c is − if that of one is
@@ -39,16 +38,10 @@ impl Attenuation<Fixed> {
     }
 
     /// [`within`](Attenuation#method.within) for constants.
-    #[inline]
     #[must_use]
     pub const fn const_within(self, r: Fixed) -> Option<Self> {
-        let (range, squared) = (r, Fixed(ONE));
         if r.0 > 0 {
-            Some(Self {
-                range,
-                squared,
-                ..self
-            })
+            Some(self.ended(r, Fixed(ONE)))
         } else {
             None
         }
@@ -77,26 +70,23 @@ impl Cone<Fixed> {
         /// How far rounding may take a cosine or the length of a direction from 1, in steps.
         const SLACK: i32 = 4;
         const NARROWEST: i32 = ONE - SLACK;
-        let edges = if inner.0 < -NARROWEST {
-            [-2 * ONE; 2]
+        const fn limited(cosine: Fixed) -> Fixed {
+            if cosine.0 > NARROWEST {
+                Fixed(NARROWEST)
+            } else {
+                cosine
+            }
+        }
+        let [inner, outer] = if inner.0 < -NARROWEST {
+            [Fixed(-2 * ONE); 2]
         } else {
-            [
-                if inner.0 > NARROWEST {
-                    NARROWEST
-                } else {
-                    inner.0
-                },
-                if outer.0 > NARROWEST {
-                    NARROWEST
-                } else {
-                    outer.0
-                },
-            ]
+            [limited(inner), limited(outer)]
         };
+        let smooth = Fixed(0);
         Self {
-            inner: Fixed(edges[0]),
-            outer: Fixed(edges[1]),
-            smooth: Fixed(0),
+            inner,
+            outer,
+            smooth,
         }
     }
 }

@@ -23,17 +23,13 @@ pub(super) const fn cosine(Fixed(angle): Fixed) -> Fixed {
         angle
     };
     let is_sine = QUARTER < angle && angle < 3 * QUARTER;
+    let before_half_pi = HALF_PI.wrapping_sub(angle.wrapping_mul(1 << 14));
     let (y, sign) = if is_sine {
-        (HALF_PI.wrapping_sub(angle.wrapping_mul(1 << 14)), 1)
+        (before_half_pi, 1)
     } else if angle <= QUARTER {
         (angle << 14, 1)
     } else {
-        (
-            HALF_PI
-                .wrapping_mul(2)
-                .wrapping_sub(angle.wrapping_mul(1 << 14)),
-            -1,
-        )
+        (before_half_pi.wrapping_add(HALF_PI), -1)
     };
     let odd = if is_sine { 1 } else { -1 };
     let square = upper(2 * y, 2 * y); // 30 bits, as y has

@@ -58,12 +58,6 @@ impl Rgb<Fixed> {
             within_16_bits(self.b),
         ]
     }
-
-    /// The nearest color in single precision.
-    #[inline]
-    pub const fn to_f32(self) -> Rgb<f32> {
-        Rgb::new(self.r.to_f32(), self.g.to_f32(), self.b.to_f32())
-    }
 }
 
 crate::shade::encoded!(Fixed);

@@ -3,7 +3,7 @@
 use super::product::{product, product_unsigned, upper_rounded, upper_unsigned};
 use super::reciprocal::reciprocal;
 use super::root::Scaled;
-use super::{Fixed, ONE};
+use super::{Fixed, ONE, saturated};
 use crate::number::Dimmed;
 use crate::vector::Vec3;
 
@@ -83,12 +83,7 @@ impl Factor {
     #[inline(never)]
     pub(super) fn times(self, x: Fixed) -> Fixed {
         let product = product_unsigned(self.significand, x.0.max(0) as u32);
-        let steps = ((product << 1 >> self.shift) + 1) >> 1; // rounded
-        Fixed(if steps >> 31 == 0 {
-            steps as i32
-        } else {
-            i32::MAX
-        })
+        saturated(((product << 1 >> self.shift) + 1) >> 1) // rounded
     }
 
     /// The factor of [`Real::attenuated`](crate::Real::attenuated), whatever the denominator and the limit are.

@@ -64,6 +64,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::number::triple::assign;
 use crate::target::NARROW_PRODUCT;
+use crate::vector::number_first;
 use product::{product, times_fraction};
 pub use types::*;
 
@@ -201,6 +202,12 @@ const fn rounded(x: i64, bits: u32, sign: i32) -> Fixed {
     })
 }
 
+/// So many steps, or as many as there are.
+#[inline]
+fn saturated(steps: u64) -> Fixed {
+    Fixed(steps.min(i32::MAX as u64) as i32)
+}
+
 impl Add for Fixed {
     type Output = Self;
     #[inline]
@@ -271,18 +278,4 @@ fn quotient(of: i32, by: i32) -> Fixed {
 
 assign!([] Fixed, Self: Add Sub Mul Div);
 
-impl Mul<Vec3> for Fixed {
-    type Output = Vec3;
-    #[inline]
-    fn mul(self, v: Vec3) -> Vec3 {
-        v * self
-    }
-}
-
-impl Mul<Rgb> for Fixed {
-    type Output = Rgb;
-    #[inline]
-    fn mul(self, color: Rgb) -> Rgb {
-        color * self
-    }
-}
+number_first!(Fixed: Vec3 Rgb);

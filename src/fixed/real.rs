@@ -5,7 +5,7 @@ use super::falloff::{Factor, beam, times, window};
 use super::product::{product, product_by_fraction, product_unsigned};
 use super::reciprocal::reciprocal;
 use super::root::{Scaled, halfway_cosine, root, unit_and_length};
-use super::{Fixed, ONE, rounded, triangle};
+use super::{Fixed, ONE, rounded, saturated, triangle};
 use crate::color::Rgb;
 use crate::number::{Dimmed, Elementary, LightSum, Lobe, Measured, Real, Toward};
 use crate::vector::Vec3;
@@ -82,17 +82,8 @@ impl Real for Fixed {
         let scaled = Scaled::of(v.into());
         let n_dot_w = Self((scaled.cosine(n) + (1 << 8)) >> 9);
         let (unit, length) = scaled.unit_and_length();
-        let measured = Measured {
-            w: unit.into(),
-            w_length: Self(ONE),
-            length,
-        };
+        let measured = Measured::along(unit.into(), length);
         Toward { measured, n_dot_w }
-    }
-
-    #[inline]
-    fn cosine(_: Vec3<Self>, toward: &Toward<Self>) -> Self {
-        Self(toward.n_dot_w.0.clamp(0, ONE))
     }
 
     #[inline]
@@ -129,13 +120,8 @@ impl Real for Fixed {
     }
 
     #[inline]
-    fn halfway_power(
-        n: Vec3<Self>,
-        Measured { w, .. }: Measured<Self>,
-        v: Vec3<Self>,
-        m: impl Lobe<Self>,
-    ) -> Self {
-        let cosine = halfway_cosine(n, w, v);
+    fn halfway_power(n: Vec3<Self>, w: Measured<Self>, v: Vec3<Self>, m: impl Lobe<Self>) -> Self {
+        let cosine = halfway_cosine(n, w.w, v);
         let cosine = Self((cosine + (1 << 8)) >> 9);
         if cosine.0 > 0 {
             m.raise(cosine.at_most(Self(ONE)))
@@ -146,10 +132,6 @@ impl Real for Fixed {
 
     #[inline]
     fn attenuated(color: Rgb<Self>, [a, b, c]: [Self; 3], q: Self, limit: Self) -> Dimmed<Self> {
-        let light = |color| Dimmed {
-            color,
-            factor: Self(ONE),
-        };
         // A number too large for 31 bits, as a negative one is, leaves bits above them.
         let product = product_unsigned(c.0 as u32, q.0 as u32);
         let product = product.wrapping_add((b.0 as u32 as u64) << 16 | 1 << 15);
@@ -162,13 +144,16 @@ impl Real for Fixed {
             let is_near = slope_above | d_above == 0 && d < ONE as u32;
             let factor = Factor::attenuating([a, b, c], q, limit, is_near);
             let Rgb { r, g, b } = color;
-            return light(Rgb::new(factor.times(r), factor.times(g), factor.times(b))); // `map` would be a call
+            return Dimmed::full(Rgb::new(factor.times(r), factor.times(g), factor.times(b))); // `map` would be a call
         }
         if d == ONE as u32 {
-            return light(color);
+            return Dimmed::full(color);
         }
         let zeros = d.leading_zeros();
-        times(light(color), reciprocal(d << zeros) << 3 >> (15 - zeros))
+        times(
+            Dimmed::full(color),
+            reciprocal(d << zeros) << 3 >> (15 - zeros),
+        )
     }
 
     /// From the squares of q and r, which are exact, so that a bright light has its digits where it ends.
@@ -202,13 +187,6 @@ impl Real for Fixed {
     }
 }
 
-/// For a lobe that gives a number outside of [0, 1]. A branch that no other takes is shorter than two selections.
-#[cold]
-#[inline(never)]
-fn within_1(factor: Fixed) -> u32 {
-    factor.0.clamp(0, ONE) as u32
-}
-
 /// A sum with 32 bits after the point in each channel, of products that are not rounded.
 #[derive(Clone, Copy)]
 pub struct Exact(Rgb<u64>);
@@ -224,11 +202,7 @@ impl LightSum<Fixed> for Exact {
         } else {
             light.factor * cosine
         };
-        let factor = if factor.0 as u32 <= ONE as u32 {
-            factor.0 as u32
-        } else {
-            within_1(factor).min(ONE as u32) // which the compiler knows then
-        };
+        let factor = factor.0.clamp(0, ONE) as u32;
         let plus = |sum: u64, light: Fixed| {
             sum.wrapping_add(product_by_fraction(light.0.max(0) as u32, factor))
         };
@@ -243,14 +217,7 @@ impl LightSum<Fixed> for Exact {
 
     #[inline]
     fn total(self) -> Rgb<Fixed> {
-        self.0.map(|sum| {
-            let steps = (sum + (1 << 15)) >> 16;
-            Fixed(if steps >> 31 == 0 {
-                steps as i32
-            } else {
-                i32::MAX
-            })
-        })
+        self.0.map(|sum| saturated((sum + (1 << 15)) >> 16))
     }
 }
 

@@ -3,7 +3,7 @@
 use super::Fixed;
 use super::product::{upper, upper_unsigned};
 use super::reciprocal::reciprocal_root;
-use crate::target::{NARROW_PRODUCT, SCARCE_FLASH};
+use crate::target::NARROW_PRODUCT;
 use crate::vector::Vec3;
 
 /// The root of a number, rounded to the nearest step; 0 for a negative number.
@@ -135,22 +135,10 @@ impl Scaled {
     }
 }
 
-/// The direction and the length of a vector; for the zero vector, 0.
-#[inline]
+/// The direction and the length of a vector; for the zero vector, 0. A call, because a copy for each use
+/// would fill the flash of a chip.
+#[inline(never)]
 pub(super) const fn unit_and_length(v: [Fixed; 3]) -> ([Fixed; 3], Fixed) {
-    #[inline(never)]
-    const fn one_copy(v: [Fixed; 3]) -> ([Fixed; 3], Fixed) {
-        unit_and_length_inline(v)
-    }
-    if SCARCE_FLASH {
-        one_copy(v)
-    } else {
-        unit_and_length_inline(v)
-    }
-}
-
-#[inline(always)]
-const fn unit_and_length_inline(v: [Fixed; 3]) -> ([Fixed; 3], Fixed) {
     let [x, y, z] = v;
     if (x.0 | y.0 | z.0) == 0 {
         return (v, Fixed(0));

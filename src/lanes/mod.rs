@@ -12,10 +12,8 @@ use wide::bytemuck::cast;
 use wide::{f32x4, f32x8, f32x16, f64x2, f64x4, f64x8, i32x4, i32x8, i32x16, u64x2, u64x4, u64x8};
 
 use crate::color::Rgb;
-use crate::number::lobe::half_shininess;
-use crate::number::power::{
-    Bits, EXPONENT, double, double_of_quotient, single, single_of_quotient,
-};
+use crate::number::lobe::{self, half_shininess};
+use crate::number::power::{self, Bits, EXPONENT};
 use crate::number::{Lobe, Mask, Real, shininess};
 use crate::target::{ROOT_OF_LANES, SSE2};
 
@@ -86,10 +84,6 @@ pub trait Lanes: Real {
     #[must_use]
     fn to_lanes(self) -> Self::Array<Self::Lane>;
 
-    /// The number in the first lane.
-    #[must_use]
-    fn first(self) -> Self::Lane;
-
     /// The sum of all lanes: the upper half is added to the lower half, until one is left.
     #[must_use]
     fn sum(self) -> Self::Lane;
@@ -100,25 +94,8 @@ pub trait Lanes: Real {
 pub struct In<L>(L);
 
 macro_rules! real {
-    ($lanes:ident of $count:literal $float:ident, $power:ident, $of_quotient:ident) => {
-        /// One m for all lanes.
-        #[diagnostic::do_not_recommend] // the trait's own message names the types
-        impl Lobe<$lanes> for $float {
-            #[inline]
-            fn raise(self, cosine: $lanes) -> $lanes {
-                $power(cosine, $lanes::splat(shininess(self)))
-            }
-
-            #[inline]
-            fn raise_root(self, square: $lanes) -> $lanes {
-                (0.5 * self).raise(square)
-            }
-
-            #[inline]
-            fn raise_quotient(self, square: $lanes, of: $lanes) -> $lanes {
-                $of_quotient(square, of, $lanes::splat(half_shininess(self)))
-            }
-        }
+    ($lanes:ident of $count:literal $float:ident, $power:path, $of_quotient:path) => {
+        lobe::real!($float in $lanes, $lanes::splat, $power, $of_quotient);
 
         impl Lanes for $lanes {
             type Lane = $float;
@@ -138,11 +115,6 @@ macro_rules! real {
             #[inline]
             fn to_lanes(self) -> [$float; $count] {
                 self.to_array()
-            }
-
-            #[inline]
-            fn first(self) -> $float {
-                self.to_array()[0]
             }
 
             #[inline]
@@ -244,7 +216,7 @@ macro_rules! real {
 /// Lanes of `f32`, with as many integer lanes for the power.
 macro_rules! single {
     ($lanes:ident * $count:literal, $integers:ident, $from_integers:ident) => {
-        real!($lanes of $count f32, single, single_of_quotient);
+        real!($lanes of $count f32, power::single, power::single_of_quotient);
 
         impl Bits for $lanes {
             #[inline]
@@ -271,7 +243,7 @@ const TWO_TO_52: f64 = 4_503_599_627_370_496.0;
 /// bits of one.
 macro_rules! double {
     ($lanes:ident * $count:literal, $integers:ident) => {
-        real!($lanes of $count f64, double, double_of_quotient);
+        real!($lanes of $count f64, power::double, power::double_of_quotient);
 
         impl Bits for $lanes {
             #[inline]

@@ -85,13 +85,12 @@ impl<L: Lanes> Shaded<L> {
     /// let alone = shade::blinn_phong(n, v, &clay, Rgb::BLACK, lit);
     /// assert!((shaded.total().g - alone.total().g).abs() < 1e-6);
     /// ```
-    #[doc(alias = "reduce_add")]
-    #[doc(alias = "horizontal sum")]
+    #[doc(alias("reduce_add", "horizontal sum"))]
     #[inline]
     pub fn sum_of_lanes(self) -> Shaded<L::Lane> {
         let sum = |part: Rgb<L>| part.map(|channel| channel.sum().at_most(Real::MAX));
         Shaded {
-            ambient: self.ambient.map(L::first),
+            ambient: self.ambient.map(|channel| channel.to_lanes().as_ref()[0]),
             diffuse: sum(self.diffuse),
             specular: sum(self.specular),
         }

@@ -130,11 +130,15 @@ impl<T: Real> Attenuation<T> {
     where
         T: Scalar,
     {
-        (r > T::ZERO).then(|| Self {
-            range: r.at_most(T::MAX),
-            squared: T::ONE,
+        (r > T::ZERO).then(|| self.ended(r.at_most(T::MAX), T::ONE))
+    }
+
+    pub(crate) const fn ended(self, range: T, squared: T) -> Self {
+        Self {
+            range,
+            squared,
             ..self
-        })
+        }
     }
 
     /// The same attenuation, ended by a range as the specification of glTF recommends: as
@@ -160,7 +164,7 @@ impl<T: Real> Attenuation<T> {
         T: Scalar,
     {
         let squared = if r < T::MAX { T::ZERO } else { T::ONE };
-        self.within(r).map(|ranged| Self { squared, ..ranged })
+        (r > T::ZERO).then(|| self.ended(r.at_most(T::MAX), squared))
     }
 
     /// The same attenuation, limited to 1 as in Foley, van Dam et al., §16.1.2. OpenGL does not
@@ -200,10 +204,8 @@ impl<T: Real> Attenuation<T> {
     where
         T: Scalar,
     {
-        (limit > T::ZERO).then(|| Self {
-            limit: limit.at_most(T::MAX),
-            ..self
-        })
+        let limit = limit.at_most(T::MAX);
+        (limit > T::ZERO).then_some(Self { limit, ..self })
     }
 
     /// The coefficients a, b and c.
@@ -211,43 +213,6 @@ impl<T: Real> Attenuation<T> {
     #[must_use]
     pub const fn coefficients(self) -> [T; 3] {
         [self.a, self.b, self.c]
-    }
-
-    /// The largest factor, if it is limited.
-    ///
-    /// ```
-    /// use shading::f32::Attenuation;
-    ///
-    /// assert_eq!(Attenuation::NONE.limit(), None);
-    /// assert_eq!(Attenuation::NONE.clamped().limit(), Some(1.0));
-    /// ```
-    #[inline]
-    #[must_use]
-    pub fn limit(self) -> Option<T>
-    where
-        T: Scalar,
-    {
-        (self.limit < T::MAX).then_some(self.limit)
-    }
-
-    /// The range r, if there is one.
-    #[inline]
-    #[must_use]
-    pub fn range(self) -> Option<T>
-    where
-        T: Scalar,
-    {
-        (self.range < T::MAX).then_some(self.range)
-    }
-
-    /// Whether the window of the range is glTF's.
-    #[inline]
-    #[must_use]
-    pub fn is_gltf(self) -> bool
-    where
-        T: Scalar,
-    {
-        self.squared <= T::ZERO
     }
 
     /// The factor at the distance q ≥ 0.
@@ -299,11 +264,7 @@ impl<T: Real> Attenuation<T> {
     /// least number of the new type, as do a range and a limit that would be 0.
     #[inline]
     pub fn cast<U: Real>(self, mut f: impl FnMut(T) -> U) -> Attenuation<U> {
-        let [mut a, mut b, mut c] = [
-            nearest(self.a, &mut f),
-            nearest(self.b, &mut f),
-            nearest(self.c, &mut f),
-        ];
+        let [mut a, mut b, mut c] = self.coefficients().map(|x| nearest(x, &mut f));
         let is_left = (a + b + c).above(U::ZERO);
         if !is_left.all() {
             a = is_left.select(a, positive(self.a, &mut f));
@@ -323,6 +284,36 @@ impl<T: Real> Attenuation<T> {
 }
 
 /// The default is [`Attenuation::NONE`].
+impl<T: Real + Scalar> Attenuation<T> {
+    /// The largest factor, if it is limited.
+    ///
+    /// ```
+    /// use shading::f32::Attenuation;
+    ///
+    /// assert_eq!(Attenuation::NONE.limit(), None);
+    /// assert_eq!(Attenuation::NONE.clamped().limit(), Some(1.0));
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn limit(self) -> Option<T> {
+        (self.limit < T::MAX).then_some(self.limit)
+    }
+
+    /// The range r, if there is one.
+    #[inline]
+    #[must_use]
+    pub fn range(self) -> Option<T> {
+        (self.range < T::MAX).then_some(self.range)
+    }
+
+    /// Whether the window of the range is glTF's.
+    #[inline]
+    #[must_use]
+    pub fn is_gltf(self) -> bool {
+        self.squared <= T::ZERO
+    }
+}
+
 impl<T: Real> Default for Attenuation<T> {
     #[inline]
     fn default() -> Self {
@@ -334,7 +325,6 @@ macro_rules! constants {
     ($float:ident) => {
         impl Attenuation<$float> {
             /// [`new`](Attenuation#method.new) for constants.
-            #[inline]
             #[must_use]
             pub const fn const_new(a: $float, b: $float, c: $float) -> Option<Self> {
                 let is_valid = a >= 0.0 && b >= 0.0 && c >= 0.0 && (a > 0.0 || b > 0.0 || c > 0.0);
@@ -346,16 +336,11 @@ macro_rules! constants {
             }
 
             /// [`within`](Attenuation#method.within) for constants.
-            #[inline]
             #[must_use]
             pub const fn const_within(self, r: $float) -> Option<Self> {
-                let (range, squared) = (if r > $float::MAX { $float::MAX } else { r }, 1.0);
+                let range = if r > $float::MAX { $float::MAX } else { r };
                 if r > 0.0 {
-                    Some(Self {
-                        range,
-                        squared,
-                        ..self
-                    })
+                    Some(self.ended(range, 1.0))
                 } else {
                     None
                 }

@@ -70,17 +70,9 @@ impl<T: Real> Cone<T> {
     #[inline]
     #[must_use]
     pub fn factor(self, axis: UnitVec3<T>, l: UnitVec3<T>) -> T {
-        let light = Dimmed {
-            color: Rgb::WHITE,
-            factor: T::ONE,
-        };
-        let (w, one) = (*l, T::ONE);
-        let measured = Measured {
-            w,
-            w_length: one,
-            length: one,
-        };
-        self.dimmed(light, axis, w, &measured).multiplied().r
+        let light = Dimmed::full(Rgb::WHITE);
+        let measured = Measured::along(*l, T::ONE);
+        self.dimmed(light, axis, *l, &measured).multiplied().r
     }
 
     /// A light at the end of the vector v, whose direction is measured.

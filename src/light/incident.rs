@@ -146,11 +146,7 @@ impl<T: Real> IncidentLight<T> {
             };
         }
         let measured = T::measured(self.vector());
-        let Measured {
-            w,
-            w_length,
-            length,
-        } = measured;
+        let Measured { w, w_length, .. } = measured;
         let (mut l, mut light) = (w / w_length, self.dimmed(&measured));
         let is_somewhere = w_length.above(T::ZERO);
         if !is_somewhere.all() {
@@ -161,7 +157,7 @@ impl<T: Real> IncidentLight<T> {
         Arrival {
             l: UnitVec3::assume_unit(l),
             intensity: light.multiplied().finite(),
-            distance: length.at_most(T::MAX),
+            distance: measured.length.at_most(T::MAX),
         }
     }
 
@@ -198,20 +194,9 @@ impl<T: Real> IncidentLight<T> {
     #[inline(always)]
     pub(crate) fn toward(&self, n: UnitVec3<T>) -> (Toward<T>, Dimmed<T>) {
         if self.kind == Kind::Directional {
-            let measured = Measured {
-                w: self.vector(),
-                w_length: T::ONE,
-                length: T::MAX,
-            };
-            let toward = Toward {
-                measured,
-                n_dot_w: n.dot(self.vector()),
-            };
-            let light = Dimmed {
-                color: self.intensity,
-                factor: T::ONE,
-            };
-            return (toward, light);
+            let measured = Measured::along(self.vector(), T::MAX);
+            let n_dot_w = n.dot(measured.w);
+            return (Toward { measured, n_dot_w }, Dimmed::full(self.intensity));
         }
         let toward = T::toward(*n, self.vector());
         let light = self.dimmed(&toward.measured);

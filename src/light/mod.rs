@@ -6,6 +6,8 @@ mod incident;
 
 use crate::color::Rgb;
 use crate::number::Real;
+#[cfg(feature = "serde")]
+use crate::number::{Read, Written};
 use crate::vector::{UnitVec3, Vec3};
 pub use attenuation::{Attenuation, attenuation};
 pub use cone::Cone;
@@ -32,10 +34,7 @@ pub use incident::{Arrival, IncidentLight};
     derive(serde::Serialize, serde::Deserialize),
     serde(
         deny_unknown_fields,
-        bound(
-            serialize = "T: Real + crate::Scalar + serde::Serialize",
-            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>"
-        )
+        bound(serialize = "T: Written", deserialize = "T: Read<'de>")
     )
 )]
 #[must_use]
@@ -86,10 +85,7 @@ impl<T: Real> From<DirectionalLight<T>> for IncidentLight<T> {
     derive(serde::Serialize, serde::Deserialize),
     serde(
         deny_unknown_fields,
-        bound(
-            serialize = "T: Real + crate::Scalar + serde::Serialize",
-            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>"
-        )
+        bound(serialize = "T: Written", deserialize = "T: Read<'de>")
     )
 )]
 #[must_use]
@@ -159,10 +155,7 @@ impl<T: Real> PointLight<T> {
     derive(serde::Serialize, serde::Deserialize),
     serde(
         deny_unknown_fields,
-        bound(
-            serialize = "T: Real + crate::Scalar + serde::Serialize",
-            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>"
-        )
+        bound(serialize = "T: Written", deserialize = "T: Read<'de>")
     )
 )]
 #[must_use]
@@ -217,10 +210,7 @@ impl<T: Real> SpotLight<T> {
     derive(serde::Serialize, serde::Deserialize),
     serde(
         rename_all = "snake_case",
-        bound(
-            serialize = "T: Real + crate::Scalar + serde::Serialize",
-            deserialize = "T: Real + crate::Scalar + serde::Deserialize<'de>"
-        )
+        bound(serialize = "T: Written", deserialize = "T: Read<'de>")
     )
 )]
 #[must_use]

@@ -95,7 +95,7 @@ pub fn transformed<T: Real + Scalar>(n: UnitVec3<T>, columns: [Vec3<T>; 3]) -> O
         // cof(M) N is proportional to the same with each column over its length, and n_x over that of a;
         // the least length that counts keeps the quotients within range
         let none = UnitVec3::assume_unit(Vec3::ZERO);
-        let (x, y, z) = (a.length(), b.length(), c.length()); // shaders have no `map` of an array
+        let (x, y, z) = (a.length(), b.length(), c.length());
         let counts = |n: T, length| magnitude(n).above(T::ZERO).select(length, T::MAX);
         let least = counts(n.x, x)
             .at_most(counts(n.y, y))
@@ -169,10 +169,8 @@ pub fn mapped<T: Real + Scalar>(
     sample: Vec3<T>,
 ) -> Option<UnitVec3<T>> {
     let side = from_tangents(*n, tangent)?;
-    let (t, b) = (
-        side.cross(n),
-        *side * handedness.above(T::ZERO).select(T::ONE, T::NEG_ONE),
-    );
+    let t = side.cross(n);
+    let b = *side * handedness.above(T::ZERO).select(T::ONE, T::NEG_ONE);
     let sample = sample.unit()?;
     (t * sample.x + b * sample.y + *n * sample.z).unit()
 }

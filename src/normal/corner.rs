@@ -1,7 +1,6 @@
 //! The normals of a mesh's vertices.
 
-use crate::number::Real;
-use crate::number::angle;
+use crate::number::{Real, angle};
 use crate::vector::{UnitVec3, Vec3};
 
 /// The contribution of a triangle to the normal of its vertex v₁: the normal of the triangle,

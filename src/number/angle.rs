@@ -14,19 +14,15 @@ use super::{Mask, Real, constant, magnitude, parts};
 /// or 0, which makes the products exact.
 #[inline]
 pub(crate) fn angle<T: Real>(sine: T, cosine: T) -> T {
-    let [tan_pi_8, tan_3_pi_8] = [
-        constant(const { parts(SQRT_2 - 1.0) }),
-        constant(const { parts(SQRT_2 + 1.0) }),
-    ];
+    let tan_pi_8 = constant(const { parts(SQRT_2 - 1.0) });
+    let tan_3_pi_8 = constant(const { parts(SQRT_2 + 1.0) });
     let toward_x = magnitude(cosine);
     let sign = cosine.above(T::ZERO).select(T::ONE, T::NEG_ONE);
     let x = (toward_x * tan_3_pi_8).above(sine).select(sign, T::ZERO);
     let y = sine.above(toward_x * tan_pi_8).select(T::ONE, T::ZERO);
 
-    let [quarter, half] = [
-        constant(const { parts(FRAC_PI_4) }),
-        constant(const { parts(FRAC_PI_2) }),
-    ];
+    let quarter = constant(const { parts(FRAC_PI_4) });
+    let half: T = constant(const { parts(FRAC_PI_2) });
     let b = half - x * (half - y * quarter);
     b + arctangent((x * sine - y * cosine) / (x * cosine + y * sine))
 }

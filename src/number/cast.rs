@@ -3,19 +3,16 @@
 use super::{Mask, Real, least};
 
 /// The nearest finite number of another type.
-#[inline]
 pub(crate) fn nearest<T: Real, U: Real>(x: T, f: &mut impl FnMut(T) -> U) -> U {
     f(x).at_most(U::MAX)
 }
 
 /// Where a comparison of numbers holds, in another type.
-#[inline]
 fn holds<T: Real, U: Real>(mask: T::Mask, f: &mut impl FnMut(T) -> U) -> U::Mask {
     f(mask.select(T::ONE, T::ZERO)).above(U::ZERO)
 }
 
 /// The nearest number above 0 of another type, and 0 for 0.
-#[inline]
 pub(crate) fn positive<T: Real, U: Real>(x: T, f: &mut impl FnMut(T) -> U) -> U {
     let number = nearest(x, f);
     let is_positive = number.above(U::ZERO);
@@ -27,7 +24,6 @@ pub(crate) fn positive<T: Real, U: Real>(x: T, f: &mut impl FnMut(T) -> U) -> U 
 }
 
 /// A range or a limit in another type, where [`MAX`](Real::MAX) means that there is none.
-#[inline]
 pub(crate) fn end<T: Real, U: Real>(x: T, f: &mut impl FnMut(T) -> U) -> U {
     holds(T::MAX.above(x), f).select(positive(x, f), U::MAX)
 }

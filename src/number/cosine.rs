@@ -66,13 +66,8 @@ pub(crate) fn cosine<T: Real>(angle: T) -> T {
 const BEYOND: f32 = 6.123_234e-17;
 
 pub(crate) const fn cosine_f32(angle: f32) -> f32 {
-    cosine!(
-        angle,
-        1.0,
-        core::f32::consts::FRAC_PI_2,
-        -4.371_139e-8,
-        choose
-    )
+    const HALF_PI: f32 = core::f32::consts::FRAC_PI_2;
+    cosine!(angle, 1.0, HALF_PI, -4.371_139e-8, choose)
 }
 
 #[allow(clippy::cast_lossless)] // `From` is not const

@@ -1,7 +1,6 @@
 //! The elementary functions, for writing surfaces.
 
-use super::angle;
-use super::{Mask, Real, by_squaring, magnitude};
+use super::{Mask, Real, angle, by_squaring, magnitude};
 
 /// The functions, beyond those of [`Real`], that surfaces are written with. sin, cos, exp and ln are
 /// required; the others are derived from them. [`Dual`](crate::Dual) has all of them without an import.

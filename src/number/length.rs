@@ -107,11 +107,14 @@ fn scaled_and_measured<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
 pub(crate) fn between<T: Real>(origin: Vec3<T>, v: Vec3<T>) -> Vec3<T> {
     let from_origin = v - origin;
     let square = T::dot(from_origin, from_origin);
-    if is_extreme(square) {
-        scaled(origin, v, taming(square))
-    } else {
-        from_origin
+    if !is_extreme(square) {
+        return from_origin;
     }
+    // scaled down before the subtraction, which may overflow, and up after it, because the points may be
+    // far from the origin
+    let power = taming(square);
+    let (shrink, grow) = (power.at_most(T::ONE), power.at_least(T::ONE));
+    (v * shrink - origin * shrink) * grow
 }
 
 #[inline(always)]
@@ -122,14 +125,6 @@ pub(crate) fn crossed<T: Real>(origin: Vec3<T>, a: Vec3<T>, b: Vec3<T>) -> Vec3<
     } else {
         cross
     }
-}
-
-/// The vector from `origin` to `v` times a power of two. It is scaled down before the subtraction,
-/// which may overflow, and up after it, because the points may be far from the origin.
-#[inline(always)]
-fn scaled<T: Real>(origin: Vec3<T>, v: Vec3<T>, power: T) -> Vec3<T> {
-    let (shrink, grow) = (power.at_most(T::ONE), power.at_least(T::ONE));
-    (v * shrink - origin * shrink) * grow
 }
 
 /// The power of two that makes a vector fit for squares and products, by the square of its length.

@@ -1,5 +1,7 @@
 //! The shininess m of a highlight.
 
+use core::convert::identity;
+
 use super::power::{double, double_of_quotient, single, single_of_quotient};
 use super::{Mask, Real};
 
@@ -170,27 +172,30 @@ pub(crate) fn shininess<T: Real>(m: T) -> T {
     m.above(T::ZERO).select(m.at_most(T::MAX), T::ZERO)
 }
 
+/// One real m, for a number or for all lanes, to which `of` takes it.
 macro_rules! real {
-    ($float:ident, $power:ident, $quotient:ident) => {
+    ($float:ident in $number:ty, $of:path, $power:path, $quotient:path) => {
         #[diagnostic::do_not_recommend] // the trait's own message names the types
-        impl Lobe<$float> for $float {
+        impl Lobe<$number> for $float {
             #[inline]
-            fn raise(self, cosine: $float) -> $float {
-                $power(cosine, shininess(self))
+            fn raise(self, cosine: $number) -> $number {
+                $power(cosine, $of(shininess(self)))
             }
 
             #[inline]
-            fn raise_root(self, square: $float) -> $float {
+            fn raise_root(self, square: $number) -> $number {
                 (0.5 * self).raise(square)
             }
 
             #[inline]
-            fn raise_quotient(self, square: $float, of: $float) -> $float {
-                $quotient(square, of, half_shininess(self))
+            fn raise_quotient(self, square: $number, of: $number) -> $number {
+                $quotient(square, of, $of(half_shininess(self)))
             }
         }
     };
 }
+#[cfg(feature = "wide")]
+pub(crate) use real;
 
-real!(f32, single, single_of_quotient);
-real!(f64, double, double_of_quotient);
+real!(f32 in f32, identity, single, single_of_quotient);
+real!(f64 in f64, identity, double, double_of_quotient);

@@ -9,6 +9,8 @@ pub(crate) mod cosine;
 pub(crate) mod elementary;
 mod extent;
 pub(crate) mod falloff;
+#[cfg(feature = "serde")]
+mod file;
 mod float;
 pub(crate) mod length;
 mod literal;
@@ -23,6 +25,8 @@ pub(crate) mod triple;
 pub(crate) use angle::angle;
 pub(crate) use elementary::Elementary;
 pub(crate) use extent::{epsilon, least};
+#[cfg(feature = "serde")]
+pub use file::{Read, Written};
 pub(crate) use length::{cold, is_extreme};
 pub(crate) use literal::{constant, parts, whole};
 pub(crate) use lobe::{Lobe, by_squaring, shininess};

@@ -291,6 +291,19 @@ pub struct Measured<T> {
     pub length: T,
 }
 
+impl<T: Real> Measured<T> {
+    /// A vector whose direction has length 1.
+    #[inline(always)]
+    pub(crate) fn along(w: Vec3<T>, length: T) -> Self {
+        let w_length = T::ONE;
+        Self {
+            w,
+            w_length,
+            length,
+        }
+    }
+}
+
 /// A vector that a surface with the normal n faces: what [`Real::toward`] gives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Toward<T> {
@@ -311,6 +324,15 @@ pub struct Dimmed<T> {
 }
 
 impl<T: Real> Dimmed<T> {
+    /// A light that nothing dims.
+    #[inline(always)]
+    pub(crate) fn full(color: Rgb<T>) -> Self {
+        Self {
+            color,
+            factor: T::ONE,
+        }
+    }
+
     /// The light times its factor.
     #[inline(always)]
     pub(crate) fn multiplied(self) -> Rgb<T> {

@@ -3,7 +3,7 @@
 mod unit;
 
 use core::iter::Sum;
-use core::ops::{Add, Mul};
+use core::ops::Add;
 
 pub use crate::number::triple::Vec3;
 use crate::number::{Mask, Measured, Real, Scalar};
@@ -65,11 +65,8 @@ impl<T: Real> Vec3<T> {
     {
         let Measured { w, w_length, .. } = T::measured(self);
         // not `>`, which is a library call without an FPU
-        if w_length.above(T::ZERO).any() {
-            Some(UnitVec3::assume_unit(w / w_length))
-        } else {
-            None
-        }
+        let has_direction = w_length.above(T::ZERO).any();
+        has_direction.then(|| UnitVec3::assume_unit(w / w_length))
     }
 
     /// [`unit`](Vec3::unit), or `fallback` if that is `None`. This method does not branch on the
@@ -88,13 +85,10 @@ impl<T: Real> Vec3<T> {
     /// [`unit_or`](Vec3::unit_or) and the length, computed with a single square root.
     #[inline]
     pub(crate) fn unit_or_with_length(self, fallback: UnitVec3<T>) -> (UnitVec3<T>, T) {
-        let Measured {
-            w,
-            w_length,
-            length,
-        } = T::measured(self);
-        let unit = Vec3::select(w_length.above(T::ZERO), w / w_length, *fallback);
-        (UnitVec3::assume_unit(unit), length)
+        let measured = T::measured(self);
+        let has_direction = measured.w_length.above(T::ZERO);
+        let unit = Vec3::select(has_direction, measured.w / measured.w_length, *fallback);
+        (UnitVec3::assume_unit(unit), measured.length)
     }
 
     /// The distance between two points, |other − self|.
@@ -149,15 +143,15 @@ impl<T: Real> Vec3<T> {
 }
 
 macro_rules! number_first {
-    ($type:ident $float:ident) => {
-        impl Mul<$type<$float>> for $float {
-            type Output = $type<$float>;
+    ($number:ty: $($type:ty)+) => {$(
+        impl core::ops::Mul<$type> for $number {
+            type Output = $type;
             #[inline]
-            fn mul(self, value: $type<$float>) -> $type<$float> {
+            fn mul(self, value: $type) -> $type {
                 value * self
             }
         }
-    };
+    )+};
 }
 
 /// What a vector and a color can do if their numbers are real.
@@ -182,8 +176,8 @@ macro_rules! of_reals {
             }
         }
 
-        number_first!($type f32);
-        number_first!($type f64);
+        number_first!(f32: $type<f32>);
+        number_first!(f64: $type<f64>);
     };
 }
 
