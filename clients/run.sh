@@ -173,9 +173,11 @@ page() {
     node web/test/exercises.mjs ${PICTURES:+"$(realpath "$PICTURES")"}
 }
 
-# the files of languages/: a ball and a teapot in C, C++, Metal (as C++), HLSL and WGSL, and every function in WGSL
+# the files of languages/: a ball and a teapot in C, C++, Metal (as C++), GLSL, HLSL and WGSL, and every function in WGSL; the laws
+# on C
 gpu() {
     install_packages gcc g++ glslang-tools spirv-tools libvulkan1 mesa-vulkan-drivers
+    command -v "${CHROMIUM:-chromium}" >/dev/null || install_packages chromium
     local work=$built/gpu files=../languages shaders=gpu/shaders power language
     mkdir -p "$work"
     (cd gpu && cargo fmt --check && cargo clippy --quiet -- -D warnings && cargo build --quiet)
@@ -192,16 +194,38 @@ gpu() {
         "$program" compare "$work/$language.bin" exact
     done
 
+    # the laws hold, and do not where a reflection is wrong
+    gcc -std=c99 "${flags[@]}" $shaders/laws.c -o "$work/laws" -lm
+    "$program" laws "$work/laws"
+    mkdir -p "$work/mistaken"
+    sed 's/n_dot_w + n_dot_w/n_dot_w/' "$files/shading.h" >"$work/mistaken/shading.h"
+    gcc -std=c99 -I "$work/mistaken" "${flags[@]}" $shaders/laws.c -o "$work/mistaken/laws" -lm
+    "$program" laws "$work/mistaken/laws" mistaken
+
     for power in "" "#define SHADING_EXACT_POWER"; do
         for language in "#version 300 es" "#version 330"; do
             { printf '%s\nprecision highp float;\n%s\n' "$language" "$power" && cat "$files/shading.glsl" $shaders/scene.frag; } >"$work/scene.frag"
             glslangValidator "$work/scene.frag"
         done
+        in_a_browser "$power" $([ -n "$power" ] && echo exact || echo nearly)
         { echo "$power" && cat $shaders/scene.hlsl; } >"$work/scene.hlsl"
         glslangValidator -D -S comp -e main -V -I"$files" "$work/scene.hlsl" -o "$work/scene.spv"
         spirv-val "$work/scene.spv"
     done
     XDG_RUNTIME_DIR=$work "$program" run
+}
+
+# in_a_browser POWER HOW: the scene in GLSL with one of its powers, by WebGL without a GPU
+in_a_browser() {
+    {
+        echo '<pre id="scene">' && base64 "$work/scene.bin" && echo '</pre><script type="text/plain" id="shader">'
+        printf '#version 300 es\nprecision highp float;\n%s\n' "$1" && cat "$files/shading.glsl" $shaders/webgl.frag
+        echo '</script>' && cat $shaders/webgl.html
+    } >"$work/webgl.html"
+    "${CHROMIUM:-chromium}" --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader \
+        --virtual-time-budget=60000 --dump-dom "file://$(realpath "$work/webgl.html")" 2>/dev/null |
+        sed -n 's#^<pre id="result">\(.*\)</pre>$#\1#p' | base64 --decode >"$work/webgl.bin"
+    "$program" compare "$work/webgl.bin" "$2"
 }
 
 [ $# -gt 0 ] || set -- programs chip languages page

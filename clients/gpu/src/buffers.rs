@@ -6,17 +6,17 @@ use shading::f32::{Light, Material, Rgb, SpotLight, Vec3};
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
 pub struct GpuLight {
-    position: Vec3, // of a sun: L
-    is_sun: f32,
-    intensity: Rgb,
-    limit: f32, // the largest factor of the attenuation
-    coefficients: [f32; 3],
-    range: f32,
-    axis: Vec3,
-    is_smoothstep: f32,
-    cosines: [f32; 2], // of the inner and the outer half-angle; −1 lights everything
-    is_gltf: f32,
-    padding: f32,
+    pub position: Vec3, // of a sun: L
+    pub is_sun: f32,
+    pub intensity: Rgb,
+    pub limit: f32, // the largest factor of the attenuation
+    pub coefficients: [f32; 3],
+    pub range: f32,
+    pub axis: Vec3,
+    pub is_smoothstep: f32,
+    pub cosines: [f32; 2], // of the inner and the outer half-angle; −1 lights everything
+    pub is_gltf: f32,
+    pub padding: f32,
 }
 
 impl From<&Light> for GpuLight {
@@ -51,12 +51,12 @@ impl From<&Light> for GpuLight {
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
 pub struct GpuMaterial {
-    k_a: Rgb,
-    m: f32,
-    k_d: Rgb,
-    padding: f32,
-    k_s: Rgb,
-    padding_too: f32,
+    pub k_a: Rgb,
+    pub m: f32,
+    pub k_d: Rgb,
+    pub padding: f32,
+    pub k_s: Rgb,
+    pub padding_too: f32,
 }
 
 impl From<&Material<f32>> for GpuMaterial {

@@ -1,11 +1,13 @@
 //! The files of `languages/` at work: `gpu scene FOLDER` writes a scene of points and what the crate makes of it;
 //! `gpu compare FOLDER FILE` compares with it what another program has written; `gpu run [MODULE]` computes every
-//! function and the scene on a Vulkan device, and the scene by a SPIR-V module, if one is named.
+//! function and the scene on a Vulkan device, and the scene by a SPIR-V module, if one is named; `gpu laws PROGRAM
+//! [mistaken]` tries the laws of local illumination on a program that shades scenes.
 
 mod buffers;
 #[path = "../../../languages/tests/support/mod.rs"]
 mod draw;
 mod gpu;
+mod laws;
 mod rows;
 mod scene;
 
@@ -128,10 +130,14 @@ fn main() {
                 if how == "exact" { ALL } else { NEARLY_ALL },
             )
         }),
+        ["laws", program] => laws::of_program(program, false),
+        ["laws", program, "mistaken"] => laws::of_program(program, true),
         ["run"] => run(None),
         ["run", module] => run(Some(module)),
         _ => {
-            Err("usage: gpu scene FOLDER | gpu compare FILE exact|nearly | gpu run [MODULE]".into())
+            let compare = "gpu compare FILE exact|nearly";
+            let laws = "gpu laws PROGRAM [mistaken]";
+            Err(format!("usage: gpu scene FOLDER | {compare} | {laws} | gpu run [MODULE]").into())
         }
     };
     if let Err(error) = result {
