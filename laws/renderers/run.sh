@@ -61,7 +61,7 @@ vtk() {
 
 povray() {
     install_packages povray python3
-    judge --cases 256 --shrink 20 -- python3 povray/host.py # a picture of POV-Ray takes at least a third of a second
+    judge --cases 256 -- python3 povray/host.py # a picture of POV-Ray takes at least a third of a second
 }
 
 # Runs the laws on a command, with the options before `--`, and compares the outcome of each with the expected one, and the

@@ -23,8 +23,12 @@ const HALF: usize = 50;
 /// The same for a form, which has no such number. Three in a hundred are for rounding at the edges of levels.
 const OF_FORM: usize = 97;
 
+/// The percentage that one of two mistakes explains, and the most mistakes that are tried as the first of two.
+const SOME: usize = 5;
+const MOST_PARTS: usize = 8;
+
 /// The fewest wrong colors that tell a form: with fewer, one of 255 sets of forms fits by chance.
-const FEW: usize = 12;
+pub const FEW: usize = 12;
 
 /// A scene, and the color that the renderer gave it.
 type Sample = (Scene, Triple);
@@ -71,6 +75,9 @@ pub struct Cause {
     pub of: usize,
     /// Other mistakes that give the same colors.
     pub alternatives: Vec<Fault>,
+    /// What the renderer would say of itself if this were on purpose.
+    #[serde(skip)]
+    pub(crate) then: Option<Box<Profile>>,
     /// The number of colors, wrong or right, that this does not give.
     #[serde(skip)]
     errors: usize,
@@ -101,10 +108,13 @@ impl Cause {
         } else {
             format!("\"departs\":[\"{}\"]", fault.name())
         };
+        let mut then = profile.clone();
+        then.departs.push(fault.name());
         Self {
             mistake: Some(fault),
             says,
             declare: Some(declare).filter(|_| is_declared),
+            then: Some(Box::new(then)).filter(|_| !fault.mistake.is_rough()),
             ..score
         }
     }
@@ -159,16 +169,53 @@ impl Evidence {
         if self.wrong.is_empty() {
             return None;
         }
-        let (rough, exact): (Vec<Fault>, Vec<Fault>) =
-            Fault::all().partition(|fault| fault.mistake.is_rough());
-        let alone = |least| self.best(profile, exact.iter().copied(), least);
+        let alone = |least| self.best(profile, Fault::exact(), least);
         let causes = [self.form(profile), alone(NEARLY_ALL)];
         let cause = causes.into_iter().flatten().min_by_key(|it| it.errors);
-        let roughness = || rough.iter().find_map(|it| self.roughness(profile, *it));
+        let roughness = || Fault::rough().find_map(|it| self.roughness(profile, it));
         let cause = cause.or_else(roughness);
         cause
             .or_else(|| self.form_of_some(profile))
+            .or_else(|| self.one_of_two(profile))
             .or_else(|| alone(HALF))
+    }
+
+    /// A mistake of the table, without which another one explains all.
+    fn one_of_two(&self, profile: &Profile) -> Option<Cause> {
+        let mut parts = self.parts(profile);
+        parts.truncate(MOST_PARTS);
+        parts.into_iter().find(|part| {
+            let then = part.then.as_deref().unwrap_or(profile);
+            let (rest, exact) = (self.rest(profile, then), Fault::exact());
+            rest.wrong.len() >= FEW && rest.best(then, exact, NEARLY_ALL).is_some()
+        })
+    }
+
+    /// The mistakes that explain some of the wrong colors and no right one away, those that explain most first.
+    pub fn parts(&self, profile: &Profile) -> Vec<Cause> {
+        let scored = Fault::exact().filter_map(|fault| {
+            let score = self.score(&formula(profile, Some(fault)), SOME)?;
+            Some(Cause::of(fault, profile, score))
+        });
+        let mut parts: Vec<Cause> = scored.filter(|it| it.explained >= FEW).collect();
+        parts.sort_by_key(|it| (it.errors, Reverse(it.explained)));
+        parts
+    }
+
+    /// What is wrong and what is right if the renderer says more of itself than before.
+    pub fn rest(&self, before: &Profile, then: &Profile) -> Self {
+        let (formula, ratio) = (formula(then, None), before.white / then.white);
+        let mut rest = Self::default();
+        for (scene, reply) in self.wrong.iter().chain(&self.right) {
+            let reply = reply.map(|c| c * ratio);
+            rest.note(formula.fits(scene, reply) != Some(false), scene, reply);
+        }
+        rest
+    }
+
+    /// The scenes whose colors are wrong.
+    pub fn wrong_scenes(&self) -> Vec<Scene> {
+        self.wrong.iter().map(|(scene, _)| scene.clone()).collect()
     }
 
     /// The best of the candidates.
@@ -256,6 +303,7 @@ impl Evidence {
             Some(Cause {
                 says,
                 declare: Some(members.join(",")),
+                then: Some(Box::new(form)),
                 ..score
             })
         });

@@ -3,7 +3,9 @@
 
 use crate::formula::Formula;
 use crate::profile::Profile;
-use crate::scene::{Kind, Light, Model, Scene, add, dot, length, mul, scale, size, sub};
+use crate::scene::{
+    Kind, Light, Model, Scene, Triple, add, dot, length, mul, scale, size, sub, unit,
+};
 
 pub struct Edit {
     /// What no longer matters after the edit.
@@ -14,9 +16,22 @@ pub struct Edit {
     pub darkens: bool,
 }
 
+/// A broken scene without one thing.
+pub struct Trial {
+    pub edited: Scene,
+    /// The scene with all of it, as dim as the other had to become. If that is right, the light was too bright for
+    /// the renderer, and the trial says nothing of what was taken out.
+    pub control: Option<Scene>,
+}
+
 impl Edit {
     /// A scene without what the edit takes out, if such a renderer can be given it.
     pub fn of(&self, scene: &Scene, profile: &Profile) -> Option<Scene> {
+        self.trial(scene, profile).map(|trial| trial.edited)
+    }
+
+    /// The same, with what tells whether it shows anything.
+    pub fn trial(&self, scene: &Scene, profile: &Profile) -> Option<Trial> {
         let mut edited = scene.clone();
         (self.change)(&mut edited, profile);
         // where ambient light is wrong itself, more of it helps nobody
@@ -24,16 +39,20 @@ impl Edit {
             brighten(&mut edited, scene, profile);
         }
         edited.lights.retain(|light| profile.has(light.kind()));
+        let mut control = None;
         if let Some([_, high]) = profile.range() {
             // what the edit brightens beyond the range would hide what is wrong
             let right = Formula::new(profile, Vec::new(), false);
             let brightest = |scene: &Scene| size(right.linear(scene).map(|c| c.value));
             let is = brightest(&edited);
             if is > high && brightest(scene) <= high && is.is_finite() {
-                dim(&mut edited, (-(is / high).log2().ceil()).exp2());
+                let factor = (-(is / high).log2().ceil()).exp2();
+                dim(&mut edited, factor);
+                let dimmed = control.insert(scene.clone());
+                dim(dimmed, factor);
             }
         }
-        (edited != *scene && profile.has_all_of(&edited)).then_some(edited)
+        (edited != *scene && profile.has_all_of(&edited)).then_some(Trial { edited, control })
     }
 }
 
@@ -120,34 +139,53 @@ pub static EDITS: &[Edit] = &[
             }
         }
     }),
-    edit("shininess", |s, _| {
-        s.m = if s.model == Model::Lambert { s.m } else { 1.0 }
+    edit("shininess", |s, profile| {
+        if s.model != Model::Lambert {
+            keep_highlight(s, s.model, 1.0, profile);
+        }
     }),
     edit("light behind", |s, profile| {
         let (p, n) = (s.p, s.n);
+        let up = profile.unit(n);
         for light in &mut s.lights {
-            if dot(light.arriving(p).0, n) <= 8.0 * profile.roundoff * length(n) {
-                *light.intensity_mut() = [0.0; 3];
+            if dot(light.arriving(p).0, n) > 8.0 * profile.roundoff * length(n) {
+                continue;
+            }
+            // a dark one in front, because a renderer may look where a light is before it looks how bright it is
+            *light.intensity_mut() = [0.0; 3];
+            if let Some((position, _)) = light.lamp_mut() {
+                let q = length(sub(*position, p));
+                *position = add(p, scale(up, q)).map(|c| profile.rounded(c));
+            }
+            match light {
+                Light::Directional { l, .. } => *l = up,
+                Light::Spot { axis, .. } => *axis = scale(up, -1.0).map(|c| c + 0.0), // no -0
+                Light::Point { .. } => {}
             }
         }
     }),
     edit("eye behind", |s, profile| {
         let cosine = dot(s.v, s.n) / (length(s.v) * length(s.n));
         if cosine < -1e-4 {
-            s.v = scale(s.v, -1.0).map(|c| c + 0.0); // no -0
+            let before = s.v;
+            let model = s.model;
+            keep_highlight(s, model, s.m, profile);
+            if dot(s.v, s.n) <= 0.0 {
+                s.v = scale(before, -1.0).map(|c| c + 0.0); // no -0
+            }
         } else if cosine < 1e-4 {
             s.v = add(s.v, scale(s.n, length(s.v) / length(s.n)));
         }
         s.v = profile.direction(s.v);
     }),
-    edit("Phong", |s, _| {
+    edit("Phong", |s, profile| {
         if s.model == Model::Phong {
-            s.model = Model::BlinnPhong;
+            keep_highlight(s, Model::BlinnPhong, s.m, profile);
         }
     }),
-    edit("Blinn", |s, _| {
+    edit("Blinn", |s, profile| {
         if s.model == Model::BlinnPhong {
-            s.model = Model::Phong;
+            keep_highlight(s, Model::Phong, s.m, profile);
         }
     }),
     edit("lamps", |s, p| replace(s, p, &[Kind::Point, Kind::Spot])),
@@ -185,6 +223,75 @@ pub static EDITS: &[Edit] = &[
     edit("ambient", |s, _| s.i_a = [0.0; 3]),
     darker("lights", |s, _| s.lights.clear()),
 ];
+
+/// Gives a scene another model and another shininess, and turns the eye so that the highlight stays as bright: that
+/// of the light with the brightest one. Otherwise an edit of the shininess would repair whatever is wrong with dark
+/// highlights alone.
+fn keep_highlight(s: &mut Scene, model: Model, m: f64, profile: &Profile) {
+    let (n, v) = (unit(s.n), unit(s.v));
+    let ways = s.lights.iter().map(|light| light.arriving(s.p).0);
+    let lit = ways.filter(|l| dot(*l, n) > 0.0);
+    let with_cosine = lit.map(|l| (cosine(s.model, n, l, v), l));
+    let brightest = with_cosine.max_by(|a, b| a.0.total_cmp(&b.0));
+    let before = s.m;
+    (s.model, s.m) = (model, m);
+    let Some((cosine, l)) = brightest else {
+        return;
+    };
+    if cosine <= 0.0 && m < before {
+        // it has no highlight with any shininess, unless the sign of its power is lost, as with 2
+        s.m = before.min(2.0);
+        return;
+    }
+    let cosine = cosine.abs().min(1.0).powf(before / m).copysign(cosine);
+    if let Some(turned) = turned(model, [n, l, v], cosine) {
+        let long = scale(turned, length(s.v)).map(|c| profile.rounded(c));
+        s.v = profile.direction(long);
+    }
+}
+
+/// R·V or N·H.
+fn cosine(model: Model, n: Triple, l: Triple, v: Triple) -> f64 {
+    match model {
+        Model::Phong => dot(mirrored(l, n), v),
+        _ => dot(n, unit(add(l, v))),
+    }
+}
+
+/// A vector on the other side of an axis.
+fn mirrored(v: Triple, axis: Triple) -> Triple {
+    sub(scale(axis, 2.0 * dot(axis, v)), v)
+}
+
+/// The direction of an eye that sees this cosine, above the surface if there is one.
+fn turned(model: Model, [n, l, v]: [Triple; 3], cosine: f64) -> Option<Triple> {
+    // what the cosine is that of: R and V, or N and H
+    let (axis, other) = match model {
+        Model::Phong => (mirrored(l, n), v),
+        _ => (n, unit(add(l, v))),
+    };
+    let off = sub(other, scale(axis, dot(axis, other)));
+    let off = if length(off) > 1e-6 { off } else { sub(v, l) };
+    if length(off) <= 1e-6 {
+        return None; // at its peak, a highlight is as bright with any shininess
+    }
+    let off = unit(sub(off, scale(axis, dot(axis, off))));
+    let [a, b, c] = axis;
+    let across = [
+        b * off[2] - c * off[1],
+        c * off[0] - a * off[2],
+        a * off[1] - b * off[0],
+    ];
+    let sine = (1.0 - cosine * cosine).sqrt();
+    let ways = [off, across, scale(off, -1.0), scale(across, -1.0)];
+    let found = ways.map(|way| add(scale(axis, cosine), scale(way, sine)));
+    let found = found.into_iter().filter_map(|way| match model {
+        Model::Phong => Some(way),
+        // otherwise H is on the other side
+        _ => (dot(way, l) > 0.01).then(|| mirrored(l, way)),
+    });
+    found.max_by(|v, w| dot(*v, n).total_cmp(&dot(*w, n)))
+}
 
 fn dim(scene: &mut Scene, factor: f64) {
     scene.i_a = scale(scene.i_a, factor);

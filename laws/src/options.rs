@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use crate::clock::{self, Clock};
-use crate::law::Law;
 use crate::mistakes::departures;
 use crate::profile::Profile;
 
@@ -23,11 +22,8 @@ pub struct Laws {
     pub seed: u64,
     /// The number of random scenes, beside the fixed ones.
     pub cases: usize,
-    /// The laws to try, or none for all. [`Laws::names`] lists the names.
-    pub only: Vec<String>,
-    /// The most batches of each broken law in which its smallest scene is looked for; it is looked
-    /// for two seconds in all.
-    pub shrinks: usize,
+    /// Whether smaller scenes are looked for that break a law, too: for two seconds in all.
+    pub shrinks: bool,
     /// The longest time of the run. Each law is tried at least once. If the time ends before all
     /// cases are tried, the report does not pass.
     pub time: Option<Duration>,
@@ -40,8 +36,7 @@ impl Default for Laws {
         Self {
             seed: 0,
             cases: 1024,
-            only: Vec::new(),
-            shrinks: 200,
+            shrinks: true,
             time: None,
             clock: clock::of_machine,
         }
@@ -49,26 +44,12 @@ impl Default for Laws {
 }
 
 impl Laws {
-    /// The name of each law, and what it says.
-    pub fn names() -> impl Iterator<Item = (&'static str, &'static str)> {
-        Law::ALL.into_iter().map(Law::told)
-    }
-
-    pub(crate) fn tries(&self, law: Law) -> bool {
-        self.only.is_empty() || self.only.iter().any(|only| only == law.name())
-    }
-
     /// What prevents a run, if anything.
     pub(crate) fn complaint(&self, profile: &Profile) -> Option<String> {
         let of_profile = profile.complaint().or_else(|| departures(profile).err());
         if let Some(complaint) = of_profile {
             return Some(format!("the profile of {}: {complaint}", profile.name));
         }
-        if self.cases == 0 {
-            return Some("the number of cases is 0".into());
-        }
-        let is_unknown = |only: &&String| Self::names().all(|(name, _)| name != *only);
-        let unknown = self.only.iter().find(is_unknown)?;
-        Some(format!("there is no law {unknown}"))
+        (self.cases == 0).then(|| "the number of cases is 0".into())
     }
 }

@@ -15,6 +15,13 @@ pub struct Place {
     pub also_without: Vec<&'static str>,
 }
 
+impl Place {
+    /// Whether it may be that of two things.
+    pub(crate) fn is_general(&self) -> bool {
+        self.only_with.iter().all(|id| GENERAL.contains(id))
+    }
+}
+
 /// Parts that make up one thing, and what else may be told of either: where both are wrong, the
 /// highlight, the lamps, the lights, or everything is.
 const PARTS: [([&str; 2], &[&str]); 5] = [
@@ -38,6 +45,15 @@ const GENERAL: [&str; 3] = ["highlight", "lamps", "lights"];
 /// more ways than one.
 const TERMS: [&str; 4] = ["highlight", "diffuse", "ambient", "lights"];
 
+/// What nothing but a lamp has.
+const OF_LAMPS: [&str; 3] = ["distance", "attenuation", "cone"];
+
+/// The most things that are taken out one after the other, each because another is wrong, too.
+const DEPTH: usize = 2;
+
+/// The fewest cases that have a place.
+const FEWEST: usize = 3;
+
 /// The most broken cases of an experiment: a bit each.
 pub const MOST: usize = 60;
 
@@ -47,9 +63,10 @@ pub type Ask<'a> = dyn FnMut(&[Scene]) -> Option<Vec<bool>> + 'a;
 /// Broken cases without one thing each.
 struct Experiment {
     count: usize,
-    /// For each edit the cases that it repairs, and those that it leaves broken.
+    /// For each edit the cases that it repairs, those that it leaves broken, and those of which it says nothing.
     repaired: Vec<u64>,
     broken: Vec<u64>,
+    unknown: Vec<u64>,
 }
 
 /// Whether something is nearly all of a count. In some of the scenes an edit leaves what it is about as it was,
@@ -64,16 +81,66 @@ fn is_nearly_all(cases: u64, count: u32, id: &str) -> bool {
     count > 0 && cases.count_ones() * of[0] >= count * of[1]
 }
 
-/// Where cases are broken: one place, or several where several things are wrong.
-pub fn places(cases: &[Scene], profile: &Profile, ask: &mut Ask) -> Option<Vec<Place>> {
-    places_of(cases, profile, ask, 2)
+/// The place of an edit among all.
+fn number(id: &str) -> Option<usize> {
+    EDITS.iter().position(|edit| edit.id == id)
 }
 
-fn places_of(cases: &[Scene], profile: &Profile, ask: &mut Ask, depth: u32) -> Option<Vec<Place>> {
-    let experiment = Experiment::new(cases, profile, ask)?;
+/// So many cases of all, from the first to the last.
+fn some(cases: &[Scene], count: usize) -> Vec<Scene> {
+    let count = count.min(cases.len());
+    let some = (0..count).map(|i| cases[i * cases.len() / count].clone());
+    some.collect()
+}
+
+/// Where cases are broken: one place, or several where several things are wrong. As many cases as an experiment may
+/// have are taken of all.
+pub fn places(
+    cases: &[Scene],
+    most: usize,
+    profile: &Profile,
+    ask: &mut Ask,
+) -> Option<Vec<Place>> {
+    places_of(&some(cases, most), profile, ask, &[])
+}
+
+/// The place of cases without what another place is about, where what is wrong there may hide what repairs them.
+fn alone(
+    cases: &[Scene],
+    other: &Place,
+    before: &Place,
+    profile: &Profile,
+    ask: &mut Ask,
+) -> Option<Place> {
+    let is_new = |id: &&&str| !GENERAL.contains(id) && !before.only_with.contains(id);
+    let k = number(other.only_with.iter().find(is_new)?)?;
+    let without = |case: &Scene| EDITS[k].of(case, profile).unwrap_or(case.clone());
+    let edited: Vec<Scene> = cases.iter().map(without).collect();
+    let are_broken = ask(&edited)?.into_iter();
+    let broken = edited.into_iter().zip(are_broken).filter(|(_, is)| *is);
+    let broken: Vec<Scene> = broken.map(|(case, _)| case).collect();
+    if broken.len() < FEWEST {
+        return None;
+    }
+    let experiment = Experiment::new(&broken, profile, ask, &[k])?;
+    let place = experiment.place(experiment.all());
+    before
+        .only_with
+        .first()
+        .filter(|id| place.only_with.contains(id))?;
+    Some(place)
+}
+
+/// The same, where some edits have taken things out of the cases already.
+fn places_of(
+    cases: &[Scene],
+    profile: &Profile,
+    ask: &mut Ask,
+    without: &[usize],
+) -> Option<Vec<Place>> {
+    let experiment = Experiment::new(cases, profile, ask, without)?;
     let whole = experiment.place(experiment.all());
-    let is_general = whole.only_with.iter().all(|id| GENERAL.contains(id));
-    if depth == 0 || !is_general {
+    if without.len() >= DEPTH || !whole.is_general() {
         return Some(vec![whole]);
     }
     let mut found = Vec::new();
@@ -84,7 +151,7 @@ fn places_of(cases: &[Scene], profile: &Profile, ask: &mut Ask, depth: u32) -> O
         let left = left.filter_map(|i| EDITS[k].of(&cases[i], profile));
         let left: Vec<Scene> = left.collect();
         let mut all = vec![experiment.place(experiment.repaired[k])];
-        let Some(others) = places_of(&left, profile, ask, depth - 1) else {
+        let Some(others) = places_of(&left, profile, ask, &[without, &[k]].concat()) else {
             break; // the time is up
         };
         for other in others {
@@ -100,22 +167,27 @@ fn places_of(cases: &[Scene], profile: &Profile, ask: &mut Ask, depth: u32) -> O
             !whole.only_with.contains(id) && (whole.only_with.len() < 2 || !darkens(id))
         };
         let is_told = |place: &Place| place.only_with.iter().any(is_more);
-        if all.len() > 1 && all.iter().all(is_told) {
+        let of_first = experiment.repaired[k];
+        let is_apart = |place: &Place| experiment.is_apart(of_first, place);
+        if all.len() > 1 && all.iter().all(is_told) && all[1..].iter().all(is_apart) {
+            if let [first, other] = &mut all[..] {
+                let of_first = (0..experiment.count).filter(|i| of_first >> i & 1 == 1);
+                let of_first: Vec<Scene> = of_first.map(|i| cases[i].clone()).collect();
+                if let Some(alone) = alone(&of_first, other, first, profile, ask) {
+                    *first = alone;
+                }
+            }
             found.push(all);
         }
     }
     // few places, and particular ones
-    let first = |place: &Place| {
-        EDITS
-            .iter()
-            .position(|edit| place.only_with.first() == Some(&edit.id))
-    };
+    let first = |place: &Place| number(place.only_with.first()?);
     found.sort_by_key(|all| (all.len(), all.iter().filter_map(first).sum::<usize>()));
     Some(found.into_iter().next().unwrap_or(vec![whole]))
 }
 
 /// Makes one place of two that are the parts of one thing, which is wrong as a whole.
-fn merge(places: &mut Vec<Place>) {
+pub fn merge(places: &mut Vec<Place>) {
     'merged: loop {
         for (parts, too) in PARTS {
             let of_part = |part| {
@@ -147,30 +219,52 @@ fn merge(places: &mut Vec<Place>) {
 
 impl Experiment {
     /// Takes things out of the scenes of broken cases, and asks for each again, if anything answers.
-    fn new(cases: &[Scene], profile: &Profile, ask: &mut Ask) -> Option<Self> {
+    fn new(cases: &[Scene], profile: &Profile, ask: &mut Ask, without: &[usize]) -> Option<Self> {
         let count = cases.len().min(MOST);
-        let (mut asked, mut of) = (Vec::new(), Vec::new());
-        for (k, edit) in EDITS.iter().enumerate() {
-            for (i, scene) in cases[..count].iter().enumerate() {
-                if let Some(edited) = edit.of(scene, profile) {
-                    asked.push(edited);
-                    of.push((k, i));
-                }
-            }
-        }
-        let [repaired, broken] = [(); 2].map(|()| vec![0; EDITS.len()]);
+        let [repaired, broken, unknown] = [(); 3].map(|()| vec![0; EDITS.len()]);
         let mut experiment = Self {
             count,
             repaired,
             broken,
+            unknown,
         };
-        for ((k, i), is_broken) in of.into_iter().zip(ask(&asked)?) {
-            let answer = if is_broken {
-                &mut experiment.broken
-            } else {
-                &mut experiment.repaired
+        let (mut asked, mut of) = (Vec::new(), Vec::new());
+        for (k, edit) in EDITS.iter().enumerate() {
+            for (i, scene) in cases[..count].iter().enumerate() {
+                let Some(mut trial) = edit.trial(scene, profile) else {
+                    continue;
+                };
+                // a lamp may become a sun where suns were taken out because they are wrong, too
+                for &k in without {
+                    if EDITS[k].of(scene, profile).is_none() {
+                        let again = EDITS[k].of(&trial.edited, profile);
+                        trial.edited = again.unwrap_or(trial.edited);
+                    }
+                }
+                if trial.edited == *scene {
+                    experiment.unknown[k] |= 1 << i;
+                    continue;
+                }
+                asked.push(trial.edited);
+                of.push((k, i, false));
+                if let Some(control) = trial.control {
+                    asked.push(control);
+                    of.push((k, i, true));
+                }
+            }
+        }
+        for ((k, i, is_control), is_broken) in of.into_iter().zip(ask(&asked)?) {
+            let answer = match (is_control, is_broken) {
+                (true, true) => continue,
+                (true, false) => &mut experiment.unknown,
+                (false, true) => &mut experiment.broken,
+                (false, false) => &mut experiment.repaired,
             };
             answer[k] |= 1 << i;
+        }
+        for k in 0..EDITS.len() {
+            experiment.repaired[k] &= !experiment.unknown[k];
+            experiment.broken[k] &= !experiment.unknown[k];
         }
         Some(experiment)
     }
@@ -183,9 +277,17 @@ impl Experiment {
     /// The place of some of the cases.
     fn place(&self, of: u64) -> Place {
         let mut place = Place::default();
+        let is_of_lamps = |place: &Place| place.only_with.iter().any(|id| OF_LAMPS.contains(id));
         for (k, edit) in EDITS.iter().enumerate() {
             let (repaired, broken) = (self.repaired[k] & of, self.broken[k] & of);
-            if is_nearly_all(repaired, of.count_ones(), edit.id) {
+            let known = of & !self.unknown[k];
+            let is_known = known.count_ones() * 2 > of.count_ones();
+            let is_told = if is_known {
+                is_nearly_all(repaired, known.count_ones(), edit.id)
+            } else {
+                edit.id == "lamps" && is_of_lamps(&place)
+            };
+            if is_told {
                 place.only_with.push(edit.id);
             } else if broken.count_ones() > repaired.count_ones() {
                 place.also_without.push(edit.id);
@@ -194,9 +296,19 @@ impl Experiment {
         place
     }
 
+    /// Whether something that another place is only with repairs few of some cases. What repairs a part of both
+    /// tells nothing apart.
+    fn is_apart(&self, of: u64, other: &Place) -> bool {
+        let few = |id: &&'static str| {
+            let repaired = number(id).map_or(0, |k| self.repaired[k] & of);
+            repaired.count_ones() * 4 <= of.count_ones()
+        };
+        other.only_with.iter().any(few)
+    }
+
     /// The edits that repair some of the cases and leave others, the most helpful ones first.
     fn parts(&self) -> Vec<usize> {
-        let few = (self.count / 10).max(3);
+        let few = (self.count / 10).max(FEWEST);
         let counts =
             |k: usize| [self.repaired[k], self.broken[k]].map(|cases| cases.count_ones() as usize);
         let is_part = |k: &usize| counts(*k).iter().all(|count| *count >= few);

@@ -98,10 +98,10 @@ impl Plan {
             .iter()
             .find_map(|scene| scene.lights.first().copied());
         let right = formula(profile, None);
-        let cases = scenes.into_iter().enumerate().map(|(i, scene)| {
-            let is_again = laws.tries(Law::NoMemory) && i % AGAIN == 0;
-            Case::new(scene, &right, is_again).beside(light)
-        });
+        let cases = scenes
+            .into_iter()
+            .enumerate()
+            .map(|(i, scene)| Case::new(scene, &right, i % AGAIN == 0).beside(light));
         Ok(Self {
             laws: laws.clone(),
             profile: profile.clone(),

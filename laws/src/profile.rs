@@ -231,7 +231,7 @@ impl Profile {
         let is_short = self.roundoff >= bounded::HALF;
         let is_in_reach = |v: Triple| !is_short || (1.0 / 32.0..=64.0).contains(&length(v));
         let is_direction =
-            |v: Triple| v != [0.0; 3] && is_in_reach(v) && (!self.unit_vectors || is_unit(v));
+            |v: Triple| length(v) > 0.0 && is_in_reach(v) && (!self.unit_vectors || is_unit(v));
         let most = if is_short { 4096.0 } else { 1e12 };
         let has_lamp = |light: &Light| {
             light.lamp().is_none_or(|(position, abc)| {

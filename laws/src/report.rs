@@ -45,6 +45,9 @@ pub struct Finding {
     /// The scenes after which a color is wrong, if they are few and it is right without them.
     #[serde(skip)]
     pub(crate) history: Option<Box<Counterexample>>,
+    /// The smallest scene in which nothing else is wrong than this finding says, where another one is of the same law.
+    #[serde(skip)]
+    pub(crate) own: Option<Box<Counterexample>>,
 }
 
 /// What was found of one law.
@@ -111,7 +114,8 @@ impl Finding {
         let of_laws = self.laws.iter().filter_map(of);
         let smallest = of_laws.filter_map(|law| Some((law, law.smallest()?)));
         let (law, smallest) = smallest.min_by_key(|(_, it)| !it.broken.is_clear())?;
-        Some((law, self.history.as_deref().unwrap_or(smallest)))
+        let other = self.history.as_deref().or(self.own.as_deref());
+        Some((law, other.unwrap_or(smallest)))
     }
 }
 
@@ -243,6 +247,10 @@ impl fmt::Display for Report {
         writeln!(f)?;
         for (i, finding) in self.findings.iter().enumerate() {
             write!(f, "Finding {} of {}: ", i + 1, self.findings.len())?;
+            // the colors of this one were compared as if that one were on purpose
+            if i > 0 && self.findings[i - 1].laws == finding.laws {
+                write!(f, "with that mended, ")?;
+            }
             self.show(f, finding)?;
         }
         for LawReport { law, verdict, .. } in &self.laws {

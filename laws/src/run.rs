@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use crate::cause::{Cause, Evidence};
+use crate::cause::{Cause, Evidence, FEW};
 use crate::edit::EDITS;
 use crate::formula::Formula;
 use crate::law::{Broken, Law};
@@ -11,6 +11,7 @@ use crate::mistakes::formula;
 use crate::options::Laws;
 use crate::place::{self, Place};
 use crate::plan::{Case, Plan, handed};
+use crate::profile::Profile;
 use crate::renderer::{Progress, Renderer};
 use crate::report::{Counterexample, Finding, LawReport, Report, Verdict};
 use crate::scene::{Scene, Triple};
@@ -18,6 +19,12 @@ use crate::shrink;
 
 /// The simpler cases that are asked for at once.
 const SIMPLER: usize = 32;
+
+/// The most broken cases that are placed.
+const MOST_BROKEN: usize = 600;
+
+/// The most batches in which a smaller case is looked for.
+const MOST_BATCHES: usize = 200;
 
 /// The longest search for smaller cases, and that for places.
 const SEARCH: Duration = Duration::from_secs(2);
@@ -27,7 +34,7 @@ impl Laws {
     ///
     /// # Errors
     ///
-    /// In one line: a contradictory profile; the name of a law that does not exist; no cases at all.
+    /// In one line: a contradictory profile; no cases at all.
     pub fn run(&self, renderer: &mut impl Renderer) -> Result<Report, String> {
         let plan = Plan::new(self, &renderer.profile())?;
         let start = (self.clock)();
@@ -79,6 +86,13 @@ struct Failure {
     case: Case,
     broken: Broken,
     replies: Vec<Triple>,
+}
+
+impl Failure {
+    /// The order in which failures are worth showing.
+    fn rank(&self) -> (bool, u32) {
+        (!self.broken.is_clear(), shrink::cost(&self.case.scene))
+    }
 }
 
 struct Run<'a> {
@@ -138,7 +152,6 @@ impl Run<'_> {
 
     /// How a case breaks laws.
     fn judge(&self, case: &Case, replies: &[Triple]) -> Vec<Failure> {
-        let tried = |law: &Law| self.plan.laws.tries(*law) && case.is_of(*law);
         let failure = |law: Law| {
             Some(Failure {
                 law,
@@ -147,7 +160,7 @@ impl Run<'_> {
                 replies: replies.to_vec(),
             })
         };
-        let laws = Law::ALL.into_iter().filter(tried);
+        let laws = Law::ALL.into_iter().filter(|law| case.is_of(*law));
         laws.filter_map(failure).collect()
     }
 
@@ -204,17 +217,15 @@ impl Run<'_> {
         let mut findings = self.findings();
         let until = self.now() + SEARCH;
         let until = self.deadline.map_or(until, |end| end.min(until));
-        let mut laws = Vec::new();
-        for law in Law::ALL {
-            if self.plan.laws.tries(law) {
-                let (name, says) = law.told();
-                laws.push(LawReport {
-                    law: name,
-                    says,
-                    verdict: self.verdict(law, until),
-                });
+        let laws = Law::ALL.map(|law| {
+            let (name, says) = law.told();
+            LawReport {
+                law: name,
+                says,
+                verdict: self.verdict(law, until),
             }
-        }
+        });
+        self.show_apart(&mut findings, until);
         for finding in &mut findings {
             let shown = finding.shown(&laws);
             finding.scenes = shown.map_or_else(Vec::new, |(_, it)| it.scenes.clone());
@@ -224,7 +235,7 @@ impl Run<'_> {
             seed: self.plan.laws.seed,
             error: self.error,
             findings,
-            laws,
+            laws: laws.into(),
             profile: self.plan.profile.clone(),
             command: None,
         }
@@ -238,18 +249,45 @@ impl Run<'_> {
             count(&self.plan.cases),
         );
         let failures = self.failures.get(&law).map_or(&[][..], Vec::as_slice);
-        let rank = |it: &&Failure| (!it.broken.is_clear(), shrink::cost(&it.case.scene));
-        match failures.iter().min_by_key(rank).cloned() {
+        match failures.iter().min_by_key(|it| it.rank()).cloned() {
             Some(least) => Verdict::Broken {
                 cases,
                 failures: failures.len(),
                 smallest: {
-                    let smallest = self.smaller(least, until);
+                    let smallest = self.smaller(least, until, &|_| true);
                     Box::new(self.counterexample(smallest))
                 },
             },
             None if cases < of => Verdict::CutShort { cases, of },
             None => Verdict::Holds { cases },
+        }
+    }
+
+    /// Gives each of two findings of one law a scene in which the other makes no difference.
+    fn show_apart(&mut self, findings: &mut [Finding], until: Duration) {
+        let plan = self.plan;
+        let [.., first, second] = findings else {
+            return;
+        };
+        let then = first.cause.as_ref().and_then(|cause| cause.then.clone());
+        let Some(then) = then.filter(|_| first.laws == second.laws) else {
+            return;
+        };
+        let (right, with_first) = (formula(&plan.profile, None), formula(&then, None));
+        let ratio = plan.profile.white / then.white;
+        let is_of_first = |scene: &Scene, color: Triple| {
+            with_first.fits(scene, color.map(|c| c * ratio)) == Some(true)
+        };
+        let is_first = |it: &Failure| is_of_first(&it.case.scene, it.replies[0]);
+        let is_second = |it: &Failure| is_of_first(&it.case.scene, right.reply(&it.case.scene));
+        let is_so: [&dyn Fn(&Failure) -> bool; 2] = [&is_first, &is_second];
+        for (finding, is_so) in [first, second].into_iter().zip(is_so) {
+            let failures = self.failures.get(&Law::Formula).into_iter().flatten();
+            let least = failures.filter(|it| is_so(it)).min_by_key(|it| it.rank());
+            if let Some(least) = least.cloned() {
+                let smallest = self.smaller(least, until, is_so);
+                finding.own = Some(Box::new(self.counterexample(smallest)));
+            }
         }
     }
 
@@ -280,18 +318,28 @@ impl Run<'_> {
         }
     }
 
-    /// The smallest case that is still broken; if rounding does not explain the first one, it does
+    /// The smallest case like this that is still broken; if rounding does not explain the first one, it does
     /// not explain that one either.
-    fn smaller(&mut self, mut failure: Failure, until: Duration) -> Failure {
-        let mut batches = 0;
+    fn smaller(
+        &mut self,
+        mut failure: Failure,
+        until: Duration,
+        is_so: &dyn Fn(&Failure) -> bool,
+    ) -> Failure {
+        // without a clock, so many batches end the search
+        let mut left = if self.plan.laws.shrinks {
+            MOST_BATCHES
+        } else {
+            0
+        };
         let (law, is_clear) = (failure.law, failure.broken.is_clear());
         'smaller: loop {
             let simpler = shrink::simpler(&failure.case.scene, &self.plan.profile);
             for scenes in simpler.chunks(SIMPLER) {
-                batches += 1;
-                if batches > self.plan.laws.shrinks || self.now() >= until || self.is_over {
+                if left == 0 || self.now() >= until || self.is_over {
                     return failure;
                 }
+                left -= 1;
                 let scenes = scenes.iter().cloned();
                 let case = |scene| Case::new(scene, &self.right, law == Law::NoMemory);
                 let cases: Vec<Case> = scenes.map(case).collect();
@@ -300,7 +348,9 @@ impl Run<'_> {
                     .iter()
                     .zip(&replies)
                     .flat_map(|(case, it)| self.judge(case, it));
-                let is_like = |it: &Failure| it.law == law && (it.broken.is_clear() || !is_clear);
+                let is_like = |it: &Failure| {
+                    it.law == law && (it.broken.is_clear() || !is_clear) && is_so(it)
+                };
                 if let Some(found) = judged.into_iter().find(is_like) {
                     failure = found;
                     continue 'smaller;
@@ -332,18 +382,62 @@ impl Run<'_> {
                 laws: names(&of_state),
                 scenes: Vec::new(),
                 history: history.map(Box::new),
+                own: None,
             });
         }
         if !others.is_empty() && (cause.is_some() || !is_fickle) {
-            findings.push(Finding {
+            let laws = names(&others);
+            let finding = |(cause, places)| Finding {
                 cause,
-                places: self.places().unwrap_or_default(),
-                laws: names(&others),
+                places,
+                laws: laws.clone(),
                 scenes: Vec::new(),
                 history: None,
-            });
+                own: None,
+            };
+            findings.extend(self.placed(cause).into_iter().map(finding));
         }
         findings
+    }
+
+    /// Causes with their places: one, or two where one mistake is known and something else is wrong without it.
+    fn placed(&mut self, cause: Option<Cause>) -> Vec<(Option<Cause>, Vec<Place>)> {
+        let (plan, scenes) = (self.plan, self.broken());
+        let places = self.places(&plan.profile, &scenes).unwrap_or_default();
+        let is_whole = |it: &Cause| it.of > 0 && it.is_nearly_all();
+        if cause.as_ref().is_some_and(is_whole) {
+            return vec![(cause, places)];
+        }
+        let is_vague = matches!(&places[..], [place] if place.is_general());
+        let parts = self.evidence.parts(&plan.profile).into_iter().take(3);
+        let candidates: Vec<Cause> = cause.iter().cloned().chain(parts).collect();
+        for part in candidates {
+            let Some(then) = part.then.as_deref() else {
+                continue;
+            };
+            let rest = self.evidence.rest(&plan.profile, then);
+            let left = rest.wrong_scenes();
+            if left.len() < FEW {
+                continue;
+            }
+            let other = rest.cause(then);
+            let other = other.filter(is_whole);
+            if other.is_none() && !is_vague {
+                continue;
+            }
+            let others = self.places(then, &left).unwrap_or_default();
+            let is_sure = part.of == 0 || other.is_some();
+            if is_sure || others.iter().all(|place| !place.is_general()) {
+                let of_part = places_of_mistake(&scenes, &plan.profile, then);
+                // the parts of one thing are one mistake
+                let mut all = [&of_part[..], &others].concat();
+                place::merge(&mut all);
+                if all.len() > 1 {
+                    return vec![(Some(part), of_part), (other, others)];
+                }
+            }
+        }
+        vec![(cause, places)]
     }
 
     /// The reply to the last scene, of a renderer that has forgotten all before, if it can forget.
@@ -430,8 +524,21 @@ impl Run<'_> {
         first.iter().zip(replies).filter(is_broken).count() * 2 < first.len()
     }
 
-    /// Where the colors are wrong.
-    fn places(&mut self) -> Option<Vec<Place>> {
+    /// Some of the scenes whose colors are wrong, of each law as many.
+    fn broken(&self) -> Vec<Scene> {
+        // what is remembered has no place, and is the last law
+        let of_law = self.failures.range(..Law::NoMemory);
+        let of_law: Vec<&Vec<Failure>> = of_law.map(|(_, failures)| failures).collect();
+        let most = MOST_BROKEN / of_law.len().max(1);
+        let some = of_law.into_iter().flat_map(|failures| {
+            let count = failures.len().min(most);
+            (0..count).map(move |i| failures[i * failures.len() / count].case.scene.clone())
+        });
+        some.collect()
+    }
+
+    /// Where the colors of these scenes are wrong for a renderer that says this of itself.
+    fn places(&mut self, profile: &Profile, scenes: &[Scene]) -> Option<Vec<Place>> {
         if self.is_over {
             return None;
         }
@@ -443,17 +550,8 @@ impl Run<'_> {
         #[allow(clippy::cast_precision_loss)] // the count of scenes
         let most =
             (left / waited * self.asked as f64 / EDITS.len() as f64).clamp(2.0, 60.0) as usize;
-        // what is remembered has no place, and is the last law
-        let of_law = self.failures.range(..Law::NoMemory);
-        let of_law: Vec<&Vec<Failure>> = of_law.map(|(_, failures)| failures).collect();
-        let most = (most.min(place::MOST) / of_law.len().max(1)).max(1);
-        let mut scenes = Vec::new();
-        for failures in of_law {
-            let count = failures.len().min(most);
-            let some = (0..count).map(|i| &failures[i * failures.len() / count]);
-            scenes.extend(some.map(|failure| failure.case.scene.clone()));
-        }
-        let (profile, deadline) = (&self.plan.profile, self.deadline);
+        let (deadline, right) = (self.deadline, formula(profile, None));
+        let ratio = self.plan.profile.white / profile.white;
         let mut ask = |scenes: &[Scene]| {
             // with time left for the first experiment, what others would find is left out
             if deadline.is_some_and(|end| self.now() >= end) {
@@ -461,14 +559,34 @@ impl Run<'_> {
             }
             let mut are_wrong = Vec::new();
             for some in scenes.chunks(256) {
-                let case = |scene: &Scene| Case::new(scene.clone(), &self.right, false);
-                let cases: Vec<Case> = some.iter().map(case).collect();
-                let replies = self.replies(&cases)?;
-                let is_wrong = |(case, it): (_, &Vec<_>)| !self.judge(case, it).is_empty();
-                are_wrong.extend(cases.iter().zip(&replies).map(is_wrong));
+                let replies = self.ask(some)?;
+                let is_wrong = |(scene, reply): (&Scene, Triple)| {
+                    is_broken(&right, scene, reply.map(|c| c * ratio))
+                };
+                are_wrong.extend(some.iter().zip(replies).map(is_wrong));
             }
             Some(are_wrong)
         };
-        place::places(&scenes, profile, &mut ask)
+        place::places(scenes, most.min(place::MOST), profile, &mut ask)
     }
+}
+
+/// Whether a color breaks a law by itself.
+fn is_broken(right: &Formula, scene: &Scene, reply: Triple) -> bool {
+    let linear = right.linear(scene);
+    let mut alone = Law::ALL.into_iter().filter(|law| *law != Law::NoMemory);
+    alone.any(|law| law.broken(right, linear, &[reply]).is_some())
+}
+
+/// Where the colors would be wrong if nothing else were wrong than what a profile says in addition.
+fn places_of_mistake(scenes: &[Scene], profile: &Profile, then: &Profile) -> Vec<Place> {
+    let (right, wrong) = (formula(profile, None), formula(then, None));
+    let ratio = then.white / profile.white;
+    let is_wrong = |scene: &Scene| {
+        let reply = wrong.reply(scene).map(|c| c * ratio);
+        is_broken(&right, scene, reply)
+    };
+    let scenes: Vec<Scene> = scenes.iter().filter(|it| is_wrong(it)).cloned().collect();
+    let mut ask = |scenes: &[Scene]| Some(scenes.iter().map(is_wrong).collect());
+    place::places(&scenes, place::MOST, profile, &mut ask).unwrap_or_default()
 }

@@ -265,7 +265,7 @@ fn run(profile: &Profile, seed: u64, cases: usize, color: impl FnMut(&Scene) -> 
     let laws = Laws {
         seed,
         cases,
-        shrinks: 0,
+        shrinks: false,
         ..Laws::default()
     };
     laws.run(&mut from_fn(profile.clone(), color))

@@ -89,6 +89,16 @@ impl Fault {
         formula(&profile, Some(*self)).reply(scene)
     }
 
+    /// Those that change an ingredient.
+    pub(crate) fn exact() -> impl Iterator<Item = Self> {
+        Self::all().filter(|fault| !fault.mistake.is_rough())
+    }
+
+    /// Those that compute all ingredients with fewer digits.
+    pub(crate) fn rough() -> impl Iterator<Item = Self> {
+        Self::all().filter(|fault| fault.mistake.is_rough())
+    }
+
     /// Every mistake with every number that is tried for it.
     pub(crate) fn all() -> impl Iterator<Item = Self> {
         MISTAKES.iter().flat_map(|mistake| {

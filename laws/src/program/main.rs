@@ -8,7 +8,6 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use clap::builder::PossibleValuesParser;
 use clap::{Parser, Subcommand};
 use shading_laws::{Fault, Laws};
 
@@ -37,23 +36,19 @@ struct Arguments {
     /// The number of random scenes, beside the fixed ones
     #[arg(long, default_value = "1024")]
     cases: usize,
-    /// Try this law alone; may be repeated
-    #[arg(long = "law", value_name = "NAME", hide_possible_values = true)]
-    #[arg(value_parser = PossibleValuesParser::new(Laws::names().map(|(name, _)| name)))]
-    laws: Vec<String>,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
-    /// The most batches in which the smallest case of a broken law is looked for
-    #[arg(long, value_name = "N", default_value = "200")]
-    shrink: usize,
+    /// Show a broken case as it was found, without looking for a smaller one
+    #[arg(long)]
+    no_shrink: bool,
     /// The longest time of the run; a law of which not all cases are tried by then is no pass
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     time: Option<Duration>,
     /// The longest wait for the renderer's next line
     #[arg(long, value_name = "SECONDS", default_value = "10", value_parser = seconds)]
     timeout: Duration,
-    /// List the laws, and the departures that a profile may declare
+    /// List the departures that a profile may declare
     #[arg(long)]
     list: bool,
     #[command(subcommand)]
@@ -108,14 +103,8 @@ fn run(arguments: &Arguments) -> Outcome {
             Ok((text.into(), 0))
         }
         None if arguments.list => {
-            let lines = Laws::names().map(|(name, says)| format!("{name:17}  {says}\n"));
-            let laws: String = lines.collect();
             let lines = Fault::known().map(|fault| format!("{:25}  {fault}\n", fault.name()));
-            let departures: String = lines.collect();
-            Ok((
-                format!("{laws}\nDepartures, for \"departs\" of a profile:\n{departures}"),
-                0,
-            ))
+            Ok((lines.collect(), 0))
         }
         None => judged(arguments),
     }
@@ -126,8 +115,7 @@ fn judged(arguments: &Arguments) -> Outcome {
     let laws = Laws {
         seed: arguments.seed,
         cases: arguments.cases,
-        only: arguments.laws.clone(),
-        shrinks: arguments.shrink,
+        shrinks: !arguments.no_shrink,
         time: arguments.time,
         ..Laws::default()
     };
