@@ -123,6 +123,8 @@ impl Format {
     }
 }
 
+/// 2ᵖ, a normal number.
 fn two_to(power: i32) -> f64 {
-    2.0_f64.powi(power)
+    let exponent = u64::try_from(power + 1023).expect("a normal number");
+    f64::from_bits(exponent << 52)
 }

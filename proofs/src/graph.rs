@@ -1,6 +1,6 @@
 //! A formula as a graph: what each node computes, and from which earlier ones.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::format::Format;
 use super::range::Range;
@@ -28,29 +28,30 @@ pub enum Node {
 
 impl Node {
     /// The nodes that it is made of, and those that it tests.
-    #[must_use]
-    pub fn parts(self) -> Vec<u32> {
-        match self {
-            Self::Var(_) | Self::Constant(_) => vec![],
-            Self::Neg(a) | Self::Sqrt(a) | Self::Call(_, a) => vec![a],
+    pub fn parts(self) -> impl Iterator<Item = u32> {
+        let (test, parts) = match self {
+            Self::Var(_) | Self::Constant(_) => (None, [None; 2]),
+            Self::Neg(a) | Self::Sqrt(a) | Self::Call(_, a) => (None, [Some(a), None]),
             Self::Add(a, b)
             | Self::Sub(a, b)
             | Self::Mul(a, b)
             | Self::Div(a, b)
-            | Self::Power(a, b) => vec![a, b],
-            Self::Select(test, a, b) => [test.parts(), vec![a, b]].concat(),
-        }
+            | Self::Power(a, b) => (None, [Some(a), Some(b)]),
+            Self::Select(test, a, b) => (Some(test), [Some(a), Some(b)]),
+        };
+        let tested = test.into_iter().flat_map(Test::parts);
+        tested.chain(parts.into_iter().flatten())
     }
 }
 
 impl Test {
     /// The nodes that it compares.
-    #[must_use]
-    pub fn parts(self) -> Vec<u32> {
-        match self {
-            Self::Above(a, b) | Self::AtMost(a, b) | Self::Equal(a, b) => vec![a, b],
-            Self::Case(_) => vec![],
-        }
+    pub fn parts(self) -> impl Iterator<Item = u32> {
+        let parts = match self {
+            Self::Above(a, b) | Self::AtMost(a, b) | Self::Equal(a, b) => Some([a, b]),
+            Self::Case(_) => None,
+        };
+        parts.into_iter().flatten()
     }
 }
 
@@ -81,7 +82,7 @@ pub(super) type Sampler = Box<dyn FnMut(Range, &[f64]) -> f64>;
 pub struct Graph {
     pub format: Format,
     pub nodes: Vec<Node>,
-    index: HashMap<Node, u32>,
+    index: FxHashMap<Node, u32>,
     /// The variables, each with the values that it may have.
     pub names: Vec<(String, Range)>,
     /// The nodes' values, in a run with numbers.
@@ -98,9 +99,9 @@ impl Graph {
     /// Records a node in the one way in which it is written: what has the same bits by the rules of
     /// signs, and without a factor of 1 or −1.
     pub(super) fn node(&mut self, node: Node) -> u32 {
-        let parts = node.parts();
-        let of = |at: usize| parts.get(at).map(|id| self.nodes[*id as usize]);
-        match (node, of(0), of(1)) {
+        let mut parts = node.parts();
+        let mut next = || parts.next().map(|id| self.nodes[id as usize]);
+        match (node, next(), next()) {
             (
                 Node::Sub(a, ZERO) | Node::Mul(a, ONE) | Node::Mul(ONE, a) | Node::Div(a, ONE),
                 ..,
@@ -214,17 +215,19 @@ impl Graph {
         variables.collect()
     }
 
-    /// An empty graph but for the constants of [`Real`](shading::Real); with a sampler, for a run with numbers.
-    pub(super) fn new(format: Format, sampler: Option<Sampler>) -> Self {
-        let mut graph = Self {
-            format,
-            ..Self::default()
-        };
+    /// Empties the graph but for the constants of [`Real`](shading::Real); with a sampler, for a run with numbers.
+    /// It keeps its memory, because a claim runs with millions of numbers.
+    pub(super) fn restart(&mut self, format: Format, sampler: Option<Sampler>) {
+        self.format = format;
+        self.nodes.clear();
+        self.index.clear();
+        self.names.clear();
+        self.values.clear();
+        self.sampler = None;
         for constant in [0.0, 1.0, -1.0, format.max(), format.extreme()] {
-            graph.insert(Node::Constant(constant.to_bits()));
+            self.insert(Node::Constant(constant.to_bits()));
         }
-        graph.sampler = sampler;
-        graph
+        self.sampler = sampler;
     }
 
     /// Whether the nodes have values.

@@ -2,6 +2,7 @@
 
 mod claims;
 mod gappa;
+mod operands;
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +11,8 @@ use std::process::ExitCode;
 use claims::{By, CLAIMS, Claim};
 use shading_proofs::{Format, Verdict, judge, smt};
 
-const USAGE: &str = "claims | prove [CLAIM]… | queries FOLDER [CLAIM]… | bounds FOLDER [SHARE]";
+const USAGE: &str =
+    "claims | prove [CLAIM]… | queries FOLDER [CLAIM]… | bounds FOLDER [SHARE] | operands";
 const FORMATS: [Format; 2] = [Format::F32, Format::F64];
 
 fn main() -> ExitCode {
@@ -24,6 +26,10 @@ fn main() -> ExitCode {
         ["bounds", folder, share] => share
             .parse()
             .is_ok_and(|share| gappa::write(Path::new(folder), share).is_ok()),
+        ["operands"] => {
+            operands::print();
+            true
+        }
         _ => {
             eprintln!("{USAGE}");
             false

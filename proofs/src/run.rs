@@ -33,10 +33,11 @@ impl Run {
     /// Begins another run: with numbers, if there is a sampler.
     fn restart(&mut self, format: Format, sampler: Option<Sampler>) {
         *self = Self {
-            graph: Graph::new(format, sampler),
+            graph: std::mem::take(&mut self.graph),
             script: std::mem::take(&mut self.script),
             ..Self::default()
         };
+        self.graph.restart(format, sampler);
     }
 
     /// The answer that this path has given to a test.

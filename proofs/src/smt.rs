@@ -20,7 +20,12 @@ pub fn queries(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Vec<String
         // the other answer must not be possible
         for &(length, test, answer) in &run.answered {
             let other = assertion(test, !answer);
-            add(query(run, &run.path[..length], &test.parts(), &other));
+            add(query(
+                run,
+                &run.path[..length],
+                &test.parts().collect::<Vec<_>>(),
+                &other,
+            ));
         }
         match goals {
             None => add(query(run, &run.path, &[], "true")),

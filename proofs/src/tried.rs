@@ -2,9 +2,10 @@
 //! range that the rules derive for it, each answer of theirs must be that of the numbers, and each
 //! goal that they prove must hold.
 
-use std::cell::Cell;
-use std::collections::HashMap;
+use std::cell::RefCell;
 use std::rc::Rc;
+
+use rustc_hash::FxHashMap;
 
 use super::known::Known;
 use super::run::{Run, calculate};
@@ -30,30 +31,55 @@ fn derive(run: &Run, goals: &[Goal]) -> Derived {
     }
 }
 
+/// Numbers the inputs: the remainders by how many numbers each variable has say which of these it gets, and
+/// what is left when all have one ends the inputs.
+struct Inputs {
+    rest: usize,
+    numbers: Vec<f64>,
+    /// Those of each range, which are looked for once.
+    inside: Vec<(Range, Vec<f64>)>,
+}
+
+impl Inputs {
+    fn new(format: Format) -> Self {
+        Self {
+            rest: 0,
+            numbers: format.numbers(),
+            inside: Vec::new(),
+        }
+    }
+
+    fn next(&mut self, range: Range) -> f64 {
+        let known = self.inside.iter().position(|(known, _)| *known == range);
+        let at = known.unwrap_or_else(|| {
+            let inside = self.numbers.iter().copied();
+            let inside = inside.filter(|x| range.contains(*x)).collect();
+            self.inside.push((range, inside));
+            self.inside.len() - 1
+        });
+        let inside = &self.inside[at].1;
+        let choice = self.rest % inside.len();
+        self.rest /= inside.len();
+        inside[choice]
+    }
+}
+
 /// Tries a claim with every input. Returns how many values were compared.
 ///
 /// # Errors
 ///
 /// The first value, answer or goal that the rules get wrong.
 pub fn every(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Result<u64, String> {
-    let numbers = Rc::new(format.numbers());
-    // the input: the remainders by how many numbers each variable has; what is left when all have
-    // one ends the inputs
-    let rest = Rc::new(Cell::new(0));
-    let mut derived: HashMap<Vec<(Test, bool)>, Derived> = HashMap::new();
+    let inputs = Rc::new(RefCell::new(Inputs::new(format)));
+    let mut derived: FxHashMap<Vec<(Test, bool)>, Derived> = FxHashMap::default();
     let (mut compared, mut wrong) = (0, None);
     for input in 0_usize.. {
-        rest.set(input);
-        let (choices, numbers) = (rest.clone(), numbers.clone());
-        let sampler = move |range: Range, _: &[f64]| {
-            let mut inside = numbers.iter().filter(|x| range.contains(**x));
-            let (input, count) = (choices.get(), inside.clone().count());
-            choices.set(input / count);
-            *inside.nth(input % count).expect("a number of the range")
-        };
+        inputs.borrow_mut().rest = input;
+        let choices = inputs.clone();
+        let sampler = move |range: Range, _: &[f64]| choices.borrow_mut().next(range);
         let formula = || claim(Given(format));
         calculate(format, Box::new(sampler), &[], &formula, |run, goals| {
-            if rest.get() > 0 {
+            if inputs.borrow().rest > 0 {
                 return;
             }
             if !derived.contains_key(&run.path) {
@@ -85,7 +111,7 @@ pub fn every(format: Format, claim: impl Fn(Given) -> Vec<Goal>) -> Result<u64, 
         if let Some(wrong) = wrong {
             return Err(wrong);
         }
-        if rest.get() > 0 {
+        if inputs.borrow().rest > 0 {
             return Ok(compared);
         }
     }

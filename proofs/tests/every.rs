@@ -4,7 +4,6 @@
 
 #![allow(clippy::float_cmp, clippy::cast_possible_truncation)] // bits are compared, and lanes are eight
 
-use kit::random::Random;
 use shading::fixed::Fixed;
 use shading::number::Mask;
 use shading::{Attenuation, Cone, Lobe, Real, Rgb, Vec3};
@@ -194,56 +193,6 @@ fn lengths_of_fixed_point() {
             "{x}: {length}"
         );
     }
-}
-
-/// What products, dot products and sums over a light give, for `fixed.py` to compare with.
-#[test]
-fn operands_of_fixed_point() {
-    let mut random = Random(1);
-    let mut next = || {
-        let edges = [
-            0,
-            1,
-            -1,
-            1 << 15,
-            1 << 16,
-            -(1 << 16),
-            (1 << 16) + 1,
-            i32::MAX,
-            i32::MIN,
-            i32::MIN + 1,
-        ];
-        match random.below(4) {
-            0 => edges[random.below(edges.len())],
-            _ => random.fixed().to_bits(),
-        }
-    };
-    let of = Fixed::from_bits;
-    for _ in 0..1000 {
-        let [a, b, c, x, y, z] = core::array::from_fn(|_| next());
-        println!(
-            "(= (mul #x{a:08x} #x{b:08x}) #x{:08x})",
-            (of(a) * of(b)).to_bits()
-        );
-        let dot = Real::dot(Vec3::new(a, b, c).map(of), Vec3::new(x, y, z).map(of)).to_bits();
-        println!(
-            "(= (dot #x{a:08x} #x{b:08x} #x{c:08x} #x{x:08x} #x{y:08x} #x{z:08x}) #x{dot:08x})"
-        );
-        println!(
-            "(= (lit #x{a:08x} #x{b:08x}) #x{:08x})",
-            lit(of(a), of(b)).to_bits()
-        );
-    }
-}
-
-/// The sum over one light.
-fn lit(light: Fixed, cosine: Fixed) -> Fixed {
-    use shading::number::{Dimmed, LightSum};
-    let (color, factor) = (Rgb::gray(light), Fixed::ONE);
-    <Fixed as Real>::Sum::DARK
-        .add(Dimmed { color, factor }, cosine)
-        .total()
-        .r
 }
 
 /// How many cosines a power is the product of. Its only operation that counts is the product; a square root halves.

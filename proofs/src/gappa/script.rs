@@ -128,7 +128,7 @@ impl<'a> Script<'a> {
 
     fn parts(&mut self, id: u32) -> Vec<u32> {
         let parts = self.node(id).parts();
-        parts.into_iter().map(|part| self.plain(part)).collect()
+        parts.map(|part| self.plain(part)).collect()
     }
 
     /// The nodes below one, each after its parts.
