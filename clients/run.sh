@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Checks the clients, or some of them: `run.sh [programs] [chip] [languages] [page] [gpu] [packages] [javascript] [bench]`.
+# Checks the clients, or some of them:
+# `run.sh [programs] [chip] [languages] [page] [gpu] [packages] [javascript] [bench] [firefox]`.
 # Without a name, it checks the first four: `gpu` compiles wgpu. `packages` builds what a
-# release of the languages consists of, `javascript` tries the npm package in versions of Node.js, a bundler and a browser, and
-# `bench` measures beside NumPy, numba and jax. Installs what is missing. PICTURES names a folder for the
-# pages' screenshots.
+# release of the languages consists of, `javascript` tries the npm package in versions of Node.js, a bundler and a browser,
+# `bench` measures beside NumPy, numba and jax, and `firefox` tries the page of exercises in that browser. Installs what is
+# missing. PICTURES names a folder for the pages' screenshots.
 set -euo pipefail
 cd "$(dirname "$0")"
 . ../.ci/toolchain
@@ -160,6 +161,15 @@ draws_the_same() {
     "${@:2}" "$built/languages/from-$1"
     cmp "$built/languages/from-$1" "$built/languages/expected"
     echo "$1: every bit is the crate's"
+}
+
+# the page of exercises in Firefox
+firefox() {
+    command -v firefox-esr >/dev/null || install_packages firefox-esr
+    command -v npm >/dev/null || install_packages nodejs npm
+    (cd web/test && npm ci --silent --no-audit --no-fund)
+    web/build.sh
+    node web/test/firefox.mjs
 }
 
 # the pages in a browser

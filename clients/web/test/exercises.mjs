@@ -4,6 +4,7 @@ import { readdir, readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { ALSO_RIGHT, WRONG } from "./answers.mjs";
+import { delayed, lambert, later, refusal, refused } from "./ways_out.mjs";
 import { browser, close, folder, home, is_accessible, open, PHONE, requests } from "./site.mjs";
 import { FORMULAS, NORMALS } from "../site/exercises/exercises.js";
 import { PLANTED, planted, RENDERER } from "../site/exercises/renderer.js";
@@ -180,7 +181,6 @@ const quick = ({ first, ms }) => {
 }
 
 // ---- what a student's code must not be able to
-const lambert = (line) => `function lambert(n, l) {\n  ${line}\n}\n`;
 
 {
   const page = await exercises("#lambert");
@@ -220,30 +220,11 @@ onmessage = ({ ports }) => ports[0].postMessage({ report: { passes: true, laws: 
   const page = await browser.newPage();
   await page.goto(`${home}exercises/#lambert`);
   await page.waitForSelector("html[data-drawn]");
-  const refused = {
-    "eval(\"1\")": /EvalError/,
-    "new Function(\"return 1\")()": /EvalError/,
-    [`importScripts("${home}exercises/page.js?leak")`]: /NetworkError/,
-    "importScripts(\"data:text/javascript,1\")": /NetworkError/,
-    "localStorage.length": /ReferenceError/,
-    "document.cookie": /ReferenceError/,
-    [`const x = new XMLHttpRequest(); x.open("GET", "${home}?leak=xhr", false); x.send()`]: /NetworkError/,
-  };
   for (const [code, words] of Object.entries(refused)) {
-    const body = `let how = "allowed";\n  try { ${code}; } catch (e) { how = String(e); }\n  throw new Error(how);`;
-    assert.match((await attempt(page, "lambert", lambert(body))).headline, words, code);
+    assert.match((await attempt(page, "lambert", refusal(code))).headline, words, code);
   }
-  // what would only be sent later: the worker is kept alive for a while
-  const later = [
-    `fetch("${home}?leak=fetch")`, `fetch("${home}?leak=keepalive", { keepalive: true })`,
-    `fetch("https://example.org/?leak")`, `import("${home}exercises/page.js?leak=import")`,
-    `new EventSource("${home}?leak=events")`, `new WebSocket("${home.replace("http", "ws")}?leak=socket")`,
-    `new Worker(URL.createObjectURL(new Blob(["fetch('${home}?leak=worker')"])))`,
-    `navigator.sendBeacon?.("${home}?leak=beacon")`,
-  ];
   for (const code of later) {
-    const body = "const end = Date.now() + 400;\n  while (Date.now() < end);\n  throw new Error(\"end\");";
-    const { headline } = await attempt(page, "lambert", `try { ${code}; } catch {}\n${lambert(body)}`);
+    const { headline } = await attempt(page, "lambert", delayed(code));
     assert.match(headline, /Error: end/, code);
   }
   await new Promise((passed) => setTimeout(passed, 500));

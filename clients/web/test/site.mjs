@@ -1,32 +1,12 @@
-// Serves the built site, and opens its pages in Chromium. Errors and foreign requests fail the test.
+// Opens pages of the built site in Chromium. Errors and foreign requests fail the test.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
-import { createServer } from "node:http";
 import { createRequire } from "node:module";
-import { extname, join } from "node:path";
 import { chromium } from "playwright-core";
+import { home, server } from "./server.mjs";
 
-export const folder = new URL("../../target/web/", import.meta.url).pathname;
+export { folder, home, requests } from "./server.mjs";
 export const PHONE = { viewport: { width: 390, height: 844 }, hasTouch: true };
 const axe = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
-const TYPES = { ".html": "text/html", ".css": "text/css", ".js": "text/javascript", ".png": "image/png" };
-
-/** What was asked of the server. */
-export const requests = [];
-const server = createServer(async ({ url }, response) => {
-  requests.push(url);
-  const { pathname } = new URL(url, "http://localhost");
-  try {
-    const name = pathname.endsWith("/") ? `${pathname}index.html` : pathname;
-    const body = await readFile(join(folder, name));
-    response.writeHead(200, { "content-type": TYPES[extname(name)] ?? "application/octet-stream" });
-    response.end(body);
-  } catch {
-    response.writeHead(404).end();
-  }
-}).listen(0, "localhost");
-await new Promise((listening) => server.once("listening", listening));
-export const home = `http://localhost:${server.address().port}/`;
 
 export const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",

@@ -23,12 +23,12 @@ const GENERAL = {
 
 /** What a learner may ask himself, by the name of the mistake in the laws' table. */
 const ASKS = {
-  NormalNotNormalized: "A cosine needs vectors of length 1. What length has the N that is used?",
+  NormalNotNormalized: "A cosine needs vectors of length 1. How long is the N that the code uses?",
   NormalReversed: "Which side of the surface does N point to?",
-  NormalTowardEye: "What should be where N·L is below 0?",
-  ViewNotNormalized: "A cosine needs vectors of length 1. What length has V?",
+  NormalTowardEye: "How bright should the surface be where N·L is below 0?",
+  ViewNotNormalized: "A cosine needs vectors of length 1. How long is V?",
   ViewReversed: "V points from the surface to the eye. Where does yours point?",
-  LightNotNormalized: "A cosine needs vectors of length 1. What length has L?",
+  LightNotNormalized: "A cosine needs vectors of length 1. How long is L?",
   LightReversed: "L points from the surface to the light. Where does yours point?",
   PointForgotten: "L begins at the point p. Where does yours begin?",
   FastInverseRoot: "How precise is the length that the vectors get?",
@@ -48,7 +48,7 @@ const ASKS = {
   ShininessTimes: "What is the exponent of the highlight?",
   NormalizedByEight: "How bright should the middle of the highlight be?",
   HighlightTimesCosine: "Does the highlight of the formula have a factor N·L?",
-  AmbientPerLight: "How often should the ambient light be added if there are three lamps?",
+  AmbientPerLight: "How many times should the ambient light be added if there are three lamps?",
   AmbientTimesDiffuse: "Which reflectance belongs to the ambient light?",
   UnlitWithoutLights: "What should be seen in a scene without lamps?",
   LightsAtMost: "Is every lamp looked at?",
