@@ -150,8 +150,8 @@ pictures=$(cargo run --quiet --release --bin frame --features ball)
 approximate=$([ "${1-}" != approximate ] || echo f32_by_micromath)
 # bytes and thousands of instructions
 declare -A limit=(
-    [$m4f fixed]="3500 22100" [$m0 fixed]="5050 75000" [$riscv fixed]="4750 33000"
-    [$m4f f32]="2460 12000" [$m0 f32]="5750 386000" [$riscv f32]="7120 200000"
+    [$m4f fixed]="3500 21800" [$m0 fixed]="5030 74000" [$riscv fixed]="4750 30600"
+    [$m4f f32]="2120 11800" [$m0 f32]="5570 380000" [$riscv f32]="6930 194000"
 )
 declare -A flash_of thousands
 for target in $m4f $m0 $riscv; do
