@@ -170,7 +170,6 @@ macro_rules! encoded {
         /// The [`total`](crate::Shaded::total), encoded for a picture or a display.
         impl $crate::Shaded<$number> {
             /// The total as sRGB bytes; see [`Rgb::<f32>::to_srgb8`](crate::Rgb::<f32>::to_srgb8).
-            #[doc(alias("gamma", "encode"))]
             #[inline]
             #[must_use]
             pub fn to_srgb8(self) -> [u8; 3] {
@@ -178,7 +177,6 @@ macro_rules! encoded {
             }
 
             /// The total as sRGB with five, six and five bits; see [`Rgb::<f32>::to_rgb565`](crate::Rgb::<f32>::to_rgb565).
-            #[doc(alias = "encode")]
             #[inline]
             #[must_use]
             pub fn to_rgb565(self) -> u16 {
@@ -186,7 +184,6 @@ macro_rules! encoded {
             }
 
             /// The total as bytes, not encoded; see [`Rgb::<f32>::to_linear8`](crate::Rgb::<f32>::to_linear8).
-            #[doc(alias = "quantize")]
             #[inline]
             #[must_use]
             pub fn to_linear8(self) -> [u8; 3] {
