@@ -182,7 +182,7 @@ done
 
 echo "== flash of a program with one sum, and with five"
 declare -A sites=(
-    [$m4f fixed]="3350 10250" [$m0 fixed]="5150 12700" [$riscv fixed]="5300 14000"
+    [$m4f fixed]="3350 10250" [$m0 fixed]="5190 12700" [$riscv fixed]="5300 14200"
     [$m4f f32]="1650 6500" [$m0 f32]="5250 11200" [$riscv f32]="6350 13200"
 )
 for target in $m4f $m0 $riscv; do
