@@ -23,7 +23,7 @@ enum shading_status {
     SHADING_OVERLAP = 4,      /* the output overlaps an input */
     SHADING_COUNT = 5,        /* a number of values or a switch is none of those allowed */
     SHADING_MODEL = 6,        /* there is no such model */
-    SHADING_POINTS = 7,       /* a coordinate of points or vertices is not finite */
+    SHADING_POINTS = 7,       /* a coordinate of points or vertices is not finite, or is outside of the grid of implicit */
     SHADING_NORMALS = 8,      /* a coordinate of normals is not finite */
     SHADING_EYE = 9,          /* a coordinate of eye is not finite */
     SHADING_REFLECTANCE = 10, /* k_a, k_d or k_s is negative or not finite, or all are 0 */
@@ -40,9 +40,10 @@ enum shading_status {
     SHADING_ANGLES = 21,      /* inner and outer are not half-angles in radians, 0 <= inner <= outer <= pi */
     SHADING_GLTF = 22,        /* gltf is neither 0 nor 1 */
     SHADING_HEIGHTS = 23,     /* a height is not finite */
-    SHADING_STEP = 24,        /* dx or dy is 0 or not finite */
+    SHADING_STEP = 24,        /* dx, dy or dz is 0 or not finite */
     SHADING_FACES = 25,       /* a face has an index that is not a vertex's */
-    SHADING_CREASE = 26       /* crease is not an angle in radians, 0 <= crease <= pi */
+    SHADING_CREASE = 26,      /* crease is not an angle in radians, 0 <= crease <= pi */
+    SHADING_VALUES = 27       /* a value of implicit is not finite */
 };
 
 enum shading_model { SHADING_LAMBERT = 0, SHADING_PHONG = 1, SHADING_BLINN_PHONG = 2 };
@@ -142,6 +143,18 @@ int32_t shading_height_field(size_t rows, size_t columns, const float *z, float 
        triangle. */
 int32_t shading_mesh_normals(size_t count, const float *vertices, size_t face_count, const uint32_t *faces, float crease,
                              float *out, shading_error *error);
+
+/* The unit normals of an implicit surface, on which a field of values is constant, at points of it. They point to where
+   the values grow. They are approximate: the gradient at the nodes of the grid is that of central differences, and is
+   interpolated in between. A point at which the gradient is 0 has the normal 0. Whoever knows the exact gradient passes it
+   to shading_shade, whose normals have any length.
+
+   values: layers * rows * columns floats, row by row and layer by layer. The first is at the point (0, 0, 0).
+   dx, dy, dz: what x grows by from a column to the next, y from a row to the next, and z from a layer to the next.
+   points: 3 * count floats, in the grid.
+   out: 3 * count floats. */
+int32_t shading_implicit(size_t layers, size_t rows, size_t columns, const float *values, float dx, float dy, float dz,
+                         size_t count, const float *points, float *out, shading_error *error);
 
 #ifdef __cplusplus
 }

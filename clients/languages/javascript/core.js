@@ -39,6 +39,7 @@ function options(name, defaults, given) {
 
 const isArray = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 const isNumber = (value) => typeof value === "number";
+const isCount = (value) => Number.isInteger(value) && value >= 0;
 
 /** Every element is a number, also where an array has holes. */
 function areNumbers(value) {
@@ -250,7 +251,7 @@ export async function instance(module) {
     const { z, columns, dx, dy } = options("heightField", { z: undefined, columns: undefined, dx: 1, dy: 1 }, given);
     if (!isArray(z) || !areNumbers(z)) throw wrong("z", "an array of numbers", z);
     const rows = z.length / columns;
-    if (!Number.isInteger(columns) || !Number.isInteger(rows)) {
+    if (!isCount(columns) || !isCount(rows)) {
       const expected = `a whole number that divides ${z.length}, the number of heights`;
       throw new RangeError(`columns: expected ${expected}, got ${shown(columns)}`);
     }
@@ -258,6 +259,25 @@ export async function instance(module) {
       const error = out + 12 * z.length;
       if (wasm.shading_height_field(rows, columns, heights, number("dx", dx), number("dy", dy), out, error)) refuse(error);
       return new Float32Array(memory.buffer, out, 3 * z.length).slice();
+    });
+  }
+
+  function implicit(given) {
+    const defaults = { values: undefined, rows: undefined, columns: undefined, points: undefined, dx: 1, dy: 1, dz: 1 };
+    const { values, rows, columns, points, dx, dy, dz } = options("implicit", defaults, given);
+    if (!isArray(values) || !areNumbers(values)) throw wrong("values", "an array of numbers", values);
+    triples("points", points);
+    const layers = values.length / (rows * columns);
+    if (![rows, columns, layers].every(isCount)) {
+      const expected = `whole numbers whose product divides ${values.length}, the number of values`;
+      throw new RangeError(`rows, columns: expected ${expected}, got ${shown(rows)} and ${shown(columns)}`);
+    }
+    const steps = Object.entries({ dx, dy, dz }).map(([name, step]) => number(name, step));
+    const size = points.length;
+    return call([values, points], size + ERROR, (v, p, out) => {
+      const error = out + 4 * size;
+      if (wasm.shading_implicit(layers, rows, columns, v, ...steps, size / 3, p, out, error)) refuse(error);
+      return new Float32Array(memory.buffer, out, size).slice();
     });
   }
 
@@ -286,7 +306,7 @@ export async function instance(module) {
 
   const toSrgb8 = (colors) => encoded(colors, 3, wasm.shading_to_srgb8);
   const toSrgba8 = (colors) => encoded(colors, 4, wasm.shading_to_srgba8);
-  return { shade, toSrgb8, toSrgba8, fromSrgb8, heightField, meshNormals, memory };
+  return { shade, toSrgb8, toSrgba8, fromSrgb8, heightField, implicit, meshNormals, memory };
 }
 
 /** The words of `shading_scene`, whose pointers have 4 bytes here. */

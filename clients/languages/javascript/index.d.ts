@@ -93,6 +93,15 @@ export interface Shading {
    */
   heightField(field: { z: Triples; columns: number; dx?: number; dy?: number }): Float32Array;
   /**
+   * The unit normals of an implicit surface, on which a field of values is constant, at points of it. They point to where the
+   * values grow. The values stand row by row and layer by layer, the first at (0, 0, 0); x grows by `dx` from a column to the next,
+   * y by `dy` from a row to the next, and z by `dz` from a layer to the next. The normals are approximate: the gradient at the nodes
+   * is that of central differences, and is interpolated in between. If you know the gradient, pass it to `shade` as the normals.
+   */
+  implicit(surface: {
+    values: Triples; rows: number; columns: number; points: Triples; dx?: number; dy?: number; dz?: number;
+  }): Float32Array;
+  /**
    * The unit normals of a mesh of triangles, counter-clockwise as seen from outside: one for each vertex. With a crease, the
    * greatest angle in radians between triangles that are one smooth surface, there is one for each corner of each triangle.
    */

@@ -6,6 +6,7 @@ use std::slice::from_ref;
 
 use shading::f32::Rgb;
 
+use crate::implicit::Grid;
 use crate::kernel::{Out, shade_all};
 use crate::light::Light;
 use crate::normals;
@@ -367,6 +368,43 @@ pub unsafe extern "C" fn shading_mesh_normals(
                 let corners = output(out, face_count.saturating_mul(3), &taken)?;
                 normals::of_corners(vertices, faces, crease, corners.as_chunks_mut().0);
             }
+            Ok(())
+        };
+        report(normals(), error)
+    }
+}
+
+/// # Safety
+///
+/// Each pointer that is not null must be valid for as many numbers as `shading.h` says.
+#[allow(clippy::too_many_arguments)] // as C has them
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn shading_implicit(
+    layers: usize,
+    rows: usize,
+    columns: usize,
+    values: *const f32,
+    dx: f32,
+    dy: f32,
+    dz: f32,
+    count: usize,
+    points: *const [f32; 3],
+    out: *mut [f32; 3],
+    error: *mut Error,
+) -> i32 {
+    let nodes = layers.saturating_mul(rows).saturating_mul(columns);
+    // SAFETY: as the caller promises
+    unsafe {
+        let normals = || {
+            let (values, points) = (input(values, nodes)?, input(points, count)?);
+            let grid = Grid {
+                values,
+                counts: [columns, rows, layers],
+                steps: [dx, dy, dz],
+            };
+            grid.check(points)?;
+            let taken = [addresses(values), addresses(points)];
+            grid.normals(points, output(out, count, &taken)?);
             Ok(())
         };
         report(normals(), error)

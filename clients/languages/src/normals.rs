@@ -6,13 +6,21 @@ use crate::light::is_finite;
 use crate::number::Number;
 use crate::problem::{Problem, Status, triple};
 
-pub fn check_field<T: Number>(z: &[T], dx: T, dy: T) -> Result<(), Problem> {
-    for (name, step) in [("dx", dx), ("dy", dy)] {
+pub fn check_steps<T: Number, const N: usize>(
+    names: [&str; N],
+    steps: [T; N],
+) -> Result<(), Problem> {
+    for (name, step) in names.into_iter().zip(steps) {
         if !is_finite(step) || step == T::ZERO {
             let expected = "a finite number that is not 0";
             return Err(Problem::new(Status::Step, name, expected, step));
         }
     }
+    Ok(())
+}
+
+pub fn check_field<T: Number>(z: &[T], dx: T, dy: T) -> Result<(), Problem> {
+    check_steps(["dx", "dy"], [dx, dy])?;
     match z.iter().position(|&z| !is_finite(z)) {
         None => Ok(()),
         Some(i) => {
@@ -23,7 +31,7 @@ pub fn check_field<T: Number>(z: &[T], dx: T, dy: T) -> Result<(), Problem> {
 }
 
 /// The slope at the middle of three heights, or at an end of them. It is exact for parabolas.
-fn slope<T: Number>(z: impl Fn(usize) -> T, i: usize, count: usize, step: T) -> T {
+pub fn slope<T: Number>(z: impl Fn(usize) -> T, i: usize, count: usize, step: T) -> T {
     let two = T::ONE + T::ONE;
     let difference = match count {
         0 | 1 => return T::ZERO,
@@ -84,7 +92,7 @@ fn corners<T: Number>(vertices: &[[T; 3]], face: [u32; 3]) -> [Vec3<T>; 3] {
     ]
 }
 
-fn unit_or_zero<T: Number>(sum: Vec3<T>) -> [T; 3] {
+pub fn unit_or_zero<T: Number>(sum: Vec3<T>) -> [T; 3] {
     sum.unit().map_or([T::ZERO; 3], |n| (*n).into())
 }
 

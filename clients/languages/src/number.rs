@@ -22,6 +22,9 @@ pub trait Number:
 
     /// A whole shininess as an integer, which is faster.
     fn whole(self) -> Option<u32>;
+
+    /// The greatest integer that is not above a positive number; otherwise 0.
+    fn floor(self) -> usize;
 }
 
 macro_rules! numbers {
@@ -44,6 +47,11 @@ macro_rules! numbers {
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a whole number
             fn whole(self) -> Option<u32> {
                 (self.fract() == 0.0 && (0.0..65_536.0).contains(&self)).then_some(self as u32)
+            }
+
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // as it says
+            fn floor(self) -> usize {
+                self as usize
             }
         }
 

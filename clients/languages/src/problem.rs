@@ -33,10 +33,11 @@ pub enum Status {
     Step,
     Faces,
     Crease,
+    Values,
 }
 
 /// The sentence of each status, in the order of [`Status`]. They end in a zero byte, for C.
-const TEXTS: [&str; 27] = [
+const TEXTS: [&str; 28] = [
     "no error\0",
     "a pointer is null, and its buffer is not empty\0",
     "a pointer to floats or structures is not a multiple of 4\0",
@@ -44,7 +45,7 @@ const TEXTS: [&str; 27] = [
     "the output overlaps an input\0",
     "an array has too few or too many values\0",
     "model: there is no such model\0",
-    "points: a coordinate is not finite\0",
+    "points: a coordinate is not finite, or is outside of the grid\0",
     "normals: a coordinate is not finite\0",
     "eye: a coordinate is not finite\0",
     "k_a, k_d, k_s: a reflectance is negative or not finite, or there is none\0",
@@ -61,9 +62,10 @@ const TEXTS: [&str; 27] = [
     "inner, outer: they are not half-angles in radians, 0 <= inner <= outer <= pi\0",
     "gltf: it is neither 0 nor 1\0",
     "z: a height is not finite\0",
-    "dx, dy: a step is 0 or not finite\0",
+    "dx, dy, dz: a step is 0 or not finite\0",
     "faces: an index is not that of a vertex\0",
     "crease: it is not an angle in radians, 0 <= crease <= pi\0",
+    "values: a value is not finite\0",
 ];
 
 /// The sentence of a status, with a zero byte at its end.

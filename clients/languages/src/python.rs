@@ -2,11 +2,12 @@
 //! brings the arrays into shape and explains the functions. Here, every array is contiguous and has
 //! as many rows as there are points, or one.
 
-use numpy::{Element, PyArray1, PyReadonlyArray1, PyReadonlyArray2};
+use numpy::{Element, PyArray1, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::c::rgba;
+use crate::implicit::Grid;
 use crate::kernel::{Out, shade_all};
 use crate::light::Light;
 use crate::normals;
@@ -120,6 +121,26 @@ fn field<'py, T: Number + Element>(
     })
 }
 
+fn implicit<'py, T: Number + Element>(
+    py: Python<'py>,
+    values: &PyReadonlyArray3<'py, T>,
+    points: &PyReadonlyArray2<'py, T>,
+    steps: [T; 3],
+) -> PyResult<Bound<'py, PyArray1<T>>> {
+    let (layers, rows, columns) = values.as_array().dim();
+    let points = triples(points)?;
+    let grid = Grid {
+        values: values.as_slice()?,
+        counts: [columns, rows, layers],
+        steps,
+    };
+    filled(py, 3 * points.len(), |out| {
+        grid.check(points)?;
+        grid.normals(points, out.as_chunks_mut().0);
+        Ok(())
+    })
+}
+
 fn mesh<'py, T: Number + Element>(
     py: Python<'py>,
     vertices: &PyReadonlyArray2<'py, T>,
@@ -142,7 +163,7 @@ fn mesh<'py, T: Number + Element>(
 }
 
 macro_rules! kernels {
-    ($($float:ident: $shade:ident, $field:ident, $mesh:ident);*) => {$(
+    ($($float:ident: $shade:ident, $field:ident, $implicit:ident, $mesh:ident);*) => {$(
         #[pyfunction]
         #[pyo3(signature = (model, count, lights, points, normals, eye, k_a, k_d, k_s, ambient, m, visible, parts))]
         #[allow(clippy::too_many_arguments, clippy::needless_pass_by_value)]
@@ -179,6 +200,17 @@ macro_rules! kernels {
         }
 
         #[pyfunction]
+        #[allow(clippy::needless_pass_by_value)]
+        fn $implicit<'py>(
+            py: Python<'py>,
+            values: PyReadonlyArray3<'py, $float>,
+            points: PyReadonlyArray2<'py, $float>,
+            steps: [$float; 3],
+        ) -> PyResult<Bound<'py, PyArray1<$float>>> {
+            implicit(py, &values, &points, steps)
+        }
+
+        #[pyfunction]
         #[pyo3(signature = (vertices, faces, crease))]
         #[allow(clippy::needless_pass_by_value)]
         fn $mesh<'py>(
@@ -191,7 +223,10 @@ macro_rules! kernels {
         }
     )*};
 }
-kernels!(f32: shade_f32, field_f32, mesh_f32; f64: shade_f64, field_f64, mesh_f64);
+kernels!(
+    f32: shade_f32, field_f32, implicit_f32, mesh_f32;
+    f64: shade_f64, field_f64, implicit_f64, mesh_f64
+);
 
 /// Refuses what is not a light.
 #[pyfunction]
@@ -249,7 +284,7 @@ fn from_srgb8<'py>(
 mod module {
     #[pymodule_export]
     use super::{
-        check_light, field_f32, field_f64, from_srgb8, mesh_f32, mesh_f64, shade_f32, shade_f64,
-        to_srgb8, to_srgba8,
+        check_light, field_f32, field_f64, from_srgb8, implicit_f32, implicit_f64, mesh_f32,
+        mesh_f64, shade_f32, shade_f64, to_srgb8, to_srgba8,
     };
 }

@@ -8,7 +8,7 @@ import { directional, load, point, spot } from "shading";
 
 const LIGHTS = { directional, point, spot };
 const shading = await load();
-const { shade, toSrgb8, toSrgba8, fromSrgb8, heightField, meshNormals } = shading;
+const { shade, toSrgb8, toSrgba8, fromSrgb8, heightField, implicit, meshNormals } = shading;
 const path = process.env.INTERFACE ?? new URL("../../interface.json", import.meta.url);
 // JSON has neither NaN nor infinity
 const INTERFACE = JSON.parse(readFileSync(path, "utf8"), (_, value) => ({ nan: NaN, inf: Infinity })[value] ?? value);
@@ -19,8 +19,13 @@ const made = (light) => {
 };
 const flat = (value) => Array.isArray(value) ? value.flat(2) : value;
 
-function called({ change, leave_out: without, light, height_field: field, mesh_normals: mesh }) {
+function called({ change, leave_out: without, light, height_field: field, implicit: surface, mesh_normals: mesh }) {
   if (field) return heightField({ ...field, z: flat(field.z), columns: field.z[0].length });
+  if (surface) {
+    const { values, points } = surface;
+    const [rows, columns] = [values[0].length, values[0][0].length];
+    return implicit({ ...surface, values: flat(values), rows, columns, points: flat(points) });
+  }
   if (mesh) return meshNormals({ ...mesh, vertices: flat(mesh.vertices), faces: flat(mesh.faces) });
   const { lights, ...rest } = { ...INTERFACE.base, ...change };
   const scene = Object.fromEntries(Object.entries(rest).map(([name, value]) => [name, flat(value)]));
@@ -116,7 +121,16 @@ const WRONG = {
   "colors: expected linear light, where 1 is white": () => toSrgb8(new Uint8Array(3)),
   "texture: expected a Uint8Array, got [1,2,3]": () => fromSrgb8([1, 2, 3]),
   "columns: expected a whole number that divides 4, the number of heights, got 3": () => heightField({ z: [0, 0, 0, 0], columns: 3 }),
-  "columns: expected a whole number that divides 4": () => heightField({ z: [0, 0, 0, 0] }),
+  "columns: expected a whole number that divides 4, the number of heights, got -4": () => heightField({
+    z: [0, 0, 0, 0], columns: -4,
+  }),
+  "columns: expected a whole number that divides 4, the number of heights, got undefined": () => heightField({ z: [0, 0, 0, 0] }),
+  "rows, columns: expected whole numbers whose product divides 8, the number of values, got 3 and 2": () => implicit({
+    values: Array(8).fill(0), rows: 3, columns: 2, points: [],
+  }),
+  "rows, columns: expected whole numbers whose product divides 2, the number of values, got undefined": () => implicit({
+    values: [0, 1], points: [],
+  }),
   "faces: expected indices below 3, the number of vertices, got -1 at [0]": () => meshNormals({
     vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0], faces: [0, 1, -1],
   }),

@@ -71,17 +71,16 @@ def is_single(*arrays: npt.NDArray[Any]) -> bool:
     return all(array.dtype == np.float32 for array in arrays)
 
 
-def called(kernel: Callable[..., Any], *arguments: Any, grid: tuple[int, ...]) -> Any:
-    """What the kernel returns. If it refuses a row, the message gives the index within the axes of the points."""
+def called(kernel: Callable[..., Any], *arguments: Any, grid: tuple[int, ...], **grids: tuple[int, ...]) -> Any:
+    """What the kernel returns. If it refuses a row, the message gives the index within the axes of the points, or within those
+    of the argument that `grids` names."""
     try:
         return kernel(*arguments)
     except ValueError as error:
         message, index = refusal(error)
         if index is None:
             raise ValueError(message) from None
-        if message.startswith("visible"):  # which counts light after light
-            grid = (-1, *grid)
-        known = tuple(max(side, 1) for side in grid[1:])
+        known = tuple(max(side, 1) for side in grids.get(message.split(":")[0], grid)[1:])
         axes = [int(i) for i in np.unravel_index(index % max(int(np.prod(known)), 1), known)] if known else []
         raise ValueError(f"{message} at {[index // max(int(np.prod(known)), 1), *axes]}") from None
 

@@ -1,4 +1,4 @@
-"""Normals of reliefs and meshes."""
+"""Normals of reliefs, implicit surfaces and meshes."""
 
 from __future__ import annotations
 
@@ -37,6 +37,37 @@ def height_field(z: npt.ArrayLike, dx: float = 1.0, dy: float = 1.0) -> Floats:
     rows = np.ascontiguousarray(heights, np.float32 if single else np.float64)
     flat = called(kernel, rows, _step("dx", dx), _step("dy", dy), grid=heights.shape)
     result: Floats = flat.reshape(*heights.shape, 3)
+    return result
+
+
+def implicit(values: npt.ArrayLike, points: npt.ArrayLike, dx: float = 1.0, dy: float = 1.0, dz: float = 1.0) -> Floats:
+    """The unit normals of an implicit surface, on which a field of values is constant, at points of it.
+
+    They point to where the values grow: outward for a distance, and inward for a density. They are approximate: the gradient at
+    the nodes of the grid is that of central differences, and is interpolated in between. If you know the exact gradient, pass it
+    to `shade` as `normals`, which have any length.
+
+    values: numbers of shape (layers, rows, columns). The first is at the point (0, 0, 0).
+    points: positions of shape (..., 3) in the grid, such as the vertices of a mesh that was made from the field.
+    dx, dy, dz: what x grows by from a column to the next, y from a row to the next, and z from a layer to the next.
+
+    Returns an array of the shape of points, of float32 if values and points are. Where the gradient is 0, the normal is 0.
+
+    >>> z, y, x = np.mgrid[0:5, 0:5, 0:5]
+    >>> implicit((x - 2) ** 2 + (y - 2) ** 2 + (z - 2) ** 2, points=(2, 3.5, 2))
+    array([0., 1., 0.])
+    """
+    numbers, places = array("values", values), vectors("points", points)
+    if numbers.ndim != 3:
+        raise ValueError(f"values: expected the shape (layers, rows, columns), got {numbers.shape}")
+    single = is_single(numbers, places)
+    dtype: type[np.floating[Any]] = np.float32 if single else np.float64
+    kernel: Any = _native.implicit_f32 if single else _native.implicit_f64
+    rows = np.ascontiguousarray(places, dtype).reshape(-1, 3)
+    steps = (_step("dx", dx), _step("dy", dy), _step("dz", dz))
+    field = np.ascontiguousarray(numbers, dtype)
+    flat = called(kernel, field, rows, steps, grid=places.shape[:-1], values=field.shape)
+    result: Floats = flat.reshape(places.shape)
     return result
 
 

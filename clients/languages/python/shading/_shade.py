@@ -93,8 +93,8 @@ def shade(
     k_a ambient + sum over the lights with N.L > 0 of I (k_d N.L + k_s max(0, cosine)^m), where the cosine is R.V for "phong"
     and N.H for "blinn-phong"; "lambert" leaves the highlight out.
 
-    points, normals, eye: arrays of shape (..., 3). Normals have any length. Where a normal is 0, or where the point is at the
-        eye, the result is black.
+    points, normals, eye: arrays of shape (..., 3). Normals have any length, as a gradient has. Where a normal is 0, or where the
+        point is at the eye, the result is black.
     lights: a light or a sequence of lights.
     k_a, k_d, k_s: what the surface reflects of each channel, usually from 0 to 1: a number, three numbers, or a texture of
         shape (..., 3), or (..., 1) if it is gray. At least one must be given; the others are 0.
@@ -141,7 +141,7 @@ def shade(
 
     kernel: Any = _native.shade_f32 if single else _native.shade_f64
     words = [light._words() for light in all_lights]
-    flat = called(kernel, _MODELS.index(model), count, words, *rows, m_rows, seen_rows, parts, grid=grid)
+    flat = called(kernel, _MODELS.index(model), count, words, *rows, m_rows, seen_rows, parts, grid=grid, visible=mask)
     if parts:
         return Parts(*flat.reshape(3, *shape))
     result: Floats = flat.reshape(shape)

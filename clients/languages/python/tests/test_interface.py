@@ -36,7 +36,7 @@ def made(light: dict[str, dict[str, Any]]) -> shading.Light:
 
 
 def called(call: dict[str, Any]) -> Any:
-    for name in ("height_field", "mesh_normals"):
+    for name in ("height_field", "implicit", "mesh_normals"):
         if name in call:
             return getattr(shading, name)(**call[name])
     scene = {**INTERFACE["base"], **call.get("change", {})}
@@ -60,7 +60,7 @@ def test_each_call_ends_as_in_the_other_languages(call: dict[str, Any]) -> None:
 
 def test_arguments_and_defaults_are_those_of_the_other_languages() -> None:
     assert shading.__all__ == INTERFACE["functions"]
-    functions = {name: INTERFACE[name] for name in ("shade", "height_field", "mesh_normals")}
+    functions = {name: INTERFACE[name] for name in ("shade", "height_field", "implicit", "mesh_normals")}
     for name, arguments in {**functions, **INTERFACE["lights"]}.items():
         parameters = inspect.signature(getattr(shading, name)).parameters
         defaults: dict[str, Any] = {
@@ -123,6 +123,13 @@ WRONG: dict[str, Callable[[], Any]] = {
         np.zeros((3, 3)), [(0, 1, -1)]
     ),
     "z: expected the shape (rows, columns), got (3,)": lambda: shading.height_field([1, 2, 3]),
+    "values: expected the shape (layers, rows, columns), got (2, 2)": lambda: shading.implicit(np.eye(2), (0, 0, 0)),
+    "values: expected finite numbers (fill in what is missing first), got NaN at [1, 2, 0]": lambda: shading.implicit(
+        one_nan(), (0, 0, 0)
+    ),
+    "points: expected positions in the grid, from (0, 0, 0) to (2, 4, 3), got (0, 0, 3.5) at [1, 0]": lambda: shading.implicit(
+        POINTS, np.array([[(0, 0, 0)], [(0, 0, 3.5)]])
+    ),
     "range: expected a number, got 'far'": lambda: shading.point((0, 0, 1), range="far"),  # type: ignore[arg-type]
 }
 
@@ -156,6 +163,43 @@ def test_reliefs_have_the_normals_of_their_formula() -> None:
     np.testing.assert_allclose(turned, expected, atol=1e-14)
     assert shading.height_field(z.astype(np.float32)).dtype == np.float32
     np.testing.assert_array_equal(shading.height_field([[3.0]]), [[(0, 0, 1)]])
+
+
+def torus(x: Any, y: Any, z: Any) -> Any:
+    return (np.hypot(x, y) - 2) ** 2 + z**2
+
+
+def test_implicit_surfaces_have_the_normals_of_their_formula() -> None:
+    n = np.random.default_rng(3).normal(size=(20, 10, 3))
+    n /= np.linalg.norm(n, axis=-1, keepdims=True)
+    center = np.array((2, 2.25, 2.5))
+    # the gradient of a sphere is linear, so that it is exact in a grid of any cells, whichever way they are counted
+    z, y, x = np.meshgrid(np.arange(11) * 0.5, np.arange(19) * -0.25, np.arange(5), indexing="ij")
+    sphere = (x - center[0]) ** 2 + (y + center[1]) ** 2 + (z - center[2]) ** 2
+    points = (1, -1, 1) * center + 1.5 * n
+    for values in (sphere, np.asfortranarray(sphere)):
+        np.testing.assert_allclose(shading.implicit(values, points, 1, -0.25, 0.5), n, atol=1e-13)
+    np.testing.assert_allclose(shading.implicit(-sphere, points, 1, -0.25, 0.5), -n, atol=1e-13)
+    single = shading.implicit(sphere.astype(np.float32), points.astype(np.float32), 1, -0.25, 0.5)
+    assert single.dtype == np.float32
+    np.testing.assert_allclose(single, n, atol=1e-5)
+    np.testing.assert_array_equal(shading.implicit(sphere, (1, -1, 1) * center, 1, -0.25, 0.5), 0)
+
+    # a torus, whose rings have the radii 2 and 1: the error is within the square of the cells, and falls with it
+    around, across = np.random.default_rng(4).uniform(0, 2 * np.pi, (2, 500))
+    n = np.stack([np.cos(around) * np.cos(across), np.sin(around) * np.cos(across), np.sin(across)], -1)
+    points = n + 2 * np.stack([np.cos(around), np.sin(around), 0 * around], -1)
+    worst = []
+    for cell in (0.25, 0.125):
+        z, y, x = (cell * np.indices([round(8 / cell) + 1] * 3) - 4).astype(np.float64)
+        worst.append(np.abs(shading.implicit(torus(x, y, z), points + 4, cell, cell, cell) - n).max())
+    assert worst[0] < 0.25**2 and worst[1] < 0.3 * worst[0]
+
+    # the exact gradient may be given as it is
+    gradient = 2 * n
+    lamp = shading.point((3, -2, 5))
+    given, unit = (shading.shade(points, normals, (0, -6, 6), lamp, k_d=0.5, k_s=0.5, m=20) for normals in (gradient, n))
+    np.testing.assert_allclose(given, unit, atol=1e-14)
 
 
 # the corners of a cube, and two triangles for each side

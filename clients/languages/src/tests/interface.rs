@@ -7,7 +7,8 @@ use serde_json::{Map, Value};
 
 use super::{refusal, scene, shade, sun};
 use crate::c::{
-    CScene, shading_default_light, shading_height_field, shading_mesh_normals, shading_status_text,
+    CScene, shading_default_light, shading_height_field, shading_implicit, shading_mesh_normals,
+    shading_status_text,
 };
 use crate::light::Light;
 
@@ -175,6 +176,32 @@ fn height_field(field: &Value) -> Result<Vec<[f32; 3]>, Refusal> {
     Ok(out)
 }
 
+fn implicit(surface: &Value) -> Result<Vec<[f32; 3]>, Refusal> {
+    let step = |name| surface.get(name).map_or(1.0, number);
+    let (values, points) = (numbers(&surface["values"]), triples(&surface["points"]));
+    let length = |value: &Value| value.as_array().expect("an array").len();
+    let (layers, rows) = (length(&surface["values"]), length(&surface["values"][0]));
+    let columns = length(&surface["values"][0][0]);
+    let mut out = vec![[0.0; 3]; points.len()];
+    // SAFETY: the arrays are as long as they say
+    refusal(|error| unsafe {
+        shading_implicit(
+            layers,
+            rows,
+            columns,
+            values.as_ptr(),
+            step("dx"),
+            step("dy"),
+            step("dz"),
+            points.len(),
+            points.as_ptr(),
+            out.as_mut_ptr(),
+            error,
+        )
+    })?;
+    Ok(out)
+}
+
 fn mesh_normals(mesh: &Value) -> Result<Vec<[f32; 3]>, Refusal> {
     let vertices = triples(&mesh["vertices"]);
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // indices
@@ -211,9 +238,11 @@ fn each_call_ends_as_in_the_other_languages() {
     let calls = ["calls", "normals"].map(|kind| interface[kind].as_array().expect("calls"));
     for call in calls.into_iter().flatten() {
         let what = &call["what"];
-        let result = match (call.get("height_field"), call.get("mesh_normals")) {
-            (Some(field), _) => height_field(field),
-            (_, Some(mesh)) => mesh_normals(mesh),
+        let of = |name: &str| call.get(name);
+        let result = match (of("height_field"), of("implicit"), of("mesh_normals")) {
+            (Some(field), ..) => height_field(field),
+            (_, Some(surface), _) => implicit(surface),
+            (.., Some(mesh)) => mesh_normals(mesh),
             _ => shaded(call, &interface),
         };
         if let Some(expected) = call.get("value") {
