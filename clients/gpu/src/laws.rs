@@ -50,7 +50,7 @@ impl From<&Scene> for GpuScene {
         };
         Self {
             p: vector(scene.p),
-            model: scene.model as u8 as f32,
+            model: f32::from(scene.model as u8),
             n: vector(scene.n),
             count: scene.lights.len() as f32,
             v: vector(scene.v),

@@ -103,15 +103,12 @@ fn argument(kind: Kind, at: &mut usize) -> String {
         *at += 1;
         return format!("x[k + {}]", *at - 1);
     }
-    let (of, parts): (_, Vec<_>) = match kind.fields() {
-        Some((name, _, fields)) => {
-            let fields = fields.iter().map(|field| argument(field.1, at));
-            (format!("shading_{name}"), fields.collect())
-        }
-        None => {
-            let numbers = (0..kind.width()).map(|_| argument(Kind::Number, at));
-            (format!("vec{}f", kind.width()), numbers.collect())
-        }
+    let (of, parts): (_, Vec<_>) = if let Some((name, _, fields)) = kind.fields() {
+        let fields = fields.iter().map(|field| argument(field.1, at));
+        (format!("shading_{name}"), fields.collect())
+    } else {
+        let numbers = (0..kind.width()).map(|_| argument(Kind::Number, at));
+        (format!("vec{}f", kind.width()), numbers.collect())
     };
     format!("{of}({})", parts.join(", "))
 }
