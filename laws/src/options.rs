@@ -24,6 +24,8 @@ pub struct Laws {
     pub cases: usize,
     /// Whether smaller scenes are looked for that break a law, too: for two seconds in all.
     pub shrinks: bool,
+    /// Whether a cause is looked for among the known mistakes, which takes most of the time where none fits.
+    pub explains: bool,
     /// The longest time of the run. Each law is tried at least once. If the time ends before all
     /// cases are tried, the report does not pass.
     pub time: Option<Duration>,
@@ -37,6 +39,7 @@ impl Default for Laws {
             seed: 0,
             cases: 1024,
             shrinks: true,
+            explains: true,
             time: None,
             clock: clock::of_machine,
         }

@@ -366,7 +366,10 @@ impl Run<'_> {
         let broken = self.failures.keys().copied();
         let (mut of_state, others): (Vec<Law>, Vec<Law>) =
             broken.partition(|law| *law == Law::NoMemory);
-        let cause = self.evidence.cause(&self.plan.profile);
+        let explains = self.plan.laws.explains;
+        let cause = explains
+            .then(|| self.evidence.cause(&self.plan.profile))
+            .flatten();
         let is_right_alone = self.is_right_alone();
         let history = if is_right_alone { self.history() } else { None };
         let is_fickle = !of_state.is_empty() || is_right_alone || self.is_right_again();
@@ -405,7 +408,7 @@ impl Run<'_> {
         let (plan, scenes) = (self.plan, self.broken());
         let places = self.places(&plan.profile, &scenes).unwrap_or_default();
         let is_whole = |it: &Cause| it.of > 0 && it.is_nearly_all();
-        if cause.as_ref().is_some_and(is_whole) {
+        if !plan.laws.explains || cause.as_ref().is_some_and(is_whole) {
             return vec![(cause, places)];
         }
         let is_vague = matches!(&places[..], [place] if place.is_general());

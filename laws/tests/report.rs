@@ -5,7 +5,9 @@
 
 use std::time::Duration;
 
-use shading_laws::{Kind, Laws, Light, Model, Profile, Renderer, Report, Scene, Triple, from_fn};
+use shading_laws::{
+    Fault, Kind, Laws, Light, Model, Profile, Renderer, Report, Scene, Triple, from_fn,
+};
 
 fn run(laws: &Laws, color: impl FnMut(&Scene) -> Triple) -> Report {
     let report = laws.run(&mut from_fn(Profile::default(), color));
@@ -34,6 +36,30 @@ fn the_same_seed_gives_the_same_report() {
         of(1).replace("\"seed\":1", ""),
         of(2).replace("\"seed\":2", "")
     );
+}
+
+/// Without the search for a cause, the laws say the same.
+#[test]
+fn a_cause_is_left_out_on_demand() {
+    let ungated = Fault::known().find(|it| it.id() == "HighlightNotGated");
+    let ungated = ungated.expect("a mistake of the table");
+    let [with, without] = [true, false].map(|explains| {
+        let laws = Laws { explains, ..few() };
+        run(&laws, |scene| ungated.color(scene))
+    });
+    assert!(with.findings[0].cause.is_some(), "{with}");
+    assert!(
+        without.findings.iter().all(|it| it.cause.is_none()),
+        "{without}"
+    );
+    let broken = |report: &Report| {
+        report
+            .laws
+            .iter()
+            .map(|law| law.smallest().map(|it| it.scenes.clone()))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(broken(&with), broken(&without));
 }
 
 /// A light that is too bright: one light, one reflectance and one color are enough to show it.

@@ -176,7 +176,7 @@ fn view<'a>(
         .iter()
         .position(|it| (it.surface, it.eye, it.turn, it.size) == wanted);
     let index = known.unwrap_or_else(|| {
-        if views.len() == 4 {
+        if views.len() == 6 {
             views.remove(0);
         }
         views.push(View::new(surface, scene, size));

@@ -24,7 +24,7 @@ async function headline(code) {
 
 assert.match(await headline(lambert("return Math.max(0, dot(n, l));")), /^All laws hold/);
 assert.match(await headline(lambert("return dot(n, l);")), /negative light/);
-assert.match(await headline(lambert("while (true);")), /did not come back in time/);
+assert.match(await headline(lambert("while (true);")), /did not finish in time/);
 assert.match(await headline(lambert("return Math.max(0, dot(n, light));")), /in line 2: ReferenceError: light/);
 for (const [code, words] of Object.entries(refused)) assert.match(await headline(refusal(code)), words, code);
 for (const code of later) assert.match(await headline(delayed(code)), /Error: end/, code);

@@ -72,9 +72,17 @@ pub extern "C" fn text_length() -> usize {
 }
 
 /// Tries the student's function by the laws, with so many random scenes. The bits choose models and kinds of light,
-/// and whether there may be a highlight behind the surface. The text is the report.
+/// and whether there may be a highlight behind the surface. The text is the report; a cause is in it if the page has
+/// no words of its own.
 #[unsafe(no_mangle)]
-pub extern "C" fn check(models: u32, lights: u32, is_ungated: bool, cases: usize, seed: u32) {
+pub extern "C" fn check(
+    models: u32,
+    lights: u32,
+    is_ungated: bool,
+    explains: bool,
+    cases: usize,
+    seed: u32,
+) {
     let departs = if is_ungated {
         vec!["HighlightNotGated".into()]
     } else {
@@ -88,6 +96,7 @@ pub extern "C" fn check(models: u32, lights: u32, is_ungated: bool, cases: usize
     };
     let laws = Laws {
         cases,
+        explains,
         seed: seed.into(),
         ..Laws::default()
     };

@@ -15,11 +15,12 @@ const LAMPS = [{ marker: "lamp", names: ["x", "y", "z"], color: "light" },
   { marker: "lamp2", names: ["x2", "y2", "z2"], color: "light2" }];
 
 const $ = (id) => document.getElementById(id);
-const [canvas, form, frame] = [$("canvas"), $("controls"), $("frame")];
+const [canvas, fine, form, frame] = [$("canvas"), $("fine"), $("controls"), $("frame")];
 const context = canvas.getContext("2d");
 const thumbnails = [...document.querySelectorAll("#parts canvas")];
 const models = [...document.querySelectorAll("#models canvas")];
 const meshes = [...document.querySelectorAll("#meshes canvas")];
+const SMALL = [...thumbnails, ...models, ...meshes].map((canvas) => [canvas, canvas.width]);
 // in fractions of the picture; a click pins it
 const cross = { x: 0.45, y: 0.42, isPinned: false };
 
@@ -123,14 +124,42 @@ function compareMeshes() {
   });
 }
 
-function redraw() {
-  remember();
-  write(settings());
+/** Draws the small pictures, with so many pixels along each side for one of the page. */
+function drawSmall(times) {
+  for (const [canvas, side] of SMALL) {
+    if (canvas.width !== times * side) canvas.width = canvas.height = times * side;
+  }
   thumbnails.forEach((canvas, part) => draw(part, canvas, canvas.getContext("2d")));
   if ($("models").open) compare();
   if ($("meshes").open) compareMeshes();
-  const part = Number(document.querySelector("[name=part]:checked").value);
-  $("message").textContent = draw(part, canvas, context);
+}
+
+const part = () => Number(document.querySelector("[name=part]:checked").value);
+
+const REST = 150; // ms without a change, after which there is time for a smooth picture
+let rest;
+
+/**
+ * At rest, every picture is drawn with two pixels along each side for one of the page, and the browser scales it down: an
+ * edge gets the mean of four samples, though of their encoded colors and not of their light. The large one lies over the
+ * one that is drawn while something moves, whose pixels have the numbers.
+ */
+function refine() {
+  drawSmall(2);
+  if (canvas.width >= 2 * frame.clientWidth) return; // also if there is no room
+  [fine.width, fine.height] = [frame.clientWidth, frame.clientHeight].map((size) => Math.min(2 * size, 2048));
+  draw(part(), fine, fine.getContext("2d"));
+  fine.hidden = false;
+}
+
+function redraw() {
+  clearTimeout(rest);
+  fine.hidden = true;
+  rest = setTimeout(refine, REST);
+  remember();
+  write(settings());
+  drawSmall(1);
+  $("message").textContent = draw(part(), canvas, context);
   for (const name of OF_LAMP2) form.elements[name].disabled = !isOn("second");
   for (const name of OF_SUN) form.elements[name].disabled = !isOn("sun");
   LAMPS.forEach(({ marker, color, names }, lamp) => {
@@ -282,6 +311,7 @@ form.addEventListener("reset", () => setTimeout(() => {
 }));
 $("parts").addEventListener("input", soon);
 
+const MOST = 640; // pixels along a side that are drawn while something moves
 const REACH = 16; // a lamp is taken by a pointer this near, in pixels of the screen
 let dragged = null;
 
@@ -381,8 +411,9 @@ canvas.addEventListener("keydown", (event) => {
 
 // as many pixels as the picture has room for; a smaller window draws a smaller picture
 new ResizeObserver(() => {
-  const sharp = Math.min(devicePixelRatio, 2);
-  [canvas.width, canvas.height] = [frame.clientWidth, frame.clientHeight].map((size) => Math.round(sharp * size));
+  const { clientWidth, clientHeight } = frame;
+  const sharp = Math.min(devicePixelRatio, 2, MOST / Math.max(clientWidth, clientHeight));
+  [canvas.width, canvas.height] = [clientWidth, clientHeight].map((size) => Math.round(sharp * size));
   redraw();
 }).observe(frame);
 
@@ -395,4 +426,4 @@ recall();
 pin(cross.isPinned);
 [...form.elements].forEach(label);
 document.documentElement.dataset.ready = "";
-export { cross, directions, probe, redraw, settings, shader };
+export { cross, directions, probe, redraw, refine, settings, shader };

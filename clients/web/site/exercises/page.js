@@ -172,7 +172,7 @@ function choose(option, button) {
     keep(current.id, { done: true });
     return list();
   }
-  $("named").textContent = "Yes. Now mend the code until all laws hold.";
+  $("named").textContent = "Yes. Now fix the code until all laws hold.";
   $("writing").hidden = false;
   editor.mark(null);
   $("code").focus();
@@ -204,8 +204,8 @@ function open() {
   $("hint").disabled = $("show").disabled = false;
   $("help").replaceChildren();
   $("yours").textContent = current.mistake ? "with the mistake" : "yours";
-  $("copied").textContent = isBroken ? "The link is damaged. This is the exercise as it begins." : "";
-  say(kept[current.id]?.done ? "All laws held before." : "Not checked yet.", null);
+  $("copied").textContent = isBroken ? "The link is damaged, so this is the exercise as it begins." : "";
+  say(kept[current.id]?.done ? "You have solved this exercise before." : "Not checked yet.", null);
   const next = ALL[ALL.findIndex((it) => it.id === current.id) + 1];
   $("next").href = `#${next?.id ?? ALL[0].id}`;
   list();
@@ -220,14 +220,14 @@ async function copy(hash, status) {
     $(status).textContent = "The link is copied.";
   } catch {
     history.replaceState(null, "", hash);
-    $(status).textContent = "The link stands in the address bar.";
+    $(status).textContent = "The link is in the address bar.";
   }
 }
 
 $("check").addEventListener("click", check);
 $("hint").addEventListener("click", () => {
   const hint = current.hints[hints++];
-  $("help").append(element("p", {}, hint ?? "There are no more hints. The formula is the next help."));
+  $("help").append(element("p", {}, hint ?? "There are no more hints. You can still show the formula."));
   if (!hint) $("hint").disabled = true;
 });
 $("show").addEventListener("click", () => {

@@ -2,7 +2,7 @@
 
 const LIMIT = 2000; // ms that the student's code may take before it answers a batch of scenes
 const LONGEST = 8000; // ms that it may take in all; the laws take as long as they need
-const LATE = "Your code did not come back in time. Is there a loop that never ends?";
+const LATE = "Your code did not finish in time. Is there a loop that never ends?";
 
 /** The worker's text, from that of its modules. */
 export function prelude(modules) {

@@ -6,13 +6,16 @@ import { same, TYPICAL } from "./typical.js";
 
 /** What wrong answers have in common that no typical one explains: what is wrong, and a question. */
 const GENERAL = {
-  "not finite": () => ["Your function gives no number in some scenes.",
+  "never a number": () => ["Your function always returns NaN, which is not a number.",
+    "Do you use * or − with whole arrays? In JavaScript, vectors and colors need mul, scale, sub or dot. Or does your "
+      + "code read a number that is not there, such as n[3]?"],
+  "not finite": () => ["In some scenes, your function returns NaN or infinity instead of a number.",
     "Where does your code divide, or take a root or a power? Which values must not get there?"],
   nearly: () => ["Your answer is nearly right: it is off by less than one percent.",
-    "Do you compute a derivative from a small difference, or a value from a rounded number? Derive it by hand."],
+    "Do you take a small difference for a derivative, or a rounded number such as 3.14? The formula itself is exact."],
   opposite: () => ["Your answer always has the wrong sign.",
-    "In which order are the two things that you subtract or multiply?"],
-  length: () => ["Your direction is right, but its length is not 1.", "What is left to do with a vector to give it length 1?"],
+    "In which order do you subtract, or take the cross product?"],
+  length: () => ["Your direction is right, but its length is not 1.", "What is left to do to give a vector length 1?"],
   factor: ({ factor }) => [`Your answer is always ${number(factor)} times what the formula gives.`,
     "Is there a factor in your code that is not in the formula, or one in the formula that you forgot?"],
   constant: () => ["Your answer is always the same.", "Which of the values that your function is given should it depend on?"],
@@ -21,23 +24,23 @@ const GENERAL = {
     "Compute the scene below by hand, step by step. At which step does your code do something else?"],
 };
 
-/** What a learner may ask himself, by the name of the mistake in the laws' table. */
+/** What learners may ask themselves, by the name of the mistake in the laws' table. */
 const ASKS = {
   NormalNotNormalized: "A cosine needs vectors of length 1. How long is the N that the code uses?",
   NormalReversed: "Which side of the surface does N point to?",
-  NormalTowardEye: "How bright should the surface be where N·L is below 0?",
+  NormalTowardEye: "Which way should N point where the eye sees the back of the surface?",
   ViewNotNormalized: "A cosine needs vectors of length 1. How long is V?",
   ViewReversed: "V points from the surface to the eye. Where does yours point?",
   LightNotNormalized: "A cosine needs vectors of length 1. How long is L?",
   LightReversed: "L points from the surface to the light. Where does yours point?",
   PointForgotten: "L begins at the point p. Where does yours begin?",
-  FastInverseRoot: "How precise is the length that the vectors get?",
+  FastInverseRoot: "How close to 1 is the length of a vector that the code normalizes?",
   NotAttenuated: "Where does the distance q come in?",
   HighlightNotAttenuated: "Which term does not get weaker with the distance?",
   DegreesForRadians: "In what unit does Math.cos take its angle, and in what unit is it given?",
   HalfAngleHalved: "Is the angle measured from edge to edge, or from the axis to the edge?",
   ConeReversed: "L points to the lamp, and the axis away from it. What is L·axis in the middle of the cone?",
-  ConeForgotten: "Which points are outside of the cone?",
+  ConeForgotten: "Which points are outside the cone, and how much light should they get?",
   ConeExponent: "How bright should the light be halfway between the axis and the edge?",
   ConeSmooth: "How bright should the light be halfway between the axis and the edge?",
   DiffuseNotClamped: "What is N·L where the light is behind the surface, and how much light should there be?",
@@ -51,10 +54,14 @@ const ASKS = {
   AmbientPerLight: "How many times should the ambient light be added if there are three lamps?",
   AmbientTimesDiffuse: "Which reflectance belongs to the ambient light?",
   UnlitWithoutLights: "What should be seen in a scene without lamps?",
-  LightsAtMost: "Is every lamp looked at?",
-  ChannelsSwapped: "Which number of a color is the red one?",
+  AmbientTimes: "What color should a surface have that no lamp reaches?",
+  DiffuseTimes: "Which term makes a surface darker as it turns away from the light?",
+  HighlightTimes: "Which term has k_s? What does the code do with it?",
+  LightTimes: "Where does the color of the light come in?",
+  LightsAtMost: "Does the loop reach every lamp?",
+  ChannelsSwapped: "Which of the three numbers of a color is the red one?",
   Scaled: "Is there a factor that the formula does not have?",
-  SrgbOnceMore: "Is light added before it is encoded for the screen, or after?",
+  SrgbOnceMore: "The page encodes the colors for the screen. Should the renderer do so, too?",
 };
 
 /** Kinds of scenes that every wrong color of an exercise has in common, because all of its scenes do. */
@@ -84,8 +91,8 @@ export function told({ report, diagnosis }, exercise) {
   }
   if (diagnosis) return GENERAL[diagnosis.general](diagnosis);
   if (cause) return [`${capital(cause.says)}.`, ASKS[id_of(cause.mistake)] ?? ""];
-  return ["The colors are wrong, by no mistake that is known by name.",
-    "Take the scene below and follow your code line by line. Where do the numbers leave the formula?"];
+  return ["The colors are wrong, but not by a mistake that has a name.",
+    "Follow your code line by line with the scene below. Where do its numbers depart from the formula?"];
 }
 
 /** The words of the report for the kinds of scenes. */
@@ -152,10 +159,10 @@ export function verdict(answer, exercise) {
       element("dl", {}, ...given(exercise, problem.given))] : [];
     return { isGood: false, headline: `Your code stopped${line}: ${problem.text}`, below };
   }
-  if (!report.laws) return { isGood: false, headline: `The laws could not be tried: ${report.error}`, below: [] };
+  if (!report.laws) return { isGood: false, headline: `The laws could not be checked: ${report.error}`, below: [] };
   if (report.passes) {
     const { cases } = report.laws.find(({ law }) => law === "formula");
-    return { isGood: true, headline: `All laws hold, in each of ${number(cases)} scenes. Well done.`, below: [] };
+    return { isGood: true, headline: `All laws hold in each of ${number(cases)} scenes. Well done.`, below: [] };
   }
   const [says, asks] = told(answer, exercise);
   const smallest = report.laws.find((law) => law.smallest)?.smallest;

@@ -14,8 +14,14 @@ const isTriple = (x) => Array.isArray(x) && x.length === 3 && x.every((c) => typ
 
 function shown(x) {
   if (typeof x === "function") return "a function";
-  return Array.isArray(x) ? `an array of ${x.length}` : typeof x === "object" ? "an object" : `the ${typeof x} ${x}`;
+  if (typeof x !== "object") return `the ${typeof x} ${x}`;
+  if (!Array.isArray(x)) return "an object";
+  return x.every((c) => typeof c === "number") ? `an array of ${x.length}` : "an array in which not everything is a number";
 }
+
+// what * and + make of arrays
+const isOfArrays = (x) => typeof x === "string" || Number.isNaN(x);
+const USE = " JavaScript does not compute with whole arrays: use add, sub, mul, scale or dot.";
 
 /** The student's function, whose answer is a number or three of them. */
 function checked(name, of, isOfTriples, calls) {
@@ -26,7 +32,7 @@ function checked(name, of, isOfTriples, calls) {
     const answer = of(...given);
     if (isOfTriples ? !isTriple(answer) : typeof answer !== "number") {
       const text = answer === undefined ? `${name} returned nothing. Is there a return in every branch?`
-        : `${name} returned ${shown(answer)}, not ${want}.`;
+        : `${name} should return ${want}, but it returned ${shown(answer)}.${isOfArrays(answer) ? USE : ""}`;
       throw Object.assign(new Error(text), { isOurs: true });
     }
     if (kept) calls.push({ given: kept, answer });
@@ -120,7 +126,7 @@ self.onmessage = ({ data, ports: [port] }) => {
   }
 
   function check() {
-    exports.check(...profileOf(profile), cases, seed);
+    exports.check(...profileOf(profile), exercise.lamps ? 1 : 0, cases, seed); // what calls have in common is found below
     const report = parse(new TextDecoder().decode(bytes(exports.text(), exports.text_length())));
     const isWhole = exercise.lamps; // RIGHT.shade knows directional lights only: what the laws say is enough there
     const asked = isWhole ? [] : calls.map((call) => ({ ...call, wanted: RIGHT[name](...call.given) }));
