@@ -311,7 +311,7 @@ form.addEventListener("reset", () => setTimeout(() => {
 }));
 $("parts").addEventListener("input", soon);
 
-const MOST = 640; // pixels along a side that are drawn while something moves
+const MOST = 512; // pixels along a side that are drawn while something moves
 const REACH = 16; // a lamp is taken by a pointer this near, in pixels of the screen
 let dragged = null;
 
