@@ -64,7 +64,8 @@ fn main() {
     );
     assert!(wrapped.r > rough.r);
 
-    // the side of a mirrored cube at x = 1, which the mirror moves to x = −1: normal and face are turned together
+    // the side of a mirrored cube at x = 1, which the mirror moves to x = −1: normal and face are turned
+    // together
     let mirror = [UnitVec3::NEG_X, UnitVec3::Y, UnitVec3::Z].map(|axis| *axis);
     let outward = mirrored_objects::outward(UnitVec3::X, mirror).unwrap();
     let v = Vec3::new(-1.0, 0.0, 1.0).unit().unwrap();
@@ -79,8 +80,8 @@ fn main() {
     };
     assert!((lit(outward) - 0.5 * 0.5_f32.sqrt()).abs() < 1e-6); // k_d N·L, L at 45° to the side
 
-    // a leaf in the plane z = 0 casts a shadow, but not on itself: it keeps the sun behind it, which `shadows` leaves out, and
-    // the one in front of it
+    // a leaf in the plane z = 0 casts a shadow, but not on itself: it keeps the sun behind it, which
+    // `shadows` leaves out, and the one in front of it
     let through = Rgb::new(0.2, 0.5, 0.1);
     let itself = |from: Vec3, toward: UnitVec3, within: f32| {
         let t = -from.z / toward.z;

@@ -67,21 +67,24 @@
 //!
 //! # Conventions
 //!
-//! - **All directions point away from the surface** and are [`UnitVec3`]: the normal N, L to the light, V to the eye, R and H.
+//! - **All directions point away from the surface** and are [`UnitVec3`]: the normal N, L to the light, V
+//!   to the eye, R and H.
 //! - **Colors are linear** and may exceed 1. Encode once, after the sum.
 //! - **q is the distance**, not its square. Directional lights are not attenuated.
-//! - **A shadow ray ends at the light**, at its [distance](IncidentLight::distance): geometry beyond the light does not block it.
+//! - **A shadow ray ends at the light**, at its [distance](IncidentLight::distance): geometry beyond the
+//!   light does not block it.
 //! - **A spot's angle is measured from its axis**, in radians. A point on the edge is lit.
 //! - **Lambert has no 1/π**, and the highlights are not normalized.
-//! - **A face turned away from a light has no highlight** in the sums of [`mod@shade`]; the factors in [`mod@term`] do not
-//!   check this.
+//! - **A face turned away from a light has no highlight** in the sums of [`mod@shade`]; the factors in
+//!   [`mod@term`] do not check this.
 //! - **A cosine of 0 or below gives no highlight**, whatever m is, even m = 0.
 //!
 //! # Features
 //!
 //! No feature is on by default. Without features, `libm` is the only dependency.
 //!
-//! - `approx` implements `AbsDiffEq`, `RelativeEq` and `UlpsEq` for vectors, colors, [`IncidentLight`] and [`Shaded`].
+//! - `approx` implements `AbsDiffEq`, `RelativeEq` and `UlpsEq` for vectors, colors, [`IncidentLight`] and
+//!   [`Shaded`].
 //! - `bytemuck` implements `Pod` for [`Vec3`] and [`Rgb`], and `NoUninit` for [`UnitVec3`].
 //! - `defmt` implements `Format` for the types of a scene, so that a microcontroller can log them.
 //! - `fixed` adds a signed 16.16 fixed-point number, and aliases of the scene types that use it.
@@ -92,9 +95,9 @@
 //!
 //! # Guide
 //!
-//! - [Recipes](guide::recipes): parts of a renderer to copy, found by what you see or by topic, on five pages:
-//!   [lights](guide::lights), [surfaces](guide::surfaces), [materials](guide::materials), [images and colors](guide::colors)
-//!   and [speed](guide::speed).
+//! - [Recipes](guide::recipes): parts of a renderer to copy, found by what you see or by topic, on five
+//!   pages: [lights](guide::lights), [surfaces](guide::surfaces), [materials](guide::materials), [images
+//!   and colors](guide::colors) and [speed](guide::speed).
 //! - [Porting](guide::porting): how to replace your own loop and keep your vectors; the lights of other programs.
 //! - [Numbers](guide::numbers): how to compute with a number type of your own.
 //! - [Embedded](guide::embedded): from an empty folder to a picture on an emulated board; costs on chips.

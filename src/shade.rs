@@ -16,9 +16,10 @@
 //! | `i_a` | I_a, the ambient light of the scene, once for all lights | [`Rgb`] |
 //! | `lights` | L and I of each light, as it arrives at the point | [`Light::at`](crate::Light::at) and `at` of each kind of light |
 //!
-//! The directions N, V and L all point away from the surface. N comes first, as in the formula: the compiler cannot tell it
-//! from V, and with the two swapped, a surface is bright where it faces the light from the eye's direction. Lights and reflectances should be 0
-//! or more; the result is then 0 or more too, in the unit of the intensities, which may be any.
+//! The directions N, V and L all point away from the surface. N comes first, as in the formula: the
+//! compiler cannot tell it from V, and with the two swapped, a surface is bright where it faces the light
+//! from the eye's direction. Lights and reflectances should be 0 or more; the result is then 0 or more too,
+//! in the unit of the intensities, which may be any.
 //!
 //! `lights` is any iterator over [`IncidentLight`]. You can write shadows, culling and area lights
 //! as iterator adaptors.
@@ -176,7 +177,8 @@ macro_rules! encoded {
                 self.total().to_srgb8()
             }
 
-            /// The total as sRGB with five, six and five bits; see [`Rgb::<f32>::to_rgb565`](crate::Rgb::<f32>::to_rgb565).
+            /// The total as sRGB with five, six and five bits; see
+            /// [`Rgb::<f32>::to_rgb565`](crate::Rgb::<f32>::to_rgb565).
             #[inline]
             #[must_use]
             pub fn to_rgb565(self) -> u16 {
@@ -314,8 +316,8 @@ pub fn phong<T: Real, M: Lobe<T>>(
 /// H is the [`half_vector`](crate::half_vector()) of L and V. A light with N·L ≤ 0 adds nothing. If
 /// L = −V, there is no half vector and no highlight.
 ///
-/// - `n` is N, the normal of the surface, and `v` is V, the direction from the point to the eye: both have length 1. If they
-///   are swapped, the surface looks flat and has no dark side.
+/// - `n` is N, the normal of the surface, and `v` is V, the direction from the point to the eye: both have
+///   length 1. If they are swapped, the surface looks flat and has no dark side.
 /// - `material` holds k_a, k_d, k_s and m.
 /// - `i_a` is I_a, the ambient light of the scene, once for all lights.
 /// - `lights` is what arrives at the point: `[lamp.at(p)]`, or `lights.iter().map(|light| light.at(p))`.

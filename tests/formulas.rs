@@ -872,8 +872,8 @@ mod sums {
     value!(ambient_of_lambert, clay::<T>()[0].ambient, [0.03125; 3]);
     value!(ambient_of_phong, clay::<T>()[1].ambient, [0.03125; 3]);
     value!(ambient_of_blinn, clay::<T>()[2].ambient, [0.03125; 3]);
-    // N·L = 1 and 4/5: ½ (¼ + ½ · ⅘) = 0.325, ½ (⅛ + ⅖) = 0.2625, ½ · ⅖ = 0.2. ⅖ is off by 0.4u of
-    // 1, the sum by 0.9u
+    // N·L = 1 and 4/5: ½ (¼ + ½ · ⅘) = 0.325, ½ (⅛ + ⅖) = 0.2625, ½ · ⅖ = 0.2. ⅖ is off by 0.4u of 1, the
+    // sum by 0.9u
     value!(
         diffuse_of_lambert,
         clay::<T>()[0].diffuse,
@@ -1091,7 +1091,8 @@ mod sums {
         let material = material([0.25, 0.5, 0.0], 1);
         shade::lambert(UnitVec3::Z, &material, Rgb::WHITE, [from(UnitVec3::Z)])
     }
-    /// 1/4 of the ambient light and 1/2 of the sun. Encoded, 0.75 is 0.880825: 224.6 of 255, 27.3 of 31, 55.49 of 63.
+    /// 1/4 of the ambient light and 1/2 of the sun. Encoded, 0.75 is 0.880825: 224.6 of 255, 27.3 of 31,
+    /// 55.49 of 63.
     #[test]
     fn a_result_encodes_its_total() {
         let rgb565 = 0b1_1011 << 11 | 0b11_0111 << 5 | 0b1_1011;

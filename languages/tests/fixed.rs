@@ -1,5 +1,5 @@
-//! Each function of `shading_fixed.h` has the bits of the crate, for any bits of its arguments, whichever products the
-//! processor has; and no operation of it is undefined in C.
+//! Each function of `shading_fixed.h` has the bits of the crate, for any bits of its arguments, whichever
+//! products the processor has; and no operation of it is undefined in C.
 
 use fixed_point::{
     LEVELS, PROGRAM, RESULTS, Scene, by_the_crate, levels_by_the_crate, scenes, words,

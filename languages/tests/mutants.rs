@@ -1,5 +1,5 @@
-//! Every mistake that can be planted in the headers for C is found by the comparison with the crate. It takes minutes,
-//! and the compiler `tcc`:
+//! Every mistake that can be planted in the headers for C is found by the comparison with the crate. It
+//! takes minutes, and the compiler `tcc`:
 //!
 //! ```sh
 //! cargo test --release -p shading-languages --test mutants -- --ignored --nocapture
@@ -77,7 +77,8 @@ struct Subject<'a> {
     questions: &'a [Question],
 }
 
-/// Whether a mutant is found, by the function that has the mistake or else by any; nothing, if it does not compile.
+/// Whether a mutant is found, by the function that has the mistake or else by any; nothing, if it does not
+/// compile.
 fn is_found(subject: &Subject, mutant: &Mutant) -> Option<bool> {
     let thread = format!("{:?}", thread::current().id());
     let id = format!("{}_{thread}", std::process::id()).replace(['(', ')'], "");

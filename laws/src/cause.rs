@@ -1,4 +1,5 @@
-//! What explains the colors of a run: a mistake of the table, or a form of the reply that the profile does not say.
+//! What explains the colors of a run: a mistake of the table, or a form of the reply that the profile does
+//! not say.
 
 use std::cmp::Reverse;
 

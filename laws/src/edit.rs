@@ -224,9 +224,9 @@ pub static EDITS: &[Edit] = &[
     darker("lights", |s, _| s.lights.clear()),
 ];
 
-/// Gives a scene another model and another shininess, and turns the eye so that the highlight stays as bright: that
-/// of the light with the brightest one. Otherwise an edit of the shininess would repair whatever is wrong with dark
-/// highlights alone.
+/// Gives a scene another model and another shininess, and turns the eye so that the highlight stays as
+/// bright: that of the light with the brightest one. Otherwise an edit of the shininess would repair
+/// whatever is wrong with dark highlights alone.
 fn keep_highlight(s: &mut Scene, model: Model, m: f64, profile: &Profile) {
     let (n, v) = (unit(s.n), unit(s.v));
     let ways = s.lights.iter().map(|light| light.arriving(s.p).0);

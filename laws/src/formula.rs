@@ -285,7 +285,8 @@ impl<'a> Formula<'a> {
                 };
                 return self.number(Part::Power, at, power);
             }
-            // the renderer may take (N·L + N·V)/√(2 + 2 L·V), whose root cancels where L is nearly opposite to V
+            // the renderer may take (N·L + N·V)/√(2 + 2 L·V), whose root cancels where L is nearly opposite
+            // to V
             let square = dot(at.sum, at.sum).value;
             let cosine = dot(at.n, h);
             cosine.looser(cosine.value.abs() * 8.0 * self.u / square)

@@ -93,8 +93,8 @@ fn some(cases: &[Scene], count: usize) -> Vec<Scene> {
     some.collect()
 }
 
-/// Where cases are broken: one place, or several where several things are wrong. As many cases as an experiment may
-/// have are taken of all.
+/// Where cases are broken: one place, or several where several things are wrong. As many cases as an
+/// experiment may have are taken of all.
 pub fn places(
     cases: &[Scene],
     most: usize,

@@ -45,7 +45,8 @@ pub struct Finding {
     /// The scenes after which a color is wrong, if they are few and it is right without them.
     #[serde(skip)]
     pub(crate) history: Option<Box<Counterexample>>,
-    /// The smallest scene in which nothing else is wrong than this finding says, where another one is of the same law.
+    /// The smallest scene in which nothing else is wrong than this finding says, where another one is of
+    /// the same law.
     #[serde(skip)]
     pub(crate) own: Option<Box<Counterexample>>,
 }

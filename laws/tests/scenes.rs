@@ -1,5 +1,5 @@
-//! The scenes of a run are the same on every machine, whatever the width of its words, its mathematical library and its
-//! clock.
+//! The scenes of a run are the same on every machine, whatever the width of its words, its mathematical
+//! library and its clock.
 
 #![allow(missing_docs)]
 

@@ -121,7 +121,8 @@ impl Graph {
         }
     }
 
-    /// A comparison with 0 in the one way in which it is written: −a − b > 0 is 0 > a + b, whatever the signs of zeros.
+    /// A comparison with 0 in the one way in which it is written: −a − b > 0 is 0 > a + b, whatever the
+    /// signs of zeros.
     pub(super) fn test(&mut self, test: Test) -> Test {
         let opposite = match test {
             Test::Above(x, ZERO) => self.opposite(x).map(|y| Test::Above(ZERO, y)),

@@ -36,8 +36,8 @@ impl Known {
 
     /// The most that |v/√S| can be, if S is above 0 and a sum of v² and of numbers that are not negative.
     ///
-    /// The sum is at least the rounded v², because rounding is monotone. So S ≥ v²(1 − u) − η/2, and with s for
-    /// the least S, v² ≤ S(1 + η/2s)/(1 − u). The root is at least √S(1 − u). The quotient adds a
+    /// The sum is at least the rounded v², because rounding is monotone. So S ≥ v²(1 − u) − η/2, and with s
+    /// for the least S, v² ≤ S(1 + η/2s)/(1 − u). The root is at least √S(1 − u). The quotient adds a
     /// factor of 1 + u and η/2. That is less than 16u for u ≤ ¼. If S is ∞, the result is 0 or NaN.
     fn share_of_root(&mut self, g: &Graph, v: u32, root: u32) -> Option<f64> {
         let root = self.resolved(g, root);

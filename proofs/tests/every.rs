@@ -56,7 +56,8 @@ fn a_comparison_with_a_range_is_that_of_numbers() {
 #[test]
 #[ignore = "every f32"]
 fn a_real_power_keeps_its_contract() {
-    // log₂ ½ = −1 is exact, so that m takes every product; and each power is at most a unit above the one before
+    // log₂ ½ = −1 is exact, so that m takes every product; and each power is at most a unit above the one
+    // before
     let mut before = 1.0_f32;
     for m in up_to(f32::INFINITY) {
         let power = m.raise(0.5_f32);
@@ -195,7 +196,8 @@ fn lengths_of_fixed_point() {
     }
 }
 
-/// How many cosines a power is the product of. Its only operation that counts is the product; a square root halves.
+/// How many cosines a power is the product of. Its only operation that counts is the product; a square root
+/// halves.
 #[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
 struct Factors(u64);
 

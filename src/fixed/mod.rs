@@ -28,12 +28,12 @@
 //!   |L + V| ≥ 0.1. At the edge of a hard cone, a point may fall on either side.
 //! - The normals of triangles, tangents and spheres of any size are within 0.56 of a step of the exact ones,
 //!   but for triangles of which an edge is longer than 32,768.
-//! - A sum over lights has 64 bits and is rounded once. So it does not depend on the order of the lights, and it differs
-//!   from the results of [`shade`](mod@crate::shade) for one light each, added up, by at most a step for each light, and
-//!   one. It may differ by more from intensities times the factors of [`term`](mod@crate::term), because those factors are
-//!   rounded before the light multiplies their errors.
-//! - Light is never negative. It never rises as the distance that a falloff is given does, not by a step; between two
-//!   points, whose distances are rounded, it never rises by more than a level.
+//! - A sum over lights has 64 bits and is rounded once. So it does not depend on the order of the lights,
+//!   and it differs from the results of [`shade`](mod@crate::shade) for one light each, added up, by at
+//!   most a step for each light, and one. It may differ by more from intensities times the factors of
+//!   [`term`](mod@crate::term), because those factors are rounded before the light multiplies their errors.
+//! - Light is never negative. It never rises as the distance that a falloff is given does, not by a step;
+//!   between two points, whose distances are rounded, it never rises by more than a level.
 //! - A negative intensity counts as black.
 //! - Nothing panics, and every machine gives the same bits. The functions of
 //!   [`Elementary`](crate::Elementary) are the exception: they go by way of `f32`, whose last digits may
@@ -74,9 +74,9 @@ pub use types::*;
 /// A fixed-point number: 32 bits, 16 of them after the binary point.
 ///
 /// The numbers are the multiples of the **step** 2⁻¹⁶ from −32,768 to 32,768 − 2⁻¹⁶. They saturate: a
-/// result beyond an end is that end. Nothing wraps, and there is neither an infinity nor a NaN. A
-/// product, a quotient and a root are rounded once, to the nearest step. x/0 is an end, and 0 for
-/// 0/0. The root of a negative number is 0.
+/// result beyond an end is that end. Nothing wraps, and there is neither an infinity nor a NaN. A product,
+/// a quotient and a root are rounded once, to the nearest step. x/0 is an end, and 0 for 0/0. The root of a
+/// negative number is 0.
 ///
 /// ```
 /// use shading::fixed::Fixed;

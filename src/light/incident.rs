@@ -238,9 +238,9 @@ impl<T: Real> Mul<T> for IncidentLight<T> {
     }
 }
 
-/// What arrives through a colored filter. A black channel stays black whatever the filter is. A channel that
-/// overflows is the largest finite number, or its negative; one that is not black is the largest finite number where the
-/// filter is NaN.
+/// What arrives through a colored filter. A black channel stays black whatever the filter is. A channel
+/// that overflows is the largest finite number, or its negative; one that is not black is the largest
+/// finite number where the filter is NaN.
 ///
 /// ```
 /// use shading::f32::{DirectionalLight, Rgb, UnitVec3, Vec3};

@@ -28,10 +28,10 @@ use crate::vector::{UnitVec3, Vec3};
 /// perpendicular to N. MikkTSpace weighs by an angle too, but first projects each t and both edges
 /// onto the plane of N.
 ///
-/// The error is at most 7u times the conditioning |p₂ − p₁||y₃ − y₁| + |p₃ − p₁||y₂ − y₁| over |d T|,
-/// where u is the unit roundoff. The size of the triangle does not matter from 2⁻¹²⁰ (`f32`) or 2⁻¹⁰⁰⁰
-/// (`f64`) on, nor that of the map, as long as neither edge is more than 2¹⁰⁰ (2⁹⁰⁰) times as long as the
-/// other, and the same holds for the differences of the texture coordinates.
+/// The error is at most 7u times the conditioning |p₂ − p₁||y₃ − y₁| + |p₃ − p₁||y₂ − y₁| over |d T|, where
+/// u is the unit roundoff. The size of the triangle does not matter from 2⁻¹²⁰ (`f32`) or 2⁻¹⁰⁰⁰ (`f64`)
+/// on, nor that of the map, as long as neither edge is more than 2¹⁰⁰ (2⁹⁰⁰) times as long as the other,
+/// and the same holds for the differences of the texture coordinates.
 ///
 /// Source: Eric Lengyel, *Computing Tangent Space Basis Vectors for an Arbitrary Mesh*, 2001;
 /// Mikkelsen 2008.

@@ -42,8 +42,8 @@ macro_rules! float {
             }
 
             // Positive floats are ordered as their bits are, so one integer comparison replaces two
-            // (measured: `sphere` −9 % of instructions, `transformed` −6 %, `shade::blinn_phong` 0 to −1 %; but
-            // `triangle` +10 %, `shade::lambert` +1 %).
+            // (measured: `sphere` −9 % of instructions, `transformed` −6 %, `shade::blinn_phong` 0 to −1 %;
+            // but `triangle` +10 %, `shade::lambert` +1 %).
             #[inline]
             fn any_outside(self, low: Self, high: Self) -> bool {
                 let range = high.to_bits().wrapping_sub(low.to_bits());
@@ -59,9 +59,9 @@ macro_rules! float {
                 }
                 // limited from below before the division, which is also shorter
                 let cosine = Self::dot(n, measured.w).at_least(0.0) / measured.w_length;
-                // 0/0, of a w that overflowed, counts as 1: its light is black. `min` keeps the compiler from
-                // comparing in vectors and choosing by branches (a sum −2 to −4 % of instructions); elsewhere it
-                // may be a call.
+                // 0/0, of a w that overflowed, counts as 1: its light is black. `min` keeps the compiler
+                // from comparing in vectors and choosing by branches (a sum −2 to −4 % of instructions);
+                // elsewhere it may be a call.
                 if SSE2 {
                     cosine.min(1.0)
                 } else if cosine < 1.0 {

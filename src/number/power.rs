@@ -80,9 +80,9 @@ bits!(f64 i64 1, 52);
 
 /// log₂ (z/d) = s P(s²), s = (z − d)/(z + d), for z/d in [√½, √2).
 ///
-/// P is the minimax polynomial of degree 2, weighted for the relative error of log₂ c. That error
-/// is 2.0 · 2⁻²⁴ with exact coefficients, 2.5 · 2⁻²⁴ with these, and 5.91 · 2⁻²⁴ with all roundings,
-/// at c = 0.8334765. Every c was tried, for d = 1.
+/// P is the minimax polynomial of degree 2, weighted for the relative error of log₂ c. That error is 2.0 ·
+/// 2⁻²⁴ with exact coefficients, 2.5 · 2⁻²⁴ with these, and 5.91 · 2⁻²⁴ with all roundings, at c =
+/// 0.8334765. Every c was tried, for d = 1.
 const LOG: [f32; 3] = [
     2.885_390_5,  // 0x4038AA3D
     0.961_551_8,  // 0x3F762842

@@ -168,7 +168,8 @@ pub trait Real:
     /// ```text
     /// max(0, n·w/|w|), at most 1
     /// ```
-    // One hook for this and `toward` was tried: Phong −4 to −6 % of the time, but Blinn with a whole m +6 to +15 %.
+    // One hook for this and `toward` was tried: Phong −4 to −6 % of the time, but Blinn with a whole m +6
+    // to +15 %.
     #[inline(always)]
     #[must_use]
     fn cosine(_n: Vec3<Self>, toward: &Toward<Self>) -> Self {
@@ -269,8 +270,8 @@ pub trait Real:
         Dimmed { color, factor }
     }
 
-    /// The cosine of an angle within [0, π], for the edge of a cone: by a series of + − × ÷, with an error below ε.
-    /// Of a scene in flash, the compiler computes the same in a constant.
+    /// The cosine of an angle within [0, π], for the edge of a cone: by a series of + − × ÷, with an error
+    /// below ε. Of a scene in flash, the compiler computes the same in a constant.
     #[inline]
     #[must_use]
     fn half_angle_cosine(self) -> Self {

@@ -62,8 +62,8 @@ impl<T: Neg<Output = T>> Neg for Vec3<T> {
     }
 }
 
-/// `a -= b` and its like for a type and another, for which `a - b` is of the first type. One for each pair of types,
-/// because the compiler infers the numbers of `sum += v` from v only then.
+/// `a -= b` and its like for a type and another, for which `a - b` is of the first type. One for each pair
+/// of types, because the compiler infers the numbers of `sum += v` from v only then.
 macro_rules! assign {
     (Add $($of:tt)*) => { $crate::number::triple::assign!(AddAssign add_assign Add add $($of)*); };
     (Sub $($of:tt)*) => { $crate::number::triple::assign!(SubAssign sub_assign Sub sub $($of)*); };

@@ -66,8 +66,9 @@ fn cones_of_cosines_are_those_in_order() {
     }
 }
 
-/// Every angle within [0, π], and some outside: a constant has the bits of any other cone, and its cosine is
-/// within half a step and the 2⁻¹³ of a step that the series may add, unless it is widened because it is near 1 or −1.
+/// Every angle within [0, π], and some outside: a constant has the bits of any other cone, and its cosine
+/// is within half a step and the 2⁻¹³ of a step that the series may add, unless it is widened because it is
+/// near 1 or −1.
 #[test]
 fn cones_of_every_angle_are_those_of_any_number() {
     let pi = Fixed::new(core::f64::consts::PI);

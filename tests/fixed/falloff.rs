@@ -14,9 +14,9 @@ fn of_any_size(random: &mut Random, low: f64, high: f64) -> Fixed {
     x(low * (high / low).powf(random.fraction()))
 }
 
-/// Where the denominator d is above 1, it is off by 1 + q/2 steps; elsewhere and beyond the range the quotient
-/// is computed from all digits. The reciprocal is off by 2⁻²¹ of itself and 2⁻³¹, and a product with the color
-/// by less than a step.
+/// Where the denominator d is above 1, it is off by 1 + q/2 steps; elsewhere and beyond the range the
+/// quotient is computed from all digits. The reciprocal is off by 2⁻²¹ of itself and 2⁻³¹, and a product
+/// with the color by less than a step.
 fn assert_near_the_exact_one(color: Fixed, [a, b, c]: [Fixed; 3], q: Fixed) {
     let [wide_a, wide_b, wide_c, wide_q] = [a, b, c, q].map(exact);
     let d = wide_a + wide_q * (wide_b + wide_c * wide_q);

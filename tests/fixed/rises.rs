@@ -1,5 +1,5 @@
-//! No light rises as the distance or a coefficient does, not by a step: cases that once did, a climb to the worst case,
-//! and the reciprocal for every number that it tells apart.
+//! No light rises as the distance or a coefficient does, not by a step: cases that once did, a climb to the
+//! worst case, and the reciprocal for every number that it tells apart.
 
 use std::env;
 use std::time::{Duration, Instant};
@@ -58,8 +58,8 @@ impl Given {
         self
     }
 
-    /// How near to a rise it is: the greatest difference that rounding makes to the fall by a step, in steps, or in parts
-    /// of 2²⁴ of a bright light. Fails if there is a rise, or if a limit brightens.
+    /// How near to a rise it is: the greatest difference that rounding makes to the fall by a step, in
+    /// steps, or in parts of 2²⁴ of a bright light. Fails if there is a rise, or if a limit brightens.
     fn lift(&self) -> f64 {
         let (light, factor, exactly) = (self.light(), self.factor(), self.exact());
         let unlimited = Given {
@@ -155,8 +155,8 @@ fn changed(mut given: Given, random: &mut Random) -> Given {
     given
 }
 
-/// Climbs from lights drawn at random to where rounding lifts a light most, until the time is over. Returns the number of
-/// lights tried, each with a step more of a, b, c and q.
+/// Climbs from lights drawn at random to where rounding lifts a light most, until the time is over. Returns
+/// the number of lights tried, each with a step more of a, b, c and q.
 fn climb(seed: u64, go_on: impl Fn(u64) -> bool) -> u64 {
     let mut random = Random(seed);
     let mut tried = 0;

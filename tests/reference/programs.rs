@@ -197,9 +197,9 @@ fn povray_lamp(fields: &mut Fields) -> Lamp {
     }
 }
 
-/// The shader computes in single precision, but OpenGL ES and Vulkan allow an error of 5u for a division and
-/// a root, which round by 1u otherwise. For the power q^decay = 2^(decay log₂ q) with |log₂ q| ≤ 2, they allow
-/// 16u for the logarithm and 22u for the exponential.
+/// The shader computes in single precision, but OpenGL ES and Vulkan allow an error of 5u for a division
+/// and a root, which round by 1u otherwise. For the power q^decay = 2^(decay log₂ q) with |log₂ q| ≤ 2,
+/// they allow 16u for the logarithm and 22u for the exponential.
 #[test]
 fn three_js() {
     compare("three_js.csv", 704, |fields| {

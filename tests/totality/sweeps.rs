@@ -93,8 +93,9 @@ fn a_constant_has_the_bits_of_the_generic_value<T: Constants>() {
     });
 }
 
-/// Angles of any size and their neighbors; those next to where the series changes, and to the ends; and on from where
-/// the two cosines of a step differ most from their exact difference, to where rounding is the hardest.
+/// Angles of any size and their neighbors; those next to where the series changes, and to the ends; and on
+/// from where the two cosines of a step differ most from their exact difference, to where rounding is the
+/// hardest.
 fn a_constant_cone_has_the_bits_of_the_generic_one<T: Constants>() {
     let compare = |angle: T| {
         let [constant, generic] = [T::half_angles(angle, angle), Cone::from_half_angle(angle)];
@@ -137,10 +138,11 @@ fn angles<T: Float>() -> impl Iterator<Item = T> {
 
 /// Compared with the cosine of the standard library in `f64`, which is right to one unit in its last place.
 ///
-/// In the middle, the crate computes a sine of at most 0.71: its argument rounds by ½u of itself and of the rest of π/2,
-/// the second term of the series, of at most 0.11, is off by 2u of itself, and two additions round by ½u: 1.5u in all.
-/// Elsewhere, it computes 1 − y²/2 (…) with y²/2 of at most 0.31: the square rounds by ½u of 0.62, which counts half, the
-/// argument by ½u, which counts 0.56 times, and the difference by ½u: 1.4u. At the ends, the error may be 4ε = 8u.
+/// In the middle, the crate computes a sine of at most 0.71: its argument rounds by ½u of itself and of the
+/// rest of π/2, the second term of the series, of at most 0.11, is off by 2u of itself, and two additions
+/// round by ½u: 1.5u in all. Elsewhere, it computes 1 − y²/2 (…) with y²/2 of at most 0.31: the square
+/// rounds by ½u of 0.62, which counts half, the argument by ½u, which counts 0.56 times, and the difference
+/// by ½u: 1.4u. At the ends, the error may be 4ε = 8u.
 fn cones_of_every_angle_are_right_and_in_order<T: Constants>() {
     for angle in angles::<T>() {
         let next = T::of(Into::<f64>::into(angle) * (1.0 + 1.01 * T::U)).at_most(T::of(PI));

@@ -12,8 +12,9 @@ use crate::gpu::Gpu;
 
 const CALLS: usize = 20_000;
 
-/// What the power of a Vulkan device may be off by in a result, for m up to 200. The logarithm may be off by 2⁻²¹, so
-/// its product with m by 200 · 2⁻²¹ and the power by ln 2 times that, 1,109 · 2⁻²⁴; the exponential adds less than 91.
+/// What the power of a Vulkan device may be off by in a result, for m up to 200. The logarithm may be off
+/// by 2⁻²¹, so its product with m by 200 · 2⁻²¹ and the power by ln 2 times that, 1,109 · 2⁻²⁴; the
+/// exponential adds less than 91.
 const POWER_BOUND: f32 = 1200.0 / 16_777_216.0;
 
 /// Whether a file has the crate's own power.

@@ -14,8 +14,8 @@ const OF_FACE: usize = 4;
 /// Points of the surface and its normals there.
 type Triangle = [(Vec3, UnitVec3); 3];
 
-/// The light of each pixel where something is seen: mixed of the triangle's corners, as Gouraud did, or that of its
-/// center and its face.
+/// The light of each pixel where something is seen: mixed of the triangle's corners, as Gouraud did, or
+/// that of its center and its face.
 pub fn shaded(
     scene: &Scene,
     surface: Surface,

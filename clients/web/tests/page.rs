@@ -360,8 +360,8 @@ fn the_sun_shines_by_lambert() {
     }
 }
 
-/// A coarse mesh covers nearly the pixels of the surface, by either way; a flat triangle has one color, so there are
-/// fewer colors than by Gouraud.
+/// A coarse mesh covers nearly the pixels of the surface, by either way; a flat triangle has one color, so
+/// there are fewer colors than by Gouraud.
 #[test]
 fn meshes_are_flat_or_smooth() {
     for surface in [0.0, 1.0] {

@@ -32,8 +32,8 @@ pub struct Dialect {
     pub pads: bool,
     pub function: &'static str,
     pub parameter: &'static str,
-    /// In a language that passes structs by pointers: one that is read, one that is changed, and what stands before
-    /// a field.
+    /// In a language that passes structs by pointers: one that is read, one that is changed, and what
+    /// stands before a field.
     pub pointers: Option<[&'static str; 3]>,
     pub variable: &'static str,
     pub branch: &'static str,

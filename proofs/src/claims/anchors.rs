@@ -1,6 +1,6 @@
-//! Anchors. A function of the crate that stands in the assumption of another claim, or on both of its sides, could be
-//! wrong there without being noticed. So each is compared, to the bit, with its formula, which is written out here in
-//! + − × ÷ √ and comparisons of numbers.
+//! Anchors. A function of the crate that stands in the assumption of another claim, or on both of its
+//! sides, could be wrong there without being noticed. So each is compared, to the bit, with its formula,
+//! which is written out here in + − × ÷ √ and comparisons of numbers.
 
 use shading::{
     Attenuation, Cone, DirectionalLight, IncidentLight, Lobe, PointLight, SpotLight, UnitVec3, Vec3,
@@ -120,7 +120,8 @@ fn highlight(cosine: Term, m: Term) -> Term {
     choose(cosine, Term::ZERO, m.raise(share_of(cosine)), Term::ZERO)
 }
 
-/// An attenuation that the constructors must accept, and its formula: 1/(a + bq + cq²), with a limit and a window.
+/// An attenuation that the constructors must accept, and its formula: 1/(a + bq + cq²), with a limit and a
+/// window.
 struct Falloff {
     made: Attenuation<Term>,
     formula: Box<dyn Fn(Term) -> Term>,
@@ -167,8 +168,8 @@ pub fn attenuation_by_formula(given: Given) -> Vec<Goal> {
     })
 }
 
-/// A cone that the constructors must accept, and its formula: t² or t²(3 − 2t) between the edges, which are stored
-/// with a slack of 8 units of roundoff.
+/// A cone that the constructors must accept, and its formula: t² or t²(3 − 2t) between the edges, which are
+/// stored with a slack of 8 units of roundoff.
 struct Beam {
     made: Cone<Term>,
     formula: Box<dyn Fn(Term) -> Term>,

@@ -232,8 +232,8 @@ pub fn frames(_: Sizes) -> BoxedStrategy<Frame> {
         .boxed()
 }
 
-/// A falloff and a distance at which its factor is nearly 1, where two ways to compute it may meet. The numbers are long,
-/// and of those that the number has.
+/// A falloff and a distance at which its factor is nearly 1, where two ways to compute it may meet. The
+/// numbers are long, and of those that the number has.
 fn near_1(sizes: Sizes) -> impl Strategy<Value = (Attenuation<f64>, f64)> {
     let step = f64::exp2(sizes.least.max(-24).into());
     let rounded = move |x: f64| {

@@ -1,8 +1,8 @@
 //! A page of exercises: the laws try a function that a student writes in JavaScript, and `shading` draws the right
 //! picture.
 //!
-//! The page writes numbers where [`numbers`] points to and calls a function, which answers with numbers, or with text
-//! where [`text`] points to. Nothing here reads JSON, for which the page would be a tenth larger.
+//! The page writes numbers where [`numbers`] points to and calls a function, which answers with numbers, or
+//! with text where [`text`] points to. Nothing here reads JSON, for which the page would be a tenth larger.
 
 mod picture;
 mod surfaces;
@@ -71,9 +71,9 @@ pub extern "C" fn text_length() -> usize {
     lock(&TEXT).len()
 }
 
-/// Tries the student's function by the laws, with so many random scenes. The bits choose models and kinds of light,
-/// and whether there may be a highlight behind the surface. The text is the report; a cause is in it if the page has
-/// no words of its own.
+/// Tries the student's function by the laws, with so many random scenes. The bits choose models and kinds
+/// of light, and whether there may be a highlight behind the surface. The text is the report; a cause is in
+/// it if the page has no words of its own.
 #[unsafe(no_mangle)]
 pub extern "C" fn check(
     models: u32,
@@ -111,8 +111,8 @@ pub extern "C" fn mistakes() {
     *lock(&TEXT) = lines.collect();
 }
 
-/// A ball in the light of a scene, whose numbers were written, row by row. A pixel is p, n, v, the right color, and
-/// the color that a mistake gives, by its number in the list; n is 0 beside the ball.
+/// A ball in the light of a scene, whose numbers were written, row by row. A pixel is p, n, v, the right
+/// color, and the color that a mistake gives, by its number in the list; n is 0 beside the ball.
 #[unsafe(no_mangle)]
 pub extern "C" fn draw(size: usize, mistake: usize) -> *const f64 {
     let fault = Fault::known().nth(mistake);
@@ -132,7 +132,8 @@ pub extern "C" fn numbers(count: usize) -> *mut f64 {
     numbers.as_mut_ptr()
 }
 
-/// The crate's normal of a surface, by its place in the list, from the numbers that were written; 0 if there is none.
+/// The crate's normal of a surface, by its place in the list, from the numbers that were written; 0 if
+/// there is none.
 #[unsafe(no_mangle)]
 pub extern "C" fn normal(surface: usize) -> *const f64 {
     let mut numbers = lock(&NUMBERS);

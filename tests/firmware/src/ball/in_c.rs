@@ -1,4 +1,5 @@
-//! The ball by the headers for C, which the build script compiles. The picture in single precision is encoded by the crate.
+//! The ball by the headers for C, which the build script compiles. The picture in single precision is
+//! encoded by the crate.
 
 use shading::f32::Rgb;
 

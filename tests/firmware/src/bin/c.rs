@@ -1,6 +1,6 @@
-//! Prints how many instructions a point light costs in Blinn–Phong, with a real m: by the crate, by the crate as a
-//! light of any kind, and by the header for C, whose lights are of any kind.
-//! Four points, each lit by four lamps. Fails if a bit differs.
+//! Prints how many instructions a point light costs in Blinn–Phong, with a real m: by the crate, by the
+//! crate as a light of any kind, and by the header for C, whose lights are of any kind. Four points, each
+//! lit by four lamps. Fails if a bit differs.
 #![no_std]
 #![no_main]
 

@@ -45,9 +45,9 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
         ),
         row("`normal::sphere`", "of the result", 5.5, &sphere::<T>),
         // u is the unit roundoff; an absolute error of k u is k/2 units in the last place of 1. A
-        // coordinate of an edge is off by 1u, so a product of two is off by 3u, and their
-        // difference by 1u more. The vector of the |aᵢbⱼ| + |aⱼbᵢ| is at most 2/√3 |a||b| long:
-        // with pᵢ = |aᵢbᵢ|, its square is |a|²|b|² + (Σp)² − 2Σp², where Σp² ≥ (Σp)²/3 and Σp ≤
+        // coordinate of an edge is off by 1u, so a product of two is off by 3u, and their difference by 1u
+        // more. The vector of the |aᵢbⱼ| + |aⱼbᵢ| is at most 2/√3 |a||b| long: with pᵢ = |aᵢbᵢ|, its square
+        // is |a|²|b|² + (Σp)² − 2Σp², where Σp² ≥ (Σp)²/3 and Σp ≤
         // |a||b|. So N is turned by at most (2√3κ + 1)u, κ the conditioning. A component nᵢ gets at
         // most √(1 − nᵢ²) of this, and 3.5u nᵢ from `unit`: together √((2√3κ + 1)² + 3.5²)u ≤
         // 5.68κu.
@@ -57,10 +57,10 @@ pub fn rows<T: Float>(hills: u64) -> Vec<Row> {
             2.84,
             &triangle::<T>,
         ),
-        // (√(x² + y²) − 2)² + z² − ¼: with ρ = √(x² + y²) ≤ √2, ∇f is along (x(1 − 2/ρ), y(1 −
-        // 2/ρ), z). ρ is off by 2u, and 1 − 2/ρ by 2/(2 − ρ) ≤ 3.42 times as much. The slope and
-        // the difference add 1u each: 8.83u for x and y together, which turns N by half of that at
-        // most. Two more products put x and y off by 2u each: 6.42u. √(6.42² + 3.5²)u = 7.32u.
+        // (√(x² + y²) − 2)² + z² − ¼: with ρ = √(x² + y²) ≤ √2, ∇f is along (x(1 − 2/ρ), y(1 − 2/ρ), z). ρ
+        // is off by 2u, and 1 − 2/ρ by 2/(2 − ρ) ≤ 3.42 times as much. The slope and the difference add 1u
+        // each: 8.83u for x and y together, which turns N by half of that at most. Two more products put x
+        // and y off by 2u each: 6.42u. √(6.42² + 3.5²)u = 7.32u.
         row("`normal::implicit`, a torus", "of 1", 3.66, &implicit::<T>),
         // (u, v, u² + uv + v²): one coordinate of each tangent is rounded, and their product is
         // exact: √(1 + 3.5²)u = 3.65u.
