@@ -13,9 +13,6 @@ use crate::number::{Number, Pack};
 use crate::scene::{Model, Scene};
 use crate::threads::{self, SPAN};
 
-/// No pack has more numbers.
-const MOST: usize = 8;
-
 /// Where the colors of some points go: their sum, or the ambient, the diffuse and the specular part.
 pub enum Out<'a, T> {
     Total(&'a mut [[T; 3]]),
@@ -50,15 +47,11 @@ impl<T: Number> Out<'_, T> {
     #[inline(always)]
     fn put<P: Pack<Lane = T>>(&mut self, done: usize, here: usize, shaded: Shaded<P>) {
         let put = |out: &mut [[T; 3]], color: Rgb<P>| {
-            let mut rows = [[T::ZERO; 3]; MOST];
-            for (c, channel) in <[P; 3]>::from(color).into_iter().enumerate() {
-                channel.scatter(|lane, x| rows[lane][c] = x);
-            }
             // of a constant length, unless it is the rest
             if here == P::COUNT {
-                out[done..done + P::COUNT].copy_from_slice(&rows[..P::COUNT]);
+                P::put(color.into(), &mut out[done..done + P::COUNT]);
             } else {
-                out[done..done + here].copy_from_slice(&rows[..here]);
+                P::put(color.into(), &mut out[done..done + here]);
             }
         };
         match self {
@@ -125,7 +118,7 @@ impl<'a, P: Pack> Rows<'a, P> {
         }
         let rows = &self.rows[first..first + here];
         if here == P::COUNT {
-            return [0, 1, 2].map(|c| P::gather(|lane| rows[lane][c]));
+            return P::columns(rows);
         }
         [0, 1, 2].map(|c| P::gather(|lane| rows[lane.min(here - 1)][c]))
     }

@@ -9,6 +9,8 @@ mod avx2;
 mod c;
 mod implicit;
 mod kernel;
+#[cfg(any(target_arch = "x86_64", target_feature = "simd128"))]
+mod lanes;
 mod light;
 mod normals;
 mod number;
@@ -17,6 +19,8 @@ mod problem;
 #[cfg(feature = "python")]
 mod python;
 mod scene;
+#[cfg(target_feature = "simd128")]
+mod simd128;
 #[cfg(test)]
 mod tests;
 mod threads;

@@ -1,8 +1,15 @@
 //! The numbers that points are given in, and the packs that several points are shaded in.
+#![allow(
+    clippy::inline_always,
+    reason = "as in the kernel, which is compiled for several processors"
+)]
 
 use std::fmt::{Debug, Display};
 
 use shading::{Elementary, Lobe, Real, Scalar};
+
+/// No pack has more numbers.
+const MOST: usize = 8;
 
 /// `f32` or `f64`.
 pub trait Number:
@@ -15,9 +22,6 @@ pub trait Number:
     #[cfg(target_arch = "x86_64")]
     type Avx2: Pack<Lane = Self>;
 
-    /// One point at a time.
-    type Alone: Pack<Lane = Self>;
-
     const EPSILON: Self;
 
     /// A whole shininess as an integer, which is faster.
@@ -28,10 +32,13 @@ pub trait Number:
 }
 
 macro_rules! numbers {
-    ($($float:ident in $lanes:ident or $avx2:ident),*) => {$(
+    ($($float:ident in $lanes:ident, $avx2:ident or $simd128:ident),*) => {$(
         impl Number for $float {
-            #[cfg(not(target_arch = "arm"))]
+            #[cfg(not(any(target_arch = "arm", target_feature = "simd128")))]
             type Lanes = wide::$lanes;
+
+            #[cfg(target_feature = "simd128")]
+            type Lanes = crate::simd128::$simd128;
 
             // NEON rounds subnormal numbers to 0 there, so lanes would not have the bits of the scalar
             #[cfg(target_arch = "arm")]
@@ -39,8 +46,6 @@ macro_rules! numbers {
 
             #[cfg(target_arch = "x86_64")]
             type Avx2 = crate::avx2::$avx2;
-
-            type Alone = Self;
 
             const EPSILON: Self = Self::EPSILON;
 
@@ -55,7 +60,7 @@ macro_rules! numbers {
             }
         }
 
-        /// One point at a time: for shininesses that differ from point to point, and to compare with.
+        /// One point at a time.
         impl Pack for $float {
             type Lane = Self;
             const COUNT: usize = 1;
@@ -99,7 +104,7 @@ macro_rules! numbers {
         }
     )*};
 }
-numbers!(f32 in f32x8 or F32x8, f64 in f64x4 or F64x4);
+numbers!(f32 in f32x8, F32x8 or F32x4, f64 in f64x4, F64x4 or F64x4);
 
 /// A number for each of several points, which are shaded side by side.
 pub trait Pack: Real {
@@ -115,4 +120,20 @@ pub trait Pack: Real {
 
     /// Hands out the number of each point, with its index.
     fn scatter(self, put: impl FnMut(usize, Self::Lane));
+
+    /// The numbers of a row for each point, column by column.
+    #[inline(always)]
+    fn columns(rows: &[[Self::Lane; 3]]) -> [Self; 3] {
+        [0, 1, 2].map(|c| Self::gather(|lane| rows[lane][c]))
+    }
+
+    /// Puts the columns into rows, as many as there is room for.
+    #[inline(always)]
+    fn put(columns: [Self; 3], rows: &mut [[Self::Lane; 3]]) {
+        let mut all = [[Self::Lane::ZERO; 3]; MOST];
+        for (c, column) in columns.into_iter().enumerate() {
+            column.scatter(|lane, x| all[lane][c] = x);
+        }
+        rows.copy_from_slice(&all[..rows.len()]);
+    }
 }
