@@ -17,10 +17,10 @@ extern "C" {
 /* What a function returns. shading_status_text gives the sentence of each. */
 enum shading_status {
     SHADING_OK = 0,
-    SHADING_NULL = 1,         /* a pointer is null, and its buffer is not empty */
-    SHADING_ALIGNMENT = 2,    /* a pointer to floats or structures is not a multiple of 4 */
-    SHADING_SIZE = 3,         /* a buffer is larger than the address space */
-    SHADING_OVERLAP = 4,      /* the output overlaps an input */
+    SHADING_NULL = 1,         /* the pointer is null, and its buffer is not empty */
+    SHADING_ALIGNMENT = 2,    /* the pointer is not a multiple of its type's alignment */
+    SHADING_SIZE = 3,         /* the buffer is larger than the address space */
+    SHADING_OVERLAP = 4,      /* the output overlaps this input */
     SHADING_COUNT = 5,        /* a number of values or a switch is none of those allowed */
     SHADING_MODEL = 6,        /* there is no such model */
     SHADING_POINTS = 7,       /* a coordinate of points or vertices is not finite, or is outside of the grid of implicit */

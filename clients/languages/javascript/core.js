@@ -15,12 +15,29 @@ const LIGHTS = {
 const SCENE = { points: undefined, normals: undefined, eye: undefined, lights: undefined, k_a: undefined, k_d: undefined,
   k_s: undefined, m: 1, ambient: 1, model: "blinn-phong", visible: undefined, parts: false };
 
+const isDetached = (view) => {
+  try {
+    return !new Uint8Array(view.buffer, 0, 0);
+  } catch {
+    return true;
+  }
+};
+
 /** The value as it is written in a message. */
 function shown(value) {
-  if (value === undefined || typeof value === "number" || typeof value === "function") return String(value);
-  const text = JSON.stringify(ArrayBuffer.isView(value) ? Array.from(value) : value,
-    (_, inner) => typeof inner === "number" && !Number.isFinite(inner) ? String(inner) : inner);
-  return text.length > 80 ? `${text.slice(0, 77)}...` : text;
+  if (["undefined", "number", "function", "symbol"].includes(typeof value)) return String(value);
+  if (typeof value === "bigint") return `${value}n`;
+  try {
+    const isView = ArrayBuffer.isView(value) && !(value instanceof DataView);
+    if (isView && isDetached(value)) return "an array whose buffer was transferred";
+    const type = Object.prototype.toString.call(value).slice(8, -1);
+    if (typeof value === "object" && !isView && !["Array", "Object", "Null"].includes(type)) return type;
+    const text = JSON.stringify(isView || Array.isArray(value) ? Array.from(value.slice(0, 80)) : value, (_, inner) =>
+      typeof inner === "bigint" || (typeof inner === "number" && !Number.isFinite(inner)) ? shown(inner) : inner);
+    return text.length > 80 ? `${text.slice(0, 77)}...` : text;
+  } catch { // it refers to itself, or throws when it is read
+    return "an object";
+  }
 }
 
 const wrong = (name, expected, got) => new TypeError(`${name}: expected ${expected}, got ${shown(got)}`);
@@ -37,13 +54,16 @@ function options(name, defaults, given) {
   return { ...defaults, ...Object.fromEntries(set) };
 }
 
+/** Words that are written as they are. Other arrays become floats. */
+class Raw extends Uint32Array {}
+
 const isArray = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 const isNumber = (value) => typeof value === "number";
 const isCount = (value) => Number.isInteger(value) && value >= 0;
 
 /** Every element is a number, also where an array has holes. */
 function areNumbers(value) {
-  if (ArrayBuffer.isView(value)) return typeof value[0] !== "bigint";
+  if (ArrayBuffer.isView(value)) return !(value instanceof BigInt64Array || value instanceof BigUint64Array || isDetached(value));
   for (let i = 0; i < value.length; i++) if (!isNumber(value[i])) return false;
   return true;
 }
@@ -54,7 +74,10 @@ function triple(name, value) {
 }
 
 /** One number is gray. */
-const color = (name, value) => triple(name, isNumber(value) ? [value, value, value] : value);
+function color(name, value) {
+  if (isBytes(value)) throw wrong(name, "linear light, usually of an image's bytes by fromSrgb8", value);
+  return triple(name, isNumber(value) ? [value, value, value] : value);
+}
 
 function number(name, value) {
   if (!isNumber(value)) throw wrong(name, "a number", value);
@@ -108,21 +131,27 @@ function listed(lights) {
   return lights;
 }
 
-/** Three numbers for each point. */
-function triples(name, value, count) {
+/** Three numbers for each point, or whatever else the array describes. */
+function triples(name, value, count, what = "point") {
   if (!isArray(value) || !areNumbers(value)) throw wrong(name, "an array of numbers", value);
   if (value.length % 3 || (count !== undefined && value.length !== 3 * count)) {
-    const expected = count === undefined ? "three numbers for each point" : `three numbers for each of ${count} points`;
+    const expected = count === undefined ? `three numbers for each ${what}` : `three numbers for each of ${count} points`;
     throw new RangeError(`${name}: expected ${expected}, got ${value.length}`);
   }
   return value;
 }
 
 const isBytes = (value) => [Uint8Array, Uint8ClampedArray, Uint16Array].some((type) => value instanceof type);
+const isInteger = (value) => isBytes(value) || [Int8Array, Int16Array, Int32Array, Uint32Array].some((type) => value instanceof type);
+
+/** Numbers, true or false; a hole becomes NaN, which the module refuses. */
+const areFractions = (value) => Array.isArray(value)
+  ? value.every((x) => isNumber(x) || typeof x === "boolean")
+  : isArray(value) && areNumbers(value);
 
 /** One value for all points, or an array with one for each. A color may be one number, and a texture may be gray. */
 function each(name, value, count, width, isColor = width === 3) {
-  if (isBytes(value)) {
+  if (isColor && isBytes(value)) {
     throw new TypeError(`${name}: expected linear numbers, usually from 0 to 1, got ${value.constructor.name}; `
       + "fromSrgb8 decodes an image's bytes");
   }
@@ -140,6 +169,13 @@ function each(name, value, count, width, isColor = width === 3) {
   throw new RangeError(`${name}: expected ${others.reverse().join(", ")} or ${most} numbers, got ${value.length}`);
 }
 
+/** The colors of an ImageData, or what else was given. */
+function withoutAlpha(given) {
+  const { data, width, height } = given ?? {};
+  const isImage = data instanceof Uint8ClampedArray && data.length === 4 * width * height;
+  return isImage ? data.filter((_, i) => i % 4 !== 3) : given;
+}
+
 /** The functions of the compiled module. */
 export async function instance(module) {
   const wasm = (await WebAssembly.instantiate(module)).exports;
@@ -148,10 +184,15 @@ export async function instance(module) {
   /** Calls `use` with the addresses of the arrays and of room for the output, and frees all of it. */
   function call(inputs, words, use) {
     const sizes = [...inputs.map((input) => input.length), words];
-    const rooms = sizes.map((size) => wasm.shading_room(size)); // first all, since each may move the memory
+    const rooms = [];
     try {
+      for (const size of sizes) { // first all, since each may move the memory
+        const room = size < 2 ** 30 && wasm.shading_room(size) >>> 0;
+        if (!room) throw new RangeError(`the module's memory has no room for ${size} more numbers; pass the points in several calls`);
+        rooms.push(room);
+      }
       inputs.forEach((input, i) => {
-        const Words = input instanceof Uint32Array ? Uint32Array : Float32Array;
+        const Words = input instanceof Raw ? Uint32Array : Float32Array;
         new Words(memory.buffer, rooms[i], input.length).set(input);
       });
       return use(...rooms);
@@ -165,7 +206,7 @@ export async function instance(module) {
   /** Throws what the module says in the error that it has written. */
   function refuse(error) {
     const bytes = new Uint8Array(memory.buffer, error + 12, 256);
-    const text = new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
+    const text = new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0))).replace("from_srgb8", "fromSrgb8");
     const [light, index] = new Uint32Array(memory.buffer, error + 4, 2);
     throw Object.assign(new RangeError(text), light === NONE ? {} : { light }, index === NONE ? {} : { index });
   }
@@ -181,18 +222,18 @@ export async function instance(module) {
     if ([scene.k_a, scene.k_d, scene.k_s].every((k) => k === undefined)) {
       throw new TypeError("k_d: expected a reflectance, such as 0.6, in k_d, k_a or k_s, got none");
     }
-    const lights = listed(scene.lights).map(packed);
+    const lights = Array.from(listed(scene.lights), packed); // holes, too
     const values = {
       eye: each("eye", scene.eye, count, 3, false),
-      k_a: each("k_a", scene.k_a ?? 0, count, 3),
-      k_d: each("k_d", scene.k_d ?? 0, count, 3),
-      k_s: each("k_s", scene.k_s ?? 0, count, 3),
+      k_a: each("k_a", scene.k_a === undefined ? 0 : scene.k_a, count, 3),
+      k_d: each("k_d", scene.k_d === undefined ? 0 : scene.k_d, count, 3),
+      k_s: each("k_s", scene.k_s === undefined ? 0 : scene.k_s, count, 3),
       m: each("m", scene.m, count, 1),
       ambient: each("ambient", scene.ambient, count, 3),
     };
     let visible = [];
     if (scene.visible !== undefined) {
-      if (!isArray(scene.visible)) throw wrong("visible", "an array of fractions from 0 to 1", scene.visible);
+      if (!areFractions(scene.visible)) throw wrong("visible", "an array of fractions from 0 to 1", scene.visible);
       visible = Float32Array.from(scene.visible, Number);
       if (visible.length === lights.length) { // the same for all points
         const fractions = visible;
@@ -206,7 +247,7 @@ export async function instance(module) {
     const one = (name) => values[name].one ?? (name === "m" ? [0] : [0, 0, 0]);
     const numbers = new Float32Array(["eye", "ambient", "k_a", "k_d", "k_s", "m"].flatMap(one));
     const arrays = ["eye", "k_a", "k_d", "k_s", "m", "ambient"].map((name) => values[name].all ?? []);
-    const allLights = new Uint32Array(WORDS * lights.length);
+    const allLights = new Raw(WORDS * lights.length);
     lights.forEach((words, i) => allLights.set(words, WORDS * i));
     const size = points.length * (parts ? 3 : 1);
     const inputs = [points, normals, allLights, visible, ...arrays];
@@ -227,8 +268,8 @@ export async function instance(module) {
   }
 
   function encoded(colors, width, encode) {
-    triples("colors", colors);
-    if (isBytes(colors)) throw wrong("colors", "linear light, where 1 is white", colors);
+    triples("colors", colors, undefined, "color");
+    if (isInteger(colors)) throw wrong("colors", "linear light, where 1 is white", colors);
     const size = width * colors.length / 3;
     return call([colors], Math.ceil(size / 4), (from, out) => {
       encode(colors.length / 3, from, out);
@@ -236,10 +277,13 @@ export async function instance(module) {
     });
   }
 
-  function fromSrgb8(texture) {
-    if (!(texture instanceof Uint8Array || texture instanceof Uint8ClampedArray)) throw wrong("texture", "a Uint8Array", texture);
-    triples("texture", texture);
-    const words = new Uint32Array(Math.ceil(texture.length / 4));
+  function fromSrgb8(given) {
+    const texture = withoutAlpha(given);
+    if (!(texture instanceof Uint8Array || texture instanceof Uint8ClampedArray)) {
+      throw wrong("texture", "a Uint8Array or an ImageData", given);
+    }
+    triples("texture", texture, undefined, "texel");
+    const words = new Raw(Math.ceil(texture.length / 4));
     new Uint8Array(words.buffer).set(texture);
     return call([words], texture.length, (from, out) => {
       wasm.shading_from_srgb8(texture.length / 3, from, out);
@@ -250,8 +294,8 @@ export async function instance(module) {
   function heightField(given) {
     const { z, columns, dx, dy } = options("heightField", { z: undefined, columns: undefined, dx: 1, dy: 1 }, given);
     if (!isArray(z) || !areNumbers(z)) throw wrong("z", "an array of numbers", z);
-    const rows = z.length / columns;
-    if (!isCount(columns) || !isCount(rows)) {
+    const rows = isCount(columns) ? z.length / columns : NaN;
+    if (!isCount(rows)) {
       const expected = `a whole number that divides ${z.length}, the number of heights`;
       throw new RangeError(`columns: expected ${expected}, got ${shown(columns)}`);
     }
@@ -267,8 +311,8 @@ export async function instance(module) {
     const { values, rows, columns, points, dx, dy, dz } = options("implicit", defaults, given);
     if (!isArray(values) || !areNumbers(values)) throw wrong("values", "an array of numbers", values);
     triples("points", points);
-    const layers = values.length / (rows * columns);
-    if (![rows, columns, layers].every(isCount)) {
+    const layers = isCount(rows) && isCount(columns) ? values.length / (rows * columns) : NaN;
+    if (!isCount(layers)) {
       const expected = `whole numbers whose product divides ${values.length}, the number of values`;
       throw new RangeError(`rows, columns: expected ${expected}, got ${shown(rows)} and ${shown(columns)}`);
     }
@@ -283,8 +327,8 @@ export async function instance(module) {
 
   function meshNormals(given) {
     const { vertices, faces, crease } = options("meshNormals", { vertices: undefined, faces: undefined, crease: undefined }, given);
-    triples("vertices", vertices);
-    const indices = Uint32Array.from(triples("faces", faces));
+    triples("vertices", vertices, undefined, "vertex");
+    const indices = Raw.from(triples("faces", faces, undefined, "triangle"));
     const count = vertices.length / 3;
     for (let i = 0; i < faces.length; i++) {
       if (indices[i] !== faces[i] || indices[i] >= count) {

@@ -85,8 +85,8 @@ export interface Shading {
   toSrgb8(colors: Triples): Uint8ClampedArray;
   /** The same with an opaque alpha, four for each color, as the ImageData of a canvas takes them. */
   toSrgba8(colors: Triples): Uint8ClampedArray<ArrayBuffer>;
-  /** The linear colors of sRGB bytes, for k_d. */
-  fromSrgb8(texture: Uint8Array | Uint8ClampedArray): Float32Array;
+  /** The linear colors of sRGB bytes, for k_d: three bytes for each texel, or an ImageData, whose alpha is left out. */
+  fromSrgb8(texture: Uint8Array | Uint8ClampedArray | { data: Uint8ClampedArray; width: number; height: number }): Float32Array;
   /**
    * The unit normals (−∂z/∂x, −∂z/∂y, 1) of a grid of heights, row by row. x grows by `dx` from a column to the next, and y by
    * `dy` from a row to the next; the defaults are 1. `dy` is negative if the first row is the top of an image and y points up.

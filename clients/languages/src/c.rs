@@ -1,7 +1,6 @@
 //! The functions of `shading.h`.
 
 use std::ffi::c_char;
-use std::ops::Range;
 use std::slice::from_ref;
 
 use shading::f32::Rgb;
@@ -10,7 +9,7 @@ use crate::implicit::Grid;
 use crate::kernel::{Out, shade_all};
 use crate::light::Light;
 use crate::normals;
-use crate::pointer::{addresses, input, output};
+use crate::pointer::{Taken, input, output, taken};
 use crate::problem::{Problem, Status, text};
 use crate::scene::{Model, Scene};
 use crate::threads;
@@ -101,17 +100,18 @@ unsafe fn report(result: Result<(), Problem>, error: *mut Error) -> i32 {
 ///
 /// A pointer that is not null must be valid for `count` values.
 unsafe fn rows<'a, R>(
+    name: &'static str,
     each: *const R,
     count: usize,
     one: &'a R,
-    taken: &mut Vec<Range<usize>>,
+    inputs: &mut Vec<Taken>,
 ) -> Result<&'a [R], Problem> {
     if each.is_null() {
         return Ok(from_ref(one));
     }
     // SAFETY: as the caller promises
-    let rows = unsafe { input(each, count)? };
-    taken.push(addresses(rows));
+    let rows = unsafe { input(name, each, count)? };
+    inputs.push(taken(name, rows));
     Ok(rows)
 }
 
@@ -138,7 +138,7 @@ fn given(material: Material, each: &Each) -> Result<Material, Problem> {
 /// Each pointer that is not null must be valid for as many numbers as `shading.h` says.
 unsafe fn shade(scene: *const CScene, out: *mut [f32; 3]) -> Result<(), Problem> {
     // SAFETY: as the caller promises, here and below
-    let scene = &unsafe { input(scene, 1) }?[0];
+    let scene = &unsafe { input("scene", scene, 1) }?[0];
     let CScene {
         count,
         each,
@@ -146,16 +146,20 @@ unsafe fn shade(scene: *const CScene, out: *mut [f32; 3]) -> Result<(), Problem>
         ..
     } = *scene;
     let material = given(material, &each)?;
-    let mut taken = vec![addresses(from_ref(scene))];
-    let taken = &mut taken;
+    let mut inputs = vec![taken("scene", from_ref(scene))];
+    let inputs = &mut inputs;
     let (points, normals, lights) = unsafe {
         (
-            input(scene.points, count)?,
-            input(scene.normals, count)?,
-            input(scene.lights, scene.light_count)?,
+            input("points", scene.points, count)?,
+            input("normals", scene.normals, count)?,
+            input("lights", scene.lights, scene.light_count)?,
         )
     };
-    taken.extend([addresses(points), addresses(normals), addresses(lights)]);
+    inputs.extend([
+        taken("points", points),
+        taken("normals", normals),
+        taken("lights", lights),
+    ]);
     let fractions = count.saturating_mul(scene.light_count);
     let described = unsafe {
         Scene {
@@ -164,16 +168,16 @@ unsafe fn shade(scene: *const CScene, out: *mut [f32; 3]) -> Result<(), Problem>
             points,
             normals,
             lights,
-            eye: rows(each.eye, count, &scene.eye, taken)?,
-            k_a: rows(each.k_a, count, &material.k_a, taken)?,
-            k_d: rows(each.k_d, count, &material.k_d, taken)?,
-            k_s: rows(each.k_s, count, &material.k_s, taken)?,
-            m: rows(each.m, count, &material.m, taken)?,
-            ambient: rows(each.ambient, count, &scene.ambient, taken)?,
+            eye: rows("each.eye", each.eye, count, &scene.eye, inputs)?,
+            k_a: rows("each.k_a", each.k_a, count, &material.k_a, inputs)?,
+            k_d: rows("each.k_d", each.k_d, count, &material.k_d, inputs)?,
+            k_s: rows("each.k_s", each.k_s, count, &material.k_s, inputs)?,
+            m: rows("each.m", each.m, count, &material.m, inputs)?,
+            ambient: rows("each.ambient", each.ambient, count, &scene.ambient, inputs)?,
             visible: if each.visible.is_null() {
                 None
             } else {
-                Some(rows(each.visible, fractions, &1.0, taken)?)
+                Some(rows("each.visible", each.visible, fractions, &1.0, inputs)?)
             },
         }
     };
@@ -184,7 +188,7 @@ unsafe fn shade(scene: *const CScene, out: *mut [f32; 3]) -> Result<(), Problem>
     };
     let lights = described.checked()?;
     let all = count.saturating_mul(if is_in_parts { 3 } else { 1 });
-    let out = unsafe { output(out, all, taken)? };
+    let out = unsafe { output(out, all, inputs)? };
     let out = if is_in_parts {
         let (ambient, rest) = out.split_at_mut(count);
         let (diffuse, specular) = rest.split_at_mut(count);
@@ -264,8 +268,8 @@ unsafe fn convert<A: Copy + Sync, B: Send>(
 ) -> i32 {
     // SAFETY: as the caller promises
     let convert = || unsafe {
-        let from = input(from, count)?;
-        threads::map(from, output(to, count, &[addresses(from)])?, f);
+        let from = input("colors", from, count)?;
+        threads::map(from, output(to, count, &[taken("colors", from)])?, f);
         Ok(())
     };
     // SAFETY: there is no error to write
@@ -333,9 +337,9 @@ pub unsafe extern "C" fn shading_height_field(
     // SAFETY: as the caller promises
     unsafe {
         let field = || {
-            let z = input(z, count)?;
+            let z = input("z", z, count)?;
             normals::check_field(z, dx, dy)?;
-            normals::height_field(z, columns, dx, dy, output(out, count, &[addresses(z)])?);
+            normals::height_field(z, columns, dx, dy, output(out, count, &[taken("z", z)])?);
             Ok(())
         };
         report(field(), error)
@@ -358,14 +362,17 @@ pub unsafe extern "C" fn shading_mesh_normals(
     // SAFETY: as the caller promises
     unsafe {
         let normals = || {
-            let (vertices, faces) = (input(vertices, count)?, input(faces, face_count)?);
-            let taken = [addresses(vertices), addresses(faces)];
+            let (vertices, faces) = (
+                input("vertices", vertices, count)?,
+                input("faces", faces, face_count)?,
+            );
+            let inputs = [taken("vertices", vertices), taken("faces", faces)];
             normals::check_mesh(vertices, faces)?;
             if crease < 0.0 {
-                normals::of_vertices(vertices, faces, output(out, count, &taken)?);
+                normals::of_vertices(vertices, faces, output(out, count, &inputs)?);
             } else {
                 normals::check_crease(crease)?;
-                let corners = output(out, face_count.saturating_mul(3), &taken)?;
+                let corners = output(out, face_count.saturating_mul(3), &inputs)?;
                 normals::of_corners(vertices, faces, crease, corners.as_chunks_mut().0);
             }
             Ok(())
@@ -396,27 +403,34 @@ pub unsafe extern "C" fn shading_implicit(
     // SAFETY: as the caller promises
     unsafe {
         let normals = || {
-            let (values, points) = (input(values, nodes)?, input(points, count)?);
+            let (values, points) = (
+                input("values", values, nodes)?,
+                input("points", points, count)?,
+            );
             let grid = Grid {
                 values,
                 counts: [columns, rows, layers],
                 steps: [dx, dy, dz],
             };
             grid.check(points)?;
-            let taken = [addresses(values), addresses(points)];
-            grid.normals(points, output(out, count, &taken)?);
+            let inputs = [taken("values", values), taken("points", points)];
+            grid.normals(points, output(out, count, &inputs)?);
             Ok(())
         };
         report(normals(), error)
     }
 }
 
-/// Room for so many words in the module's memory, for JavaScript, until `shading_free` is called
-/// with the same number.
+/// Room for so many words in the module's memory, for JavaScript, until `shading_free` is called with the
+/// same number. It is null if there is not so much room. Nothing is written into it.
 #[cfg(target_family = "wasm")]
 #[unsafe(no_mangle)]
 pub extern "C" fn shading_room(words: usize) -> *mut f32 {
-    Box::into_raw(vec![0.0_f32; words].into_boxed_slice()).cast()
+    let mut room = Vec::new();
+    match room.try_reserve_exact(words) {
+        Ok(()) => std::mem::ManuallyDrop::new(room).as_mut_ptr(),
+        Err(_) => std::ptr::null_mut(),
+    }
 }
 
 /// # Safety
@@ -426,5 +440,5 @@ pub extern "C" fn shading_room(words: usize) -> *mut f32 {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn shading_free(room: *mut f32, words: usize) {
     // SAFETY: as the caller promises
-    drop(unsafe { Box::from_raw(std::ptr::slice_from_raw_parts_mut(room, words)) });
+    drop(unsafe { Vec::from_raw_parts(room, 0, words) });
 }

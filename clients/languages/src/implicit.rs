@@ -30,6 +30,10 @@ impl<T: Number> Grid<'_, T> {
             let problem = Problem::new(Status::Values, "values", expected, values[i]);
             return Err(problem.at(i, values.len()));
         }
+        if values.is_empty() && !points.is_empty() {
+            let expected = "at least one layer, row and column";
+            return Err(Problem::new(Status::Count, "values", expected, "none"));
+        }
         match points.iter().position(|&point| !self.contains(point)) {
             None => Ok(()),
             Some(i) => {

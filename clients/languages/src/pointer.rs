@@ -5,27 +5,28 @@ use std::slice::{from_raw_parts, from_raw_parts_mut};
 
 use crate::problem::{Problem, Status};
 
-fn check<T>(data: *const T, count: usize) -> Result<(), Problem> {
+fn check<T>(name: &str, data: *const T, count: usize) -> Result<(), Problem> {
     let size = count.checked_mul(size_of::<T>());
-    if data.is_null() {
-        Err(Problem::of(Status::Null))
+    let status = if data.is_null() {
+        Status::Null
     } else if !data.is_aligned() {
-        Err(Problem::of(Status::Alignment))
+        Status::Alignment
     } else if size.is_none_or(|size| isize::try_from(size).is_err()) {
-        Err(Problem::of(Status::Size))
+        Status::Size
     } else {
-        Ok(())
-    }
+        return Ok(());
+    };
+    Err(Problem::of(status, name))
 }
 
 /// # Safety
 ///
 /// A pointer that is not null must be valid for `count` values.
-pub unsafe fn input<'a, T>(data: *const T, count: usize) -> Result<&'a [T], Problem> {
+pub unsafe fn input<'a, T>(name: &str, data: *const T, count: usize) -> Result<&'a [T], Problem> {
     if count == 0 {
         return Ok(&[]);
     }
-    check(data, count)?;
+    check(name, data, count)?;
     // SAFETY: the pointer is neither null nor misaligned, and valid as the caller promises
     Ok(unsafe { from_raw_parts(data, count) })
 }
@@ -36,24 +37,27 @@ pub unsafe fn input<'a, T>(data: *const T, count: usize) -> Result<&'a [T], Prob
 pub unsafe fn output<'a, T>(
     data: *mut T,
     count: usize,
-    inputs: &[Range<usize>],
+    inputs: &[Taken],
 ) -> Result<&'a mut [T], Problem> {
     if count == 0 {
         return Ok(&mut []);
     }
-    check(data, count)?;
+    check("out", data, count)?;
     let start = data.addr();
     let end = start + count * size_of::<T>();
-    let overlaps = |input: &Range<usize>| start < input.end && input.start < end;
-    if inputs.iter().any(overlaps) {
-        return Err(Problem::of(Status::Overlap));
+    for (name, input) in inputs {
+        if start < input.end && input.start < end {
+            return Err(Problem::of(Status::Overlap, name));
+        }
     }
     // SAFETY: as above, and no input overlaps it
     Ok(unsafe { from_raw_parts_mut(data, count) })
 }
 
-/// The addresses of a buffer.
-pub fn addresses<T>(buffer: &[T]) -> Range<usize> {
+/// An argument, and the addresses of its buffer.
+pub type Taken = (&'static str, Range<usize>);
+
+pub fn taken<T>(name: &'static str, buffer: &[T]) -> Taken {
     let Range { start, end } = buffer.as_ptr_range();
-    start.addr()..end.addr()
+    (name, start.addr()..end.addr())
 }

@@ -39,10 +39,10 @@ pub enum Status {
 /// The sentence of each status, in the order of [`Status`]. They end in a zero byte, for C.
 const TEXTS: [&str; 28] = [
     "no error\0",
-    "a pointer is null, and its buffer is not empty\0",
-    "a pointer to floats or structures is not a multiple of 4\0",
-    "a buffer is larger than the address space\0",
-    "the output overlaps an input\0",
+    "the pointer is null, and its buffer is not empty\0",
+    "the pointer is not a multiple of its type's alignment\0",
+    "the buffer is larger than the address space\0",
+    "the output overlaps this input\0",
     "an array has too few or too many values\0",
     "model: there is no such model\0",
     "points: a coordinate is not finite, or is outside of the grid\0",
@@ -97,9 +97,9 @@ impl Problem {
         }
     }
 
-    /// A problem of which the status says everything.
-    pub fn of(status: Status) -> Self {
-        let message = text(status as i32).trim_end_matches('\0').to_owned();
+    /// A problem with a buffer, of which the status says everything.
+    pub fn of(status: Status, name: &str) -> Self {
+        let message = format!("{name}: {}", text(status as i32).trim_end_matches('\0'));
         Self {
             status,
             light: None,

@@ -3,7 +3,7 @@
 //! as many rows as there are points, or one.
 
 use numpy::{Element, PyArray1, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArray3};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyMemoryError, PyValueError};
 use pyo3::prelude::*;
 
 use crate::c::rgba;
@@ -47,12 +47,20 @@ fn triples<'a, T: Element>(array: &'a PyReadonlyArray2<'_, T>) -> PyResult<&'a [
     Ok(array.as_slice()?.as_chunks().0)
 }
 
+/// Refuses what would need more memory than there is, which would end the process.
+fn check_memory<T>(count: usize) -> PyResult<()> {
+    Vec::<T>::new()
+        .try_reserve_exact(count)
+        .map_err(|_| PyMemoryError::new_err(format!("no memory for a result of {count} numbers")))
+}
+
 /// What `compute` writes into an array of so many numbers, without Python's lock.
 fn filled<T: Number + Element>(
     py: Python,
     numbers: usize,
     compute: impl FnOnce(&mut [T]) -> Result<(), Problem> + Send,
 ) -> PyResult<Bound<PyArray1<T>>> {
+    check_memory::<T>(numbers)?;
     let computed = py.detach(|| {
         let mut out = vec![T::ZERO; numbers];
         compute(&mut out).map(|()| out)
@@ -91,7 +99,7 @@ fn shade<'py, T: Number + Element>(
         lights: &lights,
         visible: visible.map(|fractions| fractions.as_slice()).transpose()?,
     };
-    filled(py, count * if parts { 9 } else { 3 }, |out| {
+    filled(py, count.saturating_mul(if parts { 9 } else { 3 }), |out| {
         let lights = scene.checked()?;
         let rows = out.as_chunks_mut().0;
         let out = if parts {

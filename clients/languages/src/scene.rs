@@ -75,6 +75,9 @@ impl<T: Number> Scene<'_, T> {
             check(rows, is_right, |row| {
                 Problem::new(status, name, "finite numbers of 0 or more", triple(row))
             })?;
+            if status == Status::Reflectance && is_used {
+                refuse_bytes(name, rows)?;
+            }
         }
         check_numbers(
             self.m,
@@ -122,6 +125,20 @@ impl<T: Number> Scene<'_, T> {
             _ => Ok(()),
         }
     }
+}
+
+/// Nothing reflects ten times the light. Whole numbers that are not all small are the bytes of an image.
+fn refuse_bytes<T: Number>(name: &str, rows: &[[T; 3]]) -> Result<(), Problem> {
+    let (numbers, most) = (rows.as_flattened(), T::of(10.0));
+    if first_wrong(numbers, |x| x < most).is_none()
+        || first_wrong(numbers, |x| x.whole().is_some()).is_some()
+    {
+        return Ok(());
+    }
+    let expected = "linear numbers, usually from 0 to 1";
+    let largest = numbers.iter().fold(T::ZERO, |most, &x| most.at_least(x));
+    let got = format!("whole numbers up to {largest}; from_srgb8 decodes an image's bytes");
+    Err(Problem::new(Status::Reflectance, name, expected, got))
 }
 
 /// The first row with a number that is not right is a problem.

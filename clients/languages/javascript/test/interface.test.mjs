@@ -83,6 +83,12 @@ test("defaults are those of the other languages", () => {
   assert.deepEqual(shade(scene), shade(written(INTERFACE.shade, scene)));
 });
 
+const transferred = () => {
+  const array = new Float32Array(6);
+  structuredClone(array.buffer, { transfer: [array.buffer] });
+  return array;
+};
+
 const WRONG = {
   "k_d: expected linear numbers, usually from 0 to 1, got Uint8Array; fromSrgb8 decodes": () => shaded({ k_d: new Uint8Array(6) }),
   "k_d: expected linear numbers, usually from 0 to 1, got Uint8ClampedArray": () => shaded({ k_d: new Uint8ClampedArray(6) }),
@@ -119,7 +125,7 @@ const WRONG = {
   "visible: expected 2 numbers, for each light those of all points, got 3": () => shaded({ visible: [1, 1, 1] }),
   "parts: expected true or false, got 1": () => shaded({ parts: 1 }),
   "colors: expected linear light, where 1 is white": () => toSrgb8(new Uint8Array(3)),
-  "texture: expected a Uint8Array, got [1,2,3]": () => fromSrgb8([1, 2, 3]),
+  "texture: expected a Uint8Array or an ImageData, got [1,2,3]": () => fromSrgb8([1, 2, 3]),
   "columns: expected a whole number that divides 4, the number of heights, got 3": () => heightField({ z: [0, 0, 0, 0], columns: 3 }),
   "columns: expected a whole number that divides 4, the number of heights, got -4": () => heightField({
     z: [0, 0, 0, 0], columns: -4,
@@ -134,6 +140,60 @@ const WRONG = {
   "faces: expected indices below 3, the number of vertices, got -1 at [0]": () => meshNormals({
     vertices: [0, 0, 0, 1, 0, 0, 0, 1, 0], faces: [0, 1, -1],
   }),
+  "points: expected an array of numbers, got [\"0n\",\"0n\",\"0n\"]": () => shaded({ points: [0n, 0n, 0n] }),
+  "points: expected an array of numbers, got [\"0n\",\"0n\"": () => shaded({ points: new BigInt64Array(6) }),
+  "points: expected an array of numbers, got an array whose buffer was transferred": () => shaded({ points: transferred() }),
+  "z: expected an array of numbers, got an array whose buffer was transferred": () => heightField({ z: transferred(), columns: 2 }),
+  "points: expected an array of numbers, got ArrayBuffer": () => shaded({ points: new ArrayBuffer(24) }),
+  "points: expected an array of numbers, got DataView": () => shaded({ points: new DataView(new ArrayBuffer(24)) }),
+  "points: expected an array of numbers, got Map": () => shaded({ points: new Map() }),
+  "normals: expected an array of numbers, got [null,null,null,null,null,1]": () => {
+    const sparse = [];
+    sparse[5] = 1;
+    return shaded({ normals: sparse });
+  },
+  "m: expected a number or an array of numbers, got 32n": () => shaded({ m: 32n }),
+  "k_d: expected a number or an array of numbers, got Symbol(red)": () => shaded({ k_d: Symbol("red") }),
+  "k_d: expected a number or an array of numbers, got null": () => shaded({ k_d: null }),
+  "k_d: expected a number or an array of numbers, got an object": () => {
+    const cycle = {};
+    cycle.self = cycle;
+    return shaded({ k_d: cycle });
+  },
+  "k_d: expected a number or an array of numbers, got Number": () => shaded({ k_d: new Number(0.5) }),
+  "k_d: expected linear numbers, usually from 0 to 1, got whole numbers up to 176; fromSrgb8": () => shaded({ k_d: [176, 112, 62] }),
+  "k_s: expected linear numbers, usually from 0 to 1, got whole numbers up to 255; fromSrgb8": () => shaded({
+    k_s: Int32Array.of(176, 112, 62, 0, 255, 1),
+  }),
+  "intensity: expected linear light, usually of an image's bytes by fromSrgb8, got [255,240,200]": () => directional({
+    toward: [0, 0, 1], intensity: Uint8Array.of(255, 240, 200),
+  }),
+  "point: there is no intesity, only": () => shaded({ lights: [SUN, { kind: "point", position: [0, 0, 1], intesity: 1 }] }),
+  "position: expected three finite numbers, got [\"0n\",0,1]": () => point({ position: [0n, 0, 1] }),
+  "toward: expected three finite numbers, got [0,\"NaN\",1]": () => directional({ toward: [0, NaN, 1] }),
+  "lights[1]: expected a light, made by directional, point or spot, got undefined": () => shaded({
+    lights: [SUN, , SUN], // eslint-disable-line no-sparse-arrays
+  }),
+  "lights[0]: expected a light, made by directional, point or spot, got [{\"kind\"": () => shaded({ lights: [[SUN]] }),
+  "lights: expected a light, made by directional, point or spot, or an array of lights, got Generator": () => shaded({
+    lights: (function* () { yield SUN; })(),
+  }),
+  "visible: expected an array of fractions from 0 to 1, got [\"yes\",\"no\"]": () => shaded({ visible: ["yes", "no"] }),
+  "visible: expected an array of fractions from 0 to 1, got [\"1n\",\"0n\"]": () => shaded({ visible: [1n, 0n] }),
+  "visible: expected fractions from 0 to 1, got 255 at [0]": () => shaded({ visible: Uint8Array.of(255, 0) }),
+  "columns: expected a whole number that divides 4, the number of heights, got 2n": () => heightField({ z: [0, 0, 0, 0], columns: 2n }),
+  "dx: expected a finite number that is not 0, got 0": () => heightField({ z: [0, 0, 0, 0], columns: 2, dx: 1e-300 }),
+  "rows, columns: expected whole numbers whose product divides 8, the number of values, got 2n and 2": () => implicit({
+    values: Array(8).fill(0), rows: 2n, columns: 2, points: [],
+  }),
+  "faces: expected three numbers for each triangle, got 4": () => meshNormals({ vertices: Array(9).fill(0), faces: [0, 1, 2, 0] }),
+  "faces: expected indices below 3, the number of vertices, got 4294967296": () => meshNormals({
+    vertices: Array(9).fill(0), faces: [0, 1, 4294967296],
+  }),
+  "colors: expected linear light, where 1 is white, got [0,128,255]": () => toSrgb8(Int32Array.of(0, 128, 255)),
+  "colors: expected an array of numbers, got {\"ambient\"": () => toSrgb8(shaded({ parts: true })),
+  "texture: expected three numbers for each texel, got 8": () => fromSrgb8(new Uint8ClampedArray(8)),
+  "the module's memory has no room for 536870912 more numbers": () => heightField({ z: new Float32Array(1 << 29), columns: 1 << 29 }),
 };
 
 for (const [sentence, call] of Object.entries(WRONG)) {
@@ -152,6 +212,34 @@ test("an error has the index of the light or the point", () => {
 });
 
 test("one light needs no list", () => assert.deepEqual(shaded({ lights: SUN }), shaded({ lights: [SUN] })));
+
+test("arrays of any kind have the right value", () => {
+  const expected = shaded({ points: [1, 0, 0, 2, 0, 0], k_s: 0.5, m: 8 });
+  for (const Kind of [Float64Array, Int16Array, Uint32Array, Uint8Array, Int8Array]) {
+    assert.deepEqual(shaded({ points: Kind.of(1, 0, 0, 2, 0, 0), normals: Kind.of(0, 0, 1, 0, 0, 1), k_s: 0.5, m: 8 }), expected);
+  }
+  const shared = new Float32Array(new SharedArrayBuffer(24));
+  shared.set([1, 0, 0, 2, 0, 0]);
+  const proxy = new Proxy([1, -0, 0, 2, -0, 0], {});
+  for (const points of [shared, proxy]) assert.deepEqual(shaded({ points, k_s: 0.5, m: 8 }), expected);
+  assert.deepEqual([...shaded({ k_d: Uint32Array.of(0, 1, 2, 3, 4, 5) })], [0, 1, 2, 3, 4, 5]);
+  assert.deepEqual(shaded({ m: Uint16Array.of(8, 8), points: [1, 0, 0, 2, 0, 0], k_s: 0.5 }), expected);
+  assert.deepEqual([...shaded({ visible: [true, false] })], [0.5, 0.5, 0.5, 0, 0, 0]);
+});
+
+test("an error in a getter is the caller's", () => {
+  const scene = { ...POINTS, k_d: 0.5, get lights() { throw new Error("from the getter"); } };
+  assert.throws(() => shade(scene), /^Error: from the getter$/);
+});
+
+test("the source of the module is named", async () => {
+  for (const source of [3, null, {}]) await assert.rejects(load(source), /source: expected a URL, the bytes/);
+});
+
+test("the alpha of an image is left out", () => {
+  const image = { data: Uint8ClampedArray.of(1, 2, 3, 9, 4, 5, 6, 9, 7, 8, 10, 9), width: 3, height: 1 };
+  assert.deepEqual(fromSrgb8(image), fromSrgb8(Uint8Array.of(1, 2, 3, 4, 5, 6, 7, 8, 10)));
+});
 
 test("a gray texture has a number for each point", () => {
   assert.deepEqual([...shaded({ k_d: new Float32Array([0.5, 1]) })], [0.5, 0.5, 0.5, 1, 1, 1]);

@@ -7,6 +7,7 @@ from typing import Any, Callable, Union
 import numpy as np
 import numpy.typing as npt
 
+BYTES = (np.uint8, np.uint16)
 Floats = npt.NDArray[np.floating[Any]]
 
 
@@ -18,14 +19,39 @@ def array(name: str, value: npt.ArrayLike) -> npt.NDArray[Any]:
         result = np.asarray(value)
     except ValueError:
         raise ValueError(f"{name}: expected numbers in a regular shape, got {short(value)}") from None
+    except TypeError:
+        raise TypeError(f"{name}: expected numbers, got {short(value)}") from None
     if result.dtype.kind not in "fiub":
         raise TypeError(f"{name}: expected numbers, got {short(value)}")
     return result
 
 
 def short(value: Any) -> str:
-    text = repr(value)
+    """The value as it is written in a message, in one line."""
+    text = " ".join(repr(value).split())
+    if getattr(value, "ndim", 0) and (len(text) > 80 or not isinstance(value, np.ndarray)):  # or what pandas and xarray have
+        return f"{type(value).__name__} of {np.asarray(value).dtype} in the shape {np.shape(value)}"
     return text if len(text) <= 80 else f"{text[:77]}..."
+
+
+def numbers(name: str, value: Any, count: int) -> tuple[float, ...]:
+    """So many numbers, finite or not."""
+    what = "three finite numbers" if count == 3 else "a number"
+    refused = f"{name}: expected {what}, got {short(value)}"
+    if isinstance(value, np.ma.MaskedArray):
+        raise TypeError(refused)
+    try:
+        array = np.asarray(value)
+        result = array.astype(np.float64) if array.dtype.kind in "fiub" else np.empty(0)
+    except (TypeError, ValueError):
+        result = np.empty(0)
+    if result.shape != ((3,) if count == 3 else ()):
+        raise TypeError(refused)
+    return tuple(float(number) for number in np.atleast_1d(result))
+
+
+def number(name: str, value: Any) -> float:
+    return numbers(name, value, 1)[0]
 
 
 def vectors(name: str, value: npt.ArrayLike) -> npt.NDArray[Any]:
@@ -37,7 +63,7 @@ def vectors(name: str, value: npt.ArrayLike) -> npt.NDArray[Any]:
 
 def reflectance(name: str, value: npt.ArrayLike) -> npt.NDArray[Any]:
     result = array(name, value)
-    if result.dtype in (np.uint8, np.uint16):
+    if result.dtype in BYTES:
         raise TypeError(
             f"{name}: expected linear numbers, usually from 0 to 1, got {result.dtype}; from_srgb8 decodes an image's bytes"
         )

@@ -11,26 +11,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
-from ._arrays import refusal, short
+from ._arrays import BYTES, number, numbers, refusal, short
 
 _KINDS = ("directional", "point", "spot")
 _Vector = Union[Sequence[float], npt.NDArray[Any]]
-
-
-def _numbers(name: str, value: Any, count: int) -> tuple[float, ...]:
-    """So many numbers, finite or not."""
-    what = "three finite numbers" if count == 3 else "a number"
-    refused = f"{name}: expected {what}, got {short(value)}"
-    if isinstance(value, np.ma.MaskedArray):
-        raise TypeError(refused)
-    try:
-        array = np.asarray(value)
-        numbers = array.astype(np.float64) if array.dtype.kind in "fiub" else np.empty(0)
-    except (TypeError, ValueError):
-        numbers = np.empty(0)
-    if numbers.shape != ((3,) if count == 3 else ()):
-        raise TypeError(refused)
-    return tuple(float(number) for number in np.atleast_1d(numbers))
 
 
 @dataclass(frozen=True)
@@ -54,10 +38,12 @@ class Light:
         intensity = self.intensity
         is_gray = np.ndim(intensity) == 0 and not isinstance(intensity, str) and intensity is not None
         object.__setattr__(self, "intensity", [intensity] * 3 if is_gray else intensity)
+        if getattr(intensity, "dtype", None) in BYTES:
+            raise TypeError(f"intensity: expected linear light, got {short(intensity)}; from_srgb8 decodes an image's bytes")
         for name in ("position", "toward", "axis", "intensity", "attenuation"):
-            object.__setattr__(self, name, _numbers(name, getattr(self, name), 3))
+            object.__setattr__(self, name, numbers(name, getattr(self, name), 3))
         for name in ("range", "inner", "outer"):
-            object.__setattr__(self, name, _numbers(name, getattr(self, name), 1)[0])
+            object.__setattr__(self, name, number(name, getattr(self, name)))
         if not isinstance(self.gltf, (bool, np.bool_)):
             raise TypeError(f"gltf: expected True or False, got {short(self.gltf)}")
         object.__setattr__(self, "gltf", bool(self.gltf))

@@ -8,13 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
-from ._arrays import Floats, array, called, is_single, short, vectors
-
-
-def _step(name: str, value: Any) -> float:
-    if not isinstance(value, (int, float, np.number)):
-        raise TypeError(f"{name}: expected a number, got {short(value)}")
-    return float(value)
+from ._arrays import Floats, array, called, is_single, number, vectors
 
 
 def height_field(z: npt.ArrayLike, dx: float = 1.0, dy: float = 1.0) -> Floats:
@@ -35,7 +29,7 @@ def height_field(z: npt.ArrayLike, dx: float = 1.0, dy: float = 1.0) -> Floats:
     single = is_single(heights)
     kernel: Any = _native.field_f32 if single else _native.field_f64
     rows = np.ascontiguousarray(heights, np.float32 if single else np.float64)
-    flat = called(kernel, rows, _step("dx", dx), _step("dy", dy), grid=heights.shape)
+    flat = called(kernel, rows, number("dx", dx), number("dy", dy), grid=heights.shape)
     result: Floats = flat.reshape(*heights.shape, 3)
     return result
 
@@ -64,7 +58,7 @@ def implicit(values: npt.ArrayLike, points: npt.ArrayLike, dx: float = 1.0, dy: 
     dtype: type[np.floating[Any]] = np.float32 if single else np.float64
     kernel: Any = _native.implicit_f32 if single else _native.implicit_f64
     rows = np.ascontiguousarray(places, dtype).reshape(-1, 3)
-    steps = (_step("dx", dx), _step("dy", dy), _step("dz", dz))
+    steps = (number("dx", dx), number("dy", dy), number("dz", dz))
     field = np.ascontiguousarray(numbers, dtype)
     flat = called(kernel, field, rows, steps, grid=places.shape[:-1], values=field.shape)
     result: Floats = flat.reshape(places.shape)
@@ -98,7 +92,7 @@ def mesh_normals(vertices: npt.ArrayLike, faces: npt.ArrayLike, crease: float | 
     single = is_single(points)
     kernel: Any = _native.mesh_f32 if single else _native.mesh_f64
     rows = np.ascontiguousarray(points, np.float32 if single else np.float64)
-    angle = None if crease is None else _step("crease", crease)
+    angle = None if crease is None else number("crease", crease)
     flat = called(kernel, rows, np.ascontiguousarray(indices, np.uint32), angle, grid=(len(points),))
     result: Floats = flat.reshape((-1, 3) if crease is None else (-1, 3, 3))
     return result

@@ -111,8 +111,10 @@ def shade(
     >>> shade((0, 0, 0), (0, 0, 1), (0, 0, 5), directional(toward=(0, 0, 1)), k_d=(0.5, 0.25, 0))
     array([0.5 , 0.25, 0.  ])
     """
-    if model not in _MODELS:
+    if not isinstance(model, str) or model not in _MODELS:
         raise ValueError(f'model: expected "lambert", "phong" or "blinn-phong", got {short(model)}')
+    if not isinstance(parts, (bool, np.bool_)):
+        raise TypeError(f"parts: expected True or False, got {short(parts)}")
     if k_a is None and k_d is None and k_s is None:
         raise ValueError("k_d: expected a reflectance, such as 0.6, in k_d, k_a or k_s, got none")
     all_lights = _lights(lights)
@@ -141,7 +143,7 @@ def shade(
 
     kernel: Any = _native.shade_f32 if single else _native.shade_f64
     words = [light._words() for light in all_lights]
-    flat = called(kernel, _MODELS.index(model), count, words, *rows, m_rows, seen_rows, parts, grid=grid, visible=mask)
+    flat = called(kernel, _MODELS.index(model), count, words, *rows, m_rows, seen_rows, bool(parts), grid=grid, visible=mask)
     if parts:
         return Parts(*flat.reshape(3, *shape))
     result: Floats = flat.reshape(shape)

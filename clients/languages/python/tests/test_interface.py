@@ -6,6 +6,7 @@ import dataclasses
 import inspect
 import json
 import math
+import textwrap
 from pathlib import Path
 from typing import Any, Callable
 
@@ -131,6 +132,45 @@ WRONG: dict[str, Callable[[], Any]] = {
         POINTS, np.array([[(0, 0, 0)], [(0, 0, 3.5)]])
     ),
     "range: expected a number, got 'far'": lambda: shading.point((0, 0, 1), range="far"),  # type: ignore[arg-type]
+    "range: expected a number, got [3]": lambda: shading.point((0, 0, 1), range=[3]),  # type: ignore[arg-type]
+    "k_d: expected linear numbers, usually from 0 to 1, got whole numbers up to 128; from_srgb8": lambda: shaded(
+        k_d=BYTES.astype(np.int64)
+    ),
+    "k_s: expected linear numbers, usually from 0 to 1, got whole numbers up to 128; from_srgb8": lambda: shaded(
+        k_s=BYTES.astype(np.float32)
+    ),
+    "intensity: expected linear light, got array([255, 240, 200], dtype=uint8); from_srgb8 decodes": lambda: shading.directional(
+        (0, 0, 1), np.array((255, 240, 200), np.uint8)
+    ),
+    "normals: expected numbers, got ndarray of object in the shape (4, 5, 3)": lambda: shaded(normals=POINTS.astype(object)),
+    "k_a: expected numbers, got array([['a', 'b', 'c']], dtype='<U1')": lambda: shaded(k_a=np.array([["a", "b", "c"]])),
+    "eye: expected numbers, got [None, 0, 5]": lambda: shaded(eye=[None, 0, 5]),
+    "eye: expected numbers, got array(['NaT', 'NaT', 'NaT'], dtype='datetime64": lambda: shaded(eye=np.full(3, "NaT", "M8[s]")),
+    "points: expected numbers, got <generator object": lambda: shaded(points=(point for point in POINTS)),
+    "points: expected numbers, got {'x': 1}": lambda: shaded(points={"x": 1}),
+    "points: expected numbers, got b'abc'": lambda: shaded(points=b"abc"),
+    "points: expected the shape (..., 3), got ()": lambda: shaded(points=np.float32(1)),
+    "points: expected the shape (..., 3), got (0,)": lambda: shaded(points=[]),
+    "normals: expected a shape that broadcasts to (4, 5, 3), got (0, 3)": lambda: shaded(normals=np.zeros((0, 3))),
+    "k_d: expected a shape that broadcasts to (4, 5, 3), got (4, 5, 4)": lambda: shaded(k_d=np.ones((4, 5, 4))),
+    "m: expected a shape that broadcasts to (4, 5), got (4, 5, 1)": lambda: shaded(m=np.ones((4, 5, 1))),
+    'model: expected "lambert", "phong" or "blinn-phong", got array([': lambda: shaded(model=np.array(["phong", "lambert"])),
+    "parts: expected True or False, got 'yes'": lambda: shaded(parts="yes"),
+    "parts: expected True or False, got None": lambda: shaded(parts=None),
+    "lights[0]: expected a light, made by directional, point or spot, got [directional(": lambda: shaded(lights=[[SUN]]),
+    "lights[0]: expected a light, made by directional, point or spot, got 'sun'": lambda: shaded(lights={"sun": SUN}),
+    "sequence of lights, got <function directional": lambda: shaded(lights=shading.directional),
+    "toward: expected three finite numbers, got (0, 0, 1j)": lambda: shading.directional((0, 0, 1j)),  # type: ignore[arg-type]
+    "toward: expected three finite numbers, got (1000000": lambda: shading.directional((10**400, 0, 0)),
+    "dx: expected a number, got 1000000": lambda: shading.height_field(POINTS[..., 0], dx=10**400),
+    "dx: expected a number, got array([1, 2])": lambda: shading.height_field(
+        POINTS[..., 0], dx=np.array([1, 2])  # type: ignore[arg-type]
+    ),
+    "dy: expected a number, got ": lambda: shading.height_field(POINTS[..., 0], dy=np.complex128(1)),  # type: ignore[arg-type]
+    "dx: expected a finite number that is not 0, got inf": lambda: shading.height_field(np.zeros((3, 3), np.float32), dx=1e300),
+    "crease: expected a number, got '30'": lambda: shading.mesh_normals(POINTS[0], [(0, 1, 2)], "30"),  # type: ignore[arg-type]
+    "values: expected at least one layer, row and column, got none": lambda: shading.implicit(np.zeros((0, 2, 2)), (0, 0, 0)),
+    "texture: expected numbers, got 'brick.png'": lambda: shading.from_srgb8("brick.png"),  # type: ignore[arg-type]
 }
 
 
@@ -139,6 +179,33 @@ def test_what_only_python_can_write_ends_in_a_sentence(message: str) -> None:
     with pytest.raises((TypeError, ValueError)) as error:
         WRONG[message]()
     assert message in str(error.value)
+
+
+def test_a_result_that_is_too_large_is_an_error_of_memory() -> None:
+    huge = np.broadcast_to(0.0, (1 << 50, 3))
+    with pytest.raises(MemoryError, match="no memory for a result of 3377699720527872 numbers"):
+        shaded(points=huge, normals=(0, 0, 1))
+    with pytest.raises(MemoryError):
+        shading.height_field(np.broadcast_to(np.float32(0), (1 << 30, 1 << 20)))
+
+
+def test_arrays_of_any_kind_have_the_right_value() -> None:
+    rng = np.random.default_rng(5)
+    points, normals = rng.integers(-9, 9, (4, 6, 3)).astype(float), rng.integers(-9, 9, (4, 6, 3)).astype(float)
+    expected = shaded(points=points, normals=normals, eye=(0, 0, 20))
+    assert expected.any()
+    for kind in (np.float16, np.longdouble, np.int8, np.int64, ">f8", "<i2"):
+        np.testing.assert_array_equal(shaded(points=points.astype(kind), normals=normals.astype(kind), eye=(0, 0, 20)), expected)
+    frozen, strided = points.copy(), np.zeros((8, 12, 6))
+    frozen.flags.writeable = False
+    strided[::-2, ::2, ::-2] = normals
+    for order in (np.asfortranarray, np.ascontiguousarray):
+        np.testing.assert_array_equal(shaded(points=order(frozen), normals=strided[::-2, ::2, ::-2], eye=(0, 0, 20)), expected)
+    mirrored = shaded(points=points[::-1, ::-1], normals=normals[::-1, ::-1], eye=(0, 0, 20))
+    np.testing.assert_array_equal(mirrored, expected[::-1, ::-1])
+    assert (shaded(k_d=True) == 1).all() and (shaded(k_d=2) == 2).all() and shaded(m=np.inf).any()
+    assert shaded(lights=np.array([SUN])).shape == shaded(lights={SUN}).shape == (4, 5, 3)
+    np.testing.assert_array_equal(shading.height_field(np.eye(3), dx=np.array(2.0)), shading.height_field(np.eye(3), dx=2))
 
 
 def test_one_light_needs_no_list() -> None:
@@ -230,3 +297,22 @@ def test_help_begins_with_what_one_calls() -> None:
     text = pydoc.plain(pydoc.render_doc(shading))
     assert "MRO" not in text and "class Light" not in text
     assert text.index("shading.shade(points, normals") < 1500
+
+
+def test_the_program_in_the_help_casts_the_shadows_of_a_wall() -> None:
+    # a wall from row to row, 8 high, whose last column is 10. The sun rises by 1.2/3 of a cell from a column to the next.
+    z = np.zeros((40, 60))
+    z[:, 8:11] = 8
+    picture = np.full((40, 60, 3), 128, np.uint8)
+    names: dict[str, Any] = {"z": z, "picture": picture}
+    text = inspect.getdoc(shading) or ""
+    exec(textwrap.dedent(text[text.index("    import numpy") :]), names)  # noqa: S102
+    end = 10 + 8 / 0.4
+    columns = np.arange(60)
+    dark = (columns > 11) & (columns < end - 1)
+    assert not names["visible"][:, dark].any() and names["visible"][:, (columns < 8) | (columns > end + 1)].all()
+    (albedo,) = set(shading.from_srgb8(picture).flat)
+    np.testing.assert_allclose(names["colors"][:, dark], np.broadcast_to(albedo * np.array((0.12, 0.15, 0.2)), (40, dark.sum(), 3)))
+    facing = 1.2 / math.sqrt(9 + 4 + 1.44)
+    lit = albedo * (np.array((0.12, 0.15, 0.2)) + facing * np.array((1, 0.9, 0.75)))
+    np.testing.assert_allclose(names["colors"][:, -20:], np.broadcast_to(lit, (40, 20, 3)), rtol=1e-6)

@@ -3,7 +3,7 @@
 
 use std::ptr::{null, null_mut};
 
-use super::{POINTS, scene, shade, sun};
+use super::{POINTS, refusal, scene, shade, sun};
 use crate::c::{
     CScene, Each, shading_from_srgb8, shading_shade, shading_to_srgb8, shading_to_srgba8,
 };
@@ -44,6 +44,53 @@ fn bad_pointers_are_refused() {
         assert_eq!(shading_to_srgba8(1, &POINTS[0], null_mut()), 1);
         assert_eq!(shading_from_srgb8(0, null(), null_mut()), 0);
     }
+}
+
+#[test]
+fn a_sentence_names_the_pointer() {
+    let lights = [sun()];
+    let says = |change: &dyn Fn(&mut CScene)| {
+        let mut scene = scene(&lights);
+        change(&mut scene);
+        shade(&scene).expect_err("refused").3
+    };
+    let odd = POINTS.as_ptr().wrapping_byte_add(1);
+    let is_null = "the pointer is null, and its buffer is not empty";
+    let is_odd = "the pointer is not a multiple of its type's alignment";
+    assert_eq!(
+        says(&|scene| scene.points = null()),
+        format!("points: {is_null}")
+    );
+    assert_eq!(
+        says(&|scene| scene.lights = null()),
+        format!("lights: {is_null}")
+    );
+    assert_eq!(
+        says(&|scene| scene.normals = odd),
+        format!("normals: {is_odd}")
+    );
+    assert_eq!(
+        says(&|scene| scene.each.visible = odd.cast()),
+        format!("each.visible: {is_odd}")
+    );
+    assert_eq!(
+        says(&|scene| scene.light_count = usize::MAX),
+        "lights: the buffer is larger than the address space"
+    );
+
+    let scene = scene(&lights);
+    // SAFETY: null and an output that is an input are refused
+    let (nowhere, in_place) = unsafe {
+        (
+            refusal(|error| shading_shade(&scene, null_mut(), error)),
+            refusal(|error| shading_shade(&scene, scene.normals.cast_mut(), error)),
+        )
+    };
+    assert_eq!(nowhere.expect_err("refused").3, format!("out: {is_null}"));
+    assert_eq!(
+        in_place.expect_err("refused").3,
+        "normals: the output overlaps this input"
+    );
 }
 
 #[test]
