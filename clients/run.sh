@@ -66,6 +66,11 @@ languages() {
     [ "$(stat --format %s "$work/dome.ppm")" = 12301 ] # a header of 13 bytes, and 64 × 64 pixels of 3
 
     packages
+    # each point has the bits that it has alone, in the lanes of WebAssembly, too
+    installer rustup --quiet target add wasm32-wasip1
+    CARGO_TARGET_DIR=$built/lanes RUSTFLAGS=-Ctarget-feature=+simd128 \
+        CARGO_TARGET_WASM32_WASIP1_RUNNER="node --no-warnings $(realpath ../.ci/wasi.mjs)" \
+        cargo test --quiet -p languages --lib --target wasm32-wasip1
     draws_the_same JavaScript node "$work/npm/main.mjs"
     (cd "$work/npm" && INTERFACE=$PWD/../interface.json npm test --silent)
     local python=$work/python/bin/python

@@ -26,7 +26,7 @@ enum shading_status {
     SHADING_POINTS = 7,       /* a coordinate of points or vertices is not finite, or is outside of the grid of implicit */
     SHADING_NORMALS = 8,      /* a coordinate of normals is not finite */
     SHADING_EYE = 9,          /* a coordinate of eye is not finite */
-    SHADING_REFLECTANCE = 10, /* k_a, k_d or k_s is negative or not finite, or all are 0 */
+    SHADING_REFLECTANCE = 10, /* k_a, k_d or k_s is negative, not finite or an image's byte, or all are 0 */
     SHADING_SHININESS = 11,   /* m is negative or NaN */
     SHADING_AMBIENT = 12,     /* ambient is negative or not finite */
     SHADING_VISIBLE = 13,     /* a fraction is not within 0 and 1 */
@@ -66,7 +66,7 @@ typedef struct shading_light {
 
 typedef struct shading_material {
     float k_a[3], k_d[3], k_s[3]; /* what the surface reflects of each channel, usually from 0 to 1. At least one must be
-                                     set, here or in each; the others are 0 */
+                                     set, here or in each; the others are 0. shading_from_srgb8 decodes bytes */
     float m;                      /* the shininess; a whole number is faster. Lambert ignores k_s and m. 1 */
 } shading_material;
 

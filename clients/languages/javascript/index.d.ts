@@ -6,7 +6,7 @@ export type Color = Triple | number;
 export type Triples = Float32Array | Float64Array | readonly number[];
 /**
  * A number, three numbers, or a texture: three numbers for each point, or one if it is gray. (Three numbers for three points are a
- * color.)
+ * color.) They are linear, usually from 0 to 1. `fromSrgb8` decodes the bytes of an image.
  */
 export type Texture = number | Triples;
 

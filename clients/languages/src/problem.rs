@@ -48,7 +48,7 @@ const TEXTS: [&str; 28] = [
     "points: a coordinate is not finite, or is outside of the grid\0",
     "normals: a coordinate is not finite\0",
     "eye: a coordinate is not finite\0",
-    "k_a, k_d, k_s: a reflectance is negative or not finite, or there is none\0",
+    "k_a, k_d, k_s: a reflectance is negative, not finite or an image's byte, or there is none\0",
     "m: a shininess is negative or NaN\0",
     "ambient: a channel is negative or not finite\0",
     "visible: a fraction is not within 0 and 1\0",

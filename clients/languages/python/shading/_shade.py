@@ -97,12 +97,13 @@ def shade(
         point is at the eye, the result is black.
     lights: a light or a sequence of lights.
     k_a, k_d, k_s: what the surface reflects of each channel, usually from 0 to 1: a number, three numbers, or a texture of
-        shape (..., 3), or (..., 1) if it is gray. At least one must be given; the others are 0.
+        shape (..., 3), or (..., 1) if it is gray. At least one must be given; the others are 0. An image's bytes are decoded by
+        `from_srgb8` first.
     m: the shininess, 0 or more: a number, or an array of shape (...), without the 3. Whole numbers are faster.
     ambient: the ambient light; a number, three numbers, or an array like a texture.
     model: "lambert", "phong" or "blinn-phong".
     visible: which lights reach which points: an array that broadcasts to (number of lights, ...), of bool or of fractions from
-        0 to 1. Without it, all do.
+        0 to 1. Without it, all do. `help(shading)` makes one of the shadows of a relief.
     parts: returns a tuple of the ambient, the diffuse and the specular part.
 
     All these arrays broadcast to each other as NumPy's do; the result has their common shape (..., 3). It is 0 or more, without

@@ -170,7 +170,7 @@ WRONG: dict[str, Callable[[], Any]] = {
     "dx: expected a finite number that is not 0, got inf": lambda: shading.height_field(np.zeros((3, 3), np.float32), dx=1e300),
     "crease: expected a number, got '30'": lambda: shading.mesh_normals(POINTS[0], [(0, 1, 2)], "30"),  # type: ignore[arg-type]
     "values: expected at least one layer, row and column, got none": lambda: shading.implicit(np.zeros((0, 2, 2)), (0, 0, 0)),
-    "texture: expected numbers, got 'brick.png'": lambda: shading.from_srgb8("brick.png"),  # type: ignore[arg-type]
+    "texture: expected numbers, got 'brick.png'": lambda: shading.from_srgb8("brick.png"),
 }
 
 
@@ -205,7 +205,8 @@ def test_arrays_of_any_kind_have_the_right_value() -> None:
     np.testing.assert_array_equal(mirrored, expected[::-1, ::-1])
     assert (shaded(k_d=True) == 1).all() and (shaded(k_d=2) == 2).all() and shaded(m=np.inf).any()
     assert shaded(lights=np.array([SUN])).shape == shaded(lights={SUN}).shape == (4, 5, 3)
-    np.testing.assert_array_equal(shading.height_field(np.eye(3), dx=np.array(2.0)), shading.height_field(np.eye(3), dx=2))
+    two: Any = np.array(2.0)
+    np.testing.assert_array_equal(shading.height_field(np.eye(3), dx=two), shading.height_field(np.eye(3), dx=2))
 
 
 def test_one_light_needs_no_list() -> None:
