@@ -5,7 +5,7 @@ use std::{env, fs, io};
 
 fn main() -> io::Result<()> {
     println!("cargo::rerun-if-changed=build.rs");
-    #[cfg(feature = "ball")]
+    #[cfg(feature = "c")]
     compile_ball();
     let variable = |name| env::var(name).map_err(io::Error::other);
     if variable("CARGO_CFG_TARGET_OS")? != "none" {
@@ -20,7 +20,7 @@ fn main() -> io::Result<()> {
 }
 
 /// Compiles the headers' programs at the same level of optimization as the crate's.
-#[cfg(feature = "ball")]
+#[cfg(feature = "c")]
 fn compile_ball() {
     let (headers, example) = ("../../languages", "../../languages/arduino/examples/Ball");
     println!("cargo::rerun-if-changed={headers}/shading.h");

@@ -22,7 +22,10 @@ within() { [ "$2" -le "$3" ] || complain "$1: $2 exceeds $3"; }
 # build TARGET PROFILE PROGRAM: prints the path of the program
 build() {
     local features=""
-    [[ $3 != ball && $3 != frame && $3 != c ]] || features=ball
+    case $3 in
+    ball | frame) features=ball ;;
+    c) features=c ;;
+    esac
     cargo build --quiet --target "$1" --profile "$2" --bin "$3" --features "$features" >&2 && echo "target/$1/$2/$3"
 }
 
