@@ -20,6 +20,29 @@ impl Place {
     pub(crate) fn is_general(&self) -> bool {
         self.only_with.iter().all(|id| GENERAL.contains(id))
     }
+
+    /// An edit that tells this place beside the whole that it is found in, if one does.
+    fn beside(&self, whole: &Self) -> Option<usize> {
+        let is_of_whole = |id: &&str| whole.only_with.contains(id);
+        if !whole.is_general() {
+            let mut particular = self.only_with.iter().filter(|id| !GENERAL.contains(id));
+            let first = particular.clone().next()?;
+            return (!particular.any(is_of_whole)).then(|| number(first))?;
+        }
+        // what takes away a part of the light may take away what is wrong with it, too
+        let is_told = |id: &&&str| !is_of_whole(id) && (whole.only_with.len() < 2 || !darkens(id));
+        number(self.only_with.iter().find(is_told)?)
+    }
+
+    /// Whether both say the same but for what is general.
+    fn is_as_particular(&self, other: &Self) -> bool {
+        let particular = |place: &Self| -> Vec<&str> {
+            let ids = place.only_with.iter().copied();
+            ids.filter(|id| !GENERAL.contains(id)).collect()
+        };
+        self.only_with == other.only_with
+            || !self.is_general() && particular(self) == particular(other)
+    }
 }
 
 /// Parts that make up one thing, and what else may be told of either: where both are wrong, the
@@ -45,14 +68,31 @@ const GENERAL: [&str; 3] = ["highlight", "lamps", "lights"];
 /// more ways than one.
 const TERMS: [&str; 4] = ["highlight", "diffuse", "ambient", "lights"];
 
-/// What nothing but a lamp has.
+/// Things of which the first is all that is left without the second.
+const ALONE: [[&str; 2]; 4] = [
+    ["highlight", "diffuse"],
+    ["diffuse", "highlight"],
+    ["point", "cone"],
+    ["point", "spot"],
+];
+
+/// What nothing but a lamp has, and nothing but a highlight.
 const OF_LAMPS: [&str; 3] = ["distance", "attenuation", "cone"];
+const OF_HIGHLIGHTS: [&str; 4] = ["length of V", "shininess", "Phong", "Blinn"];
+
+/// What turns the eye. So it changes the cosine of the highlight, and repairs what is wrong with some cosines
+/// alone.
+const TURNS: [&str; 4] = ["shininess", "eye behind", "Phong", "Blinn"];
 
 /// The most things that are taken out one after the other, each because another is wrong, too.
 const DEPTH: usize = 2;
 
 /// The fewest cases that have a place.
 const FEWEST: usize = 3;
+
+/// The fewest cases that show a second mistake. An edit that repairs a case as often as not repairs all of 8 by
+/// chance once in 256 times, so one of all edits does in 9 of 100; of 3, about three do.
+const FEW: usize = 8;
 
 /// The most broken cases of an experiment: a bit each.
 pub const MOST: usize = 60;
@@ -63,6 +103,8 @@ pub type Ask<'a> = dyn FnMut(&[Scene]) -> Option<Vec<bool>> + 'a;
 /// Broken cases without one thing each.
 struct Experiment {
     count: usize,
+    /// What is left alone by what was taken out already, so that nothing is left to be wrong without it.
+    alone: Vec<&'static str>,
     /// For each edit the cases that it repairs, those that it leaves broken, and those of which it says nothing.
     repaired: Vec<u64>,
     broken: Vec<u64>,
@@ -101,89 +143,117 @@ pub fn places(
     profile: &Profile,
     ask: &mut Ask,
 ) -> Option<Vec<Place>> {
-    places_of(&some(cases, most), profile, ask, &[])
+    Search { most, profile, ask }.places(cases, &[])
 }
 
-/// The place of cases without what another place is about, where what is wrong there may hide what repairs them.
-fn alone(
-    cases: &[Scene],
-    other: &Place,
-    before: &Place,
-    profile: &Profile,
-    ask: &mut Ask,
-) -> Option<Place> {
-    let is_new = |id: &&&str| !GENERAL.contains(id) && !before.only_with.contains(id);
-    let k = number(other.only_with.iter().find(is_new)?)?;
-    let without = |case: &Scene| EDITS[k].of(case, profile).unwrap_or(case.clone());
-    let edited: Vec<Scene> = cases.iter().map(without).collect();
-    let are_broken = ask(&edited)?.into_iter();
-    let broken = edited.into_iter().zip(are_broken).filter(|(_, is)| *is);
-    let broken: Vec<Scene> = broken.map(|(case, _)| case).collect();
-    if broken.len() < FEWEST {
-        return None;
-    }
-    let experiment = Experiment::new(&broken, profile, ask, &[k])?;
-    let place = experiment.place(experiment.all());
-    before
-        .only_with
-        .first()
-        .filter(|id| place.only_with.contains(id))?;
-    Some(place)
+/// A search for places. Nothing is found once the renderer does not answer.
+struct Search<'a, 'b> {
+    /// The most cases of an experiment.
+    most: usize,
+    profile: &'a Profile,
+    ask: &'a mut Ask<'b>,
 }
 
-/// The same, where some edits have taken things out of the cases already.
-fn places_of(
-    cases: &[Scene],
-    profile: &Profile,
-    ask: &mut Ask,
-    without: &[usize],
-) -> Option<Vec<Place>> {
-    let experiment = Experiment::new(cases, profile, ask, without)?;
-    let whole = experiment.place(experiment.all());
-    if without.len() >= DEPTH || !whole.is_general() {
-        return Some(vec![whole]);
+impl Search<'_, '_> {
+    fn experiment(&mut self, cases: &[Scene], without: &[usize]) -> Option<Experiment> {
+        Experiment::new(&some(cases, self.most), self.profile, self.ask, without)
     }
-    let mut found = Vec::new();
-    // what is left without one thing is wrong for another reason
-    for k in experiment.parts() {
-        let is_left = |i: &usize| experiment.broken[k] >> i & 1 == 1;
-        let left = (0..experiment.count).filter(is_left);
-        let left = left.filter_map(|i| EDITS[k].of(&cases[i], profile));
-        let left: Vec<Scene> = left.collect();
-        let mut all = vec![experiment.place(experiment.repaired[k])];
-        let Some(others) = places_of(&left, profile, ask, &[without, &[k]].concat()) else {
-            break; // the time is up
+
+    /// The cases that are still broken without some things.
+    fn left(&mut self, cases: &[Scene], edits: &[usize]) -> Option<Vec<Scene>> {
+        let without = |case: &Scene| {
+            edits.iter().fold(case.clone(), |case, k| {
+                EDITS[*k].of(&case, self.profile).unwrap_or(case)
+            })
         };
+        let edited: Vec<Scene> = cases.iter().map(without).collect();
+        let are_broken = (self.ask)(&edited)?.into_iter();
+        let broken = edited.into_iter().zip(are_broken).filter(|(_, is)| *is);
+        Some(broken.map(|(case, _)| case).collect())
+    }
+
+    /// The places of cases from which some edits have taken things out already.
+    fn places(&mut self, cases: &[Scene], without: &[usize]) -> Option<Vec<Place>> {
+        let experiment = self.experiment(cases, without)?;
+        let whole = experiment.place();
+        if without.len() >= DEPTH {
+            return Some(vec![whole]);
+        }
+        // without what nearly all need, something else may be wrong with the others
+        let particular = whole.only_with.iter().find(|id| !GENERAL.contains(id));
+        let firsts = match particular.and_then(|id| number(id)) {
+            Some(k) => vec![k],
+            None => experiment.parts(),
+        };
+        let cases = some(cases, 10 * self.most);
+        let mut found = Vec::new();
+        for k in firsts {
+            match self.apart(&cases, (&experiment, &whole), k, without) {
+                Some(all) if all.len() > 1 => found.push(all),
+                Some(_) => {}
+                None => break, // the time is up
+            }
+        }
+        // few places, and particular ones
+        let first = |place: &Place| number(place.only_with.first()?);
+        found.sort_by_key(|all| (all.len(), all.iter().filter_map(first).sum::<usize>()));
+        Some(found.into_iter().next().unwrap_or(vec![whole]))
+    }
+
+    /// The places, if one thing is wrong with what an edit takes out and another without it: each is the place of
+    /// the cases that are left without the other. None if these do not need what they were told apart by.
+    fn apart(
+        &mut self,
+        cases: &[Scene],
+        (experiment, whole): (&Experiment, &Place),
+        k: usize,
+        without: &[usize],
+    ) -> Option<Vec<Place>> {
+        let none = Some(Vec::new());
+        let left = self.left(cases, &[k])?;
+        if left.len() < FEW {
+            return none;
+        }
+        let without_first = [without, &[k]].concat();
+        let mut others = if whole.only_with.len() < 2 {
+            self.places(&left, &without_first)?
+        } else {
+            let of_others = self.experiment(&left, &without_first)?;
+            vec![of_others.place()]
+        };
+        let edits: Vec<usize> = others.iter().filter_map(|it| it.beside(whole)).collect();
+        let turns = |k: &usize| TURNS.contains(&EDITS[*k].id);
+        if edits.len() < others.len() || [&edits[..], &[k]].concat().iter().all(turns) {
+            return none;
+        }
+        let of_first = self.left(cases, &edits)?;
+        if of_first.len() < FEW {
+            return none;
+        }
+        let of_first = self.experiment(&of_first, &[without, &edits].concat())?;
+        let mut first = of_first.place();
+        let is_told = !whole.is_general() || first.beside(whole).is_some();
+        if !first.only_with.contains(&EDITS[k].id) || !is_told {
+            return none;
+        }
+        experiment.settle(&mut first, k, &edits);
+        for (other, edit) in others.iter_mut().zip(&edits) {
+            experiment.settle(other, *edit, &[k]);
+        }
+        let mut all = vec![first];
         for other in others {
-            if all.iter().all(|place| place.only_with != other.only_with) {
+            if all.iter().all(|place| !place.is_as_particular(&other)) {
                 all.push(other);
             }
         }
         merge(&mut all);
-        // what takes away a part of the light may take away what is wrong with it, and tells of no
-        // place of its own
-        let darkens = |id: &str| EDITS.iter().any(|edit| edit.id == id && edit.darkens);
-        let is_more = |id: &&str| {
-            !whole.only_with.contains(id) && (whole.only_with.len() < 2 || !darkens(id))
-        };
-        let is_told = |place: &Place| place.only_with.iter().any(is_more);
-        let of_first = experiment.repaired[k];
-        let is_apart = |place: &Place| experiment.is_apart(of_first, place);
-        if all.len() > 1 && all.iter().all(is_told) && all[1..].iter().all(is_apart) {
-            if let [first, other] = &mut all[..] {
-                let of_first = (0..experiment.count).filter(|i| of_first >> i & 1 == 1);
-                let of_first: Vec<Scene> = of_first.map(|i| cases[i].clone()).collect();
-                if let Some(alone) = alone(&of_first, other, first, profile, ask) {
-                    *first = alone;
-                }
-            }
-            found.push(all);
-        }
+        Some(all)
     }
-    // few places, and particular ones
-    let first = |place: &Place| number(place.only_with.first()?);
-    found.sort_by_key(|all| (all.len(), all.iter().filter_map(first).sum::<usize>()));
-    Some(found.into_iter().next().unwrap_or(vec![whole]))
+}
+
+/// Whether an edit takes away a part of the light.
+fn darkens(id: &str) -> bool {
+    EDITS.iter().any(|edit| edit.id == id && edit.darkens)
 }
 
 /// Makes one place of two that are the parts of one thing, which is wrong as a whole.
@@ -222,8 +292,11 @@ impl Experiment {
     fn new(cases: &[Scene], profile: &Profile, ask: &mut Ask, without: &[usize]) -> Option<Self> {
         let count = cases.len().min(MOST);
         let [repaired, broken, unknown] = [(); 3].map(|()| vec![0; EDITS.len()]);
+        let is_out = |id: &str| without.iter().any(|k| EDITS[*k].id == id);
+        let alone = ALONE.into_iter().filter(|[_, other]| is_out(other));
         let mut experiment = Self {
             count,
+            alone: alone.map(|[id, _]| id).collect(),
             repaired,
             broken,
             unknown,
@@ -269,23 +342,21 @@ impl Experiment {
         Some(experiment)
     }
 
-    /// Every case.
-    fn all(&self) -> u64 {
-        u64::MAX >> (64 - self.count.clamp(1, 64))
-    }
-
-    /// The place of some of the cases.
-    fn place(&self, of: u64) -> Place {
+    /// The place of the cases.
+    fn place(&self) -> Place {
+        let of = u64::MAX >> (64 - self.count.clamp(1, 64));
         let mut place = Place::default();
-        let is_of_lamps = |place: &Place| place.only_with.iter().any(|id| OF_LAMPS.contains(id));
+        let is_of = |place: &Place, ids: &[&str]| place.only_with.iter().any(|id| ids.contains(id));
         for (k, edit) in EDITS.iter().enumerate() {
-            let (repaired, broken) = (self.repaired[k] & of, self.broken[k] & of);
+            let (repaired, broken) = (self.repaired[k], self.broken[k]);
             let known = of & !self.unknown[k];
-            let is_known = known.count_ones() * 2 > of.count_ones();
+            let is_known =
+                known.count_ones() * 2 > of.count_ones() && !self.alone.contains(&edit.id);
             let is_told = if is_known {
                 is_nearly_all(repaired, known.count_ones(), edit.id)
             } else {
-                edit.id == "lamps" && is_of_lamps(&place)
+                edit.id == "lamps" && is_of(&place, &OF_LAMPS)
+                    || edit.id == "highlight" && is_of(&place, &OF_HIGHLIGHTS)
             };
             if is_told {
                 place.only_with.push(edit.id);
@@ -296,14 +367,23 @@ impl Experiment {
         place
     }
 
-    /// Whether something that another place is only with repairs few of some cases. What repairs a part of both
-    /// tells nothing apart.
-    fn is_apart(&self, of: u64, other: &Place) -> bool {
-        let few = |id: &&'static str| {
-            let repaired = number(id).map_or(0, |k| self.repaired[k] & of);
-            repaired.count_ones() * 4 <= of.count_ones()
-        };
-        other.only_with.iter().any(few)
+    /// Tells of a place what it could not show where something was out: whether it is of highlights alone, or of
+    /// point lights alone. The cases that its edit repairs have the other, too.
+    fn settle(&self, place: &mut Place, edit: usize, out: &[usize]) {
+        // without a highlight, the model is another, too, which says nothing of diffuse light
+        for [id, other] in ALONE.into_iter().filter(|[id, _]| *id != "diffuse") {
+            let other = number(other).filter(|k| out.contains(k));
+            let (Some(k), Some(other)) = (number(id), other) else {
+                continue;
+            };
+            let of = self.repaired[edit] & self.broken[other];
+            let is_known = of.count_ones() as usize >= FEWEST && !place.only_with.contains(&id);
+            if is_known && is_nearly_all(self.repaired[k] & of, of.count_ones(), id) {
+                place.also_without.retain(|it| *it != id);
+                place.only_with.push(id);
+                place.only_with.sort_by_key(|id| number(id));
+            }
+        }
     }
 
     /// The edits that repair some of the cases and leave others, the most helpful ones first.
@@ -311,7 +391,7 @@ impl Experiment {
         let few = (self.count / 10).max(FEWEST);
         let counts =
             |k: usize| [self.repaired[k], self.broken[k]].map(|cases| cases.count_ones() as usize);
-        let is_part = |k: &usize| counts(*k).iter().all(|count| *count >= few);
+        let is_part = |k: &usize| counts(*k)[0] >= few && counts(*k)[1] > 0;
         let mut parts: Vec<usize> = (0..EDITS.len()).filter(is_part).collect();
         parts.sort_by_key(|k| std::cmp::Reverse(counts(*k)[0]));
         parts.truncate(5);

@@ -429,7 +429,7 @@ impl Run<'_> {
                 continue;
             }
             let others = self.places(then, &left).unwrap_or_default();
-            let is_sure = part.of == 0 || other.is_some();
+            let is_sure = part.explained * 2 >= part.of || other.is_some();
             if is_sure || others.iter().all(|place| !place.is_general()) {
                 let of_part = places_of_mistake(&scenes, &plan.profile, then);
                 // the parts of one thing are one mistake
