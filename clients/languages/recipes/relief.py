@@ -19,7 +19,7 @@ texture = shading.from_srgb8(picture)
 
 
 def height(right, up):
-    """The heights so far from each cell. Between the cells, the mean of four by their distances: the nearest would give stripes."""
+    """How high it is so far to the right of each cell and above it. It is interpolated: the nearest cell would give stripes."""
     i, j = int(np.floor(-up)), int(np.floor(right))
     v, u = -up - i, right - j
 

@@ -6,17 +6,18 @@
 
 What you call:
 
-    shade         the light that points send to the eye
-    directional, point, spot                    make lights
-    height_field, implicit, mesh_normals        make normals of reliefs, implicit surfaces and meshes
-    from_srgb8, to_srgb8, to_srgba8             decode and encode the colors of images
+    shade                                   the light that points send to the eye
+    directional, point, spot                make lights
+    height_field, implicit, mesh_normals    make normals of reliefs, implicit surfaces and meshes
+    from_srgb8, to_srgb8, to_srgba8         decode and encode the colors of images
 
 All directions point away from the surface, colors are linear light, and angles are in radians. Points, positions and distances
 share a unit of length, which may be any. The last axis of an array of points, directions or colors has the length 3. A large
 call uses all processors; the environment variable RAYON_NUM_THREADS limits them.
 
-A relief with a picture on it, in the sun, with the shadows that it casts. The heights `z` and the bytes `picture` have the shapes
-(h, w) and (h, w, 3). Their first row is the top of the image. x and y are counted in cells, and y points up in the image:
+The program below shades a relief with a picture on it, in the sun, with the shadows that it casts. The heights `z` and the bytes
+`picture` have the shapes (h, w) and (h, w, 3), and their first row is the top of the image. x, y and z are counted in cells, and y
+points up in the image.
 
     import numpy as np
     import shading
@@ -27,7 +28,7 @@ A relief with a picture on it, in the sun, with the shadows that it casts. The h
     along = sun / np.hypot(sun[0], sun[1])  # as far as a cell is wide
 
     def height(right, up):
-        # the heights so far from each cell; between the cells, the mean of four by their distances
+        # how high it is so far to the right of each cell and above it, interpolated between four cells
         i, j = int(np.floor(-up)), int(np.floor(right))
         v, u = -up - i, right - j
         at = lambda i, j: z[np.clip(row + i, 0, h - 1), np.clip(column + j, 0, w - 1)]

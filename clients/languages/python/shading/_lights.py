@@ -14,7 +14,7 @@ from . import _native
 from ._arrays import BYTES, number, numbers, refusal, short
 
 _KINDS = ("directional", "point", "spot")
-_Vector = Union[Sequence[float], npt.NDArray[Any]]
+Vector = Union[Sequence[float], npt.NDArray[Any]]
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ class Light:
         return [float(_KINDS.index(self.kind)), *numbers, self.range, self.inner, self.outer, float(self.gltf)]
 
 
-def directional(toward: _Vector, intensity: float | _Vector = 1.0) -> Light:
+def directional(toward: Vector, intensity: float | Vector = 1.0) -> Light:
     """A light so far away that its rays are parallel, such as the sun.
 
     toward: the direction **to** the light; three numbers of any length.
@@ -83,9 +83,9 @@ def directional(toward: _Vector, intensity: float | _Vector = 1.0) -> Light:
 
 
 def point(
-    position: _Vector,
-    intensity: float | _Vector = 1.0,
-    attenuation: _Vector = (1.0, 0.0, 0.0),
+    position: Vector,
+    intensity: float | Vector = 1.0,
+    attenuation: Vector = (1.0, 0.0, 0.0),
     range: float = math.inf,
     gltf: bool = False,
 ) -> Light:
@@ -103,12 +103,12 @@ def point(
 
 
 def spot(
-    position: _Vector,
-    axis: _Vector,
-    intensity: float | _Vector = 1.0,
+    position: Vector,
+    axis: Vector,
+    intensity: float | Vector = 1.0,
     inner: float = 0.0,
     outer: float = math.pi / 4,
-    attenuation: _Vector = (1.0, 0.0, 0.0),
+    attenuation: Vector = (1.0, 0.0, 0.0),
     range: float = math.inf,
     gltf: bool = False,
 ) -> Light:
