@@ -171,8 +171,6 @@ draws_the_same() {
 # the page of exercises in Firefox
 firefox() {
     command -v firefox-esr >/dev/null || install_packages firefox-esr
-    command -v npm >/dev/null || install_packages nodejs npm
-    (cd web/test && npm ci --silent --no-audit --no-fund)
     web/build.sh
     node web/test/firefox.mjs
 }
@@ -180,8 +178,6 @@ firefox() {
 # the pages in a browser
 page() {
     command -v "${CHROMIUM:-chromium}" >/dev/null || install_packages chromium
-    command -v npm >/dev/null || install_packages nodejs npm
-    (cd web/test && npm ci --silent --no-audit --no-fund)
     web/build.sh
     cargo build --quiet --release -p web --bin draw
     node web/test/demos.mjs "$built/release/draw" ${PICTURES:+"$(realpath "$PICTURES")"}

@@ -7,6 +7,7 @@ import { ALSO_RIGHT, WRONG } from "./answers.mjs";
 import { delayed, lambert, later, refusal, refused } from "./ways_out.mjs";
 import { browser, close, folder, home, is_accessible, open, PHONE, requests } from "./site.mjs";
 import { FORMULAS, NORMALS } from "../site/exercises/exercises.js";
+import { RIGHT } from "../site/exercises/formulas.js";
 import { PLANTED, planted, RENDERER } from "../site/exercises/renderer.js";
 import { TYPICAL } from "../site/exercises/typical.js";
 
@@ -105,32 +106,26 @@ const quick = ({ first, ms }) => {
 // the normals by hand are the crate's, which differentiates by itself
 {
   const page = await exercises();
-  const worst = await page.evaluate(async () => {
-    const { engine } = await import("./page.js");
-    const { RIGHT } = await import("./formulas.js");
-    let seed = 1;
-    const random = () => {
-      seed = (seed * 48271) % 2147483647;
-      return 4 * (seed / 2147483647) - 2;
-    };
-    const triple = () => [random(), random(), random()];
-    const away = () => random() + 3; // from 0
-    const surfaces = {
-      plane: () => triple(),
-      sphere: () => [triple(), triple()],
-      triangle: () => [triple(), triple(), triple()],
-      ellipsoid: () => [triple(), [away(), away(), away()]],
-      torus: () => [2 * random(), 2 * random(), 6 + random(), away() / 2],
-    };
-    return Object.entries(surfaces).map(([name, given], index) => {
-      let most = 0;
-      for (let i = 0; i < 2000; i++) {
-        const values = given();
-        const [ours, crate] = [RIGHT[name](...values), engine.normal(index, values.flat())];
-        ours.forEach((x, k) => { most = Math.max(most, Math.abs(x - crate[k])); });
-      }
-      return [name, most];
-    });
+  let seed = 1;
+  const random = () => {
+    seed = (seed * 48271) % 2147483647;
+    return 4 * (seed / 2147483647) - 2;
+  };
+  const triple = () => [random(), random(), random()];
+  const away = () => random() + 3; // from 0
+  const surfaces = {
+    plane: () => triple(),
+    sphere: () => [triple(), triple()],
+    triangle: () => [triple(), triple(), triple()],
+    ellipsoid: () => [triple(), [away(), away(), away()]],
+    torus: () => [2 * random(), 2 * random(), 6 + random(), away() / 2],
+  };
+  const given = Object.values(surfaces).map((values) => Array.from({ length: 2000 }, values));
+  const crate = await page.evaluate((given) => import("./page.js").then(({ engine }) =>
+    given.map((list, index) => list.map((values) => engine.normal(index, values.flat())))), given);
+  const worst = Object.keys(surfaces).map((name, index) => {
+    const off = given[index].map((values, i) => RIGHT[name](...values).map((x, k) => Math.abs(x - crate[index][i][k])));
+    return [name, Math.max(...off.flat())];
   });
   // some thirty roundings of doubles; a thin triangle loses the digits of its edges' angle, 2000 draws are seldom below 1/1000
   for (const [name, most] of worst) assert.ok(most < (name === "triangle" ? 1e-11 : 1e-13), `${name}: ${most}`);

@@ -18,6 +18,14 @@ export function unit(a) {
   return length > 0 ? a.map((x) => x / length) : a;
 }
 
+const near = (a, b, allowed) => Object.is(a, b) || Math.abs(a - b) <= allowed * Math.max(1, Math.abs(b));
+
+/** Whether two answers, numbers or triples, are the same to this precision. */
+export function same(answer, wanted, allowed = 1e-6) {
+  const [a, b] = [[answer].flat(), [wanted].flat()];
+  return a.length === b.length && a.every((x, i) => near(x, b[i], allowed));
+}
+
 export const RIGHT = {
   ambient: (k_a, i_a) => mul(k_a, i_a),
   lambert: (n, l) => Math.max(0, dot(n, l)),

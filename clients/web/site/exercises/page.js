@@ -4,7 +4,7 @@ import { Editor } from "./editor.js";
 import { Engine } from "./engine.js";
 import { FORMULAS, mistakeExercise, NORMALS } from "./exercises.js";
 import { link_to, link_to_own, read_link } from "./link.js";
-import { prelude, Runner } from "./run.js";
+import { Runner } from "./run.js";
 import { verdict } from "./words.js";
 
 const SIZE = 200; // of the pictures
@@ -18,13 +18,12 @@ async function file(name) {
   if (!response.ok) throw new Error(`${name}: ${response.status}`);
   return response;
 }
-const text = (name) => file(name).then((it) => it.text());
 let module;
-let modules;
+let worker;
 try {
-  [module, ...modules] = await Promise.all([
+  [module, worker] = await Promise.all([
     file("exercises.wasm").then((it) => it.arrayBuffer()).then((it) => WebAssembly.compile(it)),
-    ...["formulas.js", "module.js", "typical.js", "worker.js"].map(text),
+    file("worker.js").then((it) => it.text()),
   ]);
 } catch (error) {
   $("start").textContent = `The exercises cannot start: ${error.message}`;
@@ -35,7 +34,7 @@ document.head.append(element("meta", {
   "http-equiv": "Content-Security-Policy",
   content: "connect-src 'none'; script-src 'wasm-unsafe-eval' blob:; worker-src blob:",
 }));
-const runner = new Runner(module, prelude(modules));
+const runner = new Runner(module, worker);
 const engine = new Engine(module);
 
 // ---- the exercises

@@ -4,15 +4,10 @@ const LIMIT = 2000; // ms that the student's code may take before it answers a b
 const LONGEST = 8000; // ms that it may take in all; the laws take as long as they need
 const LATE = "Your code did not finish in time. Is there a loop that never ends?";
 
-/** The worker's text, from that of its modules. */
-export function prelude(modules) {
-  const plain = modules.map((text) => text.replace(/^import .*;$/gm, "").replace(/^export /gm, ""));
-  return `"use strict";((student) => {${plain.join("\n")}\n})`;
-}
-
 export class Runner {
-  constructor(module, prelude) {
-    Object.assign(this, { module, prelude, worker: null, asked: 0 });
+  /** From the module of the laws and the text of worker.js. */
+  constructor(module, text) {
+    Object.assign(this, { module, text, worker: null, asked: 0 });
   }
 
   /** Runs the code, after ending what ran before. `heard` gets the answer, and `progress` how far it is. */
@@ -21,7 +16,7 @@ export class Runner {
     const id = ++this.asked;
     const blob = (...text) => URL.createObjectURL(new Blob(text, { type: "text/javascript" }));
     const theirs = blob(code); // a script of its own, so that its lines are those of the editor
-    const all = blob(this.prelude, `(() => ${task.exercise.name});`);
+    const all = blob("\"use strict\";((student) => {", this.text, `})(() => ${task.exercise.name});`);
     const worker = new Worker(all);
     const { port1: port, port2 } = new MessageChannel();
     this.worker = worker;

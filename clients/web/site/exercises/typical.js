@@ -1,6 +1,6 @@
 // Typical wrong answers, as functions. An answer that agrees with one of them wherever it was asked gets its words:
 // what is wrong, and a question that leads on. The test writes each of them down as a student would.
-import { add, cross, dot, mul, RIGHT, scale, sub, unit } from "./formulas.js";
+import { add, cross, dot, mul, RIGHT, same, scale, sub, unit } from "./formulas.js";
 
 const zero = Math.max.bind(null, 0);
 const gray = (x) => [x, x, x];
@@ -400,14 +400,6 @@ export const TYPICAL = {
   ],
 };
 
-const near = (a, b, allowed) => Object.is(a, b) || Math.abs(a - b) <= allowed * Math.max(1, Math.abs(b));
-
-/** Whether two answers, numbers or triples, are the same to this precision. */
-export function same(answer, wanted, allowed = 1e-6) {
-  const [a, b] = [[answer].flat(), [wanted].flat()];
-  return a.length === b.length && a.every((x, i) => near(x, b[i], allowed));
-}
-
 /**
  * What an answer has in common with others, from the calls in which it was asked; null if it was right in all.
  * A call is what the function was given, its answer, and the right one.
@@ -417,8 +409,8 @@ export function diagnose(name, calls) {
   if (!wrong.length) return null;
   const often = (test, of) => of.filter(test).length >= 0.99 * of.length;
   const fits = ({ of }) => often(({ given, answer }) => same(answer, of(...given)), calls);
-  const known = TYPICAL[name]?.findIndex(fits) ?? -1;
-  if (known >= 0) return { typical: known };
+  const known = TYPICAL[name]?.find(fits);
+  if (known) return { says: known.says, asks: known.asks };
   const flat = (x) => [x].flat();
   const isNaN = ({ answer }) => flat(answer).some(Number.isNaN);
   if (calls.every(isNaN)) return { general: "never a number" };

@@ -1,8 +1,7 @@
 // What a report says to a learner: what is wrong, where, a question, and the smallest scene.
 import { diagram, toward } from "./diagram.js";
 import { capital, element, number, value } from "./dom.js";
-import { dot, unit } from "./formulas.js";
-import { same, TYPICAL } from "./typical.js";
+import { dot, same, unit } from "./formulas.js";
 
 /** What wrong answers have in common that no typical one explains: what is wrong, and a question. */
 const GENERAL = {
@@ -79,8 +78,7 @@ const id_of = (mistake) => /^\w*/.exec(mistake ?? "")[0];
 
 /** What is wrong, and the question that leads on. */
 export function told({ report, diagnosis }, exercise) {
-  const known = diagnosis?.typical !== undefined ? TYPICAL[exercise.name][diagnosis.typical] : null;
-  if (known) return [known.says, known.asks];
+  if (diagnosis?.says) return [diagnosis.says, diagnosis.asks];
   const causes = (report.findings ?? []).map(cause_of).filter(Boolean);
   const [cause] = causes;
   if (exercise.lamps && cause) {

@@ -1,8 +1,8 @@
-// Runs the student's code beside the laws. The page makes one script of this text, formulas.js, module.js and typical.js, and adds
-// how the student's function is found. The page listens to a port that the student's code cannot reach.
-import { add, cross, dot, mul, RIGHT, scale, shadeBy, sub, unit } from "./formulas.js";
+// Runs the student's code beside the laws. The page makes a function of this text and what it imports, and gives it `student`, which
+// finds the student's function. The page listens to a port that the student's code cannot reach.
+import { add, cross, dot, mul, RIGHT, same, scale, shadeBy, sub, unit } from "./formulas.js";
 import { numbersOf, profileOf, write } from "./module.js";
-import { diagnose, same } from "./typical.js";
+import { diagnose } from "./typical.js";
 
 const MOST_CALLS = 600; // that are looked at to find what a wrong answer has in common with others
 
