@@ -179,9 +179,9 @@ firefox() {
 page() {
     command -v "${CHROMIUM:-chromium}" >/dev/null || install_packages chromium
     web/build.sh
-    cargo build --quiet --release -p web --bin draw
+    cargo build --quiet --release -p web --bin draw --bin normals
     node web/test/demos.mjs "$built/release/draw" ${PICTURES:+"$(realpath "$PICTURES")"}
-    node web/test/exercises.mjs ${PICTURES:+"$(realpath "$PICTURES")"}
+    node web/test/exercises.mjs "$built/release/normals" ${PICTURES:+"$(realpath "$PICTURES")"}
 }
 
 # the files of languages/: a ball and a teapot in C, C++, Metal (as C++), GLSL, HLSL and WGSL, and every function in WGSL; the laws

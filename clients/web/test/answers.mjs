@@ -19,11 +19,12 @@ const torus = f("torus(u, v, R, r)");
 const sum = ({
   n = "unit(scene.n)", v = "unit(scene.v)", first = "mul(scene.k_a, scene.i_a)", lights = "scene.lights",
   gate = "if (cosine <= 0) continue;", h = "unit(add(light.l, v))", diffuse = "Math.max(0, cosine)",
+  shiny = "Math.max(0, dot(n, h)) ** scene.m", k_d = "scene.k_d", k_s = "scene.k_s",
   color = "add(color, mul(light.intensity, reflected))", last = "color", end = "",
 }) => f("shade(scene)")(`const n = ${n}, v = ${v};`, `let color = ${first};`, `for (const light of ${lights}) {`,
   "  const cosine = dot(n, light.l);", `  ${gate}`, `  const h = ${h};`,
-  "  const shiny = Math.max(0, dot(n, h)) ** scene.m;",
-  `  const reflected = add(scale(scene.k_d, ${diffuse}), scale(scene.k_s, shiny));`, `  color = ${color};`, `  ${end}`,
+  `  const shiny = ${shiny};`,
+  `  const reflected = add(scale(${k_d}, ${diffuse}), scale(${k_s}, shiny));`, `  color = ${color};`, `  ${end}`,
   "}", `return ${last};`);
 
 const TANGENTS = ["const d = R + r * Math.cos(v);", "const su = [-d * Math.sin(u), d * Math.cos(u), 0];"];
@@ -38,6 +39,9 @@ export const WRONG = {
     [ambient("const x = k_a[0] * i_a[0];", "return [x, x, x];"), /value of the red one/],
     [ambient("const s = dot(i_a, k_a);", "return [s, s, s];"), /add up the three channels/],
     [ambient("return scale(mul(k_a, i_a), 0.5);"), /always 0.5 times/],
+    [ambient("return [k_a[0] * i_a[0], k_a[1] * i_a[1], 0];"), /wrong in .* calls/],
+    [ambient("return scale(i_a, k_a);"), /scale takes an array and a number, but it was given an array of 3/],
+    [ambient("return k_a * i_a;"), /does not compute with whole arrays/],
   ],
   lambert: [
     [lambert("return dot(n, l);"), /negative light/],
@@ -51,6 +55,11 @@ export const WRONG = {
     [lambert("return 0;"), /always the same/],
     [lambert("return Math.max(0, n[2] * l[2]);"), /wrong in .* calls/],
     [lambert("return Math.max(0, n * l);"), /always returns NaN/],
+    [lambert("return Math.acos(dot(n, l));"), /angle itself/],
+    [lambert("return Math.cos(dot(n, l));"), /cosine of a cosine/],
+    [lambert("return dot(n, l) > 0 ? 1 : 0;"), /at any angle/],
+    [lambert("return cross(n, l);"), /should return a number, but it returned an array of 3/],
+    [lambert("return n.l;"), /returned nothing/],
   ],
   attenuation: [
     [attenuation("return 1 / (a + (b + c) * q);"), /not with its square/],
@@ -61,6 +70,11 @@ export const WRONG = {
     [attenuation("const x = 1 / (a + b * q + c * q * q);", "return x * x;"), /whole denominator/],
     [attenuation("return Math.min(1, 1 / (a + b * q + c * q * q));"), /limit the answer to 1/],
     [attenuation("return 1;"), /not get weaker/],
+    [attenuation("return 1 / a + b * q + c * q * q;"), /Only a is in the denominator/],
+    [attenuation("return 1 / (a * q * q + b * q + c);"), /a and c have changed places/],
+    [attenuation("return 1 / (a + c * q * q);"), /coefficient b is missing/],
+    [attenuation("return 1 / (a + b * q);"), /coefficient c is missing/],
+    [attenuation("return 1 / (a + b * q + c * q^2);"), /\^ is not a power/],
   ],
   reflection: [
     [reflection("return sub(l, scale(n, 2 * dot(l, n)));"), /opposite of the right one/],
@@ -70,6 +84,9 @@ export const WRONG = {
     [reflection("return add(scale(n, 2 * dot(n, l)), l);"), /not have length 1/],
     [reflection("return sub(scale(l, 2 * dot(n, l)), n);"), /mirror N about L/],
     [reflection("return l;"), /still L itself/],
+    [reflection("return sub(scale(n, 2 * Math.max(0, dot(n, l))), l);"), /You clamp N·L/],
+    [reflection("return scale(n, 2 * dot(n, l));"), /always points along N/],
+    [reflection("return 2 * dot(n, l) * n - l;"), /does not compute with whole arrays/],
   ],
   phong: [
     [phong("return dot(r, v) ** m;"), /negative cosine/],
@@ -79,6 +96,9 @@ export const WRONG = {
     [phong("return Math.max(0, dot(r, v) ** m);"), /removes? the negative numbers afterward/],
     [phong("return m ** Math.max(0, dot(r, v));"), /changed places/],
     [phong("return Math.max(0, dot(r, v)) ** (m / 2);"), /half the exponent/],
+    [phong("return m * Math.max(0, dot(r, v)) ** m;"), /multiply by m/],
+    [phong("return Math.max(0, -dot(r, v)) ** m;"), /on the far side/],
+    [phong("return Math.max(0, dot(r, v)) ^ m; // to the power of m"), /\^ is not a power/],
   ],
   half: [
     [half("return add(l, v);"), /not have length 1/],
@@ -89,6 +109,9 @@ export const WRONG = {
     [half("return unit(cross(l, v));"), /cross product/],
     [half("return l;"), /not depend on the eye/],
     [half("return scale(add(l, v), 1 / Math.sqrt(2));"), /√2/],
+    [half("return unit(v);"), /not depend on the light/],
+    [half("return unit(scale(add(l, v), -1));"), /always has the wrong sign/],
+    [half("return unit(l + v);"), /unit takes one array of numbers/],
   ],
   blinn: [
     [blinn("return dot(n, h) ** m;"), /negative cosine/],
@@ -98,6 +121,8 @@ export const WRONG = {
     [blinn("return Math.max(0, dot(n, h)) ** (m * 4);"), /4m/],
     [blinn("return m ** Math.max(0, dot(n, h));"), /changed places/],
     [blinn("return Math.max(0, dot(n, h) ** m);"), /removes? the negative numbers afterward/],
+    [blinn("return m * Math.max(0, dot(n, h)) ** m;"), /multiply by m/],
+    [blinn("return Math.max(0, -dot(n, h)) ** m;"), /on the far side/],
   ],
   spot: [
     [spot("return dot(l, axis) >= Math.cos(angle) ? 1 : 0;"), /back of the lamp/],
@@ -108,6 +133,11 @@ export const WRONG = {
     [spot("const c = -dot(l, axis);", "return c >= Math.cos(angle) ? c : 0;"), /fades toward the edge/],
     [spot("return 1;"), /had no cone/],
     [spot("return -dot(l, axis) >= Math.sin(angle) ? 1 : 0;"), /with a sine/],
+    [spot("return 0;"), /always the same/],
+    [spot("return Math.abs(dot(l, axis)) >= Math.cos(angle) ? 1 : 0;"), /second cone/],
+    [spot("return Math.max(0, -dot(l, axis));"), /not depend on the angle/],
+    [spot("return -dot(l, axis) >= Math.cos(angle * 180 / Math.PI) ? 1 : 0;"), /into degrees/],
+    [spot("return -dot(l, axis) >= Math.cos(angle);"), /returned the boolean true/],
   ],
   sum: [
     [sum({ first: "[0, 0, 0]", gate: "color = add(color, mul(scene.k_a, scene.i_a)); if (cosine <= 0) continue;" }),
@@ -120,6 +150,16 @@ export const WRONG = {
     [sum({ last: "[color[0], color[0], color[0]]" }), /value of the red one/],
     [sum({ color: "add(mul(scene.k_a, scene.i_a), mul(light.intensity, reflected))" }), /Only the last light counts/],
     [sum({ h: "add(light.l, v)" }), /L \+ V as the half vector/],
+    [sum({ v: "scene.v" }), /v as it comes/],
+    [sum({ v: "unit(scale(scene.v, -1))" }), /from the eye to the surface/],
+    [sum({ diffuse: "1" }), /cosine is missing/],
+    [sum({ gate: "if (cosine <= 0) break;" }), /ends at the first light behind/],
+    [sum({ gate: "if (cosine <= 0) return color;" }), /ends at the first light behind/],
+    [sum({ shiny: "cosine * Math.max(0, dot(n, h)) ** scene.m" }), /highlight by N·L/],
+    [sum({ first: "scene.i_a" }), /not depend on the surface/],
+    [sum({ last: "color.map((x) => Math.min(1, x))" }), /cut the light off/],
+    [sum({ shiny: "Math.max(0, dot(n, h))" }), /no effect/],
+    [sum({ k_d: "scene.k_s", k_s: "scene.k_d" }), /changed places/],
   ],
   plane: [
     [plane("return [a, b, c];"), /length is not 1/],
@@ -128,6 +168,9 @@ export const WRONG = {
     [plane("const s = a + b + c;", "return [a / s, b / s, c / s];"), /sum of the coefficients|NaN or infinity/],
     [plane("return scale([a, b, c], 1 / dot([a, b, c], [a, b, c]));"), /root is missing/],
     [plane("return [0, 0, 1];"), /always the same/],
+    [plane("return unit([a * d, b * d, c * d]);"), /wrong in .* calls/],
+    [plane("return unit(a, b, c);"), /in line 2: TypeError: unit takes one array of numbers/],
+    [plane("return unit([a, b, c, d]);"), /an array of 4/],
   ],
   sphere: [
     [sphere("return sub(p, center);"), /as long as the radius/],
@@ -136,6 +179,8 @@ export const WRONG = {
     [sphere("return unit(add(p, center));"), /add the center/],
     [sphere("const d = sub(p, center);", "return scale(d, 1 / dot(d, d));"), /root is missing/],
     [sphere("return [0, 0, 1];"), /same everywhere/],
+    [sphere("return scale(sub(p, center), 0.5);"), /length is not 1/],
+    [sphere("return unit(p - center);"), /does not compute with whole arrays/],
   ],
   triangle: [
     [triangle("return unit(cross(sub(v3, v1), sub(v2, v1)));"), /back of the triangle/],
@@ -144,6 +189,8 @@ export const WRONG = {
     [triangle("return unit(scale(add(v1, add(v2, v3)), 1 / 3));"), /middle of the triangle/],
     [triangle("return cross(unit(sub(v2, v1)), unit(sub(v3, v1)));"), /normalize the edges/],
     [triangle("return unit(mul(sub(v2, v1), sub(v3, v1)));"), /number by number/],
+    [triangle("return unit(cross(v2 - v1, v3 - v1));"), /cross takes two arrays of numbers/],
+    [triangle("return unit(cross(sub(v1, v2), sub(v3, v1)));"), /back of the triangle/],
   ],
   implicit: [
     [ellipsoid("return unit(p);"), /normal of a sphere/],
@@ -156,6 +203,8 @@ export const WRONG = {
     // forward differences
     [ellipsoid("const g = ([x, y, z]) => (x / axes[0]) ** 2 + (y / axes[1]) ** 2 + (z / axes[2]) ** 2 - 1;",
       "return unit([0, 1, 2].map((i) => (g(p.map((x, k) => (k === i ? x + 1e-3 : x))) - g(p)) / 1e-3));"), /nearly right/],
+    [ellipsoid("const [a, b, c] = axes;", "return unit([p[0], p[1] / b ** 2, p[2] / c ** 2]);"), /wrong in .* calls/],
+    [ellipsoid("return unit(p.map((x, i) => 2 * x / (2 * axes[i])));"), /not by their squares/],
   ],
   parametric: [
     [torus(...TANGENTS, SV, "return unit(cross(sv, su));"), /into the torus/],
@@ -170,29 +219,51 @@ export const WRONG = {
 
 /** Other right forms, which must pass. */
 export const ALSO_RIGHT = {
-  ambient: ["const ambient = (k, i) => k.map((x, c) => x * i[c]);\n"],
+  ambient: [
+    "const ambient = (k, i) => k.map((x, c) => x * i[c]);\n",
+    ambient("for (let i = 0; i < 3; i++) k_a[i] *= i_a[i];", "return k_a;"),
+  ],
   lambert: [
     "const lambert = (n, l) => Math.max(dot(n, l), 0);\n",
     lambert("const cosine = n[0] * l[0] + n[1] * l[1] + n[2] * l[2];", "if (cosine < 0) return 0;", "return cosine;"),
     lambert("return (dot(n, l) + Math.abs(dot(n, l))) / 2;"),
     "const dot = (a, b) => a.reduce((s, x, i) => s + x * b[i], 0);\nconst add = 1, RIGHT = 2, student = 3, calls = 4;\n"
       + lambert("return Math.max(0, dot(n, l));"),
+    lambert("const d = sub(n, l);", "return Math.max(0, 1 - dot(d, d) / 2);"),
+    lambert("const angle = Math.acos(Math.min(1, Math.max(-1, dot(n, l))));", "return angle < Math.PI / 2 ? Math.cos(angle) : 0;"),
+    "lambert = (n, l) => Math.max(0, dot(n, l));\n",
   ],
-  attenuation: [attenuation("return 1 / (a + q * (b + q * c));"), attenuation("return (a + b * q + c * q ** 2) ** -1;")],
-  reflection: [reflection("const along = scale(n, dot(n, l));", "return add(along, sub(along, l));")],
+  attenuation: [
+    attenuation("return 1 / (a + q * (b + q * c));"), attenuation("return (a + b * q + c * q ** 2) ** -1;"),
+    attenuation("return dot([a, b, c], [1, q, q * q]) ** -1;"),
+  ],
+  reflection: [
+    reflection("const along = scale(n, dot(n, l));", "return add(along, sub(along, l));"),
+    reflection("const i = scale(l, -1);", "return sub(i, scale(n, 2 * dot(n, i)));"),
+    reflection("return unit(sub(scale(n, 2 * dot(n, l)), l));"),
+  ],
   phong: [phong("const c = dot(r, v);", "return c > 0 ? Math.pow(c, m) : 0;")],
-  half: [half("const s = add(l, v);", "const q = Math.hypot(...s);", "return q === 0 ? [0, 0, 1] : scale(s, 1 / q);")],
+  half: [
+    half("const s = add(l, v);", "const q = Math.hypot(...s);", "return q === 0 ? [0, 0, 1] : scale(s, 1 / q);"),
+    half("const q = Math.sqrt(2 + 2 * dot(l, v));", "return q > 1e-12 ? scale(add(l, v), 1 / q) : v;"),
+  ],
   blinn: [blinn("return dot(n, h) < 0 ? 0 : Math.exp(m * Math.log(dot(n, h)));")],
   spot: [
     spot("return Math.acos(Math.max(-1, Math.min(1, -dot(l, axis)))) <= angle ? 1 : 0;"),
     spot("return Number(dot(scale(l, -1), axis) >= Math.cos(angle));"),
   ],
-  sum: [sum({ gate: "if (cosine < 0) continue;" })],
+  sum: [
+    sum({ gate: "if (cosine < 0) continue;" }),
+    f("shade(scene)")("const n = unit(scene.n), v = unit(scene.v);", "return scene.lights.reduce((sum, { l, intensity }) => {",
+      "  const c = dot(n, l);", "  if (c <= 0) return sum;", "  const s = Math.max(0, dot(n, unit(add(l, v)))) ** scene.m;",
+      "  return sum.map((x, i) => x + intensity[i] * (scene.k_d[i] * c + scene.k_s[i] * s));", "}, mul(scene.k_a, scene.i_a));"),
+  ],
   plane: [plane("const q = Math.sqrt(a * a + b * b + c * c);", "return [a / q, b / q, c / q];")],
   sphere: [sphere("const d = p.map((x, i) => x - center[i]);", "return scale(d, 1 / Math.hypot(...d));")],
   triangle: [
     triangle("return unit(cross(sub(v3, v2), sub(v1, v2)));"),
     triangle("return unit(cross(sub(v2, v1), sub(v3, v2)));"),
+    triangle("return unit(add(add(cross(v1, v2), cross(v2, v3)), cross(v3, v1)));"),
   ],
   implicit: [ellipsoid("const [a, b, c] = axes;", "return unit([2 * p[0] / (a * a), 2 * p[1] / (b * b), 2 * p[2] / (c * c)]);")],
   parametric: [torus("return [Math.cos(u) * Math.cos(v), Math.sin(u) * Math.cos(v), Math.sin(v)];")],

@@ -199,7 +199,28 @@ const LAST_WORDS = {
   assert.notEqual(await numbers(), pinned, "a click on the background lets it follow again");
   await page.close();
 
-  // the link shows the same
+  // the link shows the same: every control
+  const every = { model: 1, surface: 0, part: 3, turn: 17, walk: -31, climb: 12, ka: 0.21, kd: 0.43, ks: 0.77, m: 19, color: "#102030",
+    x: -1.5, y: 0.75, z: 2.25, light: "#fedcba", second: true, x2: 1.25, y2: -0.5, z2: 3, light2: "#abcdef", a: 0.5, b: 0.25, c: 0.12,
+    angle: 44, edge: 11, sun: true, heading: -70, altitude: 25, sunlight: "#f0e0d0" };
+  {
+    const page = await open();
+    const names = await page.evaluate(() => [...document.querySelectorAll("input[name]")].map(({ name }) => name));
+    assert.deepEqual([...new Set(names)].sort(), Object.keys(every).sort(), "a control that the link may forget");
+    await set(page, every);
+    const other = await open({}, await page.evaluate(() => location.hash));
+    for (const [name, value] of Object.entries(every)) {
+      const restored = await other.evaluate((name) => {
+        const control = document.getElementById("controls").elements[name];
+        return control.type === "checkbox" ? control.checked : control.value;
+      }, name);
+      assert.equal(String(restored), String(value), `${name} is not in the link`);
+    }
+    const pictures = await Promise.all([page, other].map((page) => seen(page)));
+    assert.ok(pictures[0].data.equals(pictures[1].data), "the link draws another picture");
+    await page.close();
+    await other.close();
+  }
   const other = await open({}, link);
   assert.ok(await other.isChecked("[name=second]"));
   assert.ok(Math.abs(await other.evaluate(() => window.module.cross.x) - 0.5) < 0.01);
@@ -263,8 +284,12 @@ console.log("the arrows are where the directions are, seen from two sides");
   const kinds = () => page.evaluate(() => document.getElementById("lamp").className);
   await set(page, { x: 6, y: 0, z: 0 });
   assert.match(await kinds(), /outside/);
+  assert.equal(await page.textContent("#lamp-place"), "outside of the picture");
   await set(page, { x: 0, y: 0, z: -3 });
   assert.match(await kinds(), /far/);
+  assert.equal(await page.textContent("#lamp-place"), "behind the object");
+  await set(page, { x: 0, y: 1.1, z: 6 });
+  assert.equal(await page.textContent("#lamp-place"), "behind the eye");
   await set(page, { x: 0.8, y: 1.2, z: 1.8 });
   assert.doesNotMatch(await kinds(), /far|outside/);
   for (const name of ["x2", "heading"]) assert.ok(await page.isDisabled(`[name=${name}]`), "the controls of a light that is off are off");

@@ -1,5 +1,8 @@
-// Solves the exercises as students do, and tries what a student's code must not be able to: node exercises.mjs [PICTURES]
+// Solves the exercises as students do, and tries what a student's code must not be able to:
+// node exercises.mjs NORMALS [PICTURES]
+// NORMALS is the program that gives the crate's normals.
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { readdir, readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
@@ -11,7 +14,7 @@ import { RIGHT } from "../site/exercises/formulas.js";
 import { PLANTED, planted, RENDERER } from "../site/exercises/renderer.js";
 import { TYPICAL } from "../site/exercises/typical.js";
 
-const [pictures] = process.argv.slice(2);
+const [normals, pictures] = process.argv.slice(2);
 const EXERCISES = [...FORMULAS, ...NORMALS];
 /** The laws tell a form of the colors in other words than the table. */
 const OTHER_WORDS = { SrgbOnceMore: /encoded as sRGB/ };
@@ -64,10 +67,21 @@ async function attempt(page, id, code, isDrawn = false) {
 }
 
 const slowest = { first: 0, verdict: 0 };
-const quick = ({ first, ms }) => {
+
+/**
+ * The first broken scene within 100 ms, and the verdict within 1 s. A processor that others use, too, is slow now and then, but
+ * hardly five times in a row.
+ */
+async function is_quick(page, answer, what) {
+  let { first, ms } = answer;
+  for (let tries = 0; tries < 5 && (first > 100 || ms > 1000); tries++) {
+    const again = await check(page);
+    [first, ms] = [Math.min(first, again.first), Math.min(ms, again.ms)];
+  }
+  assert.ok(first <= 100 && ms <= 1000, `${what}: the first broken scene after ${first} ms, the verdict after ${ms} ms`);
   slowest.first = Math.max(slowest.first, first);
   slowest.verdict = Math.max(slowest.verdict, ms);
-};
+}
 
 // every exercise: the stub fails, the solution and other right forms pass, and typical mistakes get their words
 {
@@ -81,15 +95,16 @@ const quick = ({ first, ms }) => {
       const answer = await attempt(page, id, code, true);
       assert.ok(answer.isGood, `${id} refuses a right answer: ${code}${answer.headline}\n${answer.verdict}`);
       assert.equal(answer.off, "0", `${id}: the picture of a right answer differs from the crate's: ${code}`);
-      quick({ ...answer, first: 0 });
+      await is_quick(page, { ...answer, first: 0 }, code);
     }
     for (const [code, words] of WRONG[id]) {
       const answer = await attempt(page, id, code);
       assert.ok(!answer.isGood, `${id} takes a wrong answer: ${code}`);
       assert.match(answer.headline, words, `${id}: ${code}${answer.verdict}`);
-      assert.match(answer.verdict, /\?|by hand|step/, `${id}: no question leads on`);
-      assert.match(answer.verdict, /smallest scene/, `${id}: no scene is shown`);
-      quick(answer);
+      const isStopped = answer.headline.startsWith("Your code stopped");
+      assert.match(answer.verdict, isStopped ? /was given/ : /\?|by hand|step/, `${id}: no question leads on`);
+      assert.match(answer.verdict, isStopped ? /was given/ : /smallest scene/, `${id}: no scene is shown`);
+      await is_quick(page, answer, code);
       count++;
       if (process.env.ALOUD) console.log(`${id}\n${code}${answer.headline}\n${answer.verdict}\n`);
     }
@@ -105,7 +120,6 @@ const quick = ({ first, ms }) => {
 
 // the normals by hand are the crate's, which differentiates by itself
 {
-  const page = await exercises();
   let seed = 1;
   const random = () => {
     seed = (seed * 48271) % 2147483647;
@@ -121,15 +135,15 @@ const quick = ({ first, ms }) => {
     torus: () => [2 * random(), 2 * random(), 6 + random(), away() / 2],
   };
   const given = Object.values(surfaces).map((values) => Array.from({ length: 2000 }, values));
-  const crate = await page.evaluate((given) => import("./page.js").then(({ engine }) =>
-    given.map((list, index) => list.map((values) => engine.normal(index, values.flat())))), given);
+  const input = given.map((list, index) => list.map((values) => [index, ...values.flat()].join(" ")).join("\n")).join("\n");
+  const printed = execFileSync(normals, { input, encoding: "utf8" });
+  const crate = printed.trim().split("\n").map((line) => line.split(" ").map(Number));
   const worst = Object.keys(surfaces).map((name, index) => {
-    const off = given[index].map((values, i) => RIGHT[name](...values).map((x, k) => Math.abs(x - crate[index][i][k])));
+    const off = given[index].map((values, i) => RIGHT[name](...values).map((x, k) => Math.abs(x - crate[2000 * index + i][k])));
     return [name, Math.max(...off.flat())];
   });
   // some thirty roundings of doubles; a thin triangle loses the digits of its edges' angle, 2000 draws are seldom below 1/1000
   for (const [name, most] of worst) assert.ok(most < (name === "triangle" ? 1e-11 : 1e-13), `${name}: ${most}`);
-  await page.close();
   console.log(`the normals by hand are the crate's: ${worst.map(([name, most]) => `${name} ${most.toExponential(0)}`).join(", ")}`);
 }
 
@@ -166,7 +180,7 @@ const quick = ({ first, ms }) => {
     assert.ok(!answer.isGood, `${id}: its laws hold`);
     const isNamed = OTHER_WORDS[id]?.test(answer.headline) ?? answer.headline.startsWith(wanted.slice(0, -1));
     assert.ok(isNamed, `${id}: ${answer.headline}\n${answer.verdict}`);
-    quick(answer);
+    await is_quick(page, answer, id);
   }
   await write(page, RENDERER);
   const mended = await check(page);
@@ -182,8 +196,9 @@ const quick = ({ first, ms }) => {
   const problems = {
     [lambert("while (true);")]: /did not finish in time/,
     [`while (true);\n${lambert("return 1;")}`]: /did not finish in time/,
-    // at the call, or at the head of what is called
-    [lambert("return lambert(n, l);")]: /in line [12]: RangeError/,
+    [lambert("return lambert(n, l);")]: /in line 2: A function calls itself without end/,
+    [`const f = (x) =>\n  x > 0 ? g(x) : 0;\nconst g = (x) => f(x + 1);\n${lambert("return f(1);")}`]: /in line [23]: A function calls/,
+    [lambert("return new Array(-1).length;")]: /in line 2: RangeError/,
     [lambert("return Math.max(0, dot(n, light));")]: /in line 2: ReferenceError: light/,
     [lambert("return Math.max(0, dot(n, l);")]: /in line 2: SyntaxError/,
     [lambert("dot(n, l);")]: /returned nothing/,

@@ -26,6 +26,7 @@ assert.match(await headline(lambert("return Math.max(0, dot(n, l));")), /^All la
 assert.match(await headline(lambert("return dot(n, l);")), /negative light/);
 assert.match(await headline(lambert("while (true);")), /did not finish in time/);
 assert.match(await headline(lambert("return Math.max(0, dot(n, light));")), /in line 2: ReferenceError: light/);
+assert.match(await headline(lambert("return lambert(n, l);")), /in line 2: A function calls itself without end/);
 for (const [code, words] of Object.entries(refused)) assert.match(await headline(refusal(code)), words, code);
 for (const code of later) assert.match(await headline(delayed(code)), /Error: end/, code);
 await new Promise((passed) => setTimeout(passed, 500));

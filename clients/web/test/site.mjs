@@ -15,7 +15,7 @@ export const browser = await chromium.launch({
 
 /** A page whose errors and foreign requests fail the test. */
 export async function open(path, options = {}) {
-  const page = await browser.newPage({ viewport: { width: 1200, height: 890 }, ...options });
+  const page = await browser.newPage({ viewport: { width: 1280, height: 890 }, ...options });
   const fail = (what) => assert.fail(String(what));
   page.on("console", (message) => message.type() === "error" && fail(message.text()));
   page.on("pageerror", fail);

@@ -11,6 +11,9 @@ export const refused = {
   "importScripts(\"data:text/javascript,1\")": /NetworkError/,
   "localStorage.length": /ReferenceError/,
   "document.cookie": /ReferenceError/,
+  "(async () => {}).constructor(\"return 1\")()": /EvalError/,
+  "new Image().src = \"x\"": /ReferenceError/,
+  "new RTCPeerConnection()": /ReferenceError/,
   [`const x = new XMLHttpRequest(); x.open("GET", "${home}?leak=xhr", false); x.send()`]: /NetworkError/,
 };
 
@@ -24,6 +27,13 @@ export const later = [
   `fetch("https://example.org/?leak")`, `import("${home}exercises/page.js?leak=import")`,
   `new EventSource("${home}?leak=events")`, `new WebSocket("${home.replace("http", "ws")}?leak=socket")`,
   `new Worker(URL.createObjectURL(new Blob(["fetch('${home}?leak=worker')"])))`,
+  `fetch(new Request("${home}?leak=request", { mode: "no-cors" }))`,
+  `import("data:text/javascript,fetch('${home}?leak=module')")`,
+  `importScripts(URL.createObjectURL(new Blob(["fetch('${home}?leak=script')"])))`,
+  `WebAssembly.compileStreaming(fetch("${home}?leak=stream"))`,
+  `new FontFace("x", "url(${home}?leak=font)").load()`,
+  `new Worker("data:text/javascript,fetch('${home}?leak=data')")`,
+  `self.location.href = "${home}?leak=location"`,
   `navigator.sendBeacon?.("${home}?leak=beacon")`,
 ];
 

@@ -5,7 +5,6 @@
 //! with text where [`text`] points to. Nothing here reads JSON, for which the page would be a tenth larger.
 
 mod picture;
-mod surfaces;
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -130,13 +129,4 @@ pub extern "C" fn numbers(count: usize) -> *mut f64 {
     let mut numbers = lock(&NUMBERS);
     *numbers = vec![0.0; count];
     numbers.as_mut_ptr()
-}
-
-/// The crate's normal of a surface, by its place in the list, from the numbers that were written; 0 if
-/// there is none.
-#[unsafe(no_mangle)]
-pub extern "C" fn normal(surface: usize) -> *const f64 {
-    let mut numbers = lock(&NUMBERS);
-    *numbers = surfaces::normal(surface, &numbers).into();
-    numbers.as_ptr()
 }

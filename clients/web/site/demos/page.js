@@ -178,8 +178,11 @@ function showLamp(marker, isShown, [x, y], position) {
   Object.assign(marker.style, { left: `${100 * cx}%`, top: `${100 * cy}%` });
   // what is farther than the origin is behind the object, if it is hidden
   const isFar = projected(position)[2] > projected([0, 0, 0])[2];
-  marker.classList.toggle("far", !isOutside && isFar && covers(x, y));
+  const isBehind = !isOutside && isFar && covers(x, y);
+  marker.classList.toggle("far", isBehind);
   marker.classList.toggle("outside", isOutside);
+  const place = isBehind ? "behind the object" : !isOutside ? "" : isKnown ? "outside of the picture" : "behind the eye";
+  $(`${marker.id}-place`).textContent = isShown ? place : "";
 }
 
 /** Where a point of space is in the picture, in fractions of it, and its depth. */
@@ -257,7 +260,7 @@ function explain() {
   const rows_of_lamp = (lamp) => {
     const sub = lamp.name && `<sub>${lamp.name}</sub>`;
     const isSun = lamp.name === "sun"; // which has neither a distance nor a cone
-    const behind = lamp.nl <= 0 ? " ≤ 0: turned from the lamp, no light from it" : "";
+    const behind = lamp.nl <= 0 ? "; not above 0, so no light comes from there" : "";
     const [cosine, name, vector] = model === "1" ? [lamp.rv, "R", lamp.R] : [lamp.nh, "H", lamp.H];
     return [
       row(`L${sub}`, triple(lamp.L)),
@@ -421,6 +424,7 @@ for (const id of ["models", "meshes"]) $(id).addEventListener("toggle", soon);
 addEventListener("hashchange", () => {
   form.reset();
   recall();
+  pin(cross.isPinned);
 });
 recall();
 pin(cross.isPinned);

@@ -20,13 +20,6 @@ export class Engine {
     });
   }
 
-  /** The crate's normal of a surface, by its number, from these numbers. */
-  normal(surface, numbers) {
-    write(this.exports, numbers);
-    const from = this.exports.normal(surface);
-    return [...new Float64Array(this.exports.memory.buffer, from, 3)];
-  }
-
   /** The right colors of a small picture, or those that a mistake gives. */
   colors(scene, mistake = null) {
     const { memory, draw } = this.exports;

@@ -49,10 +49,10 @@ export const RIGHT = {
 
 // Surfaces that have a scene's normal somewhere. The student's function is asked for the normal there.
 const CENTER = [0.5, -1, 0.25];
-const AXES = [1, 2, 3];
+const AXES = [0.75, 1.5, 2.5]; // with 1, a square would look like a root, and with 2 like a product
 
 export const SURFACES = {
-  plane: ({ plane }, n) => plane(n[0], n[1], n[2], 0.5),
+  plane: ({ plane }, n) => plane(...n, n[0] + 0.25), // on either side of the origin
   sphere: ({ sphere }, n) => sphere(CENTER, add(CENTER, n)),
   triangle({ triangle }, n) {
     const least = n.map(Math.abs).indexOf(Math.min(...n.map(Math.abs)));

@@ -126,7 +126,7 @@ function check() {
     }
   };
   const heard = (answer) => {
-    const { headline, isGood, below } = verdict(answer, current);
+    const { headline, isGood, below } = verdict(answer, current, editor.text);
     tell(answer.problem);
     if (isGood) {
       keep(current.id, { done: true });

@@ -8,6 +8,12 @@ const typical = (id, of, says, asks) => ({ id, of, says, asks });
 
 const in_front = ({ n, lights }) => lights.filter(({ l }) => dot(n, l) > 0);
 
+/** The lights before the first one that is behind the surface. */
+function before_behind({ n, lights }) {
+  const behind = lights.findIndex(({ l }) => dot(n, l) <= 0);
+  return behind < 0 ? lights : lights.slice(0, behind);
+}
+
 /** The sum over directional lights with something changed. */
 function sum(change) {
   return (scene) => {
@@ -19,8 +25,12 @@ function sum(change) {
       gate: (cosine) => cosine > 0,
       intensity: (light) => light.intensity,
       lights: scene.lights,
+      k_d: scene.k_d,
       k_s: scene.k_s,
+      m: scene.m,
       half: unit,
+      diffuse: (cosine) => cosine,
+      specular: (highlight) => highlight,
       ...change(scene),
     };
     let color = parts.ambient;
@@ -28,8 +38,8 @@ function sum(change) {
       const cosine = dot(parts.n, light.l);
       color = add(color, parts.each);
       if (!parts.gate(cosine)) continue;
-      const highlight = zero(dot(parts.n, parts.half(add(light.l, parts.v)))) ** scene.m;
-      const factor = add(scale(scene.k_d, zero(cosine)), scale(parts.k_s, highlight));
+      const highlight = zero(dot(parts.n, parts.half(add(light.l, parts.v)))) ** parts.m;
+      const factor = add(scale(parts.k_d, parts.diffuse(zero(cosine))), scale(parts.k_s, parts.specular(highlight, cosine)));
       color = add(color, mul(parts.intensity(light), factor));
     }
     return color;
@@ -82,6 +92,9 @@ export const TYPICAL = {
     typical("angle", (n, l) => zero(1 - Math.acos(Math.max(-1, Math.min(1, dot(n, l)))) / (Math.PI / 2)),
       "You use the angle itself, but Lambert's law uses its cosine.",
       "A beam that arrives at 60° covers twice the area. What fraction of the light does each point get?"),
+    typical("angle in radians", (n, l) => Math.acos(dot(n, l)),
+      "You use the angle itself, but Lambert's law uses its cosine.",
+      "A beam that arrives at 60° covers twice the area. What fraction of the light does each point get?"),
     typical("wrapped", (n, l) => 0.5 + 0.5 * dot(n, l),
       "Your light reaches around to the back of the surface.",
       "At 90° the light only grazes the surface. How much should arrive there?"),
@@ -91,6 +104,12 @@ export const TYPICAL = {
     typical("not clamped on one side", (n, l) => Math.min(1, dot(n, l)),
       "You limit the cosine from above, but it needs a limit from below.",
       "How large can a cosine get, and how small? Which of the two cannot be light?"),
+    typical("step", (n, l) => Number(dot(n, l) > 0),
+      "Every point that faces the light gets all of it, at any angle.",
+      "A beam that arrives at 60° covers twice the area. What fraction of the light does each point get?"),
+    typical("cosine of the cosine", (n, l) => Math.cos(dot(n, l)),
+      "You take the cosine of a cosine.",
+      "N and L have length 1. What is dot(n, l) then: an angle, or its cosine?"),
   ],
   attenuation: [
     typical("not squared", (a, b, c, q) => 1 / (a + b * q + c * q),
@@ -117,6 +136,18 @@ export const TYPICAL = {
     typical("none", () => 1,
       "Your light does not get weaker with the distance.",
       "Where is q in your formula?"),
+    typical("no parentheses", (a, b, c, q) => 1 / a + b * q + c * q * q,
+      "Only a is in the denominator.",
+      "JavaScript divides before it adds. Where are parentheses missing?"),
+    typical("a and c exchanged", (a, b, c, q) => 1 / (a * q * q + b * q + c),
+      "The coefficients a and c have changed places.",
+      "Which of the three coefficients belongs to the square of the distance?"),
+    typical("no linear term", (a, b, c, q) => 1 / (a + c * q * q),
+      "The coefficient b is missing.",
+      "What does your function return if a and c are both 0?"),
+    typical("no quadratic term", (a, b, c, q) => 1 / (a + b * q),
+      "The coefficient c is missing.",
+      "What does your function return if a and b are both 0?"),
   ],
   reflection: [
     typical("reversed", (n, l) => sub(l, scale(n, 2 * dot(n, l))),
@@ -140,6 +171,12 @@ export const TYPICAL = {
     typical("not mirrored", (n, l) => l,
       "Your R is still L itself.",
       "On which side of N is L, and on which side should R be?"),
+    typical("clamped", (n, l) => sub(scale(n, 2 * zero(dot(n, l))), l),
+      "You clamp N·L, and so your R is wrong where L is behind the mirror.",
+      "R is a direction, not light. Which directions may not have a negative part along N?"),
+    typical("not subtracted", (n, l) => scale(n, 2 * dot(n, l)),
+      "Your R always points along N.",
+      "2(N·L)N leads from −L to R. From where do you have to start?"),
   ],
   phong: [
     typical("no clamp", (r, v, m) => dot(r, v) ** m,
@@ -160,6 +197,12 @@ export const TYPICAL = {
     typical("exchanged", (r, v, m) => m ** zero(dot(r, v)),
       "Base and exponent have changed places.",
       "Which of the two should be the exponent, so that the highlight gets smaller as m grows?"),
+    typical("power times m", (r, v, m) => m * zero(dot(r, v)) ** m,
+      "You multiply by m, and so your highlight gets brighter with m.",
+      "In the middle of the highlight R·V = 1. How bright should it be there, for any m?"),
+    typical("reversed", (r, v, m) => zero(-dot(r, v)) ** m,
+      "Your highlight is on the far side.",
+      "What is R·V in the middle of the highlight: 1 or −1?"),
     typical("half", (r, v, m) => zero(dot(r, v)) ** (m / 2),
       "Your highlight is too wide: it has half the exponent.",
       "What is the exponent in your code?"),
@@ -186,6 +229,9 @@ export const TYPICAL = {
     typical("only L", (l) => l,
       "Your H does not depend on the eye.",
       "Should the highlight move when the viewer walks around the object?"),
+    typical("only V", (l, v) => v,
+      "Your H does not depend on the light.",
+      "Should the highlight move when the lamp does?"),
     typical("root of two", (l, v) => scale(add(l, v), Math.SQRT1_2),
       "You divide by √2, which is right only where L and V are perpendicular.",
       "How long is L + V if L and V are equal?"),
@@ -212,6 +258,12 @@ export const TYPICAL = {
     typical("exchanged", (n, h, m) => m ** zero(dot(n, h)),
       "Base and exponent have changed places.",
       "Which of the two should be the exponent, so that the highlight gets smaller as m grows?"),
+    typical("power times m", (n, h, m) => m * zero(dot(n, h)) ** m,
+      "You multiply by m, and so your highlight gets brighter with m.",
+      "In the middle of the highlight N·H = 1. How bright should it be there, for any m?"),
+    typical("reversed", (n, h, m) => zero(-dot(n, h)) ** m,
+      "Your highlight is on the far side.",
+      "What is N·H in the middle of the highlight: 1 or −1?"),
   ],
   spot: [
     typical("reversed", (l, axis, angle) => (dot(l, axis) >= Math.cos(angle) ? 1 : 0),
@@ -241,6 +293,15 @@ export const TYPICAL = {
     typical("doubled", (l, axis, angle) => (-dot(l, axis) >= Math.cos(2 * angle) ? 1 : 0),
       "Your cone is twice as wide as it should be.",
       "From where to where is the angle measured: from edge to edge, or from the axis to the edge?"),
+    typical("both sides", (l, axis, angle) => Number(Math.abs(dot(l, axis)) >= Math.cos(angle)),
+      "Your lamp lights a second cone behind it.",
+      "What is −L·axis behind the lamp, and what does Math.abs make of it?"),
+    typical("no edge", (l, axis) => zero(-dot(l, axis)),
+      "Your light does not depend on the angle of the cone.",
+      "Which points are outside of the cone, and what should be returned for them?"),
+    typical("into degrees", (l, axis, angle) => Number(-dot(l, axis) >= Math.cos(angle * 180 / Math.PI)),
+      "You convert the angle into degrees, but Math.cos takes radians.",
+      "In what unit is the angle given?"),
   ],
   shade: [
     typical("ambient per light", sum((s) => ({ ambient: gray(0), each: mul(s.k_a, s.i_a) })),
@@ -276,6 +337,33 @@ export const TYPICAL = {
     typical("no highlight", sum(() => ({ k_s: gray(0) })),
       "The highlight is missing.",
       "Which term of the formula has k_s?"),
+    typical("long view", sum((s) => ({ v: s.v })),
+      "You use v as it comes, but its length is not 1.",
+      "scene.v may have any length. What does L + V lean toward if V is very long?"),
+    typical("view reversed", sum((s) => ({ v: unit(scale(s.v, -1)) })),
+      "Your V points from the eye to the surface.",
+      "Which way does scene.v point already?"),
+    typical("no power", sum(() => ({ m: 1 })),
+      "The shininess m has no effect.",
+      "What should happen to the highlight when m grows from 1 to 100?"),
+    typical("no cosine", sum(() => ({ diffuse: () => 1 })),
+      "Lambert's cosine is missing.",
+      "Which term makes a surface darker as it turns away from the light?"),
+    typical("k_d and k_s exchanged", sum((s) => ({ k_d: s.k_s, k_s: s.k_d })),
+      "k_d and k_s have changed places.",
+      "Which of the two belongs to the highlight?"),
+    typical("highlight times the cosine", sum(() => ({ specular: (highlight, cosine) => cosine * highlight })),
+      "You multiply the highlight by N·L, too.",
+      "Which of the two terms of the formula has a factor N·L?"),
+    typical("ends at a light behind", sum((s) => ({ lights: before_behind(s) })),
+      "Your loop ends at the first light behind the surface.",
+      "Which statement skips one light and goes on with the next: break, return or continue?"),
+    typical("ambient without k_a", sum((s) => ({ ambient: s.i_a })),
+      "Your ambient light does not depend on the surface.",
+      "How does a red surface differ from a white one in the same ambient light?"),
+    typical("clamped", (scene) => RIGHT.shade(scene).map((x) => Math.min(1, x)),
+      "You cut the light off at 1.",
+      "More light may still be added, and a camera may still change the exposure. When is the right time to cut it off?"),
     typical("one channel", (scene) => gray(RIGHT.shade(scene)[0]),
       "All three channels get the value of the red one.",
       "Where does your code use the green and the blue numbers?"),
@@ -408,14 +496,22 @@ export function diagnose(name, calls) {
   const wrong = calls.filter(({ answer, wanted }) => !same(answer, wanted));
   if (!wrong.length) return null;
   const often = (test, of) => of.filter(test).length >= 0.99 * of.length;
-  const fits = ({ of }) => often(({ given, answer }) => same(answer, of(...given)), calls);
+  const isConstant = calls.every(({ answer }) => same(answer, calls[0].answer));
+  // calls in which both are right tell nothing of whether the two are the same
+  const fits = ({ of }) => {
+    const judged = calls.map(({ given, answer, wanted }) => ({ answer, wanted, typical: of(...given) }));
+    const telling = judged.filter(({ answer, wanted, typical }) => !same(answer, wanted) || !same(typical, wanted));
+    const test = ({ answer, typical }) => same(answer, typical);
+    return isConstant ? telling.every(test) : often(test, telling);
+  };
   const known = TYPICAL[name]?.find(fits);
   if (known) return { says: known.says, asks: known.asks };
   const flat = (x) => [x].flat();
   const isNaN = ({ answer }) => flat(answer).some(Number.isNaN);
   if (calls.every(isNaN)) return { general: "never a number" };
   if (wrong.every(({ answer }) => flat(answer).some((x) => !Number.isFinite(x)))) return { general: "not finite" };
-  if (often(({ answer, wanted }) => same(answer, wanted, 1e-2), calls)) return { general: "nearly" };
+  if (isConstant) return { general: "constant" };
+  if (often(({ answer, wanted }) => same(answer, wanted, 1e-2), wrong)) return { general: "nearly" };
   if (often(({ answer, wanted }) => same(answer, flat(wanted).map((x) => -x)), calls)) return { general: "opposite" };
   const isTriple = Array.isArray(wrong[0].wanted);
   if (isTriple && name !== "ambient" && name !== "shade"
@@ -425,10 +521,7 @@ export function diagnose(name, calls) {
     return at < 0 ? null : flat(answer)[at] / flat(wanted)[at];
   };
   const factor = wrong.map(ratio).find((x) => x !== null);
-  if (factor && often(({ answer, wanted }) => same(answer, flat(wanted).map((x) => factor * x), 1e-5), calls)) {
-    return { general: "factor", factor };
-  }
-  const first = calls[0].answer;
-  if (calls.every(({ answer }) => same(answer, first))) return { general: "constant" };
+  const isTimes = ({ answer, wanted }) => same(answer, flat(wanted).map((x) => factor * x), 1e-5);
+  if (Number.isFinite(factor) && factor !== 0 && often(isTimes, calls)) return { general: "factor", factor };
   return { general: "other", right: calls.length - wrong.length, of: calls.length };
 }

@@ -23,6 +23,9 @@ const GENERAL = {
     "Compute the scene below by hand, step by step. At which step does your code do something else?"],
 };
 
+const POWER = ["In JavaScript, ^ is not a power. It combines the bits of two whole numbers.",
+  "How do you write the square of x?"];
+
 /** What learners may ask themselves, by the name of the mistake in the laws' table. */
 const ASKS = {
   NormalNotNormalized: "A cosine needs vectors of length 1. How long is the N that the code uses?",
@@ -76,9 +79,12 @@ function trivial({ lights = [], models = [] }) {
 const cause_of = ({ cause }) => (cause && (cause.of === 0 || cause.explained * 100 >= cause.of * 90) ? cause : null);
 const id_of = (mistake) => /^\w*/.exec(mistake ?? "")[0];
 
+const comments = /\/\/.*|\/\*[^]*?\*\//g;
+
 /** What is wrong, and the question that leads on. */
-export function told({ report, diagnosis }, exercise) {
+function told({ report, diagnosis }, exercise, code) {
   if (diagnosis?.says) return [diagnosis.says, diagnosis.asks];
+  if (code.replace(comments, "").includes("^")) return POWER;
   const causes = (report.findings ?? []).map(cause_of).filter(Boolean);
   const [cause] = causes;
   if (exercise.lamps && cause) {
@@ -145,11 +151,13 @@ function smallest_case(smallest, { calls, worst }, exercise) {
     row("formula", value(smallest.right[0]));
   }
   const own = call && ["reflection", "halfVector"].includes(exercise.name) ? call.answer : null;
-  return element("div", { class: "case" }, element("dl", {}, ...rows), exercise.surface ? null : diagram(scene, own));
+  const hasEye = isScene || scene.model !== "lambert";
+  const drawing = exercise.surface ? null : diagram(scene, own, hasEye);
+  return element("div", { class: "case" }, element("dl", {}, ...rows), drawing);
 }
 
-/** The headline of an answer, for the eye and the ear, and the elements below it. */
-export function verdict(answer, exercise) {
+/** The headline of an answer to this code, for the eye and the ear, and the elements below it. */
+export function verdict(answer, exercise, code) {
   const { report, problem } = answer;
   if (problem) {
     const line = problem.line ? ` in line ${problem.line}` : "";
@@ -162,7 +170,7 @@ export function verdict(answer, exercise) {
     const { cases } = report.laws.find(({ law }) => law === "formula");
     return { isGood: true, headline: `All laws hold in each of ${number(cases)} scenes. Well done.`, below: [] };
   }
-  const [says, asks] = told(answer, exercise);
+  const [says, asks] = told(answer, exercise, code);
   const smallest = report.laws.find((law) => law.smallest)?.smallest;
   const broken = report.laws.filter((law) => law.verdict === "broken");
   const counts = broken.map(({ says, failures, cases }) =>

@@ -1,18 +1,16 @@
-// Runs the student's code beside the laws. The page makes a function of this text and what it imports, and gives it `student`, which
-// finds the student's function. The page listens to a port that the student's code cannot reach.
+// Runs the student's code beside the laws. The page makes a function of this text and what it imports, and gives it
+// `student`, which finds the student's function. The page listens to a port that the student's code cannot reach.
 import { add, cross, dot, mul, RIGHT, same, scale, shadeBy, sub, unit } from "./formulas.js";
 import { numbersOf, profileOf, write } from "./module.js";
 import { diagnose } from "./typical.js";
 
 const MOST_CALLS = 600; // that are looked at to find what a wrong answer has in common with others
 
-// what the student may use, and may give a meaning of their own
-Object.assign(self, { add, sub, mul, scale, dot, cross, unit });
-
 const copy = (value) => structuredClone(value); // JSON has no NaN
 const isTriple = (x) => Array.isArray(x) && x.length === 3 && x.every((c) => typeof c === "number");
 
 function shown(x) {
+  if (x === undefined) return "nothing";
   if (typeof x === "function") return "a function";
   if (typeof x !== "object") return `the ${typeof x} ${x}`;
   if (!Array.isArray(x)) return "an object";
@@ -22,6 +20,24 @@ function shown(x) {
 // what * and + make of arrays
 const isOfArrays = (x) => typeof x === "string" || Number.isNaN(x);
 const USE = " JavaScript does not compute with whole arrays: use add, sub, mul, scale or dot.";
+
+const isList = (x) => Array.isArray(x) && x.every((c) => typeof c === "number");
+
+/** A function for the student, which says what is wrong with what it is given. */
+function helper(name, of) {
+  const isWanted = (x, i) => (name === "scale" && i === 1 ? typeof x === "number" : isList(x));
+  const want = { scale: "an array and a number", unit: "one array of numbers" }[name] ?? "two arrays of numbers";
+  return (...given) => {
+    for (let i = 0; i < of.length; i++) {
+      if (isWanted(given[i], i)) continue;
+      throw new TypeError(`${name} takes ${want}, but it was given ${shown(given[i])}.${isOfArrays(given[i]) ? USE : ""}`);
+    }
+    return of(...given);
+  };
+}
+
+// the student may give these names a meaning of their own
+for (const [name, of] of Object.entries({ add, sub, mul, scale, dot, cross, unit })) self[name] = helper(name, of);
 
 /** The student's function, whose answer is a number or three of them. */
 function checked(name, of, isOfTriples, calls) {
@@ -63,8 +79,12 @@ self.onmessage = ({ data, ports: [port] }) => {
     try {
       return shade(scene);
     } catch (error) {
-      const line = error?.isOurs ? 0 : parseInt(String(error?.stack).split(`${code}:`)[1], 10);
-      problem = { text: error?.isOurs ? error.message : String(error), line: line || null, given: copy(calls.last ?? []) };
+      const frames = String(error?.stack).split(`${code}:`); // begin with their lines, the innermost first
+      // a stack may overflow at a call or at the head of what is called; below it is a call in either case
+      const isDeep = /call stack|recursion/.test(error?.message) && frames.length > 2;
+      const text = isDeep ? "A function calls itself without end." : error?.isOurs ? error.message : String(error);
+      const line = error?.isOurs ? 0 : parseInt(frames[isDeep ? 2 : 1], 10);
+      problem = { text, line: line || null, given: copy(calls.last ?? []) };
       return null;
     }
   }
