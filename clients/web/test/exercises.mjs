@@ -74,13 +74,13 @@ const slowest = { first: 0, verdict: 0 };
  */
 async function is_quick(page, answer, what) {
   let { first, ms } = answer;
+  slowest.first = Math.max(slowest.first, first);
+  slowest.verdict = Math.max(slowest.verdict, ms);
   for (let tries = 0; tries < 5 && (first > 100 || ms > 1000); tries++) {
     const again = await check(page);
     [first, ms] = [Math.min(first, again.first), Math.min(ms, again.ms)];
   }
   assert.ok(first <= 100 && ms <= 1000, `${what}: the first broken scene after ${first} ms, the verdict after ${ms} ms`);
-  slowest.first = Math.max(slowest.first, first);
-  slowest.verdict = Math.max(slowest.verdict, ms);
 }
 
 // every exercise: the stub fails, the solution and other right forms pass, and typical mistakes get their words
@@ -343,5 +343,5 @@ let bytes = 0;
 for (const path of files) bytes += gzipSync(await readFile(path), { level: 9 }).length;
 console.log(`the page for exercises: ${(bytes / 1000).toFixed(1)} KB gzipped`);
 assert.ok(bytes <= 180_000, `${bytes} bytes`);
-console.log(`the slowest: the first broken scene after ${slowest.first} ms, a verdict after ${slowest.verdict} ms`);
+console.log(`the slowest at the first try: the first broken scene after ${slowest.first} ms, a verdict after ${slowest.verdict} ms`);
 await close();
