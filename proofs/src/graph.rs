@@ -17,9 +17,6 @@ pub enum Node {
     Mul(u32, u32),
     Div(u32, u32),
     Select(Test, u32, u32),
-    /// A function of `libm`: the sine and the cosine of a finite number are within [−1, 1], and the
-    /// exponential is not negative.
-    Call(Function, u32),
     /// A power of a cosine by any m, integer or real, of which only the contract is known: within [0, 1];
     /// 0 for a cosine that is not above 0; otherwise 1 for an m that is not above 0, and at least c − 2⁻²⁰
     /// for m ≤ 1.
@@ -31,7 +28,7 @@ impl Node {
     pub fn parts(self) -> impl Iterator<Item = u32> {
         let (test, parts) = match self {
             Self::Var(_) | Self::Constant(_) => (None, [None; 2]),
-            Self::Neg(a) | Self::Sqrt(a) | Self::Call(_, a) => (None, [Some(a), None]),
+            Self::Neg(a) | Self::Sqrt(a) => (None, [Some(a), None]),
             Self::Add(a, b)
             | Self::Sub(a, b)
             | Self::Mul(a, b)
@@ -53,15 +50,6 @@ impl Test {
         };
         parts.into_iter().flatten()
     }
-}
-
-#[doc(hidden)]
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Function {
-    Sin,
-    Cos,
-    Exp,
-    Ln,
 }
 
 #[doc(hidden)]
@@ -121,29 +109,6 @@ impl Graph {
         }
     }
 
-    /// A comparison with 0 in the one way in which it is written: −a − b > 0 is 0 > a + b, whatever the
-    /// signs of zeros.
-    pub(super) fn test(&mut self, test: Test) -> Test {
-        let opposite = match test {
-            Test::Above(x, ZERO) => self.opposite(x).map(|y| Test::Above(ZERO, y)),
-            Test::Above(ZERO, x) => self.opposite(x).map(|y| Test::Above(y, ZERO)),
-            _ => None,
-        };
-        opposite.unwrap_or(test)
-    }
-
-    /// A node of the opposite value but for the sign of 0, if this one only subtracts.
-    fn opposite(&mut self, id: u32) -> Option<u32> {
-        match self.nodes[id as usize] {
-            Node::Neg(x) => Some(x),
-            Node::Sub(x, y) => {
-                let sum = Node::Add(self.opposite(x)?, y);
-                Some(self.node(sum))
-            }
-            _ => None,
-        }
-    }
-
     fn negated(&mut self, node: Node) -> u32 {
         let id = self.node(node);
         self.node(Node::Neg(id))
@@ -183,10 +148,6 @@ impl Graph {
             Node::Mul(a, b) => v(a) * v(b),
             Node::Div(a, b) => v(a) / v(b),
             Node::Select(test, a, b) => v(if self.holds(test) { a } else { b }),
-            Node::Call(Function::Sin, a) => v(a).sin(),
-            Node::Call(Function::Cos, a) => v(a).cos(),
-            Node::Call(Function::Exp, a) => v(a).exp(),
-            Node::Call(Function::Ln, a) => v(a).ln(),
             Node::Power(c, m) if v(c) > 0.0 && v(c) <= 1.0 => v(c).powf(v(m).max(0.0)),
             Node::Power(c, _) if v(c) == 0.0 => 0.9,
             Node::Power(..) => f64::NAN,

@@ -1,7 +1,7 @@
 //! What a path has shown about the nodes of a graph: the values that each can have.
 
 use super::format::Format;
-use super::graph::{Function, Graph, Node, Test};
+use super::graph::{Graph, Node, Test};
 use super::range::Range;
 
 const INF: f64 = f64::INFINITY;
@@ -129,7 +129,6 @@ impl Known {
             Node::Mul(a, b) => self.range(g, a).mul(self.range(g, b), f),
             Node::Div(a, b) => self.range(g, a).div(self.range(g, b), f),
             Node::Select(test, then, otherwise) => self.selected(g, test, then, otherwise),
-            Node::Call(function, a) => called(function, self.range(g, a)),
             Node::Power(cosine, m) => raised(self.range(g, cosine), self.range(g, m)),
         }
     }
@@ -276,22 +275,6 @@ impl Known {
             roots.extend(node.parts());
         }
         None
-    }
-}
-
-/// What is known of a function of `libm`.
-fn called(function: Function, of: Range) -> Range {
-    let nan = of.nan;
-    match function {
-        Function::Sin | Function::Cos => Range {
-            nan: nan || of.is_infinite(),
-            ..Range::within(-1.0, 1.0)
-        },
-        Function::Exp => Range {
-            nan,
-            ..Range::unsigned(0.0, INF)
-        },
-        Function::Ln => Range::ANY,
     }
 }
 

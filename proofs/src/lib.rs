@@ -36,7 +36,7 @@ use shading::{Real, Rgb, UnitVec3, Vec3};
 pub use format::Format;
 pub use goal::Goal;
 #[doc(hidden)]
-pub use graph::{Function, Graph, Node, Test};
+pub use graph::{Graph, Node, Test};
 #[doc(hidden)]
 pub use known::Known;
 pub use range::Range;

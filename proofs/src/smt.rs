@@ -4,7 +4,7 @@
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-use super::graph::{Function, Graph, Node, Test};
+use super::graph::{Graph, Node, Test};
 use super::run::{Run, explore};
 use super::{Format, Given, Goal, Range};
 
@@ -108,7 +108,6 @@ fn defined(g: &Graph, id: u32) -> String {
     let declared = |known| format!("(declare-const n{id} {name})\n(assert {known})\n");
     let value = match g.nodes[id as usize] {
         Node::Var(index) => return declared(within(f, id, g.names[index as usize].1)),
-        Node::Call(function, a) => return declared(called(f, function, id, a)),
         Node::Power(c, m) => return declared(raised(f, id, c, m)),
         Node::Constant(bits) => constant(f, f64::from_bits(bits)),
         Node::Neg(a) => format!("(fp.neg n{a})"),
@@ -142,22 +141,6 @@ fn query(run: &Run, path: &[(Test, bool)], nodes: &[u32], then: &str) -> String 
         let _ = writeln!(text, "(assert {assertion})");
     }
     text + "(check-sat)\n"
-}
-
-/// What is known of a function of `libm`.
-fn called(f: Format, function: Function, id: u32, a: u32) -> String {
-    let [zero, one, minus] = [0.0, 1.0, -1.0].map(|x| constant(f, x));
-    match function {
-        Function::Sin | Function::Cos => format!(
-            "(ite (or (fp.isNaN n{a}) (fp.isInfinite n{a})) (fp.isNaN n{id}) \
-             (and (fp.leq {minus} n{id}) (fp.leq n{id} {one})))"
-        ),
-        Function::Exp => format!(
-            "(ite (fp.isNaN n{a}) (fp.isNaN n{id}) \
-             (and (fp.leq {zero} n{id}) (not (= n{id} (fp.neg {zero})))))"
-        ),
-        Function::Ln => "true".into(),
-    }
 }
 
 /// What is known of a power.

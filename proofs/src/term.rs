@@ -6,9 +6,9 @@ use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use shading::number::Mask;
-use shading::{Elementary, Lobe, Real, Rgb};
+use shading::{Lobe, Real, Rgb};
 
-use super::graph::{Function, MINUS_ONE, Node, ONE, Test, ZERO};
+use super::graph::{MINUS_ONE, Node, ONE, Test, ZERO};
 use super::range::Range;
 use super::run::{decide, node, told, with};
 
@@ -84,7 +84,7 @@ impl PartialOrd for Term {
         }
     }
     fn gt(&self, other: &Self) -> bool {
-        decide(with(|g| g.test(Test::Above(self.0, other.0))))
+        decide(Test::Above(self.0, other.0))
     }
     fn lt(&self, other: &Self) -> bool {
         other > self
@@ -115,7 +115,7 @@ impl Real for Term {
         Self(node(Node::Sqrt(self.0)))
     }
     fn above(self, other: Self) -> Above {
-        Above(with(|g| g.test(Test::Above(self.0, other.0))))
+        Above(Test::Above(self.0, other.0))
     }
     // one decision, for what floats decide by one comparison of bits
     fn any_outside(self, low: Self, high: Self) -> bool {
@@ -150,17 +150,6 @@ impl Mask<Term> for Above {
         }
     }
 }
-
-macro_rules! functions {
-    ($($function:ident::$method:ident)*) => {
-        impl Elementary for Term {
-            $(fn $method(self) -> Self {
-                Self(node(Node::Call(Function::$function, self.0)))
-            })*
-        }
-    };
-}
-functions!(Sin::sin Cos::cos Exp::exp Ln::ln);
 
 impl Lobe<Self> for Term {
     fn raise(self, cosine: Self) -> Self {

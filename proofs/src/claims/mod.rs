@@ -43,11 +43,11 @@ macro_rules! claims {
 
 pub const CLAIMS: &[Claim] = claims! {
     anchors::vectors_by_components Both "the operators of `Vec3` and `UnitVec3`, `dot` and `cross` are those of the components"
-    anchors::directions_by_formula Rules
+    anchors::directions_by_formula Both
         "`Vec3::unit`, `unit_or`, `length`, `normal::plane` and `half_vector` are v/√(v·v), where v·v is between 1/p and p"
     anchors::in_front_by_formula Both
         "any light: `is_in_front` is whether n·v > 0, v = L or position − p"
-    anchors::facing_by_formula Rules "`normal::facing` is −N if (−F)·V > 0, and N otherwise"
+    anchors::facing_by_formula Both "`normal::facing` is −N where (−F)·V > 0, and N elsewhere, as where it is 0 or NaN"
     anchors::terms_by_formula Both
         "`term::lambert`, `phong`, `blinn` and `reflection` are their formulas"
     anchors::attenuation_by_formula Rules
@@ -63,7 +63,7 @@ pub const CLAIMS: &[Claim] = claims! {
     vectors::length_of_numbers Both "`Vec3::length` of any numbers is in [0, ∞]"
     vectors::unit_of_any Rules
         "`Vec3::unit` of any bits is `None` or has components up to 1.25 in size"
-    vectors::unit_of_nothing Rules
+    vectors::unit_of_nothing Both
         "`Vec3::unit` and `normal::plane` of the zero vector are `None`, and if a component is \
          infinite or NaN"
     vectors::unit_or_of_any Rules
@@ -152,13 +152,7 @@ pub const CLAIMS: &[Claim] = claims! {
     normals::implicit_of_none Rules
         "`normal::implicit` and `normal::from_gradient` are `None` where ∇f is 0, infinite or NaN"
     normals::parametric_of_none Rules
-        "`normal::parametric` is `None` if the tangents are equal, or one is 0, infinite or NaN"
-    normals::tangents_of_none Rules
-        "`normal::from_tangents` is `None` if the tangents are equal, or one is 0, infinite or NaN"
-    normals::facing_faces Rules
-        "`normal::facing` of a normal that is that of the face: N·V is not negative, any bits"
-    normals::facing_stays Rules
-        "`normal::facing` is N, to the bit, if F·V is 0 or above or NaN, F the normal of the face"
+        "`normal::parametric` and `from_tangents` are `None` if the tangents are equal, or one is 0, infinite or NaN"
     normals::transformed_of_any Rules
         "`normal::transformed` is `None` or has components up to 1.25 in size, N of any bits, and \
          each column of any bits whose |v|² is between 1/p and p"
@@ -196,6 +190,6 @@ pub const CLAIMS: &[Claim] = claims! {
         "`term::blinn_normalization` of any bits is in [0.02, MAX], given what a real power \
          promises"
     terms::dual_values Both
-        "+ − × ÷ √ and `powi` of `Dual` have the value of the same number without a gradient, to \
+        "+ − × ÷ √ of `Dual` have the value of the same number without a gradient, to \
          the bit, any bits"
 };

@@ -82,27 +82,10 @@ pub fn implicit_of_none(given: Given) -> Vec<Goal> {
 
 pub fn parametric_of_none(given: Given) -> Vec<Goal> {
     let (s_u, s_v) = parallel(given);
-    none(parametric(given, s_u, s_v))
-}
-
-pub fn tangents_of_none(given: Given) -> Vec<Goal> {
-    let (s_u, s_v) = parallel(given);
-    none(normal::from_tangents(s_u, s_v))
-}
-
-pub fn facing_faces(given: Given) -> Vec<Goal> {
-    let [n, v] = ["n", "v"].map(|name| any_direction(given, name));
-    let _ = Term::ZERO > dot(n, v); // on either path, what is selected is known
-    let is_away = Term::ZERO > dot(normal::facing(n, v, n), v);
-    none(is_away.then_some(()))
-}
-
-pub fn facing_stays(given: Given) -> Vec<Goal> {
-    let [n, v, face] = ["n", "v", "face"].map(|name| any_direction(given, name));
-    if Term::ZERO > dot(face, v) {
-        return vec![];
-    }
-    same(normal::facing(n, v, face), n)
+    none(match given.one_of(2) {
+        0 => parametric(given, s_u, s_v),
+        _ => normal::from_tangents(s_u, s_v),
+    })
 }
 
 /// A vector of any bits, but for its square between 1/p and p.
