@@ -63,7 +63,7 @@ pub const CLAIMS: &[Claim] = claims! {
     vectors::length_of_numbers Both "`Vec3::length` of any numbers is in [0, ∞]"
     vectors::unit_of_any Rules
         "`Vec3::unit` of any bits is `None` or has components up to 1.25 in size"
-    vectors::unit_of_nothing Both
+    vectors::unit_of_nothing Rules
         "`Vec3::unit` and `normal::plane` of the zero vector are `None`, and if a component is \
          infinite or NaN"
     vectors::unit_or_of_any Rules
