@@ -11,9 +11,9 @@ What you call:
     height_field, implicit, mesh_normals    make normals of reliefs, implicit surfaces and meshes
     from_srgb8, to_srgb8, to_srgba8         decode and encode the colors of images
 
-All directions point away from the surface, colors are linear light, and angles are in radians. Points, positions and distances
-share a unit of length, which may be any. The last axis of an array of points, directions or colors has the length 3. A large
-call uses all processors; the environment variable RAYON_NUM_THREADS limits them.
+All directions but a spot's axis point away from the surface, colors are linear light, and angles are in radians. Points,
+positions and distances share a unit of length, which may be any. The last axis of an array of points, directions or colors has
+the length 3. A large call uses all processors; the environment variable RAYON_NUM_THREADS limits them.
 
 The program below shades a relief with a picture on it, in the sun, with the shadows that it casts. The heights `z` and the bytes
 `picture` have the shapes (h, w) and (h, w, 3), and their first row is the top of the image. x, y and z are counted in cells, and y

@@ -57,7 +57,8 @@ def number(name: str, value: Any) -> float:
 def vectors(name: str, value: npt.ArrayLike) -> npt.NDArray[Any]:
     result = array(name, value)
     if result.ndim == 0 or result.shape[-1] != 3:
-        raise ValueError(f"{name}: expected the shape (..., 3), got {result.shape}")
+        hint = f"; np.moveaxis({name}, 0, -1) puts the 3 last" if result.ndim > 1 and result.shape[0] == 3 else ""
+        raise ValueError(f"{name}: expected the shape (..., 3), got {result.shape}{hint}")
     return result
 
 

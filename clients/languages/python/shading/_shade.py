@@ -93,7 +93,7 @@ def shade(
     k_a ambient + sum over the lights with N.L > 0 of I (k_d N.L + k_s max(0, cosine)^m), where the cosine is R.V for "phong"
     and N.H for "blinn-phong"; "lambert" leaves the highlight out.
 
-    points, normals, eye: arrays of shape (..., 3). Normals have any length, as a gradient has. Where a normal is 0, or where the
+    points, normals, eye: arrays of shape (..., 3). The eye is a position. Normals have any length, as a gradient has. Where a normal is 0, or where the
         point is at the eye, the result is black.
     lights: a light or a sequence of lights.
     k_a, k_d, k_s: what the surface reflects of each channel, usually from 0 to 1: a number, three numbers, or a texture of
@@ -129,6 +129,8 @@ def shade(
     shape: tuple[int, ...] = (3,)
     for name, value in {**places, **colors}.items():
         shape = joined(shape, name, value.shape)
+    if len(shape) > 1 and powers.shape in ((*shape[:-1], 1), shape):
+        raise ValueError(f"m: expected the shape {shape[:-1]}, got {powers.shape}; m[..., 0] leaves the last axis out")
     try:
         grid = np.broadcast_shapes(shape[:-1], powers.shape)
     except ValueError:

@@ -150,10 +150,14 @@ WRONG: dict[str, Callable[[], Any]] = {
     "points: expected numbers, got {'x': 1}": lambda: shaded(points={"x": 1}),
     "points: expected numbers, got b'abc'": lambda: shaded(points=b"abc"),
     "points: expected the shape (..., 3), got ()": lambda: shaded(points=np.float32(1)),
+    "points: expected the shape (..., 3), got (3, 4, 5); np.moveaxis(points, 0, -1) puts the 3 last": lambda: shaded(
+        points=np.moveaxis(POINTS, -1, 0)
+    ),
     "points: expected the shape (..., 3), got (0,)": lambda: shaded(points=[]),
     "normals: expected a shape that broadcasts to (4, 5, 3), got (0, 3)": lambda: shaded(normals=np.zeros((0, 3))),
     "k_d: expected a shape that broadcasts to (4, 5, 3), got (4, 5, 4)": lambda: shaded(k_d=np.ones((4, 5, 4))),
-    "m: expected a shape that broadcasts to (4, 5), got (4, 5, 1)": lambda: shaded(m=np.ones((4, 5, 1))),
+    "m: expected the shape (4, 5), got (4, 5, 1); m[..., 0] leaves the last axis out": lambda: shaded(m=np.ones((4, 5, 1))),
+    "m: expected the shape (4, 5), got (4, 5, 3); m[..., 0] leaves the last axis out": lambda: shaded(m=np.ones((4, 5, 3))),
     'model: expected "lambert", "phong" or "blinn-phong", got array([': lambda: shaded(model=np.array(["phong", "lambert"])),
     "parts: expected True or False, got 'yes'": lambda: shaded(parts="yes"),
     "parts: expected True or False, got None": lambda: shaded(parts=None),
