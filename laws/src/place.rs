@@ -80,9 +80,9 @@ const ALONE: [[&str; 2]; 4] = [
 const OF_LAMPS: [&str; 3] = ["distance", "attenuation", "cone"];
 const OF_HIGHLIGHTS: [&str; 4] = ["length of V", "shininess", "Phong", "Blinn"];
 
-/// What turns the eye. So it changes the cosine of the highlight, and repairs what is wrong with some cosines
-/// alone.
-const TURNS: [&str; 4] = ["shininess", "eye behind", "Phong", "Blinn"];
+/// What turns the eye, as "eye behind" does, too. That cannot always keep the highlight as bright, so it repairs some
+/// cases of what is wrong with some cosines alone, and these repair the others: that is one thing.
+const TURNS: [&str; 3] = ["shininess", "Phong", "Blinn"];
 
 /// The most things that are taken out one after the other, each because another is wrong, too.
 const DEPTH: usize = 2;
@@ -222,8 +222,11 @@ impl Search<'_, '_> {
             vec![of_others.place()]
         };
         let edits: Vec<usize> = others.iter().filter_map(|it| it.beside(whole)).collect();
-        let turns = |k: &usize| TURNS.contains(&EDITS[*k].id);
-        if edits.len() < others.len() || [&edits[..], &[k]].concat().iter().all(turns) {
+        let both = [&edits[..], &[k]].concat();
+        let turns = |id: &&str| *id == "eye behind" || TURNS.contains(id);
+        let is_one = both.iter().all(|k| turns(&EDITS[*k].id))
+            && both.iter().any(|k| EDITS[*k].id == "eye behind");
+        if edits.len() < others.len() || is_one {
             return none;
         }
         let of_first = self.left(cases, &edits)?;
