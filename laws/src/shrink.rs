@@ -1,30 +1,11 @@
 //! Simpler scenes near a scene: what a failing case is made smaller by.
 
-use serde_json::Value;
+use std::slice;
 
 use crate::bounded::rounded;
 use crate::edit::EDITS;
 use crate::profile::Profile;
-use crate::scene::{Model, Scene, Triple, size};
-
-/// The paths of a scene's numbers and lists.
-fn paths(value: &Value, path: &str, found: &mut Vec<String>) {
-    match value {
-        Value::Number(_) => found.push(path.into()),
-        Value::Array(list) => {
-            found.push(path.into());
-            for (i, value) in list.iter().enumerate() {
-                paths(value, &format!("{path}/{i}"), found);
-            }
-        }
-        Value::Object(members) => {
-            for (name, value) in members {
-                paths(value, &format!("{path}/{name}"), found);
-            }
-        }
-        _ => {}
-    }
-}
+use crate::scene::{Light, Model, Scene, Triple, size};
 
 /// How much there is to read in a scene: zeros are nothing, and a highlight is something.
 pub fn cost(scene: &Scene) -> u32 {
@@ -41,15 +22,20 @@ pub fn cost(scene: &Scene) -> u32 {
 pub fn simpler(scene: &Scene, profile: &Profile) -> Vec<Scene> {
     let edited = EDITS.iter().filter_map(|edit| edit.of(scene, profile));
     let mut found: Vec<Scene> = edited.collect();
-    let (json, mut places) = (serde_json::to_value(scene).unwrap_or_default(), Vec::new());
-    paths(&json, "", &mut places);
-    for path in places.iter().take(160) {
-        for new in json.pointer(path).map(shorter).unwrap_or_default() {
-            let mut edited = json.clone();
-            if let Some(place) = edited.pointer_mut(path) {
-                *place = new;
-            }
-            found.extend(serde_json::from_value::<Scene>(edited));
+    // one light, or all but one
+    for i in 0..scene.lights.len().min(32) {
+        let others = [&scene.lights[..i], &scene.lights[i + 1..]].concat();
+        for lights in [vec![scene.lights[i]], others] {
+            let unlit = scene.clone();
+            found.push(Scene { lights, ..unlit });
+        }
+    }
+    let mut old = scene.clone();
+    for (i, part) in parts(&mut old).into_iter().take(48).enumerate() {
+        for new in shorter(part) {
+            let mut edited = scene.clone();
+            parts(&mut edited)[i].copy_from_slice(&new);
+            found.push(edited);
         }
     }
     let limit = cost(scene);
@@ -62,20 +48,66 @@ pub fn simpler(scene: &Scene, profile: &Profile) -> Vec<Scene> {
     found.into_iter().map(|(_, scene)| scene).collect()
 }
 
-/// Simpler numbers and vectors, and one light or all but one of the lights.
-fn shorter(old: &Value) -> Vec<Value> {
-    if let Some(number) = old.as_f64() {
-        return numbers(number).into_iter().map(Value::from).collect();
+/// The vectors and numbers of a scene.
+fn parts(scene: &mut Scene) -> Vec<&mut [f64]> {
+    let Scene {
+        p,
+        n,
+        v,
+        k_a,
+        k_d,
+        k_s,
+        m,
+        i_a,
+        lights,
+        ..
+    } = scene;
+    let mut all: Vec<&mut [f64]> = vec![i_a, k_a, k_d, k_s, slice::from_mut(m), n, p, v];
+    for light in lights {
+        match light {
+            Light::Directional { intensity, l } => {
+                all.push(intensity);
+                all.push(l);
+            }
+            Light::Point {
+                intensity,
+                position,
+                attenuation,
+            } => {
+                all.push(attenuation);
+                all.push(intensity);
+                all.push(position);
+            }
+            Light::Spot {
+                intensity,
+                position,
+                attenuation,
+                axis,
+                half_angle,
+            } => {
+                all.push(attenuation);
+                all.push(axis);
+                all.push(slice::from_mut(half_angle));
+                all.push(intensity);
+                all.push(position);
+            }
+        }
     }
-    if let Ok(vector) = serde_json::from_value(old.clone()) {
-        return vectors(vector).map(|v| Value::from(v.to_vec())).collect();
+    all
+}
+
+/// Simpler vectors, and vectors with a simpler coordinate.
+fn shorter(old: &[f64]) -> Vec<Vec<f64>> {
+    let simple = Triple::try_from(old).map(|old| vectors(old).map(Vec::from).collect());
+    let mut found: Vec<Vec<f64>> = simple.unwrap_or_default();
+    for (i, c) in old.iter().enumerate() {
+        for simple in numbers(*c) {
+            let mut new = old.to_vec();
+            new[i] = simple;
+            found.push(new);
+        }
     }
-    let lights = old.as_array().map_or(&[][..], Vec::as_slice);
-    let some = (0..lights.len().min(32)).flat_map(|i| {
-        let others = [&lights[..i], &lights[i + 1..]].concat();
-        [vec![lights[i].clone()], others].map(Value::from)
-    });
-    some.collect()
+    found
 }
 
 /// Simple numbers, and the old one with fewer digits.
