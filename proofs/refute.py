@@ -38,7 +38,9 @@ def main(faults, prover, folder):
     found = {claim.lstrip("~") for (_, _, claim), result in zip(tasks, results) if result}
     complaints = [f"{claim} stands in spite of {' '.join(row[:5])}" for (_, row, claim), result in zip(tasks, results) if not result]
     complaints += [f"{name} has no fault" for name in names if name not in found]
-    print("\n".join(complaints + [f"faults: {len(tasks)} refute {len(found)} of {len(names)} claims, each fault with a counterexample"]))
+    unproved = sum(" open: " in result for result in results)
+    summary = f"faults: {len(tasks)} break {len(found)} of {len(names)} claims, {unproved} of them without a counterexample"
+    print("\n".join([*complaints, summary]))
     sys.exit(bool(complaints))
 
 
