@@ -80,8 +80,8 @@ const ALONE: [[&str; 2]; 4] = [
 const OF_LAMPS: [&str; 3] = ["distance", "attenuation", "cone"];
 const OF_HIGHLIGHTS: [&str; 4] = ["length of V", "shininess", "Phong", "Blinn"];
 
-/// What turns the eye, as "eye behind" does, too. That cannot always keep the highlight as bright, so it repairs some
-/// cases of what is wrong with some cosines alone, and these repair the others: that is one thing.
+/// What turns the eye, as "eye behind" does, too. That cannot always keep the highlight as bright, so it
+/// repairs some cases of what is wrong with some cosines alone, and these repair the others: that is one thing.
 const TURNS: [&str; 3] = ["shininess", "Phong", "Blinn"];
 
 /// The most things that are taken out one after the other, each because another is wrong, too.

@@ -2,8 +2,8 @@
 //!
 //! The lanes of `wide` are chosen when the program is built, and take several instructions for some operations
 //! that take one here. Everything here is inlined, and so compiled for the processor of the function that it is
-//! inlined into. That function runs only where the processor has the instructions, and each `unsafe` here relies on
-//! that.
+//! inlined into. That function runs only where the processor has the instructions, on which each `unsafe` here
+//! relies.
 
 macro_rules! operators {
     ($lanes:ident by $by:ident, $($trait:ident $function:ident),*) => {$(
@@ -19,10 +19,13 @@ macro_rules! operators {
 }
 pub(crate) use operators;
 
-/// Lanes by a module of functions, which are named as those of AVX2 are used: `max` and `min` give the second operand
-/// unless the first is greater or less, and `blend` gives the second where the third holds.
+/// Lanes by a module of functions, which are named as those of AVX2 are used: `max` and `min` give the second
+/// operand unless the first is greater or less, and `blend` gives the second where the third holds.
 macro_rules! lanes {
-    ($lanes:ident, $above:ident: $count:literal $float:ident in $register:ident by $by:ident, as $wide:ident$(; $($method:item)*)?) => {
+    (
+        $lanes:ident, $above:ident: $count:literal $float:ident in $register:ident by $by:ident, as $wide:ident
+        $(; $($method:item)*)?
+    ) => {
         #[derive(Clone, Copy)]
         pub struct $lanes($register);
 

@@ -1,4 +1,5 @@
-//! Four `f32` in a register of WebAssembly. A comparison with a choice is one instruction here, and four for `wide`.
+//! Four `f32` in a register of WebAssembly. A comparison with a choice is one instruction here, and four for
+//! `wide`.
 #![allow(
     unused_unsafe,
     reason = "the whole program is compiled for these instructions"

@@ -47,7 +47,8 @@ pub const CLAIMS: &[Claim] = claims! {
         "`Vec3::unit`, `unit_or`, `length`, `normal::plane` and `half_vector` are v/√(v·v), where v·v is between 1/p and p"
     anchors::in_front_by_formula Both
         "any light: `is_in_front` is whether n·v > 0, v = L or position − p"
-    anchors::facing_by_formula Both "`normal::facing` is −N where (−F)·V > 0, and N elsewhere, as where it is 0 or NaN"
+    anchors::facing_by_formula Both
+        "`normal::facing` is −N where (−F)·V > 0, and N elsewhere, as where it is 0 or NaN"
     anchors::terms_by_formula Both
         "`term::lambert`, `phong`, `blinn` and `reflection` are their formulas"
     anchors::attenuation_by_formula Rules
@@ -152,7 +153,8 @@ pub const CLAIMS: &[Claim] = claims! {
     normals::implicit_of_none Rules
         "`normal::implicit` and `normal::from_gradient` are `None` where ∇f is 0, infinite or NaN"
     normals::parametric_of_none Rules
-        "`normal::parametric` and `from_tangents` are `None` if the tangents are equal, or one is 0, infinite or NaN"
+        "`normal::parametric` and `from_tangents` are `None` if the tangents are equal, or one is 0, \
+         infinite or NaN"
     normals::transformed_of_any Rules
         "`normal::transformed` is `None` or has components up to 1.25 in size, N of any bits, and \
          each column of any bits whose |v|² is between 1/p and p"

@@ -1,6 +1,6 @@
 //! The crate's normals of the surfaces of the exercises, by automatic differentiation where there is something to
-//! differentiate: each line of the input is a surface by its place in the list and its numbers. The page has formulas
-//! by hand, and a test compares the two.
+//! differentiate: each line of the input is a surface by its place in the list and its numbers. The page has
+//! formulas by hand, and a test compares the two.
 
 use std::io;
 
