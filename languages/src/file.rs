@@ -1,13 +1,10 @@
 //! The files.
 
-use std::mem::take;
-
 use crate::dialect::{C, Dialect, GLSL, HLSL, METAL, Powers, WGSL, filled};
 use crate::graph::{EXTREME, Graph, with};
 use crate::kind::{Arguments, Kind};
 use crate::levels::encodings;
 use crate::number::Expr;
-use crate::pattern::{Pattern, Patterns};
 use crate::print::{Printer, wrapped};
 use crate::table::{Function, functions};
 use crate::tree::{Tree, explore};
@@ -223,21 +220,7 @@ fn recorded(function: &Function) -> Tree {
     tree
 }
 
-/// The functions that stand for their formulas, in the functions after them.
-fn patterns() -> Patterns {
-    thread_local!(static PATTERNS: Patterns = {
-        let shared = functions().iter().filter(|function| function.shared);
-        let of = |function: &Function| match recorded(function) {
-            Tree::Leaf(result) => Pattern { name: function.name, graph: with(take), result: result[0] },
-            Tree::Branch(..) => panic!("a shared function has no branches"),
-        };
-        shared.map(of).collect::<Vec<_>>().into()
-    });
-    PATTERNS.with(Patterns::clone)
-}
-
 fn function_text(dialect: &'static Dialect, function: &Function) -> String {
-    let patterns = patterns();
     let tree = recorded(function);
     let names = (function.names)(arguments(function));
     let doc = function
@@ -256,7 +239,7 @@ fn function_text(dialect: &'static Dialect, function: &Function) -> String {
     };
     let head = head(dialect, &name, &function.parameters, changed, &result);
     let (body, unused) = with(|g| {
-        let mut printer = Printer::new(dialect, Values::new(g, patterns), function.result);
+        let mut printer = Printer::new(dialect, Values::new(g), function.result);
         printer.parameters.clone_from(&function.parameters);
         printer.changed = changed;
         printer.name_values(names);
@@ -282,7 +265,7 @@ pub(crate) fn own_function(
     let tree = explore(formula, &[]);
     let head = head(dialect, name, parameters, None, &type_of(dialect, result));
     let (body, _) = with(|g| {
-        let mut printer = Printer::new(dialect, Values::new(g, [].into()), result);
+        let mut printer = Printer::new(dialect, Values::new(g), result);
         printer.prefix = [dialect.namespace, dialect.prefix].concat();
         printer.body(&tree)
     });

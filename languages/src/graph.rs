@@ -55,7 +55,7 @@ pub struct Graph {
     pub selects: bool,
     /// Whether a product with 0 is 0. A derivative has many.
     pub drops_zeros: bool,
-    /// Whether each decision is known to be true.
+    /// Whether each decision is known to be true, and each number finite.
     assumes: bool,
     /// The decisions of this run.
     pub path: Vec<(Test, bool)>,
@@ -124,41 +124,9 @@ impl Graph {
         }
     }
 
-    /// Whether it cannot have overflowed. A sum over lights may have.
-    fn is_finite(&self, n: u32) -> bool {
-        match self.nodes[n as usize] {
-            Node::Var(..) => self.defining != "total",
-            Node::Const(_) => true,
-            Node::Binary(Op::Mul, a, b) => self.is_finite(a) && self.is_fraction(b),
-            _ => false,
-        }
-    }
-
-    /// Whether it is within 0 and 1.
-    fn is_fraction(&self, n: u32) -> bool {
-        match self.nodes[n as usize] {
-            Node::Const(_) => self.value(n) <= Some(1.0),
-            Node::Binary(Op::Min, _, limit) => self.is_fraction(limit),
-            Node::Select(_, a, b) => self.is_fraction(a) && self.is_fraction(b),
-            Node::Part(call, _) => matches!(
-                self.nodes[call as usize],
-                Node::Call("power" | "power_of_quotient", _)
-            ),
-            _ => false,
-        }
-    }
-
-    /// Whether the length of what was measured has a use, beside its direction.
-    pub fn uses_length(&self, measured: u32) -> bool {
-        let Some(length) = self.index.get(&Node::Part(measured, 4)) else {
-            return false;
-        };
-        self.nodes.iter().any(|node| match node {
-            Node::Binary(_, a, b) | Node::Select(Test::Above(a, b), ..) => {
-                a == length || b == length
-            }
-            _ => false,
-        })
+    /// Whether the function that is recorded gets or gives numbers that overflow: most have finite arguments.
+    fn can_overflow(&self) -> bool {
+        ["", "measured", "attenuation", "arrival", "total"].contains(&self.defining)
     }
 
     /// Whether it is the length of a direction.
@@ -197,14 +165,13 @@ impl Graph {
                 Op::Max => x.max(y),
             });
         }
-        let is_finite = self.is_finite(a);
         match (op, x, y) {
             (Op::Mul, Some(0.0), _) if self.drops_zeros => a,
             (Op::Mul, _, Some(0.0)) if self.drops_zeros => b,
             (Op::Sub, Some(0.0), _) if self.drops_zeros => self.neg(b),
             (Op::Add, Some(0.0), _) | (Op::Mul, Some(1.0), _) => b,
             (Op::Add | Op::Sub, _, Some(0.0)) | (Op::Mul | Op::Div, _, Some(1.0)) => a,
-            (Op::Min, _, Some(f32::MAX)) if is_finite => a,
+            (Op::Min, _, Some(f32::MAX)) if self.assumes || !self.can_overflow() => a,
             _ => self.node(Node::Binary(op, a, b)),
         }
     }

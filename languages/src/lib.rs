@@ -14,7 +14,6 @@ mod graph;
 mod kind;
 mod levels;
 mod number;
-mod pattern;
 mod print;
 mod surface;
 mod table;

@@ -8,6 +8,7 @@ use shading::number::{Dimmed, Mask, Measured, Toward};
 use shading::{Elementary, Lobe, Real, Rgb, Vec3};
 
 use crate::graph::{EXTREME, MAX, NEG_ONE, Node, ONE, Op, Test, ZERO, decide, with};
+use crate::kind::Kind;
 
 /// A number that records the formula which computes it.
 ///
@@ -68,6 +69,15 @@ fn call_of_vectors<const N: usize>(name: &'static str, vectors: &[Vec3<Expr>]) -
 
 fn is_defining(name: &str) -> bool {
     with(|g| g.defining == name)
+}
+
+/// Whether the function takes a light, of whose kind and falloff others decide.
+fn is_of_a_light() -> bool {
+    with(|g| g.defining == "arrival" || g.defining.starts_with("add_"))
+}
+
+fn call_of_light(name: &'static str, x: Expr) -> Expr {
+    call_one(name, &[Kind::Light.variables("light"), vec![x]].concat())
 }
 
 fn inline(v: Vec3<Expr>) -> Vec3<Inline> {
@@ -156,12 +166,7 @@ macro_rules! number {
                 decide(Test::Extreme(self.0))
             }
 
-            // of finite numbers
             fn finite(self) -> Self {
-                // the last of the sums is made finite, and none before it
-                if with(|g| g.defining.starts_with("add_")) {
-                    return self;
-                }
                 self.at_most(Self::MAX)
             }
 
@@ -218,6 +223,15 @@ number!(Expr {
         call_of_vectors("crossed", &[origin, a, b]).into()
     }
 
+    fn attenuated(color: Rgb<Self>, coefficients: [Self; 3], q: Self, limit: Self) -> Dimmed<Self> {
+        if is_of_a_light() {
+            return Dimmed { color, factor: call_of_light("falloff", q) };
+        }
+        let coefficients = coefficients.map(|x| Inline(x.0));
+        let dimmed = Inline::attenuated(Rgb::WHITE, coefficients, Inline(q.0), Inline(limit.0));
+        Dimmed { color, factor: Self(dimmed.factor.0) }
+    }
+
     fn windowed(
         Dimmed { color, factor }: Dimmed<Self>,
         v: Vec3<Self>,
@@ -225,6 +239,9 @@ number!(Expr {
         range: Self,
         is_squared: Above,
     ) -> Dimmed<Self> {
+        if is_of_a_light() {
+            return Dimmed { color, factor }; // its falloff has the window
+        }
         let name = if is_squared.is_anywhere() { "window" } else { "window_gltf" };
         if is_defining(name) {
             let one = Dimmed { color: Rgb::WHITE, factor: Inline::ONE };
@@ -256,6 +273,9 @@ number!(Expr {
             return Dimmed { color, factor: factor * Self(beam.factor.0) };
         }
         let cosine = Self::dot(-axis, measured.w) / measured.w_length;
+        if is_of_a_light() {
+            return Dimmed { color, factor: factor * call_of_light("spot", cosine) };
+        }
         Dimmed { color, factor: factor * call_one(name, &[cosine, inner, outer]) }
     }
 });

@@ -27,8 +27,6 @@ pub struct Function {
     pub result: Kind,
     /// Whether masks choose between results instead of deciding on a path.
     pub(crate) selects: bool,
-    /// Whether it stands for its formula in the functions after it.
-    pub(crate) shared: bool,
     pub(crate) record: fn(Arguments<Expr>) -> Vec<Expr>,
     /// What the books call the results on the way.
     pub(crate) names: fn(Arguments<Expr>) -> Names,
@@ -325,7 +323,6 @@ macro_rules! rows {
                     parameters: vec![$((stringify!($p), Kind::$kind)),*],
                     result: Kind::$result,
                     selects: stringify!($mode) != "plain",
-                    shared: stringify!($mode) == "shared",
                     record: record::<Expr>,
                     names,
                     compute: record::<f32>,
@@ -514,12 +511,12 @@ rows! {
     ]
 
     /// What dims a light after the distance q: its attenuation, at most its limit, and the window of its range.
-    shared fn falloff(light: Light, q: Positive) -> Number {
+    choosing fn falloff(light: Light, q: Positive) -> Number {
         light.falloff(q)
     }
 
     /// The factor of a spot's cone, by the cosine between its axis and -L.
-    shared fn spot(light: Light, cosine: Cosine) -> Number {
+    choosing fn spot(light: Light, cosine: Cosine) -> Number {
         light.spot(cosine)
     } [
         inner = stored(light.cosines, 0);

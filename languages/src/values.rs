@@ -4,7 +4,6 @@ use std::collections::HashMap;
 
 use crate::graph::{Graph, MAX, Node, Op, Test, ZERO};
 use crate::kind::Kind;
-use crate::pattern::{Pattern, Patterns};
 use crate::table::functions;
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -51,23 +50,15 @@ pub struct Values<'a> {
     pub all: Vec<Value>,
     pub types: Vec<Type>,
     index: HashMap<Value, usize>,
-    /// Whether a length is used beside its direction.
-    measures: bool,
-    patterns: Patterns,
 }
 
 impl<'a> Values<'a> {
-    pub fn new(graph: &'a Graph, patterns: Patterns) -> Self {
-        let is_measured = |n: &u32| matches!(graph.nodes[*n as usize], Node::Call("measured", _));
-        let mut calls = (0..).take(graph.nodes.len()).filter(is_measured);
-        let measures = graph.defining == "normal_corner" && calls.any(|n| graph.uses_length(n));
+    pub fn new(graph: &'a Graph) -> Self {
         Self {
             graph,
             all: vec![],
             types: vec![],
             index: HashMap::new(),
-            measures,
-            patterns,
         }
     }
 
@@ -92,6 +83,12 @@ impl<'a> Values<'a> {
             [x, y, z] => self.vector([x, y, z]),
             [first, ..] => match self.node(first) {
                 Node::Part(call, 0) => self.call(*call),
+                Node::Var(name, _) => {
+                    let name = name.split('.').next().expect("a struct's name").into();
+                    let is_kind = |kind: &Kind| kind.width() == numbers.len();
+                    let kind = Kind::STRUCTS.into_iter().find(is_kind).expect("a struct");
+                    self.add(Value::Variable(name), Type::Struct(kind))
+                }
                 other => panic!("a struct is the result of a call: {other:?}"),
             },
             [] => panic!("a value has numbers"),
@@ -99,9 +96,6 @@ impl<'a> Values<'a> {
     }
 
     pub fn number(&mut self, n: u32) -> usize {
-        if let Some(call) = self.shared(n) {
-            return call;
-        }
         let value = match self.node(n) {
             Node::Var(name, None) => Value::Variable(name.clone()),
             Node::Var(name, Some(i)) => {
@@ -127,33 +121,6 @@ impl<'a> Values<'a> {
             Node::Call(..) => return self.call(n),
         };
         self.add(value, Type::Number)
-    }
-
-    /// The call of a function that stands for the formula of a number.
-    fn shared(&mut self, n: u32) -> Option<usize> {
-        let patterns = self.patterns.clone();
-        // a function is not its own call
-        let others = |pattern: &&Pattern| pattern.name != self.graph.defining;
-        let of = |pattern: &Pattern| Some((pattern.name, pattern.found(self.graph, n)?));
-        let (name, found) = patterns.iter().filter(others).find_map(of)?;
-        let function = functions().iter().find(|function| function.name == name)?;
-        let mut arguments = vec![];
-        for (parameter, kind) in &function.parameters {
-            let field = |name: &str| found.get(&(name.to_string(), None)).copied();
-            if kind.fields().is_none() {
-                arguments.push(self.number(field(parameter)?));
-                continue;
-            }
-            // its fields are those of a struct in this function
-            let field = format!("{parameter}.");
-            let (_, value) = found.iter().find(|(name, _)| name.0.starts_with(&field))?;
-            let Node::Var(own, _) = self.node(*value) else {
-                return None;
-            };
-            let own = own.split('.').next()?.to_string();
-            arguments.push(self.add(Value::Variable(own), Type::Struct(*kind)));
-        }
-        Some(self.add(Value::Call(name, arguments), Type::Number))
     }
 
     /// Three numbers as a vector, whose operations are the same in each.
@@ -265,7 +232,9 @@ impl<'a> Values<'a> {
             return None;
         };
         let is_length = test.left == *by && is_zero(&test.right);
-        (is_length && self.graph.defining != "unit" && !self.measures).then(|| of[0])
+        // where the length has another use, it is measured once
+        let measures = ["unit", "normal_corner"].contains(&self.graph.defining);
+        (is_length && !measures).then(|| of[0])
     }
 
     fn call(&mut self, n: u32) -> usize {
