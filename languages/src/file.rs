@@ -1,9 +1,9 @@
 //! The files.
 
 use crate::dialect::{C, Dialect, GLSL, HLSL, METAL, Powers, WGSL, filled};
-use crate::graph::{EXTREME, Graph, with};
+use crate::given::{built_in_powers, encodings, is_extreme, operations_on_bits};
+use crate::graph::{Graph, with};
 use crate::kind::{Arguments, Kind};
-use crate::levels::encodings;
 use crate::number::Expr;
 use crate::print::{Printer, wrapped};
 use crate::table::{Function, functions};
@@ -59,17 +59,17 @@ pub fn text(dialect: &'static Dialect) -> String {
             .iter()
             .map(|function| function_text(dialect, function))
             .collect();
-        format!("{}{functions}", dialect.bits)
+        operations_on_bits(dialect) + &functions
     };
     match dialect.powers {
         Powers::Own => out += &own(),
-        Powers::BuiltIn => out += &built_in(dialect),
+        Powers::BuiltIn => out += &built_in_powers(dialect),
         Powers::Defined => {
             let all = [
                 "#ifdef SHADING_EXACT_POWER\n\n",
                 &own(),
                 "#else\n\n",
-                &built_in(dialect),
+                &built_in_powers(dialect),
             ];
             out += &all.concat();
             out += "#endif\n\n";
@@ -85,7 +85,7 @@ pub fn text(dialect: &'static Dialect) -> String {
     format!("{}{}", out, dialect.file[1])
 }
 
-fn comment(dialect: &Dialect, text: &str) -> String {
+pub(crate) fn comment(dialect: &Dialect, text: &str) -> String {
     let [begin, end] = dialect.comment;
     if text.is_empty() {
         String::new()
@@ -126,7 +126,7 @@ fn structure(dialect: &Dialect, kind: Kind) -> String {
     out + &filled(end, &[("name", &name)]) + "\n\n"
 }
 
-fn head(
+pub(crate) fn head(
     dialect: &Dialect,
     name: &str,
     parameters: &[(&str, Kind)],
@@ -148,60 +148,6 @@ fn head(
         ("parameters", &parameters.join(", ")),
     ];
     wrapped("", &filled(dialect.function, &places))
-}
-
-/// Whether the square of a length is out of range.
-fn is_extreme(dialect: &Dialect) -> String {
-    with(|g| *g = Graph::new("", false, false));
-    let extreme = with(|g| g.value(EXTREME)).expect("a constant");
-    let ends = [1.0 / extreme, extreme];
-    let [low, high] = ends.map(|x| dialect.number(x));
-    let [low_bits, high_bits] = ends.map(f32::to_bits);
-    let places = [
-        ("low", &low[..]),
-        ("high", &high),
-        ("low_bits", &format!("0x{low_bits:08X}")),
-        ("width", &format!("0x{:08X}", high_bits - low_bits)),
-    ];
-    let test = filled(dialect.is_extreme, &places);
-    let doc = comment(
-        dialect,
-        "Whether a square is so small or large that it is not exact.",
-    );
-    let head = head(
-        dialect,
-        &dialect.named("is_extreme"),
-        &[("square", Kind::Number)],
-        None,
-        dialect.truth,
-    );
-    format!("{doc}{head}    return {test};\n}}\n\n")
-}
-
-/// The power of the language.
-fn built_in(dialect: &Dialect) -> String {
-    let one = dialect.number(1.0);
-    let (pow, min) = (
-        dialect.function_named("pow", ""),
-        dialect.function_named("min", ""),
-    );
-    let bodies = [
-        format!("{pow}({min}(c / d, {one}), m)"),
-        format!("{pow}(c, m)"),
-    ];
-    let of = |(function, body): (&Function, String)| {
-        let formula = function.doc.split(',').next().expect("a formula").trim();
-        let doc = comment(dialect, &format!("{formula}, by the language's own power."));
-        let head = head(
-            dialect,
-            &dialect.named(function.name),
-            &function.parameters,
-            None,
-            dialect.types[0],
-        );
-        format!("{doc}{head}    return {body};\n}}\n\n")
-    };
-    functions()[..2].iter().zip(bodies).map(of).collect()
 }
 
 /// The variables of a function's parameters.

@@ -10,9 +10,9 @@
 
 pub mod dialect;
 mod file;
+mod given;
 mod graph;
 mod kind;
-mod levels;
 mod number;
 mod print;
 mod surface;

@@ -54,8 +54,9 @@ pub struct Dialect {
     pub file: [&'static str; 2],
     /// Vectors, in a language without.
     pub vectors: &'static str,
-    /// The operations on the bits of a number that the crate's power needs.
-    pub bits: &'static str,
+    /// What gives the bits of a number as an integer, and a number of such bits; or the text of the operations
+    /// on bits that the crate's power needs.
+    pub bits: Result<[&'static str; 2], &'static str>,
     pub powers: Powers,
     /// The test whether a square is out of range.
     pub is_extreme: &'static str,
@@ -74,13 +75,38 @@ pub enum Powers {
     Defined,
 }
 
-/// The functions that every language for graphics has.
-const GRAPHICS: &[&str] = &[
-    "sqrt", "abs", "min", "max", "clamp", "dot", "cross", "length", "sin", "cos", "tan", "atan2",
-    "exp", "log", "pow", "atan",
-];
-
-const IS_EXTREME: &str = "!(square >= {low} && square < {high})";
+/// What most languages for graphics have in common.
+const GRAPHICS: Dialect = Dialect {
+    prefix: "shading_",
+    namespace: "",
+    types: ["float", "float2", "float3"],
+    truth: "bool",
+    stored: "float3",
+    comment: ["// ", ""],
+    structure: ["struct {name} {", "{type} {field};", "};"],
+    pads: true,
+    function: "{type} {name}({parameters}) {",
+    parameter: "{type} {name}",
+    pointers: None,
+    variable: "{type} {name} = {value};",
+    branch: "if ({test}) {",
+    choice: "{test} ? {yes} : {no}",
+    made: Err("{type} {name} = {{values}};"),
+    vector: ("float3", true),
+    suffix: "",
+    operators: None,
+    builtins: &[],
+    own: &[
+        "sqrt", "abs", "min", "max", "clamp", "dot", "cross", "length", "sin", "cos", "tan",
+        "atan2", "exp", "log", "pow", "atan",
+    ],
+    file: ["", ""],
+    vectors: "",
+    bits: Ok(["", ""]),
+    powers: Powers::Defined,
+    is_extreme: "!(square >= {low} && square < {high})",
+    encodings: "",
+};
 
 impl Dialect {
     /// The name of a function or a type of the files, where it is defined.
