@@ -166,9 +166,19 @@ fn recorded(function: &Function) -> Tree {
     tree
 }
 
+/// The books' names for the values of a function, and their formulas.
+fn names(function: &str) -> Vec<(&'static str, &'static str)> {
+    let sections = include_str!("names.txt").split("\n[").skip(1);
+    let of = |section: &'static str| {
+        let (title, lines) = section.split_once("]\n")?;
+        let lines = lines.lines().filter_map(|line| line.split_once(" = "));
+        function.starts_with(title).then_some(lines)
+    };
+    sections.filter_map(of).flatten().collect()
+}
+
 fn function_text(dialect: &'static Dialect, function: &Function) -> String {
     let tree = recorded(function);
-    let names = (function.names)(arguments(function));
     let doc = function
         .doc
         .lines()
@@ -184,18 +194,12 @@ fn function_text(dialect: &'static Dialect, function: &Function) -> String {
         None => type_of(dialect, function.result),
     };
     let head = head(dialect, &name, &function.parameters, changed, &result);
-    let (body, unused) = with(|g| {
+    let body = with(|g| {
         let mut printer = Printer::new(dialect, Values::new(g), function.result);
         printer.parameters.clone_from(&function.parameters);
         printer.changed = changed;
-        printer.name_values(names);
-        printer.body(&tree)
+        printer.body(&tree, &names(function.name))
     });
-    assert!(
-        unused.is_empty(),
-        "{}: {unused:?} name nothing",
-        function.name
-    );
     format!("{}{head}{body}}}\n\n", doc.collect::<String>())
 }
 
@@ -210,10 +214,10 @@ pub(crate) fn own_function(
     with(|g| *g = Graph::new("", false, true));
     let tree = explore(formula, &[]);
     let head = head(dialect, name, parameters, None, &type_of(dialect, result));
-    let (body, _) = with(|g| {
+    let body = with(|g| {
         let mut printer = Printer::new(dialect, Values::new(g), result);
         printer.prefix = [dialect.namespace, dialect.prefix].concat();
-        printer.body(&tree)
+        printer.body(&tree, &[])
     });
     format!("{head}{body}}}\n")
 }

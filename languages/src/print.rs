@@ -1,11 +1,11 @@
 //! Writes a recorded function in a language.
 
 use std::collections::{HashMap, HashSet};
+use std::mem::{replace, take};
 
-use crate::dialect::{Dialect, filled};
+use crate::dialect::{Dialect, WGSL, filled};
 use crate::graph::{Op, Test};
 use crate::kind::Kind;
-use crate::table::Names;
 use crate::tree::{Condition, Tree};
 use crate::values::{Comparison, Type, Value, Values};
 
@@ -53,26 +53,30 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// Names values as the books do.
-    pub fn name_values(&mut self, names: Names) {
-        for (name, numbers) in names {
-            let numbers: Vec<_> = numbers.iter().map(|x| x.0).collect();
-            let value = self.values.value(&numbers);
-            self.named.insert(value, name.into());
-        }
-    }
-
-    /// The statements of a function, and the names that name nothing in it.
-    pub fn body(mut self, tree: &Tree) -> (String, Vec<String>) {
+    /// The statements of a function.
+    pub fn body(mut self, tree: &Tree, names: &[(&str, &str)]) -> String {
         let mut path = vec![];
         self.count(tree, &mut path);
-        let unused = self
-            .named
-            .iter()
-            .filter(|(value, _)| !self.uses.contains_key(value));
-        let unused = unused.map(|(_, name)| name.clone()).collect();
+        self.name_values(names);
         self.tree(tree, "    ");
-        (self.out, unused)
+        self.out
+    }
+
+    /// Names values as the books do, by their formulas in WGSL.
+    fn name_values(&mut self, names: &[(&str, &str)]) {
+        let (dialect, prefix) = (replace(&mut self.dialect, &WGSL), take(&mut self.prefix));
+        for value in 0..self.values.all.len() {
+            let text = self.body_of(value).0;
+            let is_formula = |formula: &str| match formula.split_once("...") {
+                Some((beginning, end)) => text.starts_with(beginning) && text.ends_with(end),
+                None => text == formula,
+            };
+            if let Some((name, _)) = names.iter().find(|(_, formula)| is_formula(formula)) {
+                self.variables.insert(value, (*name).into());
+            }
+        }
+        self.named = take(&mut self.variables);
+        (self.dialect, self.prefix) = (dialect, prefix);
     }
 
     /// Counts how often each value is used on the path on which it is used most.

@@ -5,19 +5,13 @@ use std::sync::OnceLock;
 
 use shading::number::{Dimmed, LightSum, Mask, Measured, power};
 use shading::{
-    Arrival, Attenuation, Cone, DirectionalLight, IncidentLight, Lobe, Material, PointLight, Real,
-    Rgb, Shaded, SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade,
-    term,
+    Arrival, Attenuation, Cone, DirectionalLight, IncidentLight, Material, PointLight, Rgb, Shaded,
+    SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
 };
 
-use shading::number::power::Bits as _;
-
-use crate::graph::{Op, assuming};
+use crate::graph::assuming;
 use crate::kind::{Arguments, Kind, Number, Parts, Taken};
-use crate::number::{Expr, argument};
-
-/// Names of values.
-pub(crate) type Names = Vec<(&'static str, Vec<Expr>)>;
+use crate::number::Expr;
 
 /// A function of the files.
 pub struct Function {
@@ -28,8 +22,6 @@ pub struct Function {
     /// Whether masks choose between results instead of deciding on a path.
     pub(crate) selects: bool,
     pub(crate) record: fn(Arguments<Expr>) -> Vec<Expr>,
-    /// What the books call the results on the way.
-    pub(crate) names: fn(Arguments<Expr>) -> Names,
     /// What the crate computes.
     pub compute: fn(Arguments<f32>) -> Vec<f32>,
 }
@@ -86,13 +78,6 @@ impl<T: Number> LightNumbers<T> {
         let [hard, smooth] =
             [self.cone(), self.cone().smoothstep()].map(|cone| cone.factor(axis, l));
         self.is_smoothstep.above(T::ZERO).select(smooth, hard)
-    }
-
-    /// What dims the light at the end of a way that is measured.
-    fn dimmed(&self, way: &Measured<T>) -> T {
-        let cosine = T::dot(-*self.axis, way.w) / way.w_length;
-        let is_spot = self.cosines[0].above(T::NEG_ONE);
-        self.falloff(way.length) * is_spot.select(self.spot(cosine), T::ONE)
     }
 
     fn cone(&self) -> Cone<T> {
@@ -239,47 +224,6 @@ fn cone<T: Number>([inner, outer]: [T; 2]) -> Cone<T> {
     assuming(|| Cone::from_cosines(inner, outer)).expect("the cosines of a cone")
 }
 
-fn phong(cosine: Expr, m: Expr) -> Expr {
-    let power = m.raise(cosine.at_least(Expr::ZERO).at_most(Expr::ONE));
-    cosine.above(Expr::ZERO).select(power, Expr::ZERO)
-}
-
-fn blinn(cosine: Expr, halfway: Vec3<Expr>, m: Expr) -> Expr {
-    let power = m.raise_quotient(cosine * cosine, halfway.dot(halfway));
-    cosine.above(Expr::ZERO).select(power, Expr::ZERO)
-}
-
-fn magnitude(x: Expr) -> Expr {
-    x.at_least(-x)
-}
-
-/// The power of two that brings the square of a vector into range.
-fn taming(square: Expr) -> Expr {
-    let least = Expr::ONE / Expr::EXTREME;
-    let grow = least.above(square).select(Expr::EXTREME, Expr::ONE);
-    Expr::EXTREME.above(square).select(grow, least)
-}
-
-/// The cosine of an edge, as a cone stores it.
-fn stored([inner, outer]: [Expr; 2], which: usize) -> Expr {
-    let is_everywhere = Expr::of(-0.999_999_523_162_841_8).above(inner);
-    let cosine = [inner, outer][which].at_most(Expr::of(0.999_999_523_162_841_8));
-    is_everywhere.select(Expr::of(-2.0), cosine)
-}
-
-fn along(v: Vec3<Expr>) -> Vec3<Expr> {
-    *v.unit_or(UnitVec3::assume_unit(Vec3::ZERO)) + v * Expr::ZERO
-}
-
-fn counts(n: Expr, length: Expr) -> Expr {
-    n.above(Expr::ZERO).select(length, Expr::MAX)
-}
-
-fn shrunk(n: Expr, length: Expr, least: Expr) -> Expr {
-    let scaled = length.above(least).select(n * (least / length), n);
-    magnitude(n).above(Expr::ZERO).select(scaled, Expr::ZERO)
-}
-
 macro_rules! of_kind {
     (Vector) => { Vec3<T> };
     (Unit) => { UnitVec3<T> };
@@ -297,25 +241,12 @@ macro_rules! rows {
     ($(
         $(#[doc = $doc:literal])*
         $mode:ident fn $name:ident($($p:ident: $kind:ident),*) -> $result:ident $body:block
-        $([$($temporary:ident = $value:expr;)*])?
     )*) => {
         fn rows() -> Vec<Function> {
             vec![$({
-                #[allow(unused_variables)]
                 fn record<T: Number>(mut from: Arguments<T>) -> Vec<T> {
                     $(let $p = <of_kind!($kind)>::take(&mut from);)*
                     $body.parts()
-                }
-                #[allow(unused_variables, unused_mut)]
-                fn names(mut from: Arguments<Expr>) -> Names {
-                    type T = Expr;
-                    $(let $p = <of_kind!($kind)>::take(&mut from);)*
-                    let mut all = vec![];
-                    $($(
-                        let $temporary = $value;
-                        all.push((stringify!($temporary), $temporary.parts()));
-                    )*)?
-                    all
                 }
                 Function {
                     name: stringify!($name),
@@ -324,7 +255,6 @@ macro_rules! rows {
                     result: Kind::$result,
                     selects: stringify!($mode) != "plain",
                     record: record::<Expr>,
-                    names,
                     compute: record::<f32>,
                 }
             }),*]
@@ -342,79 +272,37 @@ rows! {
     /// (c/d)^m for c/d within [0, 1] and m >= 0, by the crate's own logarithm: within 2^-22.
     plain fn power_of_quotient(c: Fraction, d: Fraction, m: Positive) -> Number {
         power::single_of_quotient(c, d, m)
-    } [
-        least = d * T::of(11_863_283.0);
-        scaled = c * T::of(16_777_216.0);
-        one = d * T::of(16_777_216.0);
-        z = scaled.split(least).1;
-        s = (z - one) / (z + one);
-        s2 = s * s;
-        shifted = argument("two_to_low_bits");
-        y = shifted.operand(0);
-        log2 = y.operand(0).operand(0).operand(1);
-        r = y - shifted.unshifted(T::of(12_583_038.0));
-        r2 = r * r;
-        q = argument("two_to_low_bits").user(Op::Mul).operand(0).operand(1).operand(1);
-    ]
+    }
 
     /// c^m for c within [0, 1] and m >= 0, within 2^-22.
     plain fn power(c: Fraction, m: Positive) -> Number {
         power::single(c, m)
-    } [
-        scaled = c * T::of(16_777_216.0);
-        z = scaled.split(T::of(11_863_283.0)).1;
-        s = (z - T::of(16_777_216.0)) / (z + T::of(16_777_216.0));
-        s2 = s * s;
-        shifted = argument("two_to_low_bits");
-        y = shifted.operand(0);
-        log2 = y.operand(0).operand(1);
-        r = y - shifted.unshifted(T::of(12_583_038.0));
-        r2 = r * r;
-        q = argument("two_to_low_bits").user(Op::Mul).operand(0).operand(1).operand(1);
-    ]
+    }
 
     /// The length of v, and w in its direction: v itself, or v times a power of 2 where its square is out of range.
     plain fn measured(v: Vector) -> Measured {
         T::measured(v)
-    } [
-        square = v.dot(v);
-        power = taming(square);
-        w = v * power.at_most(T::ONE) * power.at_least(T::ONE);
-        w_square = w.dot(w);
-        root = w_square.sqrt();
-        length = square.sqrt();
-    ]
+    }
 
     /// v/|v|; 0 where v is 0.
     plain fn unit(v: Vector) -> Unit {
         v.unit()
-    } [
-        way = T::measured(v);
-    ]
+    }
 
     /// The vector from a point to another, times a power of 2 where its square is out of range.
     plain fn between(origin: Vector, p: Vector) -> Vector {
         T::between(origin, p)
-    } [
-        v = p - origin;
-        square = v.dot(v);
-        power = taming(square);
-        shrink = power.at_most(T::ONE);
-    ]
+    }
 
     /// (a - origin) x (b - origin), in the right direction even where its square is out of range.
     plain fn crossed(origin: Vector, a: Vector, b: Vector) -> Vector {
         T::crossed(origin, a, b)
-    } [
-        c = (a - origin).cross(b - origin);
-    ]
+    }
 
     /// The reflection vector R = 2(N.L)N - L. Phong 1975; Foley, van Dam et al. 16.1.
     plain fn reflection(n: Unit, l: Unit) -> Unit {
         reflection(n, l)
-    } [
-        n_dot_l = n.dot(l);
-    ]
+    }
 
     /// The half vector H = (L + V)/|L + V|; 0 where L = -V. Blinn 1977.
     plain fn half_vector(l: Unit, v: Unit) -> Unit {
@@ -434,16 +322,12 @@ rows! {
     /// Phong's highlight max(0, R.V)^m. Phong 1975.
     plain fn term_phong(r: Unit, v: Unit, m: Positive) -> Number {
         term::phong(r, v, m)
-    } [
-        r_dot_v = r.dot(v);
-    ]
+    }
 
     /// Blinn's highlight max(0, N.H)^m. Blinn 1977.
     plain fn term_blinn(n: Unit, h: Unit, m: Positive) -> Number {
         term::blinn(n, h, m)
-    } [
-        n_dot_h = n.dot(h);
-    ]
+    }
 
     /// What makes Phong's highlight reflect at most k_s: (m + 2)/(2 pi). Lafortune and Willems 1994.
     plain fn term_phong_normalization(m: Positive) -> Number {
@@ -453,9 +337,7 @@ rows! {
     /// The same of Blinn's: (m + 2)(m + 4)/(8 pi (2^(-m/2) + m)). Giesen 2009.
     plain fn term_blinn_normalization(m: Positive) -> Number {
         term::blinn_normalization(m)
-    } [
-        exponent = m.at_least(T::ZERO);
-    ]
+    }
 
     /// The attenuation 1/(a + bq + cq^2). Foley, van Dam et al. 16.1; OpenGL 2.1, 2.14.1.
     plain fn attenuation(a: Positive, b: Positive, c: Positive, q: Positive) -> Number {
@@ -465,50 +347,32 @@ rows! {
     /// What ends a light at the range r: max(0, 1 - (q/r)^4)^2. Karis 2013.
     choosing fn window(q: Positive, r: Positive) -> Number {
         window(q, r, T::ONE.above(T::ZERO))
-    } [
-        fraction = q / r;
-        square = fraction * fraction;
-        root = (T::ONE - square * square).at_least(T::ZERO);
-    ]
+    }
 
     /// The same without the square: KHR_lights_punctual.
     choosing fn window_gltf(q: Positive, r: Positive) -> Number {
         window(q, r, T::ZERO.above(T::ZERO))
-    } [
-        fraction = q / r;
-        square = fraction * fraction;
-    ]
+    }
 
     /// t^2, where t rises from 0 at the cosine of the outer edge to 1 at that of the inner. KHR_lights_punctual.
     plain fn beam(cosine: Cosine, inner: Cosine, outer: Cosine) -> Number {
         beam(cosine, [inner, outer], T::ZERO.above(T::ZERO))
-    } [
-        t = ((cosine - outer) / (inner - outer)).at_least(T::ZERO).at_most(T::ONE);
-    ]
+    }
 
     /// The same with t^2(3 - 2t). POV-Ray 3.7.
     plain fn beam_smoothstep(cosine: Cosine, inner: Cosine, outer: Cosine) -> Number {
         beam(cosine, [inner, outer], inner.above(outer))
-    } [
-        t = ((cosine - outer) / (inner - outer)).at_least(T::ZERO).at_most(T::ONE);
-    ]
+    }
 
     /// The factor of a spot's cone, given the cosines of its inner and its outer half-angle.
     choosing fn cone(axis: Unit, l: Unit, cosines: Cosines) -> Number {
         cone(cosines).factor(axis, l)
-    } [
-        inner = stored(cosines, 0);
-        outer = stored(cosines, 1);
-    ]
+    }
 
     /// The same with a smoothstep between the edges.
     choosing fn cone_smoothstep(axis: Unit, l: Unit, cosines: Cosines) -> Number {
         cone(cosines).smoothstep().factor(axis, l)
-    } [
-        inner = stored(cosines, 0);
-        outer = stored(cosines, 1);
-        cosine = (-*axis).dot(l);
-    ]
+    }
 
     /// What dims a light after the distance q: its attenuation, at most its limit, and the window of its range.
     choosing fn falloff(light: Light, q: Positive) -> Number {
@@ -518,95 +382,47 @@ rows! {
     /// The factor of a spot's cone, by the cosine between its axis and -L.
     choosing fn spot(light: Light, cosine: Cosine) -> Number {
         light.spot(cosine)
-    } [
-        inner = stored(light.cosines, 0);
-        outer = stored(light.cosines, 1);
-    ]
+    }
 
     /// What arrives at the point p: L, the distance q and I. Foley, van Dam et al. 16.1.
     choosing fn arrival(light: Light, p: Vector) -> Arrival {
         light.each(p, |light| light.arrival().parts())
-    } [
-        to_light = T::measured(light.position - p);
-        dimmed = to_light.w_length.above(T::ZERO).select(light.dimmed(&to_light), T::ZERO);
-    ]
+    }
 
     /// What one light adds by Lambert's model: I k_d max(0, N.L).
     plain fn shade_lambert(n: Unit, material: Material, light: Arrival) -> Color {
         shade::lambert(n, &material, Rgb::BLACK, arrived(&light)).diffuse
-    } [
-        n_dot_l = n.dot(light.l);
-    ]
+    }
 
     /// What one light adds by Phong's model: I (k_d N.L + k_s max(0, R.V)^m), where N.L > 0. Phong 1975.
     plain fn shade_phong(n: Unit, v: Unit, material: Material, light: Arrival) -> Color {
         let shaded = shade::phong(n, v, &material, Rgb::BLACK, arrived(&light));
         shaded.diffuse + shaded.specular
-    } [
-        n_dot_l = n.dot(light.l);
-        r = *reflection(n, light.l);
-        r_dot_v = r.dot(v);
-        highlight = phong(r_dot_v, material.m);
-        diffuse = shade::phong(n, v, &material, Rgb::BLACK, arrived(&light)).diffuse;
-        specular = shade::phong(n, v, &material, Rgb::BLACK, arrived(&light)).specular;
-    ]
+    }
 
     /// What one light adds by Blinn and Phong's model: I (k_d N.L + k_s max(0, N.H)^m), where N.L > 0. Blinn 1977.
     plain fn shade_blinn_phong(n: Unit, v: Unit, material: Material, light: Arrival) -> Color {
         let shaded = shade::blinn_phong(n, v, &material, Rgb::BLACK, arrived(&light));
         shaded.diffuse + shaded.specular
-    } [
-        n_dot_l = n.dot(light.l);
-        h = *light.l + *v;
-        n_dot_h = n.dot(h);
-        highlight = blinn(n_dot_h, h, material.m);
-        diffuse = shade::blinn_phong(n, v, &material, Rgb::BLACK, arrived(&light)).diffuse;
-        specular = shade::blinn_phong(n, v, &material, Rgb::BLACK, arrived(&light)).specular;
-    ]
+    }
 
     /// The sums over lights after one more, by Lambert's model. A light from behind adds nothing and costs no root.
     choosing fn add_lambert(sums: Sums, n: Unit, light: Light, p: Vector) -> Sums {
         let step = light.each(p, |light| both(shade::lambert(n, &white(T::ZERO), Rgb::BLACK, [light])));
         added(sums, &step)
-    } [
-        n_dot_l = n.dot(light.position);
-        way = light.position - p;
-        to_light = T::measured(way);
-        dimmed = light.dimmed(&to_light);
-    ]
+    }
 
     /// The same by Phong's model.
     choosing fn add_phong(sums: Sums, n: Unit, v: Unit, m: Positive, light: Light, p: Vector) -> Sums {
         let step = light.each(p, |light| both(shade::phong(n, v, &white(m), Rgb::BLACK, [light])));
         added(sums, &step)
-    } [
-        n_dot_l = n.dot(light.position);
-        r_dot_v = T::dot(*n * (n_dot_l + n_dot_l) - light.position, *v);
-        way = light.position - p;
-        to_light = T::measured(way);
-        dimmed = light.dimmed(&to_light);
-        n_dot_w = n.dot(to_light.w);
-        cosine = T::dot(*n * (n_dot_w + n_dot_w) - to_light.w, *v) / to_light.w_length;
-        highlight = phong(cosine, m);
-        highlight_of_sun = phong(r_dot_v, m);
-    ]
+    }
 
     /// The same by Blinn and Phong's model.
     choosing fn add_blinn_phong(sums: Sums, n: Unit, v: Unit, m: Positive, light: Light, p: Vector) -> Sums {
         let step = light.each(p, |light| both(shade::blinn_phong(n, v, &white(m), Rgb::BLACK, [light])));
         added(sums, &step)
-    } [
-        n_dot_l = n.dot(light.position);
-        h = light.position + *v;
-        n_dot_h = n.dot(h);
-        way = light.position - p;
-        to_light = T::measured(way);
-        dimmed = light.dimmed(&to_light);
-        halfway = to_light.w + *v * to_light.w_length;
-        cosine = n.dot(halfway);
-        highlight = blinn(cosine, halfway, m);
-        highlight_of_sun = blinn(n_dot_h, h, m);
-    ]
+    }
 
     /// The light that the point reflects: k_a I_a + k_d times the diffuse sum + k_s times the specular one.
     plain fn total(sums: Sums, material: Material, i_a: Color) -> Color {
@@ -649,71 +465,20 @@ rows! {
     /// A normal transformed by the matrix of the columns a, b, c: cof(M) N, length 1. Lengyel 2024.
     choosing fn normal_transformed(n: Unit, a: Vector, b: Vector, c: Vector) -> Unit {
         normal::transformed(n, [a, b, c])
-    } [
-        along_a = along(a);
-        along_b = along(b);
-        along_c = along(c);
-        x = T::measured(a);
-        y = T::measured(b);
-        z = T::measured(c);
-        abs_x = magnitude(n.x);
-        abs_y = magnitude(n.y);
-        abs_z = magnitude(n.z);
-        least = counts(abs_x, x.length).at_most(counts(abs_y, y.length)).at_most(counts(abs_z, z.length));
-        n_x = shrunk(n.x, x.length, least);
-        n_y = shrunk(n.y, y.length, least);
-        n_z = shrunk(n.z, z.length, least);
-    ]
+    }
 
     /// A triangle's normal times its angle at v1, to be summed over a mesh. Thuermer and Wuethrich 1998.
     choosing fn normal_corner(v1: Vector, v2: Vector, v3: Vector) -> Vector {
         normal::corner(v1, v2, v3)
-    } [
-        e1 = T::between(v1, v2);
-        e2 = T::between(v1, v3);
-        c = T::measured(e1.cross(e2));
-        cosine = e1.dot(e2);
-        adjacent = magnitude(cosine);
-        x = (adjacent * T::of(2.414_213_562_373_095)).above(c.length).select(cosine.above(T::ZERO).select(T::ONE, T::NEG_ONE), T::ZERO);
-        y = c.length.above(adjacent * T::of(0.414_213_562_373_095_1)).select(T::ONE, T::ZERO);
-        t = (x * c.length - y * cosine) / (x * cosine + y * c.length);
-        z = t * t;
-        z2 = z * z;
-        z4 = z2 * z2;
-        angle = normal::corner(v1, v2, v3).x.operand(1);
-        arctangent = angle.operand(0).operand(1);
-        series = arctangent.operand(1).operand(1).operand(1);
-    ]
+    }
 
     /// The tangent of a triangle and its handedness, by the texture coordinates of its vertices. Lengyel 2001.
     choosing fn normal_tangent(v1: Vector, v2: Vector, v3: Vector, uv1: Pair, uv2: Pair, uv3: Pair) -> Tangent {
         normal::tangent([v1, v2, v3], [uv1, uv2, uv3])
-    } [
-        half_v1 = v1 * T::of(0.5);
-        e2 = v2 * T::of(0.5) - half_v1;
-        e3 = v3 * T::of(0.5) - half_v1;
-        edge = e2.length().at_least(e3.length());
-        half_x = uv1[0] * T::of(0.5);
-        half_y = uv1[1] * T::of(0.5);
-        x2 = uv2[0] * T::of(0.5) - half_x;
-        x3 = uv3[0] * T::of(0.5) - half_x;
-        y2 = uv2[1] * T::of(0.5) - half_y;
-        y3 = uv3[1] * T::of(0.5) - half_y;
-        x_size = magnitude(x2).at_least(magnitude(x3));
-        y_size = magnitude(y2).at_least(magnitude(y3));
-        y2_part = y2 / y_size;
-        y3_part = y3 / y_size;
-        d = x2 / x_size * y3_part - x3 / x_size * y2_part;
-        h = d.above(T::ZERO).select(T::ONE, T::NEG_ONE);
-        t = T::measured((e2 / edge * y3_part - e3 / edge * y2_part) * h);
-    ]
+    }
 
     /// A normal from a map: x t + y b + z N, length 1. glTF 2.0, 3.7.2.1.
     choosing fn normal_mapped(n: Unit, tangent: Vector, h: Number, s: Vector) -> Unit {
         normal::mapped(n, tangent, h, s)
-    } [
-        across = T::measured(T::crossed(Vec3::ZERO, *n, tangent));
-        texel = T::measured(s);
-        side = across.w / across.w_length;
-    ]
+    }
 }
