@@ -51,7 +51,7 @@ pub fn text(dialect: &'static Dialect) -> String {
     out += dialect.file[0];
     out += dialect.vectors;
     for kind in Kind::STRUCTS {
-        out += &structure(dialect, kind);
+        out += &structure(dialect, *kind);
     }
     let (powers, others) = functions().split_at(2);
     let own = || {
@@ -105,7 +105,7 @@ fn structure(dialect: &Dialect, kind: Kind) -> String {
     let (name, doc, fields) = kind.fields().expect("a struct has fields");
     let name = dialect.named(name);
     let [begin, field, end] = dialect.structure;
-    let mut out = comment(dialect, doc) + &filled(begin, &[("name", &name)]) + "\n";
+    let mut out = comment(dialect, doc.trim()) + &filled(begin, &[("name", &name)]) + "\n";
     let is_stored = matches!(kind, Kind::Light | Kind::Material);
     let mut add = |of: &str, name: &str| {
         let line = filled(field, &[("type", of), ("field", name)]);

@@ -1,13 +1,14 @@
 //! What the functions take and give.
 
-use shading::number::Measured;
-use shading::{Arrival, Lobe, Real, Rgb, Scalar, UnitVec3, Vec3};
+use shading::number::{Measured, power};
+use shading::{Arrival, Lobe, Material, Real, Rgb, Scalar, UnitVec3, Vec3};
 
+use crate::light::Light;
 use crate::number::{Expr, variable};
 
 /// A number that the table can be computed with.
-pub trait Number: Real + Scalar + Lobe<Self> + shading::number::power::Bits {}
-impl<T: Real + Scalar + Lobe<T> + shading::number::power::Bits> Number for T {}
+pub trait Number: Real + Scalar + Lobe<Self> + power::Bits {}
+impl<T: Real + Scalar + Lobe<T> + power::Bits> Number for T {}
 
 /// The kind of a parameter or a result: its type, and which numbers it may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,76 +39,84 @@ pub enum Kind {
     Sums,
 }
 
+/// The names and the kinds of a struct's fields.
 type Fields = &'static [(&'static str, Kind)];
 
-impl Kind {
-    pub const STRUCTS: [Self; 6] = [
-        Self::Light,
-        Self::Material,
-        Self::Arrival,
-        Self::Sums,
-        Self::Tangent,
-        Self::Measured,
-    ];
+macro_rules! structs {
+    ($(#[doc = $doc:literal] $kind:ident: $type:ty { $($name:ident($field:ident): $of:ident),* $(,)? })*) => {
+        impl Kind {
+            pub const STRUCTS: &[Self] = &[$(Self::$kind),*];
 
-    /// The name of a struct, what it is, and its fields.
-    #[must_use]
-    pub fn fields(self) -> Option<(&'static str, &'static str, Fields)> {
-        Some(match self {
-            Self::Light => (
-                "Light",
-                "A light of any kind. A sun has its direction L for a position; a lamp has the cosines -1.",
-                &[
-                    ("position", Self::Vector),
-                    ("is_sun", Self::Flag),
-                    ("intensity", Self::Color),
-                    ("limit", Self::Positive),
-                    ("coefficients", Self::Color),
-                    ("range", Self::Positive),
-                    ("axis", Self::Unit),
-                    ("is_smoothstep", Self::Flag),
-                    ("cosines", Self::Cosines),
-                    ("is_gltf", Self::Flag),
-                ],
-            ),
-            Self::Material => (
-                "Material",
-                "The reflectances of a surface, and its shininess m.",
-                &[
-                    ("k_a", Self::Color),
-                    ("m", Self::Positive),
-                    ("k_d", Self::Color),
-                    ("k_s", Self::Color),
-                ],
-            ),
-            Self::Arrival => (
-                "Arrival",
-                "What arrives at a point from one light: L, the distance q and I.",
-                &[("l", Self::Unit), ("q", Self::Positive), ("i", Self::Color)],
-            ),
-            Self::Sums => (
-                "Sums",
-                "The sums over lights of I max(0, N.L) and of I times the highlight. They begin as 0.",
-                &[("diffuse", Self::Color), ("specular", Self::Color)],
-            ),
-            Self::Tangent => (
-                "Tangent",
-                "The tangent t of a triangle with texture coordinates, and its handedness h.",
-                &[("t", Self::Unit), ("h", Self::Number)],
-            ),
-            Self::Measured => (
-                "Measured",
-                "A vector w of the direction of another, whose square is in range, |w|, and the length of the other.",
-                &[
-                    ("w", Self::Vector),
-                    ("w_length", Self::Positive),
-                    ("v_length", Self::Positive),
-                ],
-            ),
-            _ => return None,
-        })
+            /// The name of a struct, what it is, and its fields.
+            #[must_use]
+            pub fn fields(self) -> Option<(&'static str, &'static str, Fields)> {
+                match self {
+                    $(Self::$kind => {
+                        let fields = &[$((stringify!($name), Self::$of)),*];
+                        Some((stringify!($kind), $doc, fields))
+                    })*
+                    _ => None,
+                }
+            }
+        }
+
+        $(impl<T: Number> Parts<T> for $type {
+            fn parts(self) -> Vec<T> {
+                [$(self.$field.parts()),*].concat()
+            }
+        }
+
+        impl<T: Number> Taken<T> for $type {
+            fn take(from: &mut Arguments<T>) -> Self {
+                Self { $($field: Taken::take(from)),* }
+            }
+        })*
+    };
+}
+
+// beside the name of a field, the crate's
+structs! {
+    /// A light of any kind. A sun has its direction L for a position; a lamp has the cosines -1.
+    Light: Light<T> {
+        position(position): Vector,
+        is_sun(is_sun): Flag,
+        intensity(intensity): Color,
+        limit(limit): Positive,
+        coefficients(coefficients): Color,
+        range(range): Positive,
+        axis(axis): Unit,
+        is_smoothstep(is_smoothstep): Flag,
+        cosines(cosines): Cosines,
+        is_gltf(is_gltf): Flag,
     }
 
+    /// The reflectances of a surface, and its shininess m.
+    Material: Material<T, T> { k_a(k_a): Color, m(m): Positive, k_d(k_d): Color, k_s(k_s): Color }
+
+    /// What arrives at a point from one light: L, the distance q and I.
+    Arrival: Arrival<T> { l(l): Unit, q(distance): Positive, i(intensity): Color }
+
+    /// The sums over lights of I max(0, N.L) and of I times the highlight. They begin as 0.
+    Sums: Sums<T> { diffuse(diffuse): Color, specular(specular): Color }
+
+    /// The tangent t of a triangle with texture coordinates, and its handedness h.
+    Tangent: Tangent<T> { t(t): Unit, h(h): Number }
+
+    /// A vector w of the direction of another, whose square is in range, |w|, and the length of the other.
+    Measured: Measured<T> { w(w): Vector, w_length(w_length): Positive, v_length(length): Positive }
+}
+
+pub(crate) struct Sums<T> {
+    pub diffuse: Rgb<T>,
+    pub specular: Rgb<T>,
+}
+
+pub(crate) struct Tangent<T> {
+    pub t: Vec3<T>,
+    pub h: T,
+}
+
+impl Kind {
     /// How many numbers it has.
     #[must_use]
     pub fn width(self) -> usize {
@@ -141,84 +150,30 @@ pub trait Parts<T> {
     fn parts(self) -> Vec<T>;
 }
 
-impl<T: Number> Parts<T> for T {
-    fn parts(self) -> Vec<T> {
-        vec![self]
-    }
-}
-
-impl<T: Number> Parts<T> for Vec3<T> {
-    fn parts(self) -> Vec<T> {
-        vec![self.x, self.y, self.z]
-    }
-}
-
-impl<T: Number> Parts<T> for Rgb<T> {
-    fn parts(self) -> Vec<T> {
-        vec![self.r, self.g, self.b]
-    }
-}
-
-impl<T: Number> Parts<T> for UnitVec3<T> {
-    fn parts(self) -> Vec<T> {
-        Vec3::from(self).parts()
-    }
-}
-
-/// 0 where there is no direction.
-impl<T: Number> Parts<T> for Option<UnitVec3<T>> {
-    fn parts(self) -> Vec<T> {
-        self.map_or_else(|| Vec3::ZERO.parts(), Parts::parts)
-    }
-}
-
-impl<T: Number> Parts<T> for Option<(UnitVec3<T>, T)> {
-    fn parts(self) -> Vec<T> {
-        self.map_or_else(|| vec![T::ZERO; 4], |(t, h)| [t.parts(), vec![h]].concat())
-    }
-}
-
-impl<T: Number> Parts<T> for Measured<T> {
-    fn parts(self) -> Vec<T> {
-        [self.w.parts(), vec![self.w_length, self.length]].concat()
-    }
-}
-
-impl<T: Number> Parts<T> for Arrival<T> {
-    fn parts(self) -> Vec<T> {
-        [self.l.parts(), vec![self.distance], self.intensity.parts()].concat()
-    }
-}
-
-impl<T: Number> Parts<T> for [Rgb<T>; 2] {
-    fn parts(self) -> Vec<T> {
-        self.map(Parts::parts).concat()
-    }
-}
-
-/// The arguments of a function, from its numbers.
-pub struct Arguments<T>(std::vec::IntoIter<T>);
-
-impl<T: Number> Arguments<T> {
-    #[must_use]
-    pub fn new(numbers: Vec<T>) -> Self {
-        Self(numbers.into_iter())
-    }
-
-    fn next(&mut self) -> T {
-        self.0.next().expect("an argument has all its numbers")
-    }
-}
-
 /// A value that takes its numbers from the arguments.
 pub trait Taken<T> {
     fn take(from: &mut Arguments<T>) -> Self;
 }
 
-impl<T: Number> Taken<T> for T {
-    fn take(from: &mut Arguments<T>) -> T {
-        from.next()
-    }
+macro_rules! parts {
+    ($($type:ty: |$value:ident| $numbers:expr;)*) => {$(
+        impl<T: Number> Parts<T> for $type {
+            fn parts(self) -> Vec<T> {
+                let $value = self;
+                $numbers
+            }
+        }
+    )*};
+}
+
+parts! {
+    T: |x| vec![x];
+    Vec<T>: |all| all;
+    Vec3<T>: |v| vec![v.x, v.y, v.z];
+    Rgb<T>: |color| vec![color.r, color.g, color.b];
+    UnitVec3<T>: |v| (*v).parts();
+    [T; 2]: |pair| pair.to_vec();
+    Option<UnitVec3<T>>: |v| v.map_or(Vec3::ZERO, |v| *v).parts(); // 0 where there is no direction
 }
 
 macro_rules! taken {
@@ -232,8 +187,19 @@ macro_rules! taken {
 }
 
 taken! {
-    [T; 2]: |from| [from.next(), from.next()];
-    Vec3<T>: |from| Vec3::new(from.next(), from.next(), from.next());
+    T: |from| from.0.next().expect("an argument has all its numbers");
+    [T; 2]: |from| [T::take(from), T::take(from)];
+    Vec3<T>: |from| Vec3::new(T::take(from), T::take(from), T::take(from));
     UnitVec3<T>: |from| UnitVec3::assume_unit(Vec3::take(from));
-    Rgb<T>: |from| Rgb::new(from.next(), from.next(), from.next());
+    Rgb<T>: |from| Rgb::new(T::take(from), T::take(from), T::take(from));
+}
+
+/// The arguments of a function, from its numbers.
+pub struct Arguments<T>(std::vec::IntoIter<T>);
+
+impl<T: Number> Arguments<T> {
+    #[must_use]
+    pub fn new(numbers: Vec<T>) -> Self {
+        Self(numbers.into_iter())
+    }
 }

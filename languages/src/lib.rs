@@ -13,6 +13,7 @@ mod file;
 mod given;
 mod graph;
 mod kind;
+mod light;
 mod number;
 mod print;
 mod surface;

@@ -3,14 +3,14 @@
 
 use std::sync::OnceLock;
 
-use shading::number::{Dimmed, LightSum, Mask, Measured, power};
+use shading::number::{Dimmed, LightSum, Measured, power};
 use shading::{
-    Arrival, Attenuation, Cone, DirectionalLight, IncidentLight, Material, PointLight, Rgb, Shaded,
-    SpotLight, UnitVec3, Vec3, attenuation, half_vector, normal, reflection, shade, term,
+    Arrival, DirectionalLight, IncidentLight, Material, Rgb, Shaded, UnitVec3, Vec3, attenuation,
+    half_vector, normal, reflection, shade, term,
 };
 
-use crate::graph::assuming;
-use crate::kind::{Arguments, Kind, Number, Parts, Taken};
+use crate::kind::{Arguments, Kind, Number, Parts, Sums, Taken, Tangent};
+use crate::light::{Light, cone};
 use crate::number::Expr;
 
 /// A function of the files.
@@ -33,140 +33,6 @@ pub fn functions() -> &'static [Function] {
     FUNCTIONS.get_or_init(rows)
 }
 
-/// The light of a file, as numbers.
-struct LightNumbers<T> {
-    position: Vec3<T>,
-    is_sun: T,
-    intensity: Rgb<T>,
-    limit: T,
-    coefficients: Vec3<T>,
-    range: T,
-    axis: UnitVec3<T>,
-    is_smoothstep: T,
-    cosines: [T; 2],
-    is_gltf: T,
-}
-
-impl<T: Number> Taken<T> for LightNumbers<T> {
-    fn take(from: &mut Arguments<T>) -> Self {
-        Self {
-            position: Vec3::take(from),
-            is_sun: T::take(from),
-            intensity: Rgb::take(from),
-            limit: T::take(from),
-            coefficients: Vec3::take(from),
-            range: T::take(from),
-            axis: UnitVec3::take(from),
-            is_smoothstep: T::take(from),
-            cosines: Taken::take(from),
-            is_gltf: T::take(from),
-        }
-    }
-}
-
-impl<T: Number> LightNumbers<T> {
-    /// What dims the light after the distance q: the attenuation and the window of the range.
-    fn falloff(&self, q: T) -> T {
-        let [within, within_gltf] = self.attenuations().map(|attenuation| attenuation.at(q));
-        self.is_gltf.above(T::ZERO).select(within_gltf, within)
-    }
-
-    /// The factor of its cone, by the cosine to its axis.
-    fn spot(&self, cosine: T) -> T {
-        let [l, axis] = [T::ONE, -cosine].map(|x| Vec3::new(x, T::ZERO, T::ZERO));
-        let [l, axis] = [l, axis].map(UnitVec3::assume_unit);
-        let [hard, smooth] =
-            [self.cone(), self.cone().smoothstep()].map(|cone| cone.factor(axis, l));
-        self.is_smoothstep.above(T::ZERO).select(smooth, hard)
-    }
-
-    fn cone(&self) -> Cone<T> {
-        cone(self.cosines)
-    }
-
-    /// With a range, and with a range of glTF.
-    fn attenuations(&self) -> [Attenuation<T>; 2] {
-        let Vec3 { x: a, y: b, z: c } = self.coefficients;
-        let both = assuming(|| {
-            let falloff = Attenuation::new(a, b, c)?.clamped_to(self.limit)?;
-            Some([
-                falloff.within(self.range)?,
-                falloff.within_gltf(self.range)?,
-            ])
-        });
-        both.expect("the numbers of an attenuation")
-    }
-
-    /// What `f` makes of the light at p, whatever its kind and falloff: each is made by its constructors.
-    fn each(&self, p: Vec3<T>, f: impl Fn(IncidentLight<T>) -> Vec<T>) -> Vec<T> {
-        if self.is_sun > T::ZERO {
-            let l = UnitVec3::assume_unit(self.position);
-            let intensity = self.intensity;
-            return f(DirectionalLight { l, intensity }.at(p));
-        }
-        let [within, within_gltf] = self.attenuations();
-        let (inner, cone) = (self.cosines[0], self.cone());
-        let of = |attenuation| {
-            let point = PointLight {
-                position: self.position,
-                intensity: self.intensity,
-                attenuation,
-            };
-            let spot = |cone| {
-                f(SpotLight {
-                    point,
-                    axis: self.axis,
-                    cone,
-                }
-                .at(p))
-            };
-            let beam = choice(self.is_smoothstep, spot(cone.smoothstep()), spot(cone));
-            choose(inner.above(T::NEG_ONE), beam, f(point.at(p)))
-        };
-        choice(self.is_gltf, of(within_gltf), of(within))
-    }
-}
-
-fn choice<T: Number>(flag: T, yes: Vec<T>, no: Vec<T>) -> Vec<T> {
-    choose(flag.above(T::ZERO), yes, no)
-}
-
-fn choose<T: Number>(mask: T::Mask, yes: Vec<T>, no: Vec<T>) -> Vec<T> {
-    yes.into_iter()
-        .zip(no)
-        .map(|(yes, no)| mask.select(yes, no))
-        .collect()
-}
-
-impl<T: Number> Taken<T> for Material<T, T> {
-    fn take(from: &mut Arguments<T>) -> Self {
-        let (k_a, m, k_d, k_s) = (
-            Rgb::take(from),
-            T::take(from),
-            Rgb::take(from),
-            Rgb::take(from),
-        );
-        Self { k_a, k_d, k_s, m }
-    }
-}
-
-impl<T: Number> Taken<T> for Arrival<T> {
-    fn take(from: &mut Arguments<T>) -> Self {
-        let (l, distance, intensity) = (UnitVec3::take(from), T::take(from), Rgb::take(from));
-        Self {
-            l,
-            intensity,
-            distance,
-        }
-    }
-}
-
-impl<T: Number> Taken<T> for [Rgb<T>; 2] {
-    fn take(from: &mut Arguments<T>) -> Self {
-        [Rgb::take(from), Rgb::take(from)]
-    }
-}
-
 /// A light that arrives, as a sum takes it.
 fn arrived<T: Number>(light: &Arrival<T>) -> [IncidentLight<T>; 1] {
     let (l, intensity) = (light.l, light.intensity);
@@ -179,16 +45,17 @@ fn white<T: Number>(m: T) -> Material<T, T> {
     Material { k_a, k_d, k_s, m }
 }
 
-fn added<T: Number>([diffuse, specular]: [Rgb<T>; 2], step: &[T]) -> Vec<T> {
-    let sums = [diffuse.parts(), specular.parts()].concat();
-    sums.into_iter()
-        .zip(step)
-        .map(|(sum, &step)| sum + step)
-        .collect()
+fn added<T: Number>(sums: Sums<T>, step: Vec<T>) -> Vec<T> {
+    let both = sums.parts().into_iter().zip(step);
+    both.map(|(sum, step)| sum + step).collect()
 }
 
-fn both<T: Number>(shaded: Shaded<T>) -> Vec<T> {
-    [shaded.diffuse, shaded.specular].parts()
+fn diffuse_and_specular<T: Number>(
+    Shaded {
+        diffuse, specular, ..
+    }: Shaded<T>,
+) -> Vec<T> {
+    Sums { diffuse, specular }.parts()
 }
 
 fn measured_one<T: Number>() -> Dimmed<T> {
@@ -220,20 +87,16 @@ fn window<T: Number>(q: T, r: T, is_squared: T::Mask) -> T {
     .factor
 }
 
-fn cone<T: Number>([inner, outer]: [T; 2]) -> Cone<T> {
-    assuming(|| Cone::from_cosines(inner, outer)).expect("the cosines of a cone")
-}
-
 macro_rules! of_kind {
     (Vector) => { Vec3<T> };
     (Unit) => { UnitVec3<T> };
     (Color) => { Rgb<T> };
     (Pair) => { [T; 2] };
     (Cosines) => { [T; 2] };
-    (Light) => { LightNumbers<T> };
+    (Light) => { Light<T> };
     (Material) => { Material<T, T> };
     (Arrival) => { Arrival<T> };
-    (Sums) => { [Rgb<T>; 2] };
+    (Sums) => { Sums<T> };
     ($number:ident) => { T };
 }
 
@@ -260,12 +123,6 @@ macro_rules! rows {
             }),*]
         }
     };
-}
-
-impl<T: Number> Parts<T> for Vec<T> {
-    fn parts(self) -> Self {
-        self
-    }
 }
 
 rows! {
@@ -408,26 +265,26 @@ rows! {
 
     /// The sums over lights after one more, by Lambert's model. A light from behind adds nothing and costs no root.
     choosing fn add_lambert(sums: Sums, n: Unit, light: Light, p: Vector) -> Sums {
-        let step = light.each(p, |light| both(shade::lambert(n, &white(T::ZERO), Rgb::BLACK, [light])));
-        added(sums, &step)
+        let step = light.each(p, |light| diffuse_and_specular(shade::lambert(n, &white(T::ZERO), Rgb::BLACK, [light])));
+        added(sums, step)
     }
 
     /// The same by Phong's model.
     choosing fn add_phong(sums: Sums, n: Unit, v: Unit, m: Positive, light: Light, p: Vector) -> Sums {
-        let step = light.each(p, |light| both(shade::phong(n, v, &white(m), Rgb::BLACK, [light])));
-        added(sums, &step)
+        let step = light.each(p, |light| diffuse_and_specular(shade::phong(n, v, &white(m), Rgb::BLACK, [light])));
+        added(sums, step)
     }
 
     /// The same by Blinn and Phong's model.
     choosing fn add_blinn_phong(sums: Sums, n: Unit, v: Unit, m: Positive, light: Light, p: Vector) -> Sums {
-        let step = light.each(p, |light| both(shade::blinn_phong(n, v, &white(m), Rgb::BLACK, [light])));
-        added(sums, &step)
+        let step = light.each(p, |light| diffuse_and_specular(shade::blinn_phong(n, v, &white(m), Rgb::BLACK, [light])));
+        added(sums, step)
     }
 
     /// The light that the point reflects: k_a I_a + k_d times the diffuse sum + k_s times the specular one.
     plain fn total(sums: Sums, material: Material, i_a: Color) -> Color {
-        let [diffuse, specular] = sums.map(LightSum::total);
-        let (diffuse, specular) = (diffuse * material.k_d, specular * material.k_s);
+        let diffuse = sums.diffuse.total() * material.k_d;
+        let specular = sums.specular.total() * material.k_s;
         let ambient = term::ambient(material.k_a, i_a);
         Shaded { ambient, diffuse, specular }.total()
     }
@@ -474,7 +331,9 @@ rows! {
 
     /// The tangent of a triangle and its handedness, by the texture coordinates of its vertices. Lengyel 2001.
     choosing fn normal_tangent(v1: Vector, v2: Vector, v3: Vector, uv1: Pair, uv2: Pair, uv3: Pair) -> Tangent {
-        normal::tangent([v1, v2, v3], [uv1, uv2, uv3])
+        let tangent = normal::tangent([v1, v2, v3], [uv1, uv2, uv3]);
+        let (t, h) = tangent.map_or((Vec3::ZERO, T::ZERO), |(t, h)| (*t, h));
+        Tangent { t, h }
     }
 
     /// A normal from a map: x t + y b + z N, length 1. glTF 2.0, 3.7.2.1.

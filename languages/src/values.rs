@@ -86,7 +86,11 @@ impl<'a> Values<'a> {
                 Node::Var(name, _) => {
                     let name = name.split('.').next().expect("a struct's name").into();
                     let is_kind = |kind: &Kind| kind.width() == numbers.len();
-                    let kind = Kind::STRUCTS.into_iter().find(is_kind).expect("a struct");
+                    let kind = Kind::STRUCTS
+                        .iter()
+                        .copied()
+                        .find(is_kind)
+                        .expect("a struct");
                     self.add(Value::Variable(name), Type::Struct(kind))
                 }
                 other => panic!("a struct is the result of a call: {other:?}"),

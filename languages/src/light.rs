@@ -1,0 +1,91 @@
+//! A light as the files have it: the numbers of any kind of light.
+
+use shading::number::Mask;
+use shading::{
+    Attenuation, Cone, DirectionalLight, IncidentLight, PointLight, Rgb, SpotLight, UnitVec3, Vec3,
+};
+
+use crate::graph::assuming;
+use crate::kind::Number;
+
+pub struct Light<T> {
+    pub position: Vec3<T>,
+    pub is_sun: T,
+    pub intensity: Rgb<T>,
+    pub limit: T,
+    pub coefficients: Vec3<T>,
+    pub range: T,
+    pub axis: UnitVec3<T>,
+    pub is_smoothstep: T,
+    pub cosines: [T; 2],
+    pub is_gltf: T,
+}
+
+impl<T: Number> Light<T> {
+    /// What dims the light after the distance q: the attenuation and the window of the range.
+    pub fn falloff(&self, q: T) -> T {
+        let [within, within_gltf] = self.attenuations().map(|attenuation| attenuation.at(q));
+        self.is_gltf.above(T::ZERO).select(within_gltf, within)
+    }
+
+    /// The factor of its cone, by the cosine to its axis.
+    pub fn spot(&self, cosine: T) -> T {
+        let [l, axis] = [T::ONE, -cosine].map(|x| Vec3::new(x, T::ZERO, T::ZERO));
+        let [l, axis] = [l, axis].map(UnitVec3::assume_unit);
+        let cone = cone(self.cosines);
+        let [hard, smooth] = [cone, cone.smoothstep()].map(|cone| cone.factor(axis, l));
+        self.is_smoothstep.above(T::ZERO).select(smooth, hard)
+    }
+
+    /// With a range, and with a range of glTF.
+    fn attenuations(&self) -> [Attenuation<T>; 2] {
+        let Vec3 { x: a, y: b, z: c } = self.coefficients;
+        let both = assuming(|| {
+            let falloff = Attenuation::new(a, b, c)?.clamped_to(self.limit)?;
+            Some([
+                falloff.within(self.range)?,
+                falloff.within_gltf(self.range)?,
+            ])
+        });
+        both.expect("the numbers of an attenuation")
+    }
+
+    /// What `f` makes of the light at p, whatever its kind and falloff: each is made by its constructors.
+    pub fn each(&self, p: Vec3<T>, f: impl Fn(IncidentLight<T>) -> Vec<T>) -> Vec<T> {
+        let (position, intensity) = (self.position, self.intensity);
+        if self.is_sun > T::ZERO {
+            let l = UnitVec3::assume_unit(position);
+            return f(DirectionalLight { l, intensity }.at(p));
+        }
+        let [within, within_gltf] = self.attenuations();
+        let attenuation = if self.is_gltf > T::ZERO {
+            within_gltf
+        } else {
+            within
+        };
+        let point = PointLight {
+            position,
+            intensity,
+            attenuation,
+        };
+        let hard = cone(self.cosines);
+        let cone = if self.is_smoothstep > T::ZERO {
+            hard.smoothstep()
+        } else {
+            hard
+        };
+        let spot = SpotLight {
+            point,
+            axis: self.axis,
+            cone,
+        };
+        let is_spot = self.cosines[0].above(T::NEG_ONE);
+        let both = f(spot.at(p)).into_iter().zip(f(point.at(p)));
+        both.map(|(spot, point)| is_spot.select(spot, point))
+            .collect()
+    }
+}
+
+pub fn cone<T: Number>([inner, outer]: [T; 2]) -> Cone<T> {
+    assuming(|| Cone::from_cosines(inner, outer)).expect("the cosines of a cone")
+}
