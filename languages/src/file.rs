@@ -5,10 +5,11 @@ use crate::given::{built_in_powers, encodings, is_extreme, operations_on_bits};
 use crate::graph::{Graph, with};
 use crate::kind::{Arguments, Kind};
 use crate::number::Expr;
-use crate::print::{Printer, wrapped};
+use crate::print::{Printer, Text};
 use crate::table::{Function, functions};
 use crate::tree::{Tree, explore};
 use crate::values::Values;
+use crate::wrap::wrapped;
 
 /// The names of the files, and what is in them.
 #[must_use]
@@ -94,13 +95,6 @@ pub(crate) fn comment(dialect: &Dialect, text: &str) -> String {
     }
 }
 
-fn type_of(dialect: &Dialect, kind: Kind) -> String {
-    match kind.fields() {
-        Some((name, _, _)) => dialect.named(name),
-        None => dialect.types[kind.width() - 1].into(),
-    }
-}
-
 fn structure(dialect: &Dialect, kind: Kind) -> String {
     let (name, doc, fields) = kind.fields().expect("a struct has fields");
     let name = dialect.named(name);
@@ -114,7 +108,7 @@ fn structure(dialect: &Dialect, kind: Kind) -> String {
     for (i, (name, kind)) in fields.iter().enumerate() {
         let of = match kind.width() {
             3 if is_stored => dialect.stored.into(),
-            _ => type_of(dialect, *kind),
+            _ => dialect.type_of(*kind),
         };
         add(&of, name);
         let is_followed = fields.get(i + 1).is_some_and(|next| next.1.width() == 1);
@@ -139,7 +133,7 @@ pub(crate) fn head(
             Some([form, ..]) if kind.fields().is_some() => form,
             _ => dialect.parameter,
         };
-        filled(form, &[("type", &type_of(dialect, *kind)), ("name", name)])
+        filled(form, &[("type", &dialect.type_of(*kind)), ("name", name)])
     };
     let parameters: Vec<_> = parameters.iter().map(parameter).collect();
     let places = [
@@ -191,13 +185,19 @@ fn function_text(dialect: &'static Dialect, function: &Function) -> String {
     let changed = changed.map(|(name, _)| *name);
     let result = match changed {
         Some(_) => "void".into(),
-        None => type_of(dialect, function.result),
+        None => dialect.type_of(function.result),
     };
     let head = head(dialect, &name, &function.parameters, changed, &result);
     let body = with(|g| {
-        let mut printer = Printer::new(dialect, Values::new(g), function.result);
-        printer.parameters.clone_from(&function.parameters);
-        printer.changed = changed;
+        let printer = Printer {
+            dialect,
+            values: Values::new(g),
+            result: function.result,
+            parameters: &function.parameters,
+            changed,
+            prefix: dialect.prefix.into(),
+            text: Text::default(),
+        };
         printer.body(&tree, &names(function.name))
     });
     format!("{}{head}{body}}}\n\n", doc.collect::<String>())
@@ -213,10 +213,17 @@ pub(crate) fn own_function(
 ) -> String {
     with(|g| *g = Graph::new("", false, true));
     let tree = explore(formula, &[]);
-    let head = head(dialect, name, parameters, None, &type_of(dialect, result));
+    let head = head(dialect, name, parameters, None, &dialect.type_of(result));
     let body = with(|g| {
-        let mut printer = Printer::new(dialect, Values::new(g), result);
-        printer.prefix = [dialect.namespace, dialect.prefix].concat();
+        let printer = Printer {
+            dialect,
+            values: Values::new(g),
+            result,
+            parameters: &[],
+            changed: None,
+            prefix: [dialect.namespace, dialect.prefix].concat(),
+            text: Text::default(),
+        };
         printer.body(&tree, &[])
     });
     format!("{head}{body}}}\n")

@@ -16,39 +16,39 @@ pub enum Op {
 /// A comparison of two nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Test {
-    Above(u32, u32),
-    AtLeast(u32, u32),
+    Above(usize, usize),
+    AtLeast(usize, usize),
     /// Outside of the range in which squares are exact.
-    Extreme(u32),
+    Extreme(usize),
 }
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Node {
     /// A name, and which of its components.
-    Var(String, Option<u8>),
+    Var(String, Option<usize>),
     /// The bits of an `f32`.
     Const(u32),
-    Binary(Op, u32, u32),
-    Neg(u32),
-    Dot([u32; 3], [u32; 3]),
-    Select(Test, u32, u32),
-    Call(&'static str, Vec<u32>),
+    Binary(Op, usize, usize),
+    Neg(usize),
+    Dot([usize; 3], [usize; 3]),
+    Select(Test, usize, usize),
+    Call(&'static str, Vec<usize>),
     /// One number of the result of a call.
-    Part(u32, u8),
+    Part(usize, usize),
 }
 
 /// The constants of a number, which every graph begins with.
-pub const ZERO: u32 = 0;
-pub const ONE: u32 = 1;
-pub const NEG_ONE: u32 = 2;
-pub const MAX: u32 = 3;
-pub const EXTREME: u32 = 4;
+pub const ZERO: usize = 0;
+pub const ONE: usize = 1;
+pub const NEG_ONE: usize = 2;
+pub const MAX: usize = 3;
+pub const EXTREME: usize = 4;
 const CONSTANTS: [f32; 5] = [0.0, 1.0, -1.0, f32::MAX, f32::from_bits((127 + 100) << 23)];
 
 #[derive(Default)]
 pub struct Graph {
     pub nodes: Vec<Node>,
-    index: HashMap<Node, u32>,
+    index: HashMap<Node, usize>,
     /// The function that is recorded: a call of it is written out.
     pub defining: &'static str,
     /// Whether a mask chooses between two results, as in lanes, where it would otherwise decide on one path.
@@ -103,22 +103,21 @@ impl Graph {
         graph
     }
 
-    pub fn node(&mut self, node: Node) -> u32 {
+    pub fn node(&mut self, node: Node) -> usize {
         if let Some(&known) = self.index.get(&node) {
             return known;
         }
-        let next = u32::try_from(self.nodes.len()).expect("a formula has fewer nodes");
         self.nodes.push(node.clone());
-        self.index.insert(node, next);
-        next
+        self.index.insert(node, self.nodes.len() - 1);
+        self.nodes.len() - 1
     }
 
-    pub fn constant(&mut self, x: f32) -> u32 {
+    pub fn constant(&mut self, x: f32) -> usize {
         self.node(Node::Const(x.to_bits()))
     }
 
-    pub fn value(&self, n: u32) -> Option<f32> {
-        match self.nodes[n as usize] {
+    pub fn value(&self, n: usize) -> Option<f32> {
+        match self.nodes[n] {
             Node::Const(bits) => Some(f32::from_bits(bits)),
             _ => None,
         }
@@ -130,9 +129,9 @@ impl Graph {
     }
 
     /// Whether it is the length of a direction.
-    pub fn is_length(&self, n: u32) -> bool {
-        match self.nodes[n as usize] {
-            Node::Part(call, 3) => matches!(self.nodes[call as usize], Node::Call("measured", _)),
+    pub fn is_length(&self, n: usize) -> bool {
+        match self.nodes[n] {
+            Node::Part(call, 3) => matches!(self.nodes[call], Node::Call("measured", _)),
             _ => false,
         }
     }
@@ -153,7 +152,7 @@ impl Graph {
         self.known(test).or(lanes.filter(|_| self.selects))
     }
 
-    pub fn binary(&mut self, op: Op, a: u32, b: u32) -> u32 {
+    pub fn binary(&mut self, op: Op, a: usize, b: usize) -> usize {
         let (x, y) = (self.value(a), self.value(b));
         if let (Some(x), Some(y)) = (x, y) {
             return self.constant(match op {
@@ -176,15 +175,15 @@ impl Graph {
         }
     }
 
-    pub fn dot(&mut self, a: [u32; 3], b: [u32; 3]) -> u32 {
+    pub fn dot(&mut self, a: [usize; 3], b: [usize; 3]) -> usize {
         if a[1..] == [ZERO; 2] || b[1..] == [ZERO; 2] {
             return self.binary(Op::Mul, a[0], b[0]);
         }
         self.node(Node::Dot(a, b))
     }
 
-    pub fn neg(&mut self, a: u32) -> u32 {
-        match self.nodes[a as usize] {
+    pub fn neg(&mut self, a: usize) -> usize {
+        match self.nodes[a] {
             Node::Const(bits) => self.constant(-f32::from_bits(bits)),
             Node::Neg(b) => b,
             _ => self.node(Node::Neg(a)),
@@ -192,14 +191,14 @@ impl Graph {
     }
 
     /// A choice. What both sides have in common is outside of it.
-    pub fn select(&mut self, test: Test, then: u32, otherwise: u32) -> u32 {
+    pub fn select(&mut self, test: Test, then: usize, otherwise: usize) -> usize {
         if then == otherwise {
             return then;
         }
         if let Some(answer) = self.known(test) {
             return if answer { then } else { otherwise };
         }
-        let (yes, no) = (&self.nodes[then as usize], &self.nodes[otherwise as usize]);
+        let (yes, no) = (&self.nodes[then], &self.nodes[otherwise]);
         match (test, yes.clone(), no.clone()) {
             // max and min, as the crate derives them
             (Test::Above(a, b), ..) if (a, b) == (then, otherwise) => self.binary(Op::Max, a, b),

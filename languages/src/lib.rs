@@ -20,6 +20,7 @@ mod surface;
 mod table;
 mod tree;
 mod values;
+mod wrap;
 
 pub use file::{files, text};
 pub use kind::{Arguments, Kind};

@@ -14,15 +14,15 @@ use crate::kind::Kind;
 ///
 /// The hooks of [`Real`] are recorded as calls of functions that the files define.
 #[derive(Clone, Copy, Debug)]
-pub struct Expr(pub(crate) u32);
+pub struct Expr(pub(crate) usize);
 
 /// The same number, which writes the hooks out: it records the functions behind the calls.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Inline(u32);
+pub(crate) struct Inline(usize);
 
 /// The same, except that it calls the vectors between points.
 #[derive(Clone, Copy, Debug)]
-struct Crossed(u32);
+struct Crossed(usize);
 
 /// Where a comparison holds.
 #[derive(Clone, Copy, Debug)]
@@ -41,14 +41,14 @@ impl Above {
 
     fn is_anywhere(self) -> bool {
         // whether there is a direction decides whether there is a result
-        let is_length = |n: u32| with(|g| g.is_length(n));
+        let is_length = |n: usize| with(|g| g.is_length(n));
         let decides = self.decides || matches!(self.test, Test::Above(n, ZERO) if is_length(n));
         Self { decides, ..self }.answer(true)
     }
 }
 
 /// The results of a call.
-fn call<const N: usize>(name: &'static str, arguments: &[u32]) -> [Expr; N] {
+fn call<const N: usize>(name: &'static str, arguments: &[usize]) -> [Expr; N] {
     with(|g| {
         let call = g.node(Node::Call(name, arguments.to_vec()));
         let mut parts = 0..;
@@ -144,7 +144,7 @@ macro_rules! number {
 
             fn above(self, other: Self) -> Above {
                 // (a choice between 1 and 0) > 0 is its test
-                let test = with(|g| match g.nodes[self.0 as usize] {
+                let test = with(|g| match g.nodes[self.0] {
                     Node::Select(test, ONE, ZERO) if other.0 == ZERO => test,
                     _ => Test::Above(self.0, other.0),
                 });
@@ -354,6 +354,6 @@ impl PartialOrd for Expr {
 }
 
 /// A parameter, or a component of one.
-pub(crate) fn variable(name: &str, component: Option<u8>) -> Expr {
+pub(crate) fn variable(name: &str, component: Option<usize>) -> Expr {
     Expr(with(|g| g.node(Node::Var(name.into(), component))))
 }

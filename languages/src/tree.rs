@@ -12,7 +12,7 @@ pub enum Condition {
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tree {
-    Leaf(Vec<u32>),
+    Leaf(Vec<usize>),
     Branch(Condition, Box<Tree>, Box<Tree>),
 }
 
@@ -65,10 +65,10 @@ fn normalized(test: Test, yes: &Tree, no: &Tree) -> Option<Tree> {
     };
     with(|g| {
         let is_quotient =
-            |&n: &u32| matches!(g.nodes[n as usize], Node::Binary(Op::Div, _, d) if d == length);
+            |&n: &usize| matches!(g.nodes[n], Node::Binary(Op::Div, _, d) if d == length);
         let is_unit = yes.len() == 3 && yes.iter().all(is_quotient) && no[..] == [ZERO; 3];
         is_unit.then(|| {
-            let select = |&n: &u32| g.node(Node::Select(test, n, ZERO));
+            let select = |&n: &usize| g.node(Node::Select(test, n, ZERO));
             Tree::Leaf(yes.iter().map(select).collect())
         })
     })

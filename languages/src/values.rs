@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::graph::{Graph, MAX, Node, Op, Test, ZERO};
+use crate::graph::{Graph, MAX, Node, Op, Test};
 use crate::kind::Kind;
 use crate::table::functions;
 
@@ -14,70 +14,49 @@ pub enum Value {
     Neg(usize),
     Call(&'static str, Vec<usize>),
     Field(usize, &'static str),
+    Above(usize, usize),
+    AtLeast(usize, usize),
     /// Where all tests hold, the first, and elsewhere the second.
-    Select(Vec<Comparison>, usize, usize),
-    Vector(Vec<usize>),
+    Select(Vec<usize>, usize, usize),
+    Vector([usize; 3]),
 }
 
-/// left > right, or left ≥ right.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Comparison {
-    pub left: usize,
-    pub right: usize,
-    pub or_equal: bool,
-}
-
-/// The type of a value.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Type {
-    Number,
-    Vector,
-    Struct(Kind),
-}
-
-impl Type {
-    fn of(kind: Kind) -> Self {
-        match kind.width() {
-            _ if kind.fields().is_some() => Self::Struct(kind),
-            1 => Self::Number,
-            _ => Self::Vector,
-        }
-    }
-}
+const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 
 pub struct Values<'a> {
     graph: &'a Graph,
     pub all: Vec<Value>,
-    pub types: Vec<Type>,
+    pub kinds: Vec<Kind>,
     index: HashMap<Value, usize>,
 }
 
 impl<'a> Values<'a> {
     pub fn new(graph: &'a Graph) -> Self {
+        let (all, kinds, index) = Default::default();
         Self {
             graph,
-            all: vec![],
-            types: vec![],
-            index: HashMap::new(),
+            all,
+            kinds,
+            index,
         }
     }
 
-    fn node(&self, n: u32) -> &'a Node {
-        &self.graph.nodes[n as usize]
+    fn node(&self, n: usize) -> &'a Node {
+        &self.graph.nodes[n]
     }
 
-    fn add(&mut self, value: Value, of: Type) -> usize {
+    fn add(&mut self, value: Value, kind: Kind) -> usize {
         if let Some(&known) = self.index.get(&value) {
             return known;
         }
         self.all.push(value.clone());
-        self.types.push(of);
+        self.kinds.push(kind);
         self.index.insert(value, self.all.len() - 1);
         self.all.len() - 1
     }
 
     /// One number, a vector of three, or a struct.
-    pub fn value(&mut self, numbers: &[u32]) -> usize {
+    pub fn value(&mut self, numbers: &[usize]) -> usize {
         match *numbers {
             [x] => self.number(x),
             [x, y, z] => self.vector([x, y, z]),
@@ -85,26 +64,20 @@ impl<'a> Values<'a> {
                 Node::Part(call, 0) => self.call(*call),
                 Node::Var(name, _) => {
                     let name = name.split('.').next().expect("a struct's name").into();
-                    let is_kind = |kind: &Kind| kind.width() == numbers.len();
-                    let kind = Kind::STRUCTS
-                        .iter()
-                        .copied()
-                        .find(is_kind)
-                        .expect("a struct");
-                    self.add(Value::Variable(name), Type::Struct(kind))
+                    let mut structs = Kind::STRUCTS.iter();
+                    let kind = structs.find(|kind| kind.width() == numbers.len());
+                    self.add(Value::Variable(name), *kind.expect("a struct"))
                 }
-                other => panic!("a struct is the result of a call: {other:?}"),
+                other => panic!("a struct is an argument or the result of a call: {other:?}"),
             },
             [] => panic!("a value has numbers"),
         }
     }
 
-    pub fn number(&mut self, n: u32) -> usize {
+    fn number(&mut self, n: usize) -> usize {
         let value = match self.node(n) {
             Node::Var(name, None) => Value::Variable(name.clone()),
-            Node::Var(name, Some(i)) => {
-                Value::Variable(format!("{name}.{}", ["x", "y", "z"][*i as usize]))
-            }
+            Node::Var(name, Some(i)) => Value::Variable(format!("{name}.{}", COMPONENTS[*i])),
             Node::Const(bits) => Value::Constant(*bits),
             Node::Binary(Op::Min, x, limit)
                 if let Node::Binary(Op::Max, x, floor) = self.node(*x) =>
@@ -124,11 +97,11 @@ impl<'a> Values<'a> {
             Node::Part(call, i) => return self.part(*call, *i, 1),
             Node::Call(..) => return self.call(n),
         };
-        self.add(value, Type::Number)
+        self.add(value, Kind::Number)
     }
 
     /// Three numbers as a vector, whose operations are the same in each.
-    fn vector(&mut self, numbers: [u32; 3]) -> usize {
+    fn vector(&mut self, numbers: [usize; 3]) -> usize {
         let value = match numbers.map(|n| self.node(n)) {
             [
                 Node::Var(a, Some(0)),
@@ -136,7 +109,7 @@ impl<'a> Values<'a> {
                 Node::Var(c, Some(2)),
             ] if a == b && b == c => Value::Variable(a.clone()),
             [Node::Part(a, i), Node::Part(b, j), Node::Part(c, k)]
-                if a == b && b == c && (j - i, k - i) == (1, 2) =>
+                if a == b && b == c && (*j, *k) == (i + 1, i + 2) =>
             {
                 return self.part(*a, *i, 3);
             }
@@ -156,92 +129,88 @@ impl<'a> Values<'a> {
             ] if op == second && second == third => {
                 self.vector_binary(*op, [*a, *b, *c], [*x, *y, *z])
             }
-            _ => Value::Vector(numbers.map(|n| self.number(n)).to_vec()),
+            _ => Value::Vector(numbers.map(|n| self.number(n))),
         };
-        self.add(value, Type::Vector)
+        self.add(value, Kind::Vector)
     }
 
-    fn vector_binary(&mut self, op: Op, left: [u32; 3], right: [u32; 3]) -> Value {
+    fn vector_binary(&mut self, op: Op, left: [usize; 3], right: [usize; 3]) -> Value {
         if let Some((v, w)) = self.crossed(op, left, right) {
             return Value::Call("cross", vec![self.vector(v), self.vector(w)]);
         }
-        let uniform = |n: [u32; 3]| n[0] == n[1] && n[1] == n[2];
+        let is_uniform = |n: [usize; 3]| n == [n[0]; 3];
         let is_scaled = matches!(op, Op::Mul | Op::Div) || (op == Op::Min && right[0] == MAX);
-        if uniform(right) && is_scaled {
+        if is_uniform(right) && is_scaled {
             return Value::Binary(op, self.vector(left), self.number(right[0]));
         }
-        if uniform(left) && op == Op::Mul {
+        if is_uniform(left) && op == Op::Mul {
             return Value::Binary(op, self.vector(right), self.number(left[0]));
         }
         Value::Binary(op, self.vector(left), self.vector(right))
     }
 
     /// v and w, if the differences are those of v × w.
-    fn crossed(&self, op: Op, left: [u32; 3], right: [u32; 3]) -> Option<([u32; 3], [u32; 3])> {
-        let product = |n| match self.node(n) {
+    fn crossed(
+        &self,
+        op: Op,
+        left: [usize; 3],
+        right: [usize; 3],
+    ) -> Option<([usize; 3], [usize; 3])> {
+        let product = |n: &usize| match self.node(*n) {
             Node::Binary(Op::Mul, a, b) => Some((*a, *b)),
             _ => None,
         };
-        let [(a_y, b_z), (a_z, b_x), (a_x, b_y)] =
-            [product(left[0])?, product(left[1])?, product(left[2])?];
-        let minus = [(a_z, b_y), (a_x, b_z), (a_y, b_x)];
-        let is_cross =
-            op == Op::Sub && right.iter().zip(minus).all(|(n, m)| product(*n) == Some(m));
+        let [plus, minus] = [left, right].map(|side| side.iter().filter_map(product).collect());
+        let (plus, minus): (Vec<_>, Vec<_>) = (plus, minus);
+        let &[(a_y, b_z), (a_z, b_x), (a_x, b_y)] = &plus[..] else {
+            return None;
+        };
+        let is_cross = op == Op::Sub && minus == [(a_z, b_y), (a_x, b_z), (a_y, b_x)];
         is_cross.then_some(([a_x, a_y, a_z], [b_x, b_y, b_z]))
     }
 
-    fn comparison(&mut self, left: u32, right: u32, or_equal: bool) -> Comparison {
-        Comparison {
-            left: self.number(left),
-            right: self.number(right),
-            or_equal,
-        }
+    pub fn test(&mut self, test: Test) -> usize {
+        let value = match test {
+            Test::Above(a, b) => Value::Above(self.number(a), self.number(b)),
+            Test::AtLeast(a, b) => Value::AtLeast(self.number(a), self.number(b)),
+            Test::Extreme(square) => Value::Call("is_extreme", vec![self.number(square)]),
+        };
+        self.add(value, Kind::Number)
     }
 
     fn select(&mut self, test: Test, yes: usize, no: usize) -> Value {
-        let test = match test {
-            Test::Above(a, b) => self.comparison(a, b, false),
-            Test::AtLeast(a, b) => self.comparison(a, b, true),
-            Test::Extreme(_) => panic!("what is out of range is decided"),
-        };
+        let test = self.test(test);
         if let Some(of) = self.normalized(test, yes, no) {
             return Value::Call("unit", vec![of]);
         }
-        let mut tests = vec![test];
-        let mut then = yes;
-        if let Value::Select(inner, yes, same) = &self.all[yes]
-            && *same == no
-        {
-            tests.extend(inner);
-            then = *yes;
+        match &self.all[yes] {
+            Value::Select(inner, then, same) if *same == no => {
+                Value::Select([&[test], &inner[..]].concat(), *then, no)
+            }
+            _ => Value::Select(vec![test], yes, no),
         }
-        Value::Select(tests, then, no)
     }
 
     /// v, if the choice is v/|v| where it has a direction, and 0 elsewhere.
-    fn normalized(&self, test: Comparison, yes: usize, no: usize) -> Option<usize> {
-        let zero = Value::Constant(0);
-        let Value::Vector(numbers) = &self.all[no] else {
+    fn normalized(&self, test: usize, yes: usize, no: usize) -> Option<usize> {
+        let Value::Binary(Op::Div, _, length) = self.all[yes] else {
             return None;
         };
-        let is_zero = |n: &usize| self.all[*n] == zero;
-        let (Value::Binary(Op::Div, _, by), true) = (&self.all[yes], numbers.iter().all(is_zero))
-        else {
+        let Value::Field(measured, "w_length") = self.all[length] else {
             return None;
         };
-        let Value::Field(call, "w_length") = self.all[*by] else {
+        let Value::Call("measured", of) = &self.all[measured] else {
             return None;
         };
-        let Value::Call("measured", of) = &self.all[call] else {
-            return None;
-        };
-        let is_length = test.left == *by && is_zero(&test.right);
+        let zero = *self.index.get(&Value::Constant(0))?;
+        let has_direction = self.all[test] == Value::Above(length, zero);
         // where the length has another use, it is measured once
         let measures = ["unit", "normal_corner"].contains(&self.graph.defining);
-        (is_length && !measures).then(|| of[0])
+        let is_unit = has_direction && self.all[no] == Value::Vector([zero; 3]) && !measures;
+        is_unit.then(|| of[0])
     }
 
-    fn call(&mut self, n: u32) -> usize {
+    fn call(&mut self, n: usize) -> usize {
         let Node::Call(name, arguments) = self.node(n) else {
             panic!("only a call has parts");
         };
@@ -254,64 +223,67 @@ impl<'a> Values<'a> {
             values.push(self.value(first));
             rest = others;
         }
-        let of = function.map_or(Type::Number, |function| Type::of(function.result));
-        self.add(Value::Call(name, values), of)
+        let kind = function.map_or(Kind::Number, |function| function.result);
+        self.add(Value::Call(name, values), kind)
     }
 
     /// Some numbers of the result of a call.
-    fn part(&mut self, call: u32, first: u8, width: usize) -> usize {
-        let call = self.call(call);
-        match self.types[call] {
-            Type::Number => call,
-            Type::Vector if width == 3 => call,
-            Type::Vector => self.add(
-                Value::Field(call, ["x", "y", "z"][first as usize]),
-                Type::Number,
-            ),
-            Type::Struct(kind) => {
-                let (_, _, fields) = kind.fields().expect("a struct has fields");
-                let mut at = 0;
-                for (name, field) in fields {
-                    if at == first as usize && field.width() == width {
-                        return self.add(Value::Field(call, name), Type::of(*field));
-                    }
-                    if (at..at + field.width()).contains(&(first as usize)) {
-                        let whole = self.add(Value::Field(call, name), Type::of(*field));
-                        let component = ["x", "y", "z"][first as usize - at];
-                        return self.add(Value::Field(whole, component), Type::Number);
-                    }
-                    at += field.width();
-                }
-                panic!("a call has this part")
-            }
+    fn part(&mut self, call: usize, first: usize, width: usize) -> usize {
+        let whole = self.call(call);
+        let kind = self.kinds[whole];
+        if kind.width() == width {
+            return whole;
         }
+        let Some((_, _, fields)) = kind.fields() else {
+            return self.component(whole, first);
+        };
+        let mut at = first;
+        for (name, kind) in fields {
+            if at < kind.width() {
+                let field = self.add(Value::Field(whole, name), *kind);
+                let is_component = kind.width() != width;
+                return if is_component {
+                    self.component(field, at)
+                } else {
+                    field
+                };
+            }
+            at -= kind.width();
+        }
+        panic!("a call has this part")
+    }
+
+    fn component(&mut self, vector: usize, which: usize) -> usize {
+        self.add(Value::Field(vector, COMPONENTS[which]), Kind::Number)
     }
 
     pub fn children(&self, value: usize) -> Vec<usize> {
         match &self.all[value] {
             Value::Variable(_) | Value::Constant(_) => vec![],
-            Value::Binary(_, a, b) => vec![*a, *b],
+            Value::Binary(_, a, b) | Value::Above(a, b) | Value::AtLeast(a, b) => vec![*a, *b],
             Value::Neg(a) | Value::Field(a, _) => vec![*a],
-            Value::Call(_, all) | Value::Vector(all) => all.clone(),
-            Value::Select(tests, yes, no) => {
-                let compared = tests.iter().flat_map(|test| [test.left, test.right]);
-                compared.chain([*yes, *no]).collect()
-            }
+            Value::Call(_, all) => all.clone(),
+            Value::Vector(all) => all.to_vec(),
+            Value::Select(tests, yes, no) => [&tests[..], &[*yes, *no]].concat(),
         }
+    }
+
+    /// What has no variable, however often it is used: it has what it consists of.
+    pub fn is_part(&self, value: usize) -> bool {
+        matches!(
+            self.all[value],
+            Value::Field(..) | Value::Above(..) | Value::AtLeast(..)
+        )
     }
 
     /// What has no need of a name.
     pub fn is_trivial(&self, value: usize) -> bool {
+        let is_constant = |value: &usize| matches!(self.all[*value], Value::Constant(_));
         match &self.all[value] {
-            Value::Variable(_) | Value::Constant(_) => true,
-            Value::Vector(numbers) => numbers
-                .iter()
-                .all(|n| matches!(self.all[*n], Value::Constant(_))),
+            Value::Variable(_) => true,
+            Value::Vector(numbers) => numbers.iter().all(is_constant),
             Value::Neg(a) => matches!(self.all[*a], Value::Variable(_)),
-            Value::Field(of, _) => matches!(self.all[*of], Value::Call(..) | Value::Field(..)),
-            _ => false,
+            _ => is_constant(&value) || self.is_part(value),
         }
     }
 }
-
-const _: () = assert!(ZERO == 0);

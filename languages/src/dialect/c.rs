@@ -13,15 +13,7 @@ pub const C: Dialect = Dialect {
     pointers: Some(["const {type} *{name}", "{type} *{name}", "->"]),
     vector: ("shading_vector", false),
     suffix: "f",
-    operators: Some([
-        "shading_add",
-        "shading_sub",
-        "shading_mul",
-        "shading_scale",
-        "shading_over",
-        "shading_at_most",
-        "shading_neg",
-    ]),
+    operators: Some(["add", "sub", "mul", "over", "at_most", "scale", "neg"]),
     builtins: &[
         ("sqrt", "sqrtf"),
         ("abs", "fabsf"),

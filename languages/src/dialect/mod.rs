@@ -12,6 +12,8 @@ pub use hlsl::HLSL;
 pub use metal::METAL;
 pub use wgsl::WGSL;
 
+use crate::kind::Kind;
+
 /// A language. In the texts, `{type}`, `{name}` and the like stand for what is meant.
 #[derive(Debug)]
 pub struct Dialect {
@@ -44,7 +46,8 @@ pub struct Dialect {
     pub vector: (&'static str, bool),
     /// What follows a number.
     pub suffix: &'static str,
-    /// Functions in place of the operators of vectors, in a language without: + − × ÷, a minimum and a sign.
+    /// Functions in place of the operators of vectors, in a language without: + − × ÷, a minimum, a
+    /// product with a number and a sign.
     pub operators: Option<[&'static str; 7]>,
     /// The functions whose names differ.
     pub builtins: &'static [(&'static str, &'static str)],
@@ -120,6 +123,13 @@ impl Dialect {
             Some(builtin) => builtin.1.into(),
             None if self.own.contains(&name) => name.into(),
             None => format!("{prefix}{name}"),
+        }
+    }
+
+    pub(crate) fn type_of(&self, kind: Kind) -> String {
+        match kind.fields() {
+            Some((name, _, _)) => self.named(name),
+            None => self.types[kind.width() - 1].into(),
         }
     }
 
