@@ -1,98 +1,78 @@
 //! The files.
 
-use crate::dialect::{C, Dialect, GLSL, HLSL, METAL, Powers, WGSL, filled};
+use crate::dialect::{C, Dialect, GLSL, HLSL, METAL, Powers, WGSL, WGSL_EXACT, filled};
 use crate::given::{built_in_powers, encodings, is_extreme, operations_on_bits};
 use crate::graph::{Graph, with};
 use crate::kind::{Arguments, Kind};
 use crate::number::Expr;
 use crate::print::{Printer, Text};
 use crate::table::{Function, functions};
-use crate::tree::{Tree, explore};
+use crate::tree::explore;
 use crate::values::Values;
 use crate::wrap::wrapped;
 
-/// The names of the files, and what is in them.
-#[must_use]
-pub fn files() -> Vec<(&'static str, String)> {
-    let exact = Dialect {
-        powers: Powers::Own,
-        ..WGSL
-    };
-    let exact = Box::leak(Box::new(exact));
-    let files: [(&str, &'static Dialect); 6] = [
-        ("shading.wgsl", &WGSL),
-        ("shading_exact.wgsl", exact),
-        ("shading.glsl", &GLSL),
-        ("shading.hlsl", &HLSL),
-        ("shading.metal", &METAL),
-        ("shading.h", &C),
-    ];
-    files
-        .iter()
-        .map(|(name, dialect)| (*name, text(dialect)))
-        .collect()
-}
+const FILES: [(&str, &Dialect); 6] = [
+    ("shading.wgsl", &WGSL),
+    ("shading_exact.wgsl", &WGSL_EXACT),
+    ("shading.glsl", &GLSL),
+    ("shading.hlsl", &HLSL),
+    ("shading.metal", &METAL),
+    ("shading.h", &C),
+];
 
-const HEAD: [&str; 5] = [
+const HEAD: [&str; 4] = [
     "shading: Lambert, Phong and Blinn-Phong in linear light. MIT or Apache 2.0.",
     "Written by the package shading-languages from the source of the crate shading; do not edit it.",
     "All directions have length 1 and point away from the surface. A direction that does not exist is 0.",
     "Numbers are finite, and light, reflectances and the shininess m at least 0; then no result is NaN or negative light.",
-    "",
 ];
+
+/// The names of the files, and what is in them.
+#[must_use]
+pub fn files() -> Vec<(&'static str, String)> {
+    FILES.map(|(name, dialect)| (name, text(dialect))).into()
+}
 
 /// The text of a file.
 #[must_use]
 pub fn text(dialect: &'static Dialect) -> String {
-    let mut out = String::new();
-    for line in HEAD {
-        out += &comment(dialect, line);
-    }
-    out += "\n";
-    out += dialect.file[0];
-    out += dialect.vectors;
-    for kind in Kind::STRUCTS {
-        out += &structure(dialect, *kind);
-    }
+    let head = HEAD.map(|line| comment(dialect, line)).concat();
+    let structs = Kind::STRUCTS.iter().map(|kind| structure(dialect, *kind));
     let (powers, others) = functions().split_at(2);
-    let own = || {
-        let functions: String = powers
-            .iter()
-            .map(|function| function_text(dialect, function))
-            .collect();
-        operations_on_bits(dialect) + &functions
+    let texts = |functions: &[Function]| -> String {
+        let text = |function| function_text(dialect, function);
+        functions.iter().map(text).collect()
     };
-    match dialect.powers {
-        Powers::Own => out += &own(),
-        Powers::BuiltIn => out += &built_in_powers(dialect),
+    let (own, built_in) = (
+        operations_on_bits(dialect) + &texts(powers),
+        built_in_powers(dialect),
+    );
+    let powers = match dialect.powers {
+        Powers::Own => own,
+        Powers::BuiltIn => built_in,
         Powers::Defined => {
-            let all = [
-                "#ifdef SHADING_EXACT_POWER\n\n",
-                &own(),
-                "#else\n\n",
-                &built_in_powers(dialect),
-            ];
-            out += &all.concat();
-            out += "#endif\n\n";
+            format!("#ifdef SHADING_EXACT_POWER\n\n{own}#else\n\n{built_in}#endif\n\n")
         }
-    }
-    out += &is_extreme(dialect);
-    for function in others {
-        out += &function_text(dialect, function);
-    }
-    if !dialect.encodings.is_empty() {
-        out += &encodings(dialect);
-    }
-    format!("{}{}", out, dialect.file[1])
+    };
+    let [begin, end] = dialect.file;
+    [
+        &head,
+        "\n",
+        begin,
+        dialect.vectors,
+        &structs.collect::<String>(),
+        &powers,
+        &is_extreme(dialect),
+        &texts(others),
+        &encodings(dialect),
+        end,
+    ]
+    .concat()
 }
 
 pub(crate) fn comment(dialect: &Dialect, text: &str) -> String {
     let [begin, end] = dialect.comment;
-    if text.is_empty() {
-        String::new()
-    } else {
-        format!("{begin}{text}{end}\n")
-    }
+    format!("{begin}{text}{end}\n")
 }
 
 fn structure(dialect: &Dialect, kind: Kind) -> String {
@@ -150,16 +130,6 @@ fn arguments(function: &Function) -> Arguments<Expr> {
     Arguments::new(function.parameters.iter().flat_map(of).collect())
 }
 
-/// Records a function in a new graph.
-fn recorded(function: &Function) -> Tree {
-    // a product with 0 tells what is not finite in this function alone
-    let drops_zeros = function.name != "normal_transformed";
-    with(|g| *g = Graph::new(function.name, function.selects, drops_zeros));
-    let tree = explore(&|| (function.record)(arguments(function)), &[]);
-    with(|g| (g.given, g.path) = (vec![], vec![]));
-    tree
-}
-
 /// The books' names for the values of a function, and their formulas.
 fn names(function: &str) -> Vec<(&'static str, &'static str)> {
     let sections = include_str!("names.txt").split("\n[").skip(1);
@@ -172,59 +142,57 @@ fn names(function: &str) -> Vec<(&'static str, &'static str)> {
 }
 
 fn function_text(dialect: &'static Dialect, function: &Function) -> String {
-    let tree = recorded(function);
-    let doc = function
-        .doc
-        .lines()
-        .map(|line| comment(dialect, line.trim()));
-    let name = dialect.named(function.name);
-    // a struct is changed in place where structs are passed by pointers
-    let changed = function.parameters.iter().find(|(_, kind)| {
-        *kind == function.result && kind.fields().is_some() && dialect.pointers.is_some()
-    });
-    let changed = changed.map(|(name, _)| *name);
-    let result = match changed {
-        Some(_) => "void".into(),
-        None => dialect.type_of(function.result),
+    // a product with 0 tells what is not finite in this function alone
+    let drops_zeros = function.name != "normal_transformed";
+    let recorded = Recorded {
+        graph: Graph::new(function.name, function.selects, drops_zeros),
+        name: &dialect.named(function.name),
+        parameters: &function.parameters,
+        result: function.result,
+        formula: &|| (function.record)(arguments(function)),
     };
-    let head = head(dialect, &name, &function.parameters, changed, &result);
-    let body = with(|g| {
-        let printer = Printer {
-            dialect,
-            values: Values::new(g),
-            result: function.result,
-            parameters: &function.parameters,
-            changed,
-            prefix: dialect.prefix.into(),
-            text: Text::default(),
-        };
-        printer.body(&tree, &names(function.name))
-    });
-    format!("{}{head}{body}}}\n\n", doc.collect::<String>())
+    let doc = comment(dialect, function.doc.trim());
+    let text = recorded.text(dialect, dialect.prefix.into(), &names(function.name));
+    format!("{doc}{text}\n")
 }
 
-/// A function of the user's.
-pub(crate) fn own_function(
-    dialect: &'static Dialect,
-    name: &str,
-    parameters: &[(&str, Kind)],
-    result: Kind,
-    formula: &dyn Fn() -> Vec<Expr>,
-) -> String {
-    with(|g| *g = Graph::new("", false, true));
-    let tree = explore(formula, &[]);
-    let head = head(dialect, name, parameters, None, &dialect.type_of(result));
-    let body = with(|g| {
-        let printer = Printer {
-            dialect,
-            values: Values::new(g),
-            result,
-            parameters: &[],
-            changed: None,
-            prefix: [dialect.namespace, dialect.prefix].concat(),
-            text: Text::default(),
+/// A function to record.
+pub(crate) struct Recorded<'a> {
+    pub graph: Graph,
+    pub name: &'a str,
+    pub parameters: &'a [(&'static str, Kind)],
+    pub result: Kind,
+    pub formula: &'a dyn Fn() -> Vec<Expr>,
+}
+
+impl Recorded<'_> {
+    /// Its text, given what stands before the functions of the files that it calls, and names of values.
+    pub fn text(self, dialect: &'static Dialect, prefix: String, names: &[(&str, &str)]) -> String {
+        with(|g| *g = self.graph);
+        let tree = explore(self.formula, &[]);
+        // a struct is changed in place where structs are passed by pointers
+        let is_changed = |(_, kind): &&(_, Kind)| *kind == self.result && kind.fields().is_some();
+        let changed = self.parameters.iter().find(is_changed);
+        let changed = changed
+            .filter(|_| dialect.pointers.is_some())
+            .map(|(name, _)| *name);
+        let result = match changed {
+            Some(_) => "void".into(),
+            None => dialect.type_of(self.result),
         };
-        printer.body(&tree, &[])
-    });
-    format!("{head}{body}}}\n")
+        let head = head(dialect, self.name, self.parameters, changed, &result);
+        let body = with(|g| {
+            let printer = Printer {
+                dialect,
+                values: Values::new(g),
+                result: self.result,
+                parameters: self.parameters,
+                changed,
+                prefix,
+                text: Text::default(),
+            };
+            printer.body(&tree, names)
+        });
+        format!("{head}{body}}}\n")
+    }
 }

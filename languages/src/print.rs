@@ -115,8 +115,11 @@ impl Printer<'_> {
     }
 
     fn tests(&mut self, condition: &Condition) -> Vec<usize> {
-        let (Condition::All(tests) | Condition::Any(tests)) = condition;
-        tests.iter().map(|test| self.values.test(*test)).collect()
+        condition
+            .tests
+            .iter()
+            .map(|test| self.values.test(*test))
+            .collect()
     }
 
     fn line(&mut self, indent: &str, text: &str) {
@@ -138,14 +141,13 @@ impl Printer<'_> {
                 for &test in &tests {
                     self.declare(test, true, indent);
                 }
-                let sign = match condition {
-                    Condition::All(_) => " && ",
-                    Condition::Any(_) => " || ",
-                };
+                let sign = if condition.is_any { " || " } else { " && " };
                 let mut test = self.joined(&tests, sign);
                 // the shorter of the two stands in braces and returns
                 let (mut short, mut long) = (yes, no);
-                if self.size(yes) >= self.size(no) && !is_extreme(condition) {
+                if self.size(yes) >= self.size(no)
+                    && !matches!(condition.tests[0], Test::Extreme(_))
+                {
                     (short, long) = (no, yes);
                     test = format!("!({test})");
                 }
@@ -194,16 +196,12 @@ impl Printer<'_> {
         if places(whole) == texts {
             return self.line(indent, &format!("return {whole};"));
         }
-        let (of, values) = (self.dialect.named(name), texts.join(", "));
-        let places = [("type", &of[..]), ("name", "result"), ("values", &values)];
-        let (Ok(made) | Err(made)) = self
-            .dialect
-            .made
-            .map(|made| ["return ", made, ";"].concat())
-            .map_err(String::from);
-        self.line(indent, &filled(&made, &places));
-        if self.dialect.made.is_err() {
-            self.line(indent, "return result;");
+        let places = [
+            ("type", &self.dialect.named(name)[..]),
+            ("values", &texts.join(", ")),
+        ];
+        for line in filled(self.dialect.made, &places).lines() {
+            self.line(indent, line);
         }
     }
 
@@ -359,16 +357,13 @@ impl Printer<'_> {
     /// left > right; a constant stands on the right.
     fn comparison(&self, left: usize, right: usize, equal: &str) -> String {
         let is_constant = |value: usize| matches!(self.values.all[value], Value::Constant(_));
-        let (left, sign, right) = match is_constant(left) && !is_constant(right) {
-            true => (right, "<", left),
-            false => (left, ">", right),
+        let is_turned = is_constant(left) && !is_constant(right);
+        let (left, sign, right) = if is_turned {
+            (right, "<", left)
+        } else {
+            (left, ">", right)
         };
         let [left, right] = [left, right].map(|value| self.text(value, SUM));
         format!("{left} {sign}{equal} {right}")
     }
-}
-
-fn is_extreme(condition: &Condition) -> bool {
-    let (Condition::All(tests) | Condition::Any(tests)) = condition;
-    matches!(tests[0], Test::Extreme(_))
 }

@@ -3,7 +3,8 @@
 use shading::{Dual, Vec3, normal};
 
 use crate::dialect::Dialect;
-use crate::file::own_function;
+use crate::file::Recorded;
+use crate::graph::Graph;
 use crate::kind::{Kind, Parts};
 use crate::number::{Expr, variable};
 
@@ -48,12 +49,12 @@ pub fn implicit(
 ) -> String {
     let parameters = [("p", Kind::Vector)];
     let p = || Vec3::from([0, 1, 2].map(|i| variable("p", Some(i))));
-    let value = own_function(dialect, name, &parameters, Kind::Number, &|| {
+    let value = text(dialect, name, &parameters, Kind::Number, &|| {
         vec![value(p())]
     });
     let normal = || normal::implicit(&derivatives, p()).parts();
     let name = format!("{name}_normal");
-    let normal = own_function(dialect, &name, &parameters, Kind::Unit, &normal);
+    let normal = text(dialect, &name, &parameters, Kind::Unit, &normal);
     format!("{value}\n{normal}")
 }
 
@@ -69,9 +70,28 @@ pub fn parametric(
     let parameters = [("u", Kind::Number), ("v", Kind::Number)];
     let [u, v] = ["u", "v"].map(|name| move || variable(name, None));
     let point = || point(u(), v()).parts();
-    let point = own_function(dialect, name, &parameters, Kind::Vector, &point);
+    let point = text(dialect, name, &parameters, Kind::Vector, &point);
     let normal = || normal::parametric(&derivatives, u(), v()).parts();
     let name = format!("{name}_normal");
-    let normal = own_function(dialect, &name, &parameters, Kind::Unit, &normal);
+    let normal = text(dialect, &name, &parameters, Kind::Unit, &normal);
     format!("{point}\n{normal}")
+}
+
+/// A function of the user's.
+fn text(
+    dialect: &'static Dialect,
+    name: &str,
+    parameters: &[(&'static str, Kind)],
+    result: Kind,
+    formula: &dyn Fn() -> Vec<Expr>,
+) -> String {
+    let graph = Graph::new("", false, true);
+    let recorded = Recorded {
+        graph,
+        name,
+        parameters,
+        result,
+        formula,
+    };
+    recorded.text(dialect, [dialect.namespace, dialect.prefix].concat(), &[])
 }

@@ -5,9 +5,9 @@ use crate::number::Expr;
 
 /// Which of two paths to take: the first, if all tests hold, or if any does.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Condition {
-    All(Vec<Test>),
-    Any(Vec<Test>),
+pub struct Condition {
+    pub tests: Vec<Test>,
+    pub is_any: bool,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -36,40 +36,33 @@ fn joined(test: Test, yes: Tree, no: Tree) -> Tree {
     if let Some(unit) = normalized(test, &yes, &no) {
         return unit;
     }
+    let before = |tests: &[Test], is_any| Condition {
+        tests: [&[test], tests].concat(),
+        is_any,
+    };
     match (&yes, &no) {
-        (_, Tree::Branch(Condition::Any(tests), same, rest)) if **same == yes => {
-            let tests = [&[test], &tests[..]].concat();
-            Tree::Branch(Condition::Any(tests), same.clone(), rest.clone())
-        }
-        (_, Tree::Branch(Condition::All(tests), same, rest))
-            if **same == yes && tests.len() == 1 =>
+        (_, Tree::Branch(Condition { tests, is_any }, same, rest))
+            if **same == yes && (*is_any || tests.len() == 1) =>
         {
-            let tests = vec![test, tests[0]];
-            Tree::Branch(Condition::Any(tests), same.clone(), rest.clone())
+            Tree::Branch(before(tests, true), same.clone(), rest.clone())
         }
-        (Tree::Branch(Condition::All(tests), rest, same), _) if **same == no => {
-            let tests = [&[test], &tests[..]].concat();
-            Tree::Branch(Condition::All(tests), rest.clone(), same.clone())
+        (Tree::Branch(Condition { tests, is_any }, rest, same), _) if **same == no && !is_any => {
+            Tree::Branch(before(tests, false), rest.clone(), same.clone())
         }
-        _ => Tree::Branch(Condition::All(vec![test]), Box::new(yes), Box::new(no)),
+        _ => Tree::Branch(before(&[], false), Box::new(yes), Box::new(no)),
     }
 }
 
 /// w/|w| where |w| > 0, and 0 elsewhere: a choice, which is printed as a call.
 fn normalized(test: Test, yes: &Tree, no: &Tree) -> Option<Tree> {
-    let (Tree::Leaf(yes), Tree::Leaf(no)) = (yes, no) else {
-        return None;
-    };
-    let Test::Above(length, ZERO) = test else {
+    let (Tree::Leaf(yes), Tree::Leaf(no), Test::Above(length, ZERO)) = (yes, no, test) else {
         return None;
     };
     with(|g| {
-        let is_quotient =
-            |&n: &usize| matches!(g.nodes[n], Node::Binary(Op::Div, _, d) if d == length);
-        let is_unit = yes.len() == 3 && yes.iter().all(is_quotient) && no[..] == [ZERO; 3];
-        is_unit.then(|| {
-            let select = |&n: &usize| g.node(Node::Select(test, n, ZERO));
-            Tree::Leaf(yes.iter().map(select).collect())
-        })
+        let is_over_length =
+            |&n: &usize| matches!(g.nodes[n], Node::Binary(Op::Div, _, of) if of == length);
+        let is_unit = yes.iter().all(is_over_length) && no[..] == [ZERO; 3];
+        let select = |&n: &usize| g.node(Node::Select(test, n, ZERO));
+        is_unit.then(|| Tree::Leaf(yes.iter().map(select).collect()))
     })
 }

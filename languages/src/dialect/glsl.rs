@@ -6,7 +6,7 @@ pub const GLSL: Dialect = Dialect {
     types: ["float", "vec2", "vec3"],
     stored: "vec3",
     pads: false,
-    made: Ok("{type}({values})"),
+    made: "return {type}({values});",
     vector: ("vec3", true),
     builtins: &[("atan2", "atan")],
     file: ["#ifndef SHADING_GLSL\n#define SHADING_GLSL\n\n", "#endif\n"],

@@ -10,7 +10,7 @@ pub use c::C;
 pub use glsl::GLSL;
 pub use hlsl::HLSL;
 pub use metal::METAL;
-pub use wgsl::WGSL;
+pub use wgsl::{WGSL, WGSL_EXACT};
 
 use crate::kind::Kind;
 
@@ -40,8 +40,8 @@ pub struct Dialect {
     pub variable: &'static str,
     pub branch: &'static str,
     pub choice: &'static str,
-    /// How a struct is made: by an expression, or by a variable of its own.
-    pub made: Result<&'static str, &'static str>,
+    /// Returns a struct of the values of its fields.
+    pub made: &'static str,
     /// The function that makes a vector of three numbers, and whether it takes one for all.
     pub vector: (&'static str, bool),
     /// What follows a number.
@@ -94,7 +94,7 @@ const GRAPHICS: Dialect = Dialect {
     variable: "{type} {name} = {value};",
     branch: "if ({test}) {",
     choice: "{test} ? {yes} : {no}",
-    made: Err("{type} {name} = {{values}};"),
+    made: "{type} result = {{values}};\nreturn result;",
     vector: ("float3", true),
     suffix: "",
     operators: None,

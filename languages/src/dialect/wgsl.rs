@@ -12,9 +12,15 @@ pub const WGSL: Dialect = Dialect {
     variable: "let {name} = {value};",
     branch: "if {test} {",
     choice: "select({no}, {yes}, {test})",
-    made: Ok("{type}({values})"),
+    made: "return {type}({values});",
     vector: ("vec3f", true),
     bits: Ok(["bitcast<i32>", "bitcast<f32>"]),
     powers: Powers::BuiltIn,
     ..GRAPHICS
+};
+
+/// With the crate's own power.
+pub const WGSL_EXACT: Dialect = Dialect {
+    powers: Powers::Own,
+    ..WGSL
 };
