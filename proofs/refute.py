@@ -5,7 +5,6 @@ breaks no claim, or a claim has no fault."""
 import concurrent.futures
 import os
 import pathlib
-import re
 import subprocess
 import sys
 
@@ -30,13 +29,13 @@ def refuted(prover, folder, number, claim):
 
 def main(faults, prover, folder):
     folder = pathlib.Path(folder)
-    table = subprocess.run([prover, "claims"], capture_output=True, text=True, check=True).stdout
-    names = re.findall(r"^\| `(\w+)`", table, re.M)
-    tasks = [(number, row, claim) for number, row in enumerate(rows(faults)) for claim in row[5].split()]
+    lines = subprocess.run([prover, "claims"], capture_output=True, text=True, check=True).stdout.splitlines()
+    names = [line.split(":")[0] for line in lines]
+    tasks = [(number, row, claim) for number, row in enumerate(rows(faults)) for claim in row[3].split()]
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         results = list(pool.map(lambda task: refuted(prover, folder, task[0], task[2]), tasks))
     found = {claim.lstrip("~") for (_, _, claim), result in zip(tasks, results) if result}
-    complaints = [f"{claim} stands in spite of {' '.join(row[:5])}" for (_, row, claim), result in zip(tasks, results) if not result]
+    complaints = [f"{claim} stands in spite of {' ¦ '.join(row[:3])}" for (_, row, claim), result in zip(tasks, results) if not result]
     complaints += [f"{name} has no fault" for name in names if name not in found]
     unproved = sum(" open: " in result for result in results)
     summary = f"faults: {len(tasks)} break {len(found)} of {len(names)} claims, {unproved} of them without a counterexample"

@@ -23,18 +23,10 @@ part() { # NAME COMMAND…: runs a part, and remembers how long it took
 tools() {
     install_packages gappa python3-venv
     [[ -x $solver ]] || python3 -m venv "$target/solver"
-    "$solver" -c "import bitwuzla, tree_sitter, tree_sitter_rust" 2>/dev/null ||
-        "$solver" -m pip install -q bitwuzla==0.9.1 tree-sitter==0.26.1 tree-sitter-rust==0.24.2
+    "$solver" -c "import bitwuzla" 2>/dev/null || "$solver" -m pip install -q bitwuzla==0.9.1
     cargo build --release -p shading-proofs
     rm -rf "$work"
     mkdir -p "$work"
-}
-
-rules() {
-    "$prover" prove
-    "$prover" claims >"$work/claims"
-    sed -n '/^| claim |/,/^$/p' docs/proofs.md | sed '/^$/d' | diff - "$work/claims" ||
-        { echo "the table of docs/proofs.md is not that of the claims" && exit 1; }
 }
 
 # whether Gappa proves a script, without taking a rule whose sides are equal by definition or may divide by 0
@@ -56,7 +48,7 @@ bounds() {
 # what Bitwuzla proves or repeats; with --all, also what takes it minutes
 queries() {
     # shellcheck disable=SC2046 # one word per claim
-    "$prover" queries "$work/queries" $(sed -n 's/^| `\(.*\)` | .*bitwuzla |$/\1/p' "$work/claims") \
+    "$prover" queries "$work/queries" $("$prover" claims | sed -n 's/:.*bitwuzla$//p') \
         ${all:+blinn_normalization corner_of_none implicit_of_none sphere_of_none}
     "$solver" proofs/solve.py "$work/queries" "$([[ $all ]] && echo 600 || echo 120)"
 }
@@ -100,7 +92,7 @@ wrong_rules() {
     local count tests
     count=$("$solver" proofs/plant.py proofs/wrong_rules.txt "$work/wrong/proofs/src")
     (cd "$work/wrong" && RUSTFLAGS="--cap-lints allow" cargo test -q --release -p shading-proofs --no-run --target-dir target)
-    tests=$(ls "$work"/wrong/target/release/deps/{prover,exhaustive}-* | grep -v '\.d$' | tr '\n' ' ')
+    tests=$(ls "$work"/wrong/target/release/deps/{ranges,prover,exhaustive}-* | grep -v '\.d$' | tr '\n' ' ')
     seq 0 $((count - 1)) | xargs -P 2 -I{} bash -c "for tests in $tests; do for test in \$(\$tests --list | sed -n 's/: test\$//p'); do
         PLANTED={} \$tests --exact \$test >/dev/null 2>&1 || exit 0; done; done; echo 'no test finds rule {}'; exit 1"
     echo "wrong rules: $count found"
@@ -127,7 +119,7 @@ certificates() {
 }
 
 part tools tools
-part rules rules
+part rules "$prover" prove
 part bounds bounds
 part queries queries
 part integers integers

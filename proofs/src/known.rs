@@ -38,22 +38,16 @@ impl Known {
         }
     }
 
-    /// The node of which this one has the bits, because it adds 0 to it, multiplies it by 1 or selects it.
+    /// The node of which this one has the bits, because it adds 0 to it or selects it.
     fn reduced(&mut self, g: &Graph, id: u32) -> u32 {
         let id = self.resolved(g, id);
-        let (Node::Add(x, y) | Node::Mul(x, y)) = g.nodes[id as usize] else {
+        let Node::Add(x, y) = g.nodes[id as usize] else {
             return id;
         };
         for (x, y) in [(x, y), (y, x)] {
-            let of_y = self.range(g, y);
-            let has_its_bits = match g.nodes[id as usize] {
-                // x + 0 = x, whatever the sign of that zero, unless x is −0
-                Node::Add(..) => {
-                    Range::within(0.0, 0.0).covers(of_y) && !self.range(g, x).minus_zero
-                }
-                _ => of_y.only() == Some(1.0),
-            };
-            if has_its_bits {
+            // x + 0 = x, whatever the sign of that zero, unless x is −0
+            let is_zero = Range::within(0.0, 0.0).covers(self.range(g, y));
+            if is_zero && !self.range(g, x).minus_zero {
                 return self.reduced(g, x);
             }
         }
@@ -177,11 +171,8 @@ impl Known {
 
     /// Whether the path has compared two nodes so that a ≤ b, if neither is NaN.
     pub(super) fn is_told(&self, a: u32, b: u32) -> bool {
-        self.facts.iter().any(|fact| match *fact {
-            (Test::AtMost(x, y), true) | (Test::Above(x, y), false) => (x, y) == (a, b),
-            (Test::AtMost(x, y), false) | (Test::Above(x, y), true) => (x, y) == (b, a),
-            _ => false,
-        })
+        self.facts.contains(&(Test::AtMost(a, b), true))
+            || self.facts.contains(&(Test::Above(a, b), false))
     }
 
     /// Whether the path has found that a > b.

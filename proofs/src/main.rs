@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
 
-use claims::{By, CLAIMS, Claim};
+use claims::{Claim, claims};
 use shading_proofs::{Format, Verdict, judge, smt};
 
 const USAGE: &str =
@@ -19,7 +19,11 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let is_right = match arguments[..] {
-        ["claims"] => claims(),
+        ["claims"] => {
+            let line = |claim: &Claim| println!("{}: {}", claim.name, claim.by);
+            claims().iter().for_each(line);
+            true
+        }
         ["prove", ref names @ ..] => prove(names),
         ["queries", folder, ref names @ ..] => queries(Path::new(folder), names).is_ok(),
         ["bounds", folder] => gappa::write(Path::new(folder), 1.0).is_ok(),
@@ -42,24 +46,9 @@ fn main() -> ExitCode {
     }
 }
 
-fn chosen(names: &[&str]) -> impl Iterator<Item = &'static Claim> {
-    let is_chosen = |claim: &&Claim| names.is_empty() || names.contains(&claim.name);
-    CLAIMS.iter().filter(is_chosen)
-}
-
-/// Prints the claims as the table of `docs/proofs.md` has them, each with what proves it.
-fn claims() -> bool {
-    println!("| claim | says | by |\n|---|---|---|");
-    for claim in CLAIMS {
-        let by = match claim.by {
-            By::Rules => "rules",
-            By::Bitwuzla => "bitwuzla",
-            By::Gappa => "gappa",
-            By::Both => "rules, bitwuzla",
-        };
-        println!("| `{}` | {} | {by} |", claim.name, claim.promise);
-    }
-    true
+fn chosen(names: &[&str]) -> impl Iterator<Item = Claim> {
+    let is_chosen = |claim: &Claim| names.is_empty() || names.contains(&claim.name);
+    claims().into_iter().filter(is_chosen)
 }
 
 /// Proves the claims with these names, or all of them: the rules must prove those that are theirs,
@@ -69,12 +58,12 @@ fn prove(names: &[&str]) -> bool {
     for claim in chosen(names) {
         for format in FORMATS {
             let verdict = judge(format, claim.formula, 20_000);
-            match (claim.by, &verdict) {
-                (By::Rules | By::Both, Verdict::Proved) => proved += 1,
-                (By::Bitwuzla | By::Gappa, Verdict::Open(_)) => left += 1,
-                (by, _) => {
+            match (claim.by.starts_with("rules"), &verdict) {
+                (true, Verdict::Proved) => proved += 1,
+                (false, Verdict::Open(_)) => left += 1,
+                _ => {
                     wrong += 1;
-                    println!("{} {format:?}, by {by:?}: {verdict}", claim.name);
+                    println!("{} {format:?}, by {}: {verdict}", claim.name, claim.by);
                 }
             }
         }

@@ -6,7 +6,7 @@
 
 use shading::fixed::Fixed;
 use shading::number::Mask;
-use shading::{Attenuation, Cone, Lobe, Real, Rgb, Vec3};
+use shading::{Attenuation, Cone, Dual, Lobe, Real, Rgb, Vec3};
 use wide::f32x8;
 
 /// Whether two results are the same; any NaN is as good as another.
@@ -135,6 +135,23 @@ fn each_lane_is_the_scalar() {
                 "{bits:x} {y:e}"
             );
         }
+    }
+}
+
+/// Whether x is above 0 in any lane, and in each.
+fn is_above_0<T: Real>(x: T) -> [bool; 2] {
+    let mask = x.above(T::ZERO);
+    [mask.any(), mask.all()]
+}
+
+/// Every choice of lanes, of plain numbers and of those that differentiate.
+#[test]
+fn masks_hold_in_their_lanes() {
+    for choice in 0..256_u32 {
+        let x = f32x8::from(core::array::from_fn(|i| (choice >> i & 1) as f32));
+        let expected = [choice != 0, choice == 255];
+        assert_eq!(is_above_0(x), expected, "{choice:b}");
+        assert_eq!(is_above_0(Dual::constant(x)), expected, "{choice:b}");
     }
 }
 

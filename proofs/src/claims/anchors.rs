@@ -29,10 +29,7 @@ fn one(term: Term, formula: Term) -> Vec<Goal> {
 
 /// What a claim compares to decide: a difference cannot be reached.
 fn agrees(decided: bool, formula: bool) -> Vec<Goal> {
-    let result = (decided == formula).then_some(());
-    result.map_or(vec![Goal::Never], |()| {
-        vec![Goal::Same(Term::ZERO, Term::ZERO)]
-    })
+    none((decided != formula).then_some(()))
 }
 
 pub fn vectors_by_components(given: Given) -> Vec<Goal> {
@@ -59,18 +56,10 @@ pub fn vectors_by_components(given: Given) -> Vec<Goal> {
     .concat()
 }
 
-/// A vector of any bits whose square needs no scaling, and its length.
-fn measured(given: Given, v: [Term; 3]) -> Term {
-    let square = dot(v, v);
-    given.assume_at_most(Term::ONE / Term::EXTREME, square);
-    given.assume_above(Term::EXTREME, square);
-    square.sqrt()
-}
-
 pub fn directions_by_formula(given: Given) -> Vec<Goal> {
     let [l, v] = ["l", "v"].map(|name| any_direction(given, name));
     let sum = [l.x + v.x, l.y + v.y, l.z + v.z];
-    let length = measured(given, sum);
+    let length = assume_tame(given, sum).sqrt();
     let unit = sum.map(|x| x / length);
     let (sum, none) = (Vec3::from(sum), given.any("none"));
     let made = [
@@ -122,12 +111,7 @@ fn highlight(cosine: Term, m: Term) -> Term {
 
 /// An attenuation that the constructors must accept, and its formula: 1/(a + bq + cq²), with a limit and a
 /// window.
-struct Falloff {
-    made: Attenuation<Term>,
-    formula: Box<dyn Fn(Term) -> Term>,
-}
-
-fn falloff(given: Given) -> Option<Falloff> {
+fn falloff(given: Given) -> Option<(Attenuation<Term>, impl Fn(Term) -> Term)> {
     let abc = ["a", "b", "c"].map(|name| checked(given, name));
     given.assume_above(abc[given.one_of(3) as usize], Term::ZERO);
     let [a, b, c] = abc;
@@ -140,7 +124,7 @@ fn falloff(given: Given) -> Option<Falloff> {
     let made = Attenuation::new(a, b, c).and_then(|made| LIMITS[limited as usize].1(made, limit));
     let made = made.and_then(|made| WINDOWS[window as usize].1(made, range))?;
     let limit = [Term::MAX, Term::ONE, smaller(limit, Term::MAX)][limited as usize];
-    let formula = Box::new(move |q| {
+    let formula = move |q| {
         let factor = smaller(larger(Term::ONE / (a + q * (b + c * q)), Term::ZERO), limit);
         let square = (q / range) * (q / range);
         let end = larger(Term::ONE - square * square, Term::ZERO);
@@ -149,8 +133,8 @@ fn falloff(given: Given) -> Option<Falloff> {
             1 => factor * (end * end),
             _ => factor * end,
         }
-    });
-    Some(Falloff { made, formula })
+    };
+    Some((made, formula))
 }
 
 pub fn attenuation_by_formula(given: Given) -> Vec<Goal> {
@@ -159,23 +143,15 @@ pub fn attenuation_by_formula(given: Given) -> Vec<Goal> {
         larger(Term::ONE / (a + q * (b + c * q)), Term::ZERO),
         Term::MAX,
     );
-    falloff(given).map_or(vec![Goal::Never], |falloff| {
-        [
-            one(attenuation(a, b, c, q), plain),
-            one(falloff.made.at(q), (falloff.formula)(q)),
-        ]
-        .concat()
+    falloff(given).map_or(vec![Goal::Never], |(made, formula)| {
+        let plain = Goal::Same(attenuation(a, b, c, q), plain);
+        vec![plain, Goal::Same(made.at(q), formula(q))]
     })
 }
 
 /// A cone that the constructors must accept, and its formula: t² or t²(3 − 2t) between the edges, which are
 /// stored with a slack of 8 units of roundoff.
-struct Beam {
-    made: Cone<Term>,
-    formula: Box<dyn Fn(Term) -> Term>,
-}
-
-fn beam(given: Given) -> Option<Beam> {
+fn beam(given: Given) -> Option<(Cone<Term>, impl Fn(Term) -> Term)> {
     let [inner, outer] =
         ["inner", "outer"].map(|name| given.number(name, Range::unsigned(-1.0, 1.0)));
     given.assume_at_most(outer, inner);
@@ -190,21 +166,21 @@ fn beam(given: Given) -> Option<Beam> {
     let is_everywhere = |then, less| choose(slack - Term::ONE, inner, then, less);
     let stored = |cosine| is_everywhere(-two, smaller(cosine, Term::ONE - slack));
     let (inner, outer) = (stored(inner), stored(outer));
-    let formula = Box::new(move |cosine: Term| {
+    let formula = move |cosine: Term| {
         let t = share_of((cosine - outer) / (inner - outer));
         let smooth = smaller(t * t * (Term::of(3.0) - (t + t)), Term::ONE);
         let soft = [t * t, smooth][edge as usize];
         let outside = if inner > outer { soft } else { Term::ZERO };
         choose(inner, cosine, outside, Term::ONE)
-    });
-    Some(Beam { made, formula })
+    };
+    Some((made, formula))
 }
 
 pub fn cone_by_formula(given: Given) -> Vec<Goal> {
     let (axis, l) = (any_direction(given, "axis"), any_direction(given, "l"));
     let cosine = dot([-axis.x, -axis.y, -axis.z], l);
-    beam(given).map_or(vec![Goal::Never], |beam| {
-        one(beam.made.factor(axis, l), (beam.formula)(cosine))
+    beam(given).map_or(vec![Goal::Never], |(made, formula)| {
+        one(made.factor(axis, l), formula(cosine))
     })
 }
 
@@ -217,50 +193,41 @@ struct Arriving {
     factor: Term,
 }
 
+impl Arriving {
+    fn from_sun(sun: DirectionalLight<Term>) -> Self {
+        Self {
+            light: sun.into(),
+            w: sun.l.into(),
+            length: Term::ONE,
+            color: sun.intensity.into(),
+            factor: Term::ONE,
+        }
+    }
+}
+
 /// Any sun, and any lamp or spot at a distance whose square needs no scaling.
 fn arriving(given: Given) -> Option<Arriving> {
     let (kind, intensity) = (given.one_of(3), given.rgb("I"));
+    let color = intensity.into();
     if kind == 0 {
         let l = any_direction(given, "l");
-        let light = DirectionalLight { l, intensity }.at(Vec3::ZERO);
-        let (w, length, factor) = (l.into(), Term::ONE, Term::ONE);
-        return Some(Arriving {
-            light,
-            w,
-            length,
-            color: intensity.into(),
-            factor,
-        });
+        return Some(Arriving::from_sun(DirectionalLight { l, intensity }));
     }
     let (position, p) = (any_vector(given, "position"), any_vector(given, "p"));
-    let w = [position.x - p.x, position.y - p.y, position.z - p.z];
-    let length = measured(given, w);
-    let falloff = falloff(given)?;
+    let w = way(position, p);
+    let length = assume_tame(given, w).sqrt();
+    let (attenuation, falloff) = falloff(given)?;
     let point = PointLight {
         position,
         intensity,
-        attenuation: falloff.made,
+        attenuation,
     };
-    let factor = (falloff.formula)(length);
-    let color = intensity.into();
-    if kind == 1 {
-        return Some(Arriving {
-            light: point.at(p),
-            w,
-            length,
-            color,
-            factor,
-        });
+    let (mut light, mut factor) = (point.at(p), falloff(length));
+    if kind == 2 {
+        let (axis, (cone, beam)) = (any_direction(given, "axis"), beam(given)?);
+        light = SpotLight { point, axis, cone }.at(p);
+        factor = factor * beam(dot([-axis.x, -axis.y, -axis.z], w) / length);
     }
-    let (axis, beam) = (any_direction(given, "axis"), beam(given)?);
-    let light = SpotLight {
-        point,
-        axis,
-        cone: beam.made,
-    }
-    .at(p);
-    let cosine = dot([-axis.x, -axis.y, -axis.z], w) / length;
-    let factor = factor * (beam.formula)(cosine);
     Some(Arriving {
         light,
         w,
@@ -271,22 +238,16 @@ fn arriving(given: Given) -> Option<Arriving> {
 }
 
 pub fn arrival_by_formula(given: Given) -> Vec<Goal> {
-    let Some(Arriving {
-        light,
-        w,
-        length,
-        color,
-        factor,
-    }) = arriving(given)
-    else {
+    let Some(arriving) = arriving(given) else {
         return vec![Goal::Never];
     };
+    let (light, length, factor) = (arriving.light, arriving.length, arriving.factor);
     let filter = given.rgb("filter");
     let through: [Term; 3] = filter.into();
-    let filtered = [0, 1, 2].map(|i| finite_light(color[i] * finite_light(through[i])));
+    let filtered = [0, 1, 2].map(|i| finite_light(arriving.color[i] * finite_light(through[i])));
     // of a sun, all of its light arrives
-    let (l, is_sun) = (w.map(|x| x / length), length.0 == Term::ONE.0);
-    let (distance, arriving): (Term, fn(Term) -> Term) = if is_sun {
+    let (l, is_sun) = (arriving.w.map(|x| x / length), length.0 == Term::ONE.0);
+    let (distance, limited): (Term, fn(Term) -> Term) = if is_sun {
         (Term::MAX, |x| x)
     } else {
         (length, finite_light)
@@ -296,10 +257,13 @@ pub fn arrival_by_formula(given: Given) -> Vec<Goal> {
         same(light.arrival().l, l),
         one(light.distance(), distance),
         one(light.arrival().distance, distance),
-        same(light.intensity(), times(color, factor).map(arriving)),
+        same(
+            light.intensity(),
+            times(arriving.color, factor).map(limited),
+        ),
         same(
             (light * filter).intensity(),
-            times(filtered, factor).map(arriving),
+            times(filtered, factor).map(limited),
         ),
     ]
     .concat()
@@ -311,16 +275,7 @@ pub fn sum_by_formula(given: Given) -> Vec<Goal> {
     let Some(first) = arriving(given) else {
         return vec![Goal::Never];
     };
-    let sun = sun(given, "other");
-    let (w, color) = (sun.l.into(), sun.intensity.into());
-    let second = Arriving {
-        light: sun.into(),
-        w,
-        length: Term::ONE,
-        color,
-        factor: Term::ONE,
-    };
-    let lights = [first, second];
+    let lights = [first, Arriving::from_sun(sun(given, "other"))];
     for light in &lights {
         given.assume_above(dot(scene.n, light.w), Term::ZERO);
     }
@@ -333,18 +288,9 @@ pub fn sum_by_formula(given: Given) -> Vec<Goal> {
         }
         [0, 1, 2].map(|i| finite_light(sum[i]) * k[i])
     };
-    let Scene {
-        n,
-        v,
-        material,
-        i_a,
-    } = scene;
-    let ambient = [
-        (material.k_a.r, i_a.r),
-        (material.k_a.g, i_a.g),
-        (material.k_a.b, i_a.b),
-    ]
-    .map(|(k, i)| k * i);
+    let (n, v, material) = (scene.n, scene.v, scene.material);
+    let [k_a, i_a]: [[Term; 3]; 2] = [material.k_a.into(), scene.i_a.into()];
+    let ambient = [0, 1, 2].map(|i| k_a[i] * i_a[i]);
     let diffuse = sum(material.k_d, &|light| {
         share_of(dot(n, light.w) / light.length)
     });
@@ -362,23 +308,16 @@ pub fn sum_by_formula(given: Given) -> Vec<Goal> {
             let (cosine, square) = (dot(n, h), dot(h, h));
             let share = cosine * cosine / square;
             let share = choose(Term::ONE, share, share, Term::ONE);
-            choose(
-                cosine,
-                Term::ZERO,
-                material.m.raise(share.sqrt()),
-                Term::ZERO,
-            )
+            let power = material.m.raise(share.sqrt());
+            choose(cosine, Term::ZERO, power, Term::ZERO)
         }),
     };
     let total = [0, 1, 2].map(|i| ambient[i] + diffuse[i] + specular[i]);
-    let parts = [
-        (lit.ambient, ambient),
-        (lit.diffuse, diffuse),
-        (lit.specular, specular),
-        (lit.total(), total),
-    ];
-    parts
-        .into_iter()
-        .flat_map(|(part, formula)| same(part, formula))
-        .collect()
+    [
+        same(lit.ambient, ambient),
+        same(lit.diffuse, diffuse),
+        same(lit.specular, specular),
+        same(lit.total(), total),
+    ]
+    .concat()
 }

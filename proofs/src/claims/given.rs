@@ -29,10 +29,6 @@ pub fn component() -> Range {
     Range::within(-1.25, 1.25)
 }
 
-pub fn finite(given: Given) -> Range {
-    Range::within(-given.format().max(), given.format().max())
-}
-
 pub fn not_negative(given: Given) -> Range {
     Range::within(0.0, given.format().max())
 }
@@ -66,10 +62,6 @@ pub fn any_vector(given: Given, name: &str) -> Vec3<Term> {
     given.vector(name, Range::ANY)
 }
 
-pub fn finite_vector(given: Given, name: &str) -> Vec3<Term> {
-    given.vector(name, finite(given))
-}
-
 pub fn any_direction(given: Given, name: &str) -> UnitVec3<Term> {
     UnitVec3::assume_unit(any_vector(given, name))
 }
@@ -99,6 +91,19 @@ pub fn without_direction(given: Given, name: &str) -> Vec3<Term> {
 pub fn dot(a: impl Into<[Term; 3]>, b: impl Into<[Term; 3]>) -> Term {
     let ([a, b, c], [x, y, z]) = (a.into(), b.into());
     a * x + b * y + c * z
+}
+
+/// Assumes that the square of a vector is between 1/p and p, where it needs no scaling. Returns the square.
+pub fn assume_tame(given: Given, v: [Term; 3]) -> Term {
+    let square = dot(v, v);
+    given.assume_at_most(Term::ONE / Term::EXTREME, square);
+    given.assume_above(Term::EXTREME, square);
+    square
+}
+
+/// The vector from p to a light.
+pub fn way(position: Vec3<Term>, p: Vec3<Term>) -> [Term; 3] {
+    [position.x - p.x, position.y - p.y, position.z - p.z]
 }
 
 /// One of two numbers, by whether a > b.
@@ -237,11 +242,11 @@ pub fn light_at(given: Given, position: Vec3<Term>) -> Option<Light<Term>> {
 pub fn any_light_and_way(given: Given) -> Option<(IncidentLight<Term>, [Term; 3])> {
     let (position, p) = (any_vector(given, "position"), any_vector(given, "p"));
     let light = light_at(given, position)?;
-    let way = match light {
+    let to_light = match light {
         Light::Directional(sun) => sun.l.into(),
-        _ => [position.x - p.x, position.y - p.y, position.z - p.z],
+        _ => way(position, p),
     };
-    Some((light.at(p), way))
+    Some((light.at(p), to_light))
 }
 
 /// What arrives of any light at any point.

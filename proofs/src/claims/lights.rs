@@ -28,8 +28,8 @@ pub fn direction_that_arrives(given: Given) -> Vec<Goal> {
 }
 
 pub fn distance_of_finite(given: Given) -> Vec<Goal> {
-    let (position, p) = (finite_vector(given, "position"), finite_vector(given, "p"));
     let max = given.format().max();
+    let [position, p] = ["position", "p"].map(|name| given.vector(name, Range::within(-max, max)));
     let Some(light) = light_at(given, position) else {
         return vec![];
     };

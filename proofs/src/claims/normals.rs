@@ -88,23 +88,23 @@ pub fn parametric_of_none(given: Given) -> Vec<Goal> {
     })
 }
 
-/// A vector of any bits, but for its square between 1/p and p.
-fn tame(given: Given, name: &str) -> Vec3<Term> {
-    let v = any_vector(given, name);
-    given.assume_above(dot(v, v), Term::ONE / Term::EXTREME);
-    given.assume_above(Term::EXTREME, dot(v, v));
-    v
+/// Columns of any bits, but for their squares between 1/p and p.
+fn columns(given: Given) -> [Vec3<Term>; 3] {
+    let columns = vertices(given);
+    for v in columns {
+        assume_tame(given, v.into());
+    }
+    columns
 }
 
 pub fn transformed_of_any(given: Given) -> Vec<Goal> {
-    let columns = ["a", "b", "c"].map(|name| tame(given, name));
+    let columns = columns(given);
     none_or_unit(normal::transformed(any_direction(given, "n"), columns))
 }
 
 pub fn transformed_of_none(given: Given) -> Vec<Goal> {
-    let columns = ["a", "b", "c"].map(|name| tame(given, name));
     let n = UnitVec3::assume_unit(without_direction(given, "n"));
-    none(normal::transformed(n, columns))
+    none(normal::transformed(n, columns(given)))
 }
 
 fn vertices(given: Given) -> [Vec3<Term>; 3] {

@@ -125,10 +125,7 @@ pub fn reflected_of_one(given: Given) -> Vec<Goal> {
         return vec![];
     };
     if !matches!(light, Light::Directional(_)) {
-        let way = [position.x - p.x, position.y - p.y, position.z - p.z];
-        let square = dot(way, way);
-        given.assume_at_most(Term::ONE / Term::EXTREME, square);
-        given.assume_above(Term::EXTREME, square);
+        assume_tame(given, way(position, p));
     }
     let light = light.at(p);
     let (lit, arriving) = (scene.shade(model, &[light]), light.intensity());

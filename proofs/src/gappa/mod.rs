@@ -13,7 +13,7 @@ use shading::{Attenuation, IncidentLight, Lobe, PointLight, Rgb, UnitVec3, Vec3}
 use shading::{attenuation, half_vector, normal, term};
 use shading_proofs::{Format, Given, Goal, Graph, Node, Range, Term, Test, paths};
 
-use crate::claims::{By, CLAIMS};
+use crate::claims::claims;
 use script::Script;
 
 /// 2⁻⁴⁰
@@ -101,7 +101,7 @@ pub fn write(folder: &Path, share: f64) -> std::io::Result<()> {
             });
             save(folder, name, format, &scripts)?;
         }
-        for claim in CLAIMS.iter().filter(|claim| claim.by == By::Gappa) {
+        for claim in claims().iter().filter(|claim| claim.by == "gappa") {
             let mut scripts = Vec::new();
             paths(format, claim.formula, |run, goals: Vec<Goal>| {
                 scripts.extend(goals.iter().map(|goal| match *goal {
