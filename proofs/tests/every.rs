@@ -148,7 +148,9 @@ fn is_above_0<T: Real>(x: T) -> [bool; 2] {
 #[test]
 fn masks_hold_in_their_lanes() {
     for choice in 0..256_u32 {
-        let x = f32x8::from(core::array::from_fn(|i| (choice >> i & 1) as f32));
+        let x = f32x8::from(core::array::from_fn(|i| {
+            [0.0, 1.0][(choice >> i & 1) as usize]
+        }));
         let expected = [choice != 0, choice == 255];
         assert_eq!(is_above_0(x), expected, "{choice:b}");
         assert_eq!(is_above_0(Dual::constant(x)), expected, "{choice:b}");
