@@ -213,6 +213,7 @@ macro_rules! pages {
         /// [falloffs-beams-and-filters-of-your-own]: mod@crate::guide::lights#falloffs-beams-and-filters-of-your-own
         /// [filters-of-svg]: mod@crate::guide::surfaces#filters-of-svg
         /// [fog-toward-the-eye]: mod@crate::guide::colors#fog-toward-the-eye
+        /// [globes-and-the-moon]: mod@crate::guide::surfaces#globes-and-the-moon
         /// [gouraud-shading]: mod@crate::guide::speed#gouraud-shading
         /// [hair-brushed-metal-and-lines]: mod@crate::guide::materials#hair-brushed-metal-and-lines
         /// [height-maps-and-the-sun]: mod@crate::guide::surfaces#height-maps-and-the-sun
@@ -262,14 +263,15 @@ pub mod guide {
         numbers, "../docs/numbers.md": "How to compute with a number type of your own, and how to test it.";
         performance, "../docs/performance.md": "Which way to take, and what it costs.";
         porting, "../docs/porting.md": "How to replace a loop of your own, with your vectors.",
-            "three", "babylon", "godot", "unity", "unreal", "bevy", "blender", "opengl", "directx", "collada", "usd";
+            "three", "babylon", "godot", "unity", "unreal", "bevy", "blender",
+            "opengl", "directx", "javafx", "panda3d", "collada", "usd";
         precision, "../docs/precision.md": "How far each function is from its formula.";
         proofs, "../docs/proofs.md": "Which promises are proved, from what, and how to prove one of your own.";
         recipes, "../docs/recipes.md": "Parts of a renderer to copy, by what you see and by topic.";
         lights, "../docs/lights.md": "Recipes for lamps, suns and spots: shadows, falloffs, files and units.",
-            "hemisphere", "shadow", "penumbra", "flashlight", "candela", "lumen", "kelvin", "gltf";
+            "hemisphere", "shadow", "penumbra", "flashlight", "candela", "lumen", "kelvin", "gltf", "voxel", "solar";
         surfaces, "../docs/surfaces.md": "Recipes for normals: both sides, meshes, maps, heights and depths.",
-            "bump", "hillshade", "terrain", "heightmap", "crease", "skinning", "depth", "stl", "svg";
+            "bump", "hillshade", "terrain", "heightmap", "crease", "skinning", "depth", "stl", "svg", "globe", "moon";
         materials, "../docs/materials.md": "Recipes for materials: plastic, clay, leaves, hair, files and other programs.",
             "roughness", "fresnel", "mtl", "toon", "rim", "metal", "anisotropic", "subsurface";
         colors, "../docs/colors.md": "Recipes for images: textures, exposure, bands and fog.",
