@@ -3,8 +3,7 @@
 use crate::dialect::{C, Dialect, GLSL, HLSL, METAL, Powers, WGSL, WGSL_EXACT, filled};
 use crate::given::{built_in_powers, encodings, is_extreme, operations_on_bits};
 use crate::graph::{Graph, with};
-use crate::kind::{Arguments, Kind};
-use crate::number::Expr;
+use crate::kind::Kind;
 use crate::print::{Printer, Text};
 use crate::table::{Function, functions};
 use crate::tree::explore;
@@ -124,12 +123,6 @@ pub(crate) fn head(
     wrapped("", &filled(dialect.function, &places))
 }
 
-/// The variables of a function's parameters.
-fn arguments(function: &Function) -> Arguments<Expr> {
-    let of = |(name, kind): &(&str, Kind)| kind.variables(name);
-    Arguments::new(function.parameters.iter().flat_map(of).collect())
-}
-
 /// The books' names for the values of a function, and their formulas.
 fn names(function: &str) -> Vec<(&'static str, &'static str)> {
     let sections = include_str!("names.txt").split("\n[").skip(1);
@@ -142,6 +135,11 @@ fn names(function: &str) -> Vec<(&'static str, &'static str)> {
 }
 
 fn function_text(dialect: &'static Dialect, function: &Function) -> String {
+    let variables = || {
+        let of = |(name, kind): &(&str, Kind)| kind.variables(name);
+        let variables = function.parameters.iter().flat_map(of);
+        variables.map(|x| x.0).collect()
+    };
     // a product with 0 tells what is not finite in this function alone
     let drops_zeros = function.name != "normal_transformed";
     let recorded = Recorded {
@@ -149,7 +147,7 @@ fn function_text(dialect: &'static Dialect, function: &Function) -> String {
         name: &dialect.named(function.name),
         parameters: &function.parameters,
         result: function.result,
-        formula: &|| (function.record)(arguments(function)),
+        formula: &|| (function.record)(variables()),
     };
     let doc = comment(dialect, function.doc.trim());
     let text = recorded.text(dialect, dialect.prefix.into(), &names(function.name));
@@ -162,7 +160,7 @@ pub(crate) struct Recorded<'a> {
     pub name: &'a str,
     pub parameters: &'a [(&'static str, Kind)],
     pub result: Kind,
-    pub formula: &'a dyn Fn() -> Vec<Expr>,
+    pub formula: &'a dyn Fn() -> Vec<usize>,
 }
 
 impl Recorded<'_> {

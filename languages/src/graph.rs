@@ -128,6 +128,11 @@ impl Graph {
         ["", "measured", "attenuation", "arrival", "total"].contains(&self.defining)
     }
 
+    /// Whether the function takes a light, of whose kind and falloff others decide.
+    pub fn is_lit(&self) -> bool {
+        self.defining == "arrival" || self.defining.starts_with("add_")
+    }
+
     /// Whether it is the length of a direction.
     pub fn is_length(&self, n: usize) -> bool {
         match self.nodes[n] {
@@ -139,6 +144,7 @@ impl Graph {
     fn known(&self, test: Test) -> Option<bool> {
         let both = |a, b| self.value(a).zip(self.value(b));
         let by_value = match test {
+            Test::Above(MAX, _) if self.is_lit() => Some(true), // whether there is a range asks the falloff
             Test::Above(a, b) => both(a, b).map(|(a, b)| a > b),
             Test::AtLeast(a, b) => both(a, b).map(|(a, b)| a >= b),
             Test::Extreme(_) => None,

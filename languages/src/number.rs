@@ -1,5 +1,6 @@
 //! The numbers that record.
 
+use std::array;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -17,12 +18,12 @@ use crate::kind::Kind;
 pub struct Expr(pub(crate) usize);
 
 /// The same number, which writes the hooks out: it records the functions behind the calls.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Inline(usize);
+#[derive(Clone, Copy)]
+pub(crate) struct Inline(pub usize);
 
 /// The same, except that it calls the vectors between points.
-#[derive(Clone, Copy, Debug)]
-struct Crossed(usize);
+#[derive(Clone, Copy)]
+pub(crate) struct Crossed(pub usize);
 
 /// Where a comparison holds.
 #[derive(Clone, Copy, Debug)]
@@ -48,44 +49,20 @@ impl Above {
 }
 
 /// The results of a call.
-fn call<const N: usize>(name: &'static str, arguments: &[usize]) -> [Expr; N] {
+fn call<const N: usize>(name: &'static str, arguments: &[usize]) -> [usize; N] {
     with(|g| {
         let call = g.node(Node::Call(name, arguments.to_vec()));
-        let mut parts = 0..;
-        std::array::from_fn(|_| Expr(g.node(Node::Part(call, parts.next().expect("a part")))))
+        array::from_fn(|part| g.node(Node::Part(call, part)))
     })
-}
-
-fn call_one(name: &'static str, arguments: &[Expr]) -> Expr {
-    let arguments: Vec<_> = arguments.iter().map(|x| x.0).collect();
-    let [result] = call(name, &arguments);
-    result
 }
 
 fn call_of_vectors<const N: usize>(name: &'static str, vectors: &[Vec3<Expr>]) -> [Expr; N] {
     let numbers = vectors.iter().flat_map(|v| [v.x.0, v.y.0, v.z.0]);
-    call(name, &numbers.collect::<Vec<_>>())
-}
-
-fn is_defining(name: &str) -> bool {
-    with(|g| g.defining == name)
-}
-
-/// Whether the function takes a light, of whose kind and falloff others decide.
-fn is_of_a_light() -> bool {
-    with(|g| g.defining == "arrival" || g.defining.starts_with("add_"))
+    call(name, &numbers.collect::<Vec<_>>()).map(Expr)
 }
 
 fn call_of_light(name: &'static str, x: Expr) -> Expr {
-    call_one(name, &[Kind::Light.variables("light"), vec![x]].concat())
-}
-
-fn inline(v: Vec3<Expr>) -> Vec3<Inline> {
-    v.map(|x| Inline(x.0))
-}
-
-fn outside(v: Vec3<Inline>) -> Vec3<Expr> {
-    v.map(|x| Expr(x.0))
+    Expr::call(name, &[Kind::Light.variables("light"), vec![x]].concat())
 }
 
 macro_rules! operators {
@@ -107,6 +84,14 @@ macro_rules! number {
             type Output = Self;
             fn neg(self) -> Self {
                 Self(with(|g| g.neg(self.0)))
+            }
+        }
+
+        impl $number {
+            fn call(name: &'static str, arguments: &[Self]) -> Self {
+                let arguments: Vec<_> = arguments.iter().map(|x| x.0).collect();
+                let [result] = call(name, &arguments);
+                Self(result)
             }
         }
 
@@ -139,7 +124,7 @@ macro_rules! number {
             }
 
             fn sqrt(self) -> Self {
-                Self(call_one("sqrt", &[Expr(self.0)]).0)
+                Self::call("sqrt", &[self])
             }
 
             fn above(self, other: Self) -> Above {
@@ -177,6 +162,67 @@ macro_rules! number {
 
             $($hooks)*
         }
+
+        // the powers by a real number are the crate's own, as it computes them in single precision
+        impl Lobe<Self> for $number {
+            fn raise(self, cosine: Self) -> Self {
+                Self::call("power", &[cosine, self.at_least(Self::ZERO)])
+            }
+
+            fn raise_root(self, square: Self) -> Self {
+                (Self::of(0.5) * self).raise(square)
+            }
+
+            fn raise_quotient(self, square: Self, of: Self) -> Self {
+                let half = (Self::of(0.5) * self).at_least(Self::ZERO);
+                Self::call("power_of_quotient", &[square, of, half])
+            }
+        }
+
+        impl Bits for $number {
+            fn split(self, least: Self) -> (Self, Self) {
+                let part = |name| Self::call(name, &[self, least]);
+                (part("exponent"), part("significand"))
+            }
+
+            fn two_to_low_bits(self) -> Self {
+                Self::call("two_to_low_bits", &[self])
+            }
+
+            // by the bits, because a compiler may take (y + c) - c for y
+            fn unshifted(self, shift: Self) -> Self {
+                Self::call("steps_above", &[self, shift])
+            }
+        }
+
+        impl PartialEq for $number {
+            fn eq(&self, other: &Self) -> bool {
+                self.0 == other.0
+            }
+        }
+
+        impl PartialOrd for $number {
+            /// Which of two formulas is the larger has no answer before they have numbers.
+            fn partial_cmp(&self, _: &Self) -> Option<Ordering> {
+                None
+            }
+
+            fn gt(&self, other: &Self) -> bool {
+                decide(Test::Above(self.0, other.0))
+            }
+
+            fn lt(&self, other: &Self) -> bool {
+                other.gt(self)
+            }
+
+            fn ge(&self, other: &Self) -> bool {
+                decide(Test::AtLeast(self.0, other.0))
+            }
+
+            fn le(&self, other: &Self) -> bool {
+                other.ge(self)
+            }
+        }
     };
 }
 
@@ -195,10 +241,6 @@ number!(Expr {
     }
 
     fn measured(v: Vec3<Self>) -> Measured<Self> {
-        if is_defining("measured") {
-            let Measured { w, w_length, length } = Inline::measured(inline(v));
-            return Measured { w: outside(w), w_length: Self(w_length.0), length: Self(length.0) };
-        }
         let [x, y, z, w_length, length] = call_of_vectors("measured", &[v]);
         Measured { w: Vec3::new(x, y, z), w_length, length }
     }
@@ -209,149 +251,57 @@ number!(Expr {
     }
 
     fn between(origin: Vec3<Self>, v: Vec3<Self>) -> Vec3<Self> {
-        if is_defining("between") {
-            return outside(Inline::between(inline(origin), inline(v)));
-        }
         call_of_vectors("between", &[origin, v]).into()
     }
 
     fn crossed(origin: Vec3<Self>, a: Vec3<Self>, b: Vec3<Self>) -> Vec3<Self> {
-        if is_defining("crossed") {
-            let [origin, a, b] = [origin, a, b].map(|v| v.map(|x| Crossed(x.0)));
-            return Crossed::crossed(origin, a, b).map(|x| Self(x.0));
-        }
         call_of_vectors("crossed", &[origin, a, b]).into()
-    }
-
-    fn attenuated(color: Rgb<Self>, coefficients: [Self; 3], q: Self, limit: Self) -> Dimmed<Self> {
-        if is_of_a_light() {
-            return Dimmed { color, factor: call_of_light("falloff", q) };
-        }
-        let coefficients = coefficients.map(|x| Inline(x.0));
-        let dimmed = Inline::attenuated(Rgb::WHITE, coefficients, Inline(q.0), Inline(limit.0));
-        Dimmed { color, factor: Self(dimmed.factor.0) }
     }
 
     fn windowed(
         Dimmed { color, factor }: Dimmed<Self>,
-        v: Vec3<Self>,
+        _v: Vec3<Self>,
         q: Self,
         range: Self,
         is_squared: Above,
     ) -> Dimmed<Self> {
-        if is_of_a_light() {
-            return Dimmed { color, factor }; // its falloff has the window
+        if with(|g| g.is_lit()) {
+            return Dimmed { color, factor: call_of_light("falloff", q) };
         }
         let name = if is_squared.is_anywhere() { "window" } else { "window_gltf" };
-        if is_defining(name) {
-            let one = Dimmed { color: Rgb::WHITE, factor: Inline::ONE };
-            let window = Inline::windowed(one, inline(v), Inline(q.0), Inline(range.0), is_squared);
-            return Dimmed { color, factor: factor * Self(window.factor.0) };
-        }
-        Dimmed { color, factor: factor * call_one(name, &[q, range]) }
+        Dimmed { color, factor: factor * Self::call(name, &[q, range]) }
     }
 
     fn beamed(
         Dimmed { color, factor }: Dimmed<Self>,
         axis: Vec3<Self>,
-        inner_and_outer: [Self; 2],
+        [inner, outer]: [Self; 2],
         is_smooth: Above,
         _v: Vec3<Self>,
         measured: &Measured<Self>,
     ) -> Dimmed<Self> {
-        let [inner, outer] = inner_and_outer;
+        let cosine = Self::dot(-axis, measured.w) / measured.w_length;
+        if with(|g| g.is_lit()) {
+            return Dimmed { color, factor: factor * call_of_light("spot", cosine) };
+        }
         // a soft edge may be smooth, and a hard one is neither
         let is_square = with(|g| g.holds(is_smooth.test, None)) == Some(false);
         let name = if is_square { "beam" } else { "beam_smoothstep" };
-        if is_defining(name) {
-            let Measured { w, w_length, length } = *measured;
-            let [w, axis] = [w, axis].map(inline);
-            let measured = Measured { w, w_length: Inline(w_length.0), length: Inline(length.0) };
-            let one = Dimmed { color: Rgb::WHITE, factor: Inline::ONE };
-            let edges = [Inline(inner.0), Inline(outer.0)];
-            let beam = Inline::beamed(one, axis, edges, is_smooth, w, &measured);
-            return Dimmed { color, factor: factor * Self(beam.factor.0) };
-        }
-        let cosine = Self::dot(-axis, measured.w) / measured.w_length;
-        if is_of_a_light() {
-            return Dimmed { color, factor: factor * call_of_light("spot", cosine) };
-        }
-        Dimmed { color, factor: factor * call_one(name, &[cosine, inner, outer]) }
+        Dimmed { color, factor: factor * Self::call(name, &[cosine, inner, outer]) }
     }
 });
-
-/// The powers by a real number are the crate's own, as it computes them in single precision.
-impl Lobe<Expr> for Expr {
-    fn raise(self, cosine: Self) -> Self {
-        call_one("power", &[cosine, self.at_least(Self::ZERO)])
-    }
-
-    fn raise_root(self, square: Self) -> Self {
-        (Self::of(0.5) * self).raise(square)
-    }
-
-    fn raise_quotient(self, square: Self, of: Self) -> Self {
-        let half = (Self::of(0.5) * self).at_least(Self::ZERO);
-        call_one("power_of_quotient", &[square, of, half])
-    }
-}
-
-impl Bits for Expr {
-    fn split(self, least: Self) -> (Self, Self) {
-        let part = |name| call_one(name, &[self, least]);
-        (part("exponent"), part("significand"))
-    }
-
-    fn two_to_low_bits(self) -> Self {
-        call_one("two_to_low_bits", &[self])
-    }
-
-    // by the bits, because a compiler may take (y + c) - c for y
-    fn unshifted(self, shift: Self) -> Self {
-        call_one("steps_above", &[self, shift])
-    }
-}
 
 macro_rules! elementary {
     ($($method:ident($($other:ident)?) $function:literal)*) => {
         impl Elementary for Expr {
             $(fn $method(self $(, $other: Self)?) -> Self {
-                call_one($function, &[self $(, $other)?])
+                Self::call($function, &[self $(, $other)?])
             })*
         }
     };
 }
 
 elementary!(sin() "sin" cos() "cos" tan() "tan" atan2(x) "atan2" exp() "exp" ln() "log" powf(exponent) "pow" abs() "abs");
-
-impl PartialEq for Expr {
-    fn eq(&self, other: &Self) -> bool {
-        self.0 == other.0
-    }
-}
-
-impl PartialOrd for Expr {
-    /// Which of two formulas is the larger has no answer before they have numbers.
-    fn partial_cmp(&self, _: &Self) -> Option<Ordering> {
-        None
-    }
-
-    fn gt(&self, other: &Self) -> bool {
-        decide(Test::Above(self.0, other.0))
-    }
-
-    fn lt(&self, other: &Self) -> bool {
-        decide(Test::Above(other.0, self.0))
-    }
-
-    fn ge(&self, other: &Self) -> bool {
-        decide(Test::AtLeast(self.0, other.0))
-    }
-
-    fn le(&self, other: &Self) -> bool {
-        decide(Test::AtLeast(other.0, self.0))
-    }
-}
 
 /// A parameter, or a component of one.
 pub(crate) fn variable(name: &str, component: Option<usize>) -> Expr {

@@ -91,7 +91,7 @@ fn text(
         name,
         parameters,
         result,
-        formula,
+        formula: &|| formula().iter().map(|x| x.0).collect(),
     };
     recorded.text(dialect, [dialect.namespace, dialect.prefix].concat(), &[])
 }

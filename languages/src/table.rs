@@ -11,7 +11,7 @@ use shading::{
 
 use crate::kind::{Arguments, Kind, Number, Parts, Sums, Taken, Tangent};
 use crate::light::{Light, cone};
-use crate::number::Expr;
+use crate::number::{Crossed, Expr, Inline};
 
 /// A function of the files.
 pub struct Function {
@@ -21,7 +21,8 @@ pub struct Function {
     pub result: Kind,
     /// Whether masks choose between results instead of deciding on a path.
     pub(crate) selects: bool,
-    pub(crate) record: fn(Arguments<Expr>) -> Vec<Expr>,
+    /// Records it, given the variables of its parameters.
+    pub(crate) record: fn(Vec<usize>) -> Vec<usize>,
     /// What the crate computes.
     pub compute: fn(Arguments<f32>) -> Vec<f32>,
 }
@@ -100,6 +101,19 @@ macro_rules! of_kind {
     ($number:ident) => { T };
 }
 
+/// The number that records a function: a function behind a hook writes the hook out.
+macro_rules! number_of {
+    (hook) => {
+        Inline
+    };
+    (crossed) => {
+        Crossed
+    };
+    ($mode:ident) => {
+        Expr
+    };
+}
+
 macro_rules! rows {
     ($(
         $(#[doc = $doc:literal])*
@@ -107,18 +121,23 @@ macro_rules! rows {
     )*) => {
         fn rows() -> Vec<Function> {
             vec![$({
-                fn record<T: Number>(mut from: Arguments<T>) -> Vec<T> {
+                fn compute<T: Number>(mut from: Arguments<T>) -> Vec<T> {
                     $(let $p = <of_kind!($kind)>::take(&mut from);)*
                     $body.parts()
+                }
+                fn record(variables: Vec<usize>) -> Vec<usize> {
+                    let variables = variables.into_iter().map(number_of!($mode));
+                    let results = compute(Arguments::new(variables.collect()));
+                    results.into_iter().map(|result| result.0).collect()
                 }
                 Function {
                     name: stringify!($name),
                     doc: concat!($($doc, "\n"),*),
                     parameters: vec![$((stringify!($p), Kind::$kind)),*],
                     result: Kind::$result,
-                    selects: stringify!($mode) != "plain",
-                    record: record::<Expr>,
-                    compute: record::<f32>,
+                    selects: stringify!($mode) == "choosing",
+                    record,
+                    compute: compute::<f32>,
                 }
             }),*]
         }
@@ -137,7 +156,7 @@ rows! {
     }
 
     /// The length of v, and w in its direction: v itself, or v times a power of 2 where its square is out of range.
-    plain fn measured(v: Vector) -> Measured {
+    hook fn measured(v: Vector) -> Measured {
         T::measured(v)
     }
 
@@ -147,12 +166,12 @@ rows! {
     }
 
     /// The vector from a point to another, times a power of 2 where its square is out of range.
-    plain fn between(origin: Vector, p: Vector) -> Vector {
+    hook fn between(origin: Vector, p: Vector) -> Vector {
         T::between(origin, p)
     }
 
     /// (a - origin) x (b - origin), in the right direction even where its square is out of range.
-    plain fn crossed(origin: Vector, a: Vector, b: Vector) -> Vector {
+    crossed fn crossed(origin: Vector, a: Vector, b: Vector) -> Vector {
         T::crossed(origin, a, b)
     }
 
@@ -202,22 +221,22 @@ rows! {
     }
 
     /// What ends a light at the range r: max(0, 1 - (q/r)^4)^2. Karis 2013.
-    choosing fn window(q: Positive, r: Positive) -> Number {
+    hook fn window(q: Positive, r: Positive) -> Number {
         window(q, r, T::ONE.above(T::ZERO))
     }
 
     /// The same without the square: KHR_lights_punctual.
-    choosing fn window_gltf(q: Positive, r: Positive) -> Number {
+    hook fn window_gltf(q: Positive, r: Positive) -> Number {
         window(q, r, T::ZERO.above(T::ZERO))
     }
 
     /// t^2, where t rises from 0 at the cosine of the outer edge to 1 at that of the inner. KHR_lights_punctual.
-    plain fn beam(cosine: Cosine, inner: Cosine, outer: Cosine) -> Number {
+    hook fn beam(cosine: Cosine, inner: Cosine, outer: Cosine) -> Number {
         beam(cosine, [inner, outer], T::ZERO.above(T::ZERO))
     }
 
     /// The same with t^2(3 - 2t). POV-Ray 3.7.
-    plain fn beam_smoothstep(cosine: Cosine, inner: Cosine, outer: Cosine) -> Number {
+    hook fn beam_smoothstep(cosine: Cosine, inner: Cosine, outer: Cosine) -> Number {
         beam(cosine, [inner, outer], inner.above(outer))
     }
 

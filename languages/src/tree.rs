@@ -1,7 +1,6 @@
 //! What a function computes on each of its paths.
 
 use crate::graph::{Node, Op, Test, ZERO, with};
-use crate::number::Expr;
 
 /// Which of two paths to take: the first, if all tests hold, or if any does.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,11 +16,11 @@ pub enum Tree {
 }
 
 /// Runs a formula once for each path through its decisions.
-pub fn explore(formula: &dyn Fn() -> Vec<Expr>, given: &[bool]) -> Tree {
+pub fn explore(formula: &dyn Fn() -> Vec<usize>, given: &[bool]) -> Tree {
     with(|g| (g.given, g.path) = (given.to_vec(), vec![]));
     let results = formula();
     let Some(&(test, _)) = with(|g| g.path.get(given.len()).copied()).as_ref() else {
-        return Tree::Leaf(results.iter().map(|x| x.0).collect());
+        return Tree::Leaf(results);
     };
     let side = |answer| explore(formula, &[given, &[answer]].concat());
     let (yes, no) = (side(true), side(false));

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use host::{answer, bytes, compiled};
-use shading_languages::{Arguments, Function, Kind, functions};
-use support::{Draw, arguments};
+use shading_languages::{Arguments, Function, functions};
+use support::{Draw, arguments, is_sound};
 
 mod host;
 mod support;
@@ -29,18 +29,11 @@ fn difference(program: &Path, function: &Function, draw: Draw, count: usize) -> 
             different += 1;
             first.get_or_insert_with(|| format!("{x:?}: the crate {right:?}, the file {y:?}"));
         }
-        let is_light = !matches!(
-            function.result,
-            Kind::Unit | Kind::Vector | Kind::Tangent | Kind::Measured
+        assert!(
+            is_sound(function, y),
+            "{} {draw:?} {x:?}: {y:?}",
+            function.name
         );
-        for y in y {
-            assert!(!y.is_nan(), "{} {draw:?} {x:?}: {y}", function.name);
-            assert!(
-                *y >= 0.0 || !is_light || function.result == Kind::Arrival,
-                "{} {x:?}: {y}",
-                function.name
-            );
-        }
     }
     first.map(|first| {
         format!(

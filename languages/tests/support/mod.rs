@@ -8,6 +8,17 @@
 
 use shading_languages::{Function, Kind};
 
+/// Whether a result has no NaN, and no light below 0.
+pub fn is_sound(function: &Function, result: &[f32]) -> bool {
+    // vectors have signs, and what arrives begins with one
+    let light = match function.result {
+        Kind::Unit | Kind::Vector | Kind::Tangent | Kind::Measured => &[],
+        Kind::Arrival => &result[3..],
+        _ => result,
+    };
+    !result.iter().any(|x| x.is_nan()) && light.iter().all(|x| *x >= 0.0)
+}
+
 /// The numbers of the arguments of many calls, one call after another.
 pub fn arguments(function: &Function, draw: Draw, calls: usize) -> Vec<f32> {
     let mut random = Random { state: 7, draw };
