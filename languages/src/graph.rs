@@ -204,17 +204,14 @@ impl Graph {
         if let Some(answer) = self.known(test) {
             return if answer { then } else { otherwise };
         }
-        let (yes, no) = (&self.nodes[then], &self.nodes[otherwise]);
-        match (test, yes.clone(), no.clone()) {
+        match (
+            test,
+            self.nodes[then].clone(),
+            self.nodes[otherwise].clone(),
+        ) {
             // max and min, as the crate derives them
             (Test::Above(a, b), ..) if (a, b) == (then, otherwise) => self.binary(Op::Max, a, b),
             (Test::Above(a, b), ..) if (b, a) == (then, otherwise) => self.binary(Op::Min, a, b),
-            (_, Node::Select(inner, ..), _) if inner == test => {
-                let Node::Select(_, yes, _) = yes else {
-                    unreachable!()
-                };
-                self.select(test, *yes, otherwise)
-            }
             (_, Node::Binary(op, a, x), Node::Binary(same, b, y)) if op == same && a == b => {
                 let right = self.select(test, x, y);
                 self.binary(op, a, right)

@@ -51,41 +51,30 @@ fn added<T: Number>(sums: Sums<T>, step: Vec<T>) -> Vec<T> {
     both.map(|(sum, step)| sum + step).collect()
 }
 
-fn diffuse_and_specular<T: Number>(
-    Shaded {
-        diffuse, specular, ..
-    }: Shaded<T>,
-) -> Vec<T> {
-    Sums { diffuse, specular }.parts()
+fn diffuse_and_specular<T: Number>(shaded: Shaded<T>) -> Vec<T> {
+    [shaded.diffuse.parts(), shaded.specular.parts()].concat()
 }
 
-fn measured_one<T: Number>() -> Dimmed<T> {
-    Dimmed {
-        color: Rgb::WHITE,
-        factor: T::ONE,
-    }
+const fn full<T: Number>() -> Dimmed<T> {
+    let (color, factor) = (Rgb::WHITE, T::ONE);
+    Dimmed { color, factor }
 }
 
 /// The factor of a beam by the cosine to its axis.
 fn beam<T: Number>(cosine: T, edges: [T; 2], is_smooth: T::Mask) -> T {
     let [w, axis] = [T::ONE, -cosine].map(|x| Vec3::new(x, T::ZERO, T::ZERO));
+    let [w_length, length] = [T::ONE; 2];
     let measured = Measured {
         w,
-        w_length: T::ONE,
-        length: T::ONE,
+        w_length,
+        length,
     };
-    T::beamed(measured_one(), axis, edges, is_smooth, w, &measured).factor
+    T::beamed(full(), axis, edges, is_smooth, w, &measured).factor
 }
 
 fn window<T: Number>(q: T, r: T, is_squared: T::Mask) -> T {
-    T::windowed(
-        measured_one(),
-        Vec3::new(q, T::ZERO, T::ZERO),
-        q,
-        r,
-        is_squared,
-    )
-    .factor
+    let v = Vec3::new(q, T::ZERO, T::ZERO);
+    T::windowed(full(), v, q, r, is_squared).factor
 }
 
 macro_rules! of_kind {

@@ -5,6 +5,7 @@
     clippy::cast_precision_loss,
     clippy::cast_sign_loss
 )]
+#![allow(dead_code)] // each test uses a part
 
 use shading_languages::{Function, Kind};
 
