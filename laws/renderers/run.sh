@@ -35,9 +35,7 @@ shader() {
     install_packages libvulkan1 mesa-vulkan-drivers
     export XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-$PWD/target} # Mesa asks for it
     cargo clippy --quiet -p shader --all-targets -- -D warnings
-    cargo test --quiet --release -p shader
-    cargo build --quiet --release -p shader
-    judge -- target/release/shader
+    cargo test --quiet --release -p shader # it needs no pipe: its test has the outcome of each law
 }
 
 web() {

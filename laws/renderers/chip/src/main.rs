@@ -12,35 +12,16 @@ use embedded_3dgfx::pipeline::command_buffer::RenderCommand;
 use embedded_3dgfx::prelude::*;
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use nalgebra::{Matrix4, Point3, Vector3};
-use serde::Deserialize;
+use shading_laws::{Light, Model, Scene};
 
 const PROFILE: &str = r#"{"name":"embedded-3dgfx","models":["lambert","blinn_phong"],"ambient":false,"lights":["directional"],"most_lights":1,"unit_vectors":true,"bits":6,"departs":["HighlightNotGated"]}"#;
 
-type Triple = [f32; 3];
-
-#[derive(Deserialize)]
-struct Scene {
-    model: String,
-    p: Triple,
-    n: Triple,
-    v: Triple,
-    k_d: Triple,
-    k_s: Triple,
-    m: f32,
-    lights: Vec<Light>,
-}
-
-#[derive(Deserialize)]
-struct Light {
-    intensity: Triple,
-    l: Triple,
-}
-
-fn shade(engine: &mut K3dengine, scene: &Scene) -> Triple {
-    let Some(light) = scene.lights.first() else {
+fn shade(engine: &mut K3dengine, scene: &Scene) -> [f32; 3] {
+    let Some(Light::Directional { intensity, l }) = scene.lights.first() else {
         return [0.0; 3];
     };
-    let [p, n, v, l] = [scene.p, scene.n, scene.v, light.l].map(Vector3::from);
+    let vector = |v: [f64; 3]| Vector3::from(v.map(|c| c as f32));
+    let [p, n, v, l] = [scene.p, scene.n, scene.v, *l].map(vector);
     engine.camera.position = Point3::from(p + v);
     let light_dir = Vector3::new(l.x, l.y, -l.z); // the engine reverses z
     // around p, and tilted so that no eye sees its back, which is not drawn
@@ -48,19 +29,19 @@ fn shade(engine: &mut K3dengine, scene: &Scene) -> Triple {
     let triangle = Geometry {
         vertices: &vertices,
         faces: &[[0, 1, 2]],
-        normals: &[scene.n],
-        vertex_normals: &[scene.n; 3],
+        normals: &[n.into()],
+        vertex_normals: &[n.into(); 3],
         ..Geometry::default()
     };
 
     std::array::from_fn(|i| {
-        let [k_d, k_s] = [scene.k_d, scene.k_s].map(|k| k[i] * light.intensity[i]);
-        let mode = match scene.model.as_str() {
-            "lambert" => RenderMode::GouraudLightDir(light_dir),
+        let [k_d, k_s] = [scene.k_d, scene.k_s].map(|k| k[i] as f32 * intensity[i] as f32);
+        let mode = match scene.model {
+            Model::Lambert => RenderMode::GouraudLightDir(light_dir),
             _ => RenderMode::BlinnPhong {
                 light_dir,
                 specular_intensity: k_s,
-                shininess: scene.m,
+                shininess: scene.m as f32,
             },
         };
         let mut mesh = K3dMesh::new(triangle);
@@ -101,9 +82,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             r#"{"shading-laws":1}"# => writeln!(output, "{PROFILE}")?,
             "" => {}
             scene => {
-                let color = shade(&mut engine, &serde_json::from_str(scene)?);
-                serde_json::to_writer(&mut output, &color)?;
-                writeln!(output)?;
+                let color = shade(&mut engine, &Scene::from_json(scene)?);
+                writeln!(output, "{color:?}")?;
                 continue;
             }
         }
