@@ -143,9 +143,13 @@ impl<'a> Formula<'a> {
         }
     }
 
-    /// The same in another precision.
+    /// The same, wrong by its precision.
     pub fn in_precision(self, u: f64) -> Self {
-        Self { u, ..self }
+        Self {
+            u,
+            is_wrong: true,
+            ..self
+        }
     }
 
     fn at(&self) -> At {

@@ -32,6 +32,7 @@ mod shrink;
 
 // a run: what it tries, what it may conclude, and what it says
 mod cause;
+mod evidence;
 mod options;
 mod place;
 mod plan;

@@ -1,7 +1,10 @@
 //! Where a renderer is wrong: one thing at a time is taken out of broken cases, and what repairs them is told.
 
+use std::cmp::Reverse;
+
 use serde::Serialize;
 
+use crate::cause::is_nearly_all;
 use crate::edit::EDITS;
 use crate::profile::Profile;
 use crate::scene::Scene;
@@ -46,8 +49,8 @@ impl Place {
 }
 
 /// Parts that make up one thing, and what else may be told of either: where both are wrong, the
-/// highlight, the lamps, the lights, or everything is.
-const PARTS: [([&str; 2], &[&str]); 5] = [
+/// highlight, the lamps, the lights, or everything is. A surface and a light are factors of one product.
+const PARTS: [([&str; 2], &[&str]); 6] = [
     (
         ["Phong", "Blinn"],
         &["highlight", "lights", "several lights"],
@@ -56,6 +59,7 @@ const PARTS: [([&str; 2], &[&str]); 5] = [
         ["spot", "point"],
         &["cone", "lamps", "lights", "several lights"],
     ),
+    (["color of the surface", "color of lights"], &[]),
     (["lamps", "directional"], &["lights", "several lights"]),
     (["diffuse", "highlight"], &["lights", "several lights"]),
     (["ambient", "lights"], &["several lights"]),
@@ -63,10 +67,6 @@ const PARTS: [([&str; 2], &[&str]); 5] = [
 
 /// What may be two things.
 const GENERAL: [&str; 3] = ["highlight", "lamps", "lights"];
-
-/// What is wrong without a whole term is not wrong only with it; other edits may change a case in
-/// more ways than one.
-const TERMS: [&str; 4] = ["highlight", "diffuse", "ambient", "lights"];
 
 /// Things of which the first is all that is left without the second.
 const ALONE: [[&str; 2]; 4] = [
@@ -87,8 +87,8 @@ const TURNS: [&str; 3] = ["shininess", "Phong", "Blinn"];
 /// The most things that are taken out one after the other, each because another is wrong, too.
 const DEPTH: usize = 2;
 
-/// The fewest cases that have a place.
-const FEWEST: usize = 3;
+/// The most edits by which two mistakes are told apart. Each takes two experiments, and the renderer's time.
+const MOST_PARTS: usize = 5;
 
 /// The fewest cases that show a second mistake. An edit that repairs a case as often as not repairs all of 8 by
 /// chance once in 256 times, so one of all edits does in 9 of 100; of 3, about three do.
@@ -111,16 +111,9 @@ struct Experiment {
     unknown: Vec<u64>,
 }
 
-/// Whether something is nearly all of a count. In some of the scenes an edit leaves what it is about as it was,
-/// such as a second light that the wrong one hides, so a tenth may miss. Of 60 scenes without a whole term only
-/// one may, where rounding decides. The mistakes of `tests/mistakes.txt` are placed with these numbers.
-fn is_nearly_all(cases: u64, count: u32, id: &str) -> bool {
-    let of = if TERMS.contains(&id) {
-        [33, 32]
-    } else {
-        [10, 9]
-    };
-    count > 0 && cases.count_ones() * of[0] >= count * of[1]
+/// The number of cases of a set.
+fn count(cases: u64) -> usize {
+    cases.count_ones() as usize
 }
 
 /// The place of an edit among all.
@@ -351,19 +344,17 @@ impl Experiment {
         let mut place = Place::default();
         let is_of = |place: &Place, ids: &[&str]| place.only_with.iter().any(|id| ids.contains(id));
         for (k, edit) in EDITS.iter().enumerate() {
-            let (repaired, broken) = (self.repaired[k], self.broken[k]);
-            let known = of & !self.unknown[k];
-            let is_known =
-                known.count_ones() * 2 > of.count_ones() && !self.alone.contains(&edit.id);
-            let is_told = if is_known {
-                is_nearly_all(repaired, known.count_ones(), edit.id)
+            let known = count(of & !self.unknown[k]);
+            let [repaired, broken] = self.counts(k);
+            let is_told = if known * 2 > count(of) && !self.alone.contains(&edit.id) {
+                is_nearly_all(repaired, known)
             } else {
                 edit.id == "lamps" && is_of(&place, &OF_LAMPS)
                     || edit.id == "highlight" && is_of(&place, &OF_HIGHLIGHTS)
             };
             if is_told {
                 place.only_with.push(edit.id);
-            } else if broken.count_ones() > repaired.count_ones() {
+            } else if broken > repaired {
                 place.also_without.push(edit.id);
             }
         }
@@ -380,8 +371,8 @@ impl Experiment {
                 continue;
             };
             let of = self.repaired[edit] & self.broken[other];
-            let is_known = of.count_ones() as usize >= FEWEST && !place.only_with.contains(&id);
-            if is_known && is_nearly_all(self.repaired[k] & of, of.count_ones(), id) {
+            let is_known = count(of) >= FEW && !place.only_with.contains(&id);
+            if is_known && is_nearly_all(count(self.repaired[k] & of), count(of)) {
                 place.also_without.retain(|it| *it != id);
                 place.only_with.push(id);
                 place.only_with.sort_by_key(|id| number(id));
@@ -391,13 +382,18 @@ impl Experiment {
 
     /// The edits that repair some of the cases and leave others, the most helpful ones first.
     fn parts(&self) -> Vec<usize> {
-        let few = (self.count / 10).max(FEWEST);
-        let counts =
-            |k: usize| [self.repaired[k], self.broken[k]].map(|cases| cases.count_ones() as usize);
-        let is_part = |k: &usize| counts(*k)[0] >= few && counts(*k)[1] > 0;
+        let is_part = |k: &usize| {
+            let [repaired, broken] = self.counts(*k);
+            repaired >= FEW && broken > 0
+        };
         let mut parts: Vec<usize> = (0..EDITS.len()).filter(is_part).collect();
-        parts.sort_by_key(|k| std::cmp::Reverse(counts(*k)[0]));
-        parts.truncate(5);
+        parts.sort_by_key(|k| Reverse(self.counts(*k)[0]));
+        parts.truncate(MOST_PARTS);
         parts
+    }
+
+    /// The number of cases that an edit repairs, and that of those that it leaves broken.
+    fn counts(&self, k: usize) -> [usize; 2] {
+        [self.repaired[k], self.broken[k]].map(count)
     }
 }

@@ -31,7 +31,7 @@ pub struct Report {
 }
 
 /// Broken laws that have one cause, or of which none is known.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Finding {
     /// What explains the colors.
     pub cause: Option<Cause>,

@@ -105,7 +105,7 @@ fn examples_keep_all_laws() {
 
 /// The mistakes of a table, made in another program than this: each is found, nearly all have
 /// exactly the place that stands there, and none has another.
-fn mistakes_are_found_and_placed(step: usize) {
+fn mistakes_are_found_and_placed(step: usize, seed: usize) {
     let rows = include_str!("mistakes.txt").lines();
     let rows: Vec<&str> = rows
         .filter(|row| !row.starts_with('#'))
@@ -113,7 +113,7 @@ fn mistakes_are_found_and_placed(step: usize) {
         .collect();
     let some = |part: usize| -> Vec<_> {
         let of_part = rows.iter().skip(part).step_by(2);
-        of_part.filter_map(|row| misplaced(row)).collect()
+        of_part.filter_map(|row| misplaced(row, seed)).collect()
     };
     let inexact: Vec<String> = thread::scope(|scope| {
         let threads = [0, 1].map(|part| scope.spawn(move || some(part)));
@@ -122,24 +122,26 @@ fn mistakes_are_found_and_placed(step: usize) {
             .flat_map(|thread| thread.join().expect("no panic"))
             .collect()
     });
-    println!("{} rows, not exact: {inexact:#?}", rows.len());
+    println!("seed {seed}, {} rows, not exact: {inexact:#?}", rows.len());
     assert!(inexact.len() * 20 <= rows.len().max(20));
 }
 
 #[test]
 fn some_mistakes_in_the_example_are_found_and_placed() {
-    mistakes_are_found_and_placed(6);
+    mistakes_are_found_and_placed(6, 0);
 }
 
 #[test]
-#[ignore = "it takes half a minute"]
-fn all_mistakes_in_the_example_are_found_and_placed() {
-    mistakes_are_found_and_placed(1);
+#[ignore = "it takes minutes"]
+fn all_mistakes_in_the_example_are_found_and_placed_at_five_seeds() {
+    for seed in 0..5 {
+        mistakes_are_found_and_placed(1, seed);
+    }
 }
 
 /// Makes the mistakes of a row, and says what is told if it is not exactly the place of the row.
 /// Nothing may be told that is neither a part of it nor more than it.
-fn misplaced(row: &str) -> Option<String> {
+fn misplaced(row: &str, seed: usize) -> Option<String> {
     let fields: Vec<&str> = row.rsplitn(3, " => ").collect();
     let [expected, names, edits] = fields[..] else {
         panic!("{row}");
@@ -152,8 +154,9 @@ fn misplaced(row: &str) -> Option<String> {
         script = script.replacen(&old, &new, 1);
     }
     // few laws and cases, so that ninety runs take seconds
-    let line = r#"$laws --cases 128 --no-shrink --json python3 -c "$script" 2>/dev/null"#;
-    let report = shell(&temporary(), &script, line, 1);
+    let options = format!("--seed {seed} --cases 128 --no-shrink --json");
+    let line = format!(r#"$laws {options} python3 -c "$script" 2>/dev/null"#);
+    let report = shell(&temporary(), &script, &line, 1);
     for name in names.split(", ").filter(|name| *name != "-") {
         let is_named = report.contains(&format!("\"{name}"));
         assert!(is_named, "{row}: not named {name}: {report}");

@@ -28,8 +28,6 @@ pub struct Mistake {
     pub changes: Changes,
     /// Nobody makes it on purpose, because a color that is not finite breaks a law whatever is declared.
     pub is_fatal: bool,
-    /// It changes no ingredient, but computes all of them with fewer digits.
-    pub is_rough: bool,
 }
 
 /// A known mistake with its number.
@@ -37,13 +35,6 @@ pub struct Mistake {
 pub struct Fault {
     pub(crate) mistake: &'static Mistake,
     pub(crate) value: f64,
-}
-
-impl Mistake {
-    /// Whether it explains any color that is off by so little.
-    pub fn is_rough(&self) -> bool {
-        self.is_rough
-    }
 }
 
 impl Fault {
@@ -64,8 +55,7 @@ impl Fault {
 
     /// The known mistakes, each with the first number that is tried for it.
     pub fn known() -> impl Iterator<Item = Self> {
-        let exact = MISTAKES.iter().filter(|mistake| !mistake.is_rough());
-        exact.map(|mistake| Self {
+        MISTAKES.iter().map(|mistake| Self {
             mistake,
             value: mistake.values.first().copied().unwrap_or(0.0),
         })
@@ -89,16 +79,6 @@ impl Fault {
         formula(&profile, Some(*self)).reply(scene)
     }
 
-    /// Those that change an ingredient.
-    pub(crate) fn exact() -> impl Iterator<Item = Self> {
-        Self::all().filter(|fault| !fault.mistake.is_rough())
-    }
-
-    /// Those that compute all ingredients with fewer digits.
-    pub(crate) fn rough() -> impl Iterator<Item = Self> {
-        Self::all().filter(|fault| fault.mistake.is_rough())
-    }
-
     /// Every mistake with every number that is tried for it.
     pub(crate) fn all() -> impl Iterator<Item = Self> {
         MISTAKES.iter().flat_map(|mistake| {
@@ -120,7 +100,7 @@ impl FromStr for Fault {
             Some((id, value)) => (id, Some(value)),
             None => (name, None),
         };
-        let fault = Self::all().find(|fault| fault.id() == id && !fault.mistake.is_rough());
+        let fault = Self::all().find(|fault| fault.id() == id);
         let mut fault = fault.ok_or_else(|| {
             let names: Vec<String> = Self::known().map(|fault| fault.name()).collect();
             format!("there is no departure {id}; there are {}", names.join(", "))
@@ -172,9 +152,5 @@ pub fn formula(profile: &Profile, fault: Option<Fault>) -> Formula<'_> {
             value,
         })
     });
-    let formula = Formula::new(profile, changes.collect(), fault.is_some());
-    match fault.filter(|fault| fault.mistake.is_rough()) {
-        Some(rough) => formula.in_precision((-rough.value).exp2()),
-        None => formula,
-    }
+    Formula::new(profile, changes.collect(), fault.is_some())
 }

@@ -25,7 +25,6 @@ const fn row(id: &'static str, says: &'static str, changes: Changes) -> Mistake 
         values: &[],
         changes,
         is_fatal: false,
-        is_rough: false,
     }
 }
 
@@ -38,13 +37,6 @@ impl Mistake {
     const fn fatal(self) -> Self {
         Self {
             is_fatal: true,
-            ..self
-        }
-    }
-
-    const fn rough(self) -> Self {
-        Self {
-            is_rough: true,
             ..self
         }
     }
@@ -354,15 +346,4 @@ pub static MISTAKES: &[Mistake] = &[
             of_linear(at, |x| (x * most).floor() / most)
         })],
     ),
-    // what is no change of one ingredient
-    row(
-        "Imprecise",
-        "it behaves like a roundoff of 2^-{}, lower than the profile says, as half precision, \
-         bfloat, a table or a fast inverse root would",
-        &[],
-    )
-    .of(&[
-        24.0, 22.0, 20.0, 18.0, 16.0, 14.0, 13.0, 12.0, 11.0, 10.0, 9.0, 8.0, 7.0,
-    ])
-    .rough(),
 ];

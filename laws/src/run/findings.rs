@@ -1,0 +1,274 @@
+//! What a run concludes: what depends on what was asked before, what the cause is, and where the colors are wrong.
+
+use std::slice;
+use std::time::Duration;
+
+use super::{Failure, Run, SEARCH};
+use crate::cause::Cause;
+use crate::edit::EDITS;
+use crate::evidence::FEW;
+use crate::formula::Formula;
+use crate::law::{Broken, Law};
+use crate::mistakes::formula;
+use crate::place::{self, Place};
+use crate::plan::Case;
+use crate::profile::Profile;
+use crate::report::{Counterexample, Finding};
+use crate::scene::{Scene, Triple};
+
+/// The most broken cases that are placed.
+const MOST_BROKEN: usize = 600;
+
+impl Run<'_> {
+    /// The broken laws, together with what is known of their cause: what depends on what was asked
+    /// before, and all else.
+    pub(super) fn findings(&mut self) -> Vec<Finding> {
+        let broken = self.failures.keys().copied();
+        let (mut of_state, others): (Vec<Law>, Vec<Law>) =
+            broken.partition(|law| *law == Law::NoMemory);
+        let explains = self.plan.laws.explains;
+        let cause = explains.then(|| self.evidence.cause()).flatten();
+        let is_right_alone = self.is_right_alone();
+        let history = if is_right_alone { self.history() } else { None };
+        let is_fickle = !of_state.is_empty() || is_right_alone || self.is_right_again();
+        let names = |laws: &[Law]| laws.iter().map(|law| law.name()).collect();
+        let mut findings = Vec::new();
+        if is_fickle {
+            if cause.is_none() || of_state.is_empty() {
+                of_state.extend(&others);
+            }
+            findings.push(Finding {
+                cause: Some(Cause::state()),
+                laws: names(&of_state),
+                history: history.map(Box::new),
+                ..Finding::default()
+            });
+        }
+        if !others.is_empty() && (cause.is_some() || !is_fickle) {
+            let laws = names(&others);
+            let finding = |(cause, places)| Finding {
+                cause,
+                places,
+                laws: laws.clone(),
+                ..Finding::default()
+            };
+            findings.extend(self.placed(cause).into_iter().map(finding));
+        }
+        findings
+    }
+
+    /// Causes with their places: one, or two where one mistake is known and something else is wrong without it.
+    fn placed(&mut self, cause: Option<Cause>) -> Vec<(Option<Cause>, Vec<Place>)> {
+        let (plan, scenes) = (self.plan, self.broken());
+        let places = self.places(&plan.profile, &scenes).unwrap_or_default();
+        let is_whole = |it: &Cause| it.of > 0 && it.is_nearly_all();
+        if !plan.laws.explains || cause.as_ref().is_some_and(is_whole) {
+            return vec![(cause, places)];
+        }
+        let is_vague = matches!(&places[..], [place] if place.is_general());
+        let parts = self.evidence.parts();
+        let candidates: Vec<Cause> = cause.iter().chain(parts).cloned().collect();
+        for part in candidates {
+            let Some(then) = part.then.as_deref() else {
+                continue;
+            };
+            let rest = self.evidence.rest(then);
+            let left = rest.wrong_scenes();
+            if left.len() < FEW {
+                continue;
+            }
+            let other = rest.whole();
+            if other.is_none() && !is_vague {
+                continue;
+            }
+            let others = self.places(then, &left).unwrap_or_default();
+            let is_sure = part.is_half() || other.is_some();
+            if is_sure || others.iter().all(|place| !place.is_general()) {
+                let of_part = places_of_mistake(&scenes, &plan.profile, then);
+                // the parts of one thing are one mistake
+                let mut all = [&of_part[..], &others].concat();
+                place::merge(&mut all);
+                if all.len() > 1 {
+                    return vec![(Some(part), of_part), (other, others)];
+                }
+            }
+        }
+        vec![(cause, places)]
+    }
+
+    /// The reply to the last scene, of a renderer that has forgotten all before, if it can forget.
+    fn afresh(&mut self, scenes: &[Scene]) -> Option<Vec<Triple>> {
+        if self.is_over || !self.renderer.begin_again().unwrap_or(false) {
+            return None;
+        }
+        self.ask(scenes)
+    }
+
+    /// The first case that is wrong by itself, or so it seems.
+    fn first(&self) -> Option<Failure> {
+        let mut failures = self.failures.range(..Law::NoMemory);
+        failures.find_map(|(_, it)| it.first()).cloned()
+    }
+
+    /// How the reply to the last of some scenes breaks the law that a case broke.
+    fn again(&self, failure: &Failure, replies: &[Triple]) -> Option<Broken> {
+        let last = [*replies.last()?];
+        let law = failure.law;
+        law.broken(&self.right, failure.case.linear, &last)
+    }
+
+    /// Whether a color that was wrong is right if nothing is asked before. A renderer that cannot forget does
+    /// not show it.
+    fn is_right_alone(&mut self) -> bool {
+        let Some(failure) = self.first() else {
+            return false;
+        };
+        let scene = slice::from_ref(&failure.case.scene);
+        let replies = self.afresh(scene);
+        replies.is_some_and(|replies| self.again(&failure, &replies).is_none())
+    }
+
+    /// The few scenes after which a color is wrong that is right without them, if few are found.
+    fn history(&mut self) -> Option<Counterexample> {
+        let failure = self.first()?;
+        let scene = slice::from_ref(&failure.case.scene);
+        let until = self.end_of_search();
+        let before = self
+            .plan
+            .cases
+            .iter()
+            .take_while(|case| case.scene != failure.case.scene);
+        let mut before: Vec<Scene> = before.flat_map(Case::scenes).collect();
+        let mut found = None;
+        // one half is enough, as long as one scene is the reason
+        'halved: while self.now() < until {
+            let latter = before.split_off(before.len() / 2);
+            for half in [latter, std::mem::take(&mut before)] {
+                let scenes = [&half, scene].concat();
+                let replies = self.afresh(&scenes).unwrap_or_default();
+                if replies.is_empty() {
+                    break 'halved;
+                }
+                if let Some(broken) = self.again(&failure, &replies) {
+                    found = Some((scenes, replies, broken));
+                    if half.len() < 2 {
+                        break 'halved;
+                    }
+                    before = half;
+                    continue 'halved;
+                }
+            }
+            break;
+        }
+        let (scenes, colors, broken) = found.filter(|(scenes, ..)| scenes.len() <= 8)?;
+        Some(self.told(scenes, colors, broken))
+    }
+
+    /// Whether what was wrong is right when it is asked again, so that it depends on what was asked before.
+    fn is_right_again(&mut self) -> bool {
+        let first = self.failures.values().filter_map(|of_law| of_law.first());
+        let first: Vec<Failure> = first.cloned().collect();
+        let cases: Vec<Case> = first.iter().map(|failure| failure.case.clone()).collect();
+        let Some(replies) = self.replies(&cases) else {
+            return false;
+        };
+        let again = first.iter().zip(&replies);
+        let broken =
+            again.filter(|(it, replies)| self.failure(it.law, &it.case, replies).is_some());
+        broken.count() * 2 < first.len()
+    }
+
+    /// Some of the scenes whose colors are wrong, of each law as many.
+    fn broken(&self) -> Vec<Scene> {
+        // what is remembered has no place, and is the last law
+        let of_law = self.failures.range(..Law::NoMemory);
+        let of_law: Vec<&Vec<Failure>> = of_law.map(|(_, failures)| failures).collect();
+        let most = MOST_BROKEN / of_law.len().max(1);
+        let some = of_law.into_iter().flat_map(|failures| {
+            let count = failures.len().min(most);
+            (0..count).map(move |i| failures[i * failures.len() / count].case.scene.clone())
+        });
+        some.collect()
+    }
+
+    /// Where the colors of these scenes are wrong for a renderer that says this of itself.
+    fn places(&mut self, profile: &Profile, scenes: &[Scene]) -> Option<Vec<Place>> {
+        if self.is_over {
+            return None;
+        }
+        let waited = self.waited.as_secs_f64();
+        let until_end = |end: Duration| end.saturating_sub(self.now()).min(SEARCH);
+        let left = self.deadline.map_or(SEARCH, until_end).as_secs_f64();
+        // so many cases without each of so many things
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 2 to 60
+        #[allow(clippy::cast_precision_loss)] // the count of scenes
+        let most =
+            (left / waited * self.asked as f64 / EDITS.len() as f64).clamp(2.0, 60.0) as usize;
+        let (deadline, right) = (self.deadline, formula(profile, None));
+        let ratio = self.plan.profile.white / profile.white;
+        let mut ask = |scenes: &[Scene]| {
+            // with time left for the first experiment, what others would find is left out
+            if deadline.is_some_and(|end| self.now() >= end) {
+                return None;
+            }
+            let mut are_wrong = Vec::new();
+            for some in scenes.chunks(256) {
+                let replies = self.ask(some)?;
+                let is_wrong = |(scene, reply): (&Scene, Triple)| {
+                    is_broken(&right, scene, reply.map(|c| c * ratio))
+                };
+                are_wrong.extend(some.iter().zip(replies).map(is_wrong));
+            }
+            Some(are_wrong)
+        };
+        place::places(scenes, most.min(place::MOST), profile, &mut ask)
+    }
+
+    /// Gives each of two findings of one law a scene in which the other makes no difference.
+    pub(super) fn show_apart(&mut self, findings: &mut [Finding], until: Duration) {
+        let plan = self.plan;
+        let [.., first, second] = findings else {
+            return;
+        };
+        let then = first.cause.as_ref().and_then(|cause| cause.then.clone());
+        let Some(then) = then.filter(|_| first.laws == second.laws) else {
+            return;
+        };
+        let (right, with_first) = (formula(&plan.profile, None), formula(&then, None));
+        let ratio = plan.profile.white / then.white;
+        let is_of_first = |scene: &Scene, color: Triple| {
+            with_first.fits(scene, color.map(|c| c * ratio)) == Some(true)
+        };
+        let is_first = |it: &Failure| is_of_first(&it.case.scene, it.replies[0]);
+        let is_second = |it: &Failure| is_of_first(&it.case.scene, right.reply(&it.case.scene));
+        let is_so: [&dyn Fn(&Failure) -> bool; 2] = [&is_first, &is_second];
+        for (finding, is_so) in [first, second].into_iter().zip(is_so) {
+            let failures = self.failures.get(&Law::Formula).into_iter().flatten();
+            let least = failures.filter(|it| is_so(it)).min_by_key(|it| it.rank());
+            if let Some(least) = least.cloned() {
+                let smallest = self.smaller(least, until, is_so);
+                finding.own = Some(Box::new(self.counterexample(smallest)));
+            }
+        }
+    }
+}
+
+/// Whether a color breaks a law by itself.
+fn is_broken(right: &Formula, scene: &Scene, reply: Triple) -> bool {
+    let linear = right.linear(scene);
+    let mut alone = Law::ALL.into_iter().filter(|law| *law != Law::NoMemory);
+    alone.any(|law| law.broken(right, linear, &[reply]).is_some())
+}
+
+/// Where the colors would be wrong if nothing else were wrong than what a profile says in addition.
+fn places_of_mistake(scenes: &[Scene], profile: &Profile, then: &Profile) -> Vec<Place> {
+    let (right, wrong) = (formula(profile, None), formula(then, None));
+    let ratio = then.white / profile.white;
+    let is_wrong = |scene: &Scene| {
+        let reply = wrong.reply(scene).map(|c| c * ratio);
+        is_broken(&right, scene, reply)
+    };
+    let scenes: Vec<Scene> = scenes.iter().filter(|it| is_wrong(it)).cloned().collect();
+    let mut ask = |scenes: &[Scene]| Some(scenes.iter().map(is_wrong).collect());
+    place::places(&scenes, place::MOST, profile, &mut ask).unwrap_or_default()
+}

@@ -1,0 +1,331 @@
+//! Tries a renderer by the laws.
+
+mod findings;
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use crate::evidence::Evidence;
+use crate::formula::Formula;
+use crate::law::{Broken, Law};
+use crate::mistakes::formula;
+use crate::options::Laws;
+use crate::plan::{Case, Plan, handed};
+use crate::renderer::{Progress, Renderer};
+use crate::report::{Counterexample, LawReport, Report, Verdict};
+use crate::scene::{Scene, Triple};
+use crate::shrink;
+
+/// The simpler cases that are asked for at once.
+const SIMPLER: usize = 32;
+
+/// The most batches in which a smaller case is looked for.
+const MOST_BATCHES: usize = 200;
+
+/// The longest search for smaller cases, that for places, and that for what was asked before.
+const SEARCH: Duration = Duration::from_secs(2);
+
+impl Laws {
+    /// Tries a renderer by the laws. What prevents an answer is in the report, beside what was found before.
+    ///
+    /// # Errors
+    ///
+    /// In one line: a contradictory profile; no cases at all.
+    pub fn run(&self, renderer: &mut impl Renderer) -> Result<Report, String> {
+        let plan = Plan::new(self, &renderer.profile())?;
+        let start = (self.clock)();
+        let mut run = Run {
+            renderer,
+            plan: &plan,
+            right: formula(&plan.profile, None),
+            start,
+            deadline: self.time.map(|time| start + time),
+            asked: 0,
+            waited: Duration::ZERO,
+            of: handed(&plan.cases).len(),
+            tried: 0,
+            failures: BTreeMap::new(),
+            evidence: Evidence::new(plan.profile.clone()),
+            error: None,
+            is_over: false,
+            is_stopped: false,
+        };
+        run.all();
+        run.is_over = run.is_stopped; // a renderer that ended may answer again
+        Ok(run.report())
+    }
+}
+
+/// Tries a renderer by the laws, and panics with the report if one is broken.
+///
+/// ```should_panic
+/// let black = shading_laws::from_fn(shading_laws::Profile::default(), |_scene| [0.0; 3]);
+/// shading_laws::check(black);
+/// ```
+///
+/// # Panics
+///
+/// If a law is broken, or the renderer cannot answer.
+#[track_caller]
+pub fn check(mut renderer: impl Renderer) {
+    match Laws::default().run(&mut renderer) {
+        Ok(report) if !report.passes() => panic!("{report}"),
+        Ok(_) => {}
+        Err(error) => panic!("{error}"),
+    }
+}
+
+/// A case in which a law does not hold.
+#[derive(Clone)]
+struct Failure {
+    law: Law,
+    case: Case,
+    broken: Broken,
+    replies: Vec<Triple>,
+}
+
+impl Failure {
+    /// The order in which failures are worth showing.
+    fn rank(&self) -> (bool, u32) {
+        (!self.broken.is_clear(), shrink::cost(&self.case.scene))
+    }
+}
+
+struct Run<'a> {
+    renderer: &'a mut dyn Renderer,
+    plan: &'a Plan,
+    right: Formula<'a>,
+    start: Duration,
+    deadline: Option<Duration>,
+    /// The number of scenes, and that of the whole plan.
+    asked: usize,
+    of: usize,
+    /// The time that the renderer took for them.
+    waited: Duration,
+    /// The number of cases, and for each law those that failed.
+    tried: usize,
+    failures: BTreeMap<Law, Vec<Failure>>,
+    evidence: Evidence,
+    /// Why the renderer did not answer the first time that it did not, and whether it was the last
+    /// time that it was asked.
+    error: Option<String>,
+    is_over: bool,
+    /// The renderer does not go on.
+    is_stopped: bool,
+}
+
+impl Run<'_> {
+    /// Every case of the plan, until the time is up or the renderer no longer answers.
+    fn all(&mut self) -> Option<()> {
+        for range in self.plan.batches() {
+            if range.start > 0 && self.is_late() {
+                break;
+            }
+            let cases = &self.plan.cases[range];
+            for (case, replies) in cases.iter().zip(self.replies(cases)?) {
+                let is_right = self.right.fits_linear(case.linear, replies[0]) != Some(false);
+                self.evidence.note(is_right, &case.scene, replies[0]);
+                for law in Law::ALL {
+                    if let Some(failure) = self.failure(law, case, &replies) {
+                        self.failures.entry(law).or_default().push(failure);
+                    }
+                }
+            }
+            self.tried += cases.len();
+        }
+        Some(())
+    }
+
+    fn now(&self) -> Duration {
+        (self.plan.laws.clock)()
+    }
+
+    fn is_late(&self) -> bool {
+        self.deadline.is_some_and(|end| {
+            // what is wrong needs time to be placed
+            let left = end.saturating_sub(self.now());
+            left.is_zero() || !self.failures.is_empty() && left * 4 < end.saturating_sub(self.start)
+        })
+    }
+
+    /// How a case breaks a law, if it does.
+    fn failure(&self, law: Law, case: &Case, replies: &[Triple]) -> Option<Failure> {
+        Some(Failure {
+            law,
+            case: case.clone(),
+            broken: law.broken(&self.right, case.linear, replies)?,
+            replies: replies.to_vec(),
+        })
+    }
+
+    /// When a search ends that begins now.
+    fn end_of_search(&self) -> Duration {
+        let end = self.now() + SEARCH;
+        self.deadline.map_or(end, |deadline| deadline.min(end))
+    }
+
+    /// For each case the colors of its scenes.
+    fn replies(&mut self, cases: &[Case]) -> Option<Vec<Vec<Triple>>> {
+        let mut replies = self.ask(&handed(cases))?.into_iter();
+        let of_case = |case: &Case| replies.by_ref().take(case.scenes().len()).collect();
+        Some(cases.iter().map(of_case).collect())
+    }
+
+    /// The colors of scenes, with 1 for white, if the renderer answers.
+    fn ask(&mut self, scenes: &[Scene]) -> Option<Vec<Triple>> {
+        if scenes.is_empty() {
+            return Some(Vec::new()); // a batch has scenes
+        }
+        let progress = Progress {
+            asked: self.asked,
+            of: self.of,
+            broken: self.failures.len(),
+        };
+        self.is_stopped |= !self.renderer.goes_on(&progress);
+        if self.is_stopped {
+            self.is_over = true;
+            return None;
+        }
+        self.asked += scenes.len();
+        let asked = self.now();
+        let answer = self.renderer.shade(scenes);
+        self.waited += self.now().saturating_sub(asked);
+        match answer {
+            Ok(mut colors) if colors.len() == scenes.len() => {
+                let white = self.plan.profile.white;
+                colors.iter_mut().flatten().for_each(|c| *c /= white);
+                Some(colors)
+            }
+            answer => {
+                let few =
+                    |colors: Vec<_>| format!("{} colors for {} scenes", colors.len(), scenes.len());
+                let why = answer.map_or_else(|why| why, few);
+                // that it was interrupted is no error
+                self.is_stopped |= !self.renderer.goes_on(&progress);
+                if !self.is_stopped {
+                    self.error.get_or_insert(why);
+                }
+                self.is_over = true;
+                None
+            }
+        }
+    }
+
+    /// What was found, with smaller cases and places where the renderer still answers.
+    fn report(mut self) -> Report {
+        self.evidence.sample();
+        let mut findings = self.findings();
+        let until = self.end_of_search();
+        let laws = Law::ALL.map(|law| {
+            let (name, says) = law.told();
+            LawReport {
+                law: name,
+                says,
+                verdict: self.verdict(law, until),
+            }
+        });
+        self.show_apart(&mut findings, until);
+        for finding in &mut findings {
+            let shown = finding.shown(&laws);
+            finding.scenes = shown.map_or_else(Vec::new, |(_, it)| it.scenes.clone());
+        }
+        Report {
+            version: 8,
+            seed: self.plan.laws.seed,
+            error: self.error,
+            findings,
+            laws: laws.into(),
+            profile: self.plan.profile.clone(),
+            command: None,
+        }
+    }
+
+    fn verdict(&mut self, law: Law, until: Duration) -> Verdict {
+        let is_of_law = |case: &&Case| case.is_of(law);
+        let count = |cases: &[Case]| cases.iter().filter(is_of_law).count();
+        let (cases, of) = (
+            count(&self.plan.cases[..self.tried]),
+            count(&self.plan.cases),
+        );
+        let failures = self.failures.get(&law).map_or(&[][..], Vec::as_slice);
+        match failures.iter().min_by_key(|it| it.rank()).cloned() {
+            Some(least) => Verdict::Broken {
+                cases,
+                failures: failures.len(),
+                smallest: {
+                    let smallest = self.smaller(least, until, &|_| true);
+                    Box::new(self.counterexample(smallest))
+                },
+            },
+            None if cases < of => Verdict::CutShort { cases, of },
+            None => Verdict::Holds { cases },
+        }
+    }
+
+    fn counterexample(&self, failure: Failure) -> Counterexample {
+        let mut scenes = failure.case.scenes();
+        if failure.law != Law::NoMemory {
+            scenes.truncate(1);
+        }
+        self.told(scenes, failure.replies, failure.broken)
+    }
+
+    /// Scenes and their colors, in the numbers that the renderer gives.
+    fn told(&self, scenes: Vec<Scene>, colors: Vec<Triple>, mut broken: Broken) -> Counterexample {
+        let white = self.plan.profile.white;
+        let as_given = |color: Triple| color.map(|c| c * white);
+        let right = scenes.iter().map(|it| self.right.reply(it));
+        broken.off *= white;
+        broken.allowed *= white;
+        Counterexample {
+            right: right.map(as_given).collect(),
+            colors: colors
+                .into_iter()
+                .take(scenes.len())
+                .map(as_given)
+                .collect(),
+            broken,
+            scenes,
+        }
+    }
+
+    /// The smallest case like this that is still broken; if rounding does not explain the first one, it does
+    /// not explain that one either.
+    fn smaller(
+        &mut self,
+        mut failure: Failure,
+        until: Duration,
+        is_so: &dyn Fn(&Failure) -> bool,
+    ) -> Failure {
+        // without a clock, so many batches end the search
+        let mut left = if self.plan.laws.shrinks {
+            MOST_BATCHES
+        } else {
+            0
+        };
+        let (law, is_clear) = (failure.law, failure.broken.is_clear());
+        'smaller: loop {
+            let simpler = shrink::simpler(&failure.case.scene, &self.plan.profile);
+            for scenes in simpler.chunks(SIMPLER) {
+                if left == 0 || self.now() >= until || self.is_over {
+                    return failure;
+                }
+                left -= 1;
+                let scenes = scenes.iter().cloned();
+                let case = |scene| Case::new(scene, &self.right, law == Law::NoMemory);
+                let cases: Vec<Case> = scenes.map(case).collect();
+                let replies = self.replies(&cases).unwrap_or_default();
+                let mut failures = cases
+                    .iter()
+                    .zip(&replies)
+                    .filter_map(|(case, it)| self.failure(law, case, it));
+                let is_like = |it: &Failure| (it.broken.is_clear() || !is_clear) && is_so(it);
+                if let Some(found) = failures.find(is_like) {
+                    failure = found;
+                    continue 'smaller;
+                }
+            }
+            return failure;
+        }
+    }
+}
