@@ -27,6 +27,8 @@ DEFINITIONS = f"""(set-logic QF_BV)
 (define-fun dot ((a {WORD}) (b {WORD}) (c {WORD}) (x {WORD}) (y {WORD}) (z {WORD})) {WORD}
   (let ((sum (bvadd (bvadd (half a x) (half b y)) (half c z)))) (let ((steps (rounded15 sum ((_ extract 63 32) sum))))
   (ite (and (= steps #x00000000) (bvsgt sum #x0000000000000000)) #x00000001 steps))))
+(define-fun faces ((a {WORD}) (b {WORD}) (c {WORD}) (x {WORD}) (y {WORD}) (z {WORD})) Bool
+  (bvsgt (bvadd (bvmul (long a) (long x)) (bvmul (long b) (long y)) (bvmul (long c) (long z))) #x0000000000000000))
 (define-fun lit ((light {WORD}) (factor {WORD})) {WORD}
   (let ((light (ite (bvslt light #x00000000) #x00000000 light))
         (factor (ite (bvslt factor #x00000000) #x00000000 (ite (bvsgt factor one) one factor))))
