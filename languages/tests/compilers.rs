@@ -46,6 +46,33 @@ fn c_and_cpp_compile_without_a_warning() {
     }
 }
 
+/// The code of the page on C, and its sketch with what Arduino would include.
+#[test]
+fn the_code_of_the_page_compiles() {
+    let page = file("../docs/c.md");
+    let mut blocks = page.split("\n```").skip(1).step_by(2);
+    let mut block = |language: &str| {
+        let text = blocks.find_map(|block| block.strip_prefix(language));
+        text.unwrap_or_else(|| panic!("a block of {language}"))
+            .to_string()
+    };
+    let warnings = "-Wall -Wextra -Werror -Wno-unused-function";
+    let source = written("page.c", &block("c\n"));
+    succeeds(
+        &format!("gcc -std=c99 {warnings} -I. -c -o /dev/null {source}")
+            .split(' ')
+            .collect::<Vec<_>>(),
+    );
+    let arduino = "#include <stdint.h>\nstruct Port {\n    void begin(long) {}\n    void print(char) {}\n    void println() {}\n};\nstatic Port Serial;\n";
+    let sketch = format!("{arduino}{}", block("cpp\n"));
+    let source = written("sketch.cpp", &sketch);
+    succeeds(
+        &format!("g++ -std=c++11 {warnings} -Iarduino/src -c -o /dev/null {source}")
+            .split(' ')
+            .collect::<Vec<_>>(),
+    );
+}
+
 /// As a compute shader that is Vulkan's, and as a shader of OpenGL and its browsers.
 #[test]
 fn glsl_and_hlsl_compile() {
