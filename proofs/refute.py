@@ -24,7 +24,7 @@ def refuted(prover, folder, number, claim):
     queries = folder / str(number) / claim
     run("queries", str(queries), claim)
     texts = [path.read_text() for path in sorted(queries.glob("*.F32.*"))]
-    return "Bitwuzla finds one" if any(solve((text, 20))[0] == "sat" for text in texts) else ""
+    return "Bitwuzla finds one" if any(solve((text, 120))[0] == "sat" for text in texts) else ""
 
 
 def main(faults, prover, folder):
