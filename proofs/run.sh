@@ -92,7 +92,7 @@ wrong_rules() {
     local count tests
     count=$("$solver" proofs/plant.py proofs/wrong_rules.txt "$work/wrong/proofs/src")
     (cd "$work/wrong" && RUSTFLAGS="--cap-lints allow" cargo test -q --release -p shading-proofs --no-run --target-dir target)
-    tests=$(ls "$work"/wrong/target/release/deps/{ranges,prover,exhaustive}-* | grep -v '\.d$' | tr '\n' ' ')
+    tests=$(printf '%s\n' "$work"/wrong/target/release/deps/{ranges,prover,exhaustive}-* | grep -v '\.d$' | tr '\n' ' ')
     seq 0 $((count - 1)) | xargs -P 2 -I{} bash -c "for tests in $tests; do for test in \$(\$tests --list | sed -n 's/: test\$//p'); do
         PLANTED={} \$tests --exact \$test >/dev/null 2>&1 || exit 0; done; done; echo 'no test finds rule {}'; exit 1"
     echo "wrong rules: $count found"
