@@ -184,8 +184,8 @@ page() {
     node web/test/exercises.mjs "$built/release/normals" ${PICTURES:+"$(realpath "$PICTURES")"}
 }
 
-# the files of languages/: a ball and a teapot in C, C++, Metal (as C++), GLSL, HLSL and WGSL, and every function in WGSL; the laws
-# on C
+# the files of languages/: a ball and a teapot in C, C++, Metal (as C++), GLSL, HLSL and WGSL; every function in WGSL and GLSL, also
+# with extreme numbers; the laws on C and WGSL
 gpu() {
     install_packages gcc g++ glslang-tools spirv-tools libvulkan1 mesa-vulkan-drivers
     command -v "${CHROMIUM:-chromium}" >/dev/null || install_packages chromium
@@ -226,17 +226,29 @@ gpu() {
     XDG_RUNTIME_DIR=$work "$program" run
 }
 
-# in_a_browser POWER HOW: the scene in GLSL with one of its powers, by WebGL without a GPU
+# in_a_browser POWER HOW: the scene and every function in GLSL with one of its powers, by WebGL without a GPU
 in_a_browser() {
+    local head
+    head=$(printf '#version 300 es\nprecision highp float;\n%s\n' "$1" && cat "$files/shading.glsl")
     {
         echo '<pre id="scene">' && base64 "$work/scene.bin" && echo '</pre><script type="text/plain" id="shader">'
-        printf '#version 300 es\nprecision highp float;\n%s\n' "$1" && cat "$files/shading.glsl" $shaders/webgl.frag
-        echo '</script>' && cat $shaders/webgl.html
+        echo "$head" && cat $shaders/webgl.frag && echo '</script>' && cat $shaders/webgl.html
     } >"$work/webgl.html"
-    "${CHROMIUM:-chromium}" --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader \
-        --virtual-time-budget=60000 --dump-dom "file://$(realpath "$work/webgl.html")" 2>/dev/null |
-        sed -n 's#^<pre id="result">\(.*\)</pre>$#\1#p' | base64 --decode >"$work/webgl.bin"
+    answer_of_a_browser webgl
     "$program" compare "$work/webgl.bin" "$2"
+    {
+        echo '<body><script type="text/plain" id="file">' && echo "$head" && echo '</script>'
+        "$program" calls && cat $shaders/rows.html
+    } >"$work/rows.html"
+    answer_of_a_browser rows
+    "$program" answers "$work/rows.bin" "$2"
+}
+
+# answer_of_a_browser PAGE: what the page writes into its result
+answer_of_a_browser() {
+    "${CHROMIUM:-chromium}" --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader \
+        --virtual-time-budget=60000 --dump-dom "file://$(realpath "$work/$1.html")" 2>/dev/null |
+        sed -n 's#^<pre id="result">\(.*\)</pre>$#\1#p' | base64 --decode >"$work/$1.bin"
 }
 
 [ $# -gt 0 ] || set -- programs chip languages page

@@ -2,6 +2,7 @@
 /* Written by the package shading-languages from the source of the crate shading; do not edit it. */
 /* All directions have length 1 and point away from the surface. A direction that does not exist is 0. */
 /* Numbers are finite, and light, reflectances and the shininess m at least 0; then no result is NaN or negative light. */
+/* Every bit is the crate's, also for numbers from 1e-45 to 1e38; GCC needs -ffp-contract=off. */
 
 #ifndef SHADING_H
 #define SHADING_H

@@ -35,7 +35,8 @@ pub fn files() -> Vec<(&'static str, String)> {
 /// The text of a file.
 #[must_use]
 pub fn text(dialect: &'static Dialect) -> String {
-    let head = HEAD.map(|line| comment(dialect, line)).concat();
+    let head = HEAD.iter().chain(dialect.extremes);
+    let head: String = head.map(|line| comment(dialect, line)).collect();
     let structs = Kind::STRUCTS.iter().map(|kind| structure(dialect, *kind));
     let (powers, others) = functions().split_at(2);
     let texts = |functions: &[Function]| -> String {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use host::{answer, bytes, compiled};
 use shading_languages::{Arguments, Function, functions};
-use support::{Draw, arguments, is_sound};
+use support::{ALL, Draw, arguments, is_sound};
 
 mod host;
 mod support;
@@ -55,7 +55,7 @@ fn each_bit_is_the_crates() {
     let command = [&["gcc", "-std=c99", "-O2"], &warnings[..]].concat();
     let program = compiled(&command, &host::program(|_| true), "bits-gcc").unwrap();
     let mut all = vec![];
-    for draw in [Draw::Ordinary, Draw::Special, Draw::Extreme] {
+    for draw in ALL {
         all.extend(
             functions()
                 .iter()

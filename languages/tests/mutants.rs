@@ -12,9 +12,9 @@ use std::{fs, thread};
 
 use fixed_point::{LEVELS, PROGRAM, by_the_crate, levels_by_the_crate, scenes, words};
 use host::{answer, bytes, compiled};
-use mutant::{Mutant, mutants};
+use mutant::{Mutant, changed_by, mutants};
 use shading_languages::{Arguments, functions};
-use support::{Draw, arguments};
+use support::{ALL, arguments};
 
 mod fixed_point;
 mod host;
@@ -24,6 +24,8 @@ mod support;
 /// What a program is asked, and what the crate answers.
 struct Question {
     argument: &'static str,
+    /// The functions that it asks, or nothing for all.
+    asks: Vec<&'static str>,
     input: Vec<u8>,
     expected: Vec<u8>,
 }
@@ -31,7 +33,7 @@ struct Question {
 /// What is asked of the functions of `shading.h`.
 fn of_floats() -> Vec<Question> {
     let mut all = vec![];
-    for draw in [Draw::Ordinary, Draw::Special, Draw::Extreme] {
+    for draw in ALL {
         for function in functions() {
             let input = arguments(function, draw, 20_000);
             let width: usize = function.parameters.iter().map(|p| p.1.width()).sum();
@@ -39,6 +41,7 @@ fn of_floats() -> Vec<Question> {
             let expected: Vec<_> = input.chunks(width).flat_map(compute).collect();
             all.push(Question {
                 argument: function.name,
+                asks: vec![function.name],
                 input: bytes(&input),
                 expected: bytes(&expected),
             });
@@ -47,6 +50,7 @@ fn of_floats() -> Vec<Question> {
     let light = host::light();
     all.push(Question {
         argument: "levels",
+        asks: vec!["to_srgb8", "to_rgb565"],
         input: bytes(&light),
         expected: host::levels_by_the_crate(&light),
     });
@@ -58,27 +62,31 @@ fn of_fixed_point() -> Vec<Question> {
     let scenes: Vec<_> = scenes().take(100_000).collect();
     let of = |scenes: &[_]| Question {
         argument: "",
+        asks: vec![],
         input: words(scenes.iter().flatten()),
         expected: words(&scenes.iter().flat_map(by_the_crate).collect::<Vec<_>>()),
     };
     let levels = Question {
         argument: LEVELS,
+        asks: vec![],
         input: vec![],
         expected: levels_by_the_crate(),
     };
     vec![of(&scenes[..1000]), levels, of(&scenes[1000..])]
 }
 
-/// A header, the compiler that takes it, and a program that computes its functions, or one of them.
+/// A program that computes the functions of a header that are asked.
+type Program<'a> = dyn Fn(&dyn Fn(&str) -> bool) -> String + Sync + 'a;
+
+/// A header, the compiler that takes it, and the program.
 struct Subject<'a> {
     name: &'a str,
     compiler: &'a [&'a str],
-    program: &'a (dyn Fn(Option<&str>) -> String + Sync),
+    program: &'a Program<'a>,
     questions: &'a [Question],
 }
 
-/// Whether a mutant is found, by the function that has the mistake or else by any; nothing, if it does not
-/// compile.
+/// Whether a mutant is found by a function that it changes; nothing, if it does not compile.
 fn is_found(subject: &Subject, mutant: &Mutant) -> Option<bool> {
     let thread = format!("{:?}", thread::current().id());
     let id = format!("{}_{thread}", std::process::id()).replace(['(', ')'], "");
@@ -87,21 +95,17 @@ fn is_found(subject: &Subject, mutant: &Mutant) -> Option<bool> {
     fs::write(folder.join(subject.name), &mutant.header).unwrap();
     let folder = folder.to_str().expect("a path");
     let command = [subject.compiler, &["-std=c99", "-w", "-I", folder]].concat();
-    let by_one = |q: &&Question| q.argument == mutant.within;
-    let (own, others): (Vec<_>, Vec<_>) = subject.questions.iter().partition(by_one);
-    for (questions, which) in [(own, Some(&mutant.within[..])), (others, None)] {
-        if questions.is_empty() {
-            continue;
-        }
-        let source = (subject.program)(which);
-        let program = compiled(&command, &source, &format!("mutant_{id}")).ok()?;
-        let is_other =
-            |q: &Question| answer(&program, q.argument, &q.input).as_ref() != Some(&q.expected);
-        if questions.into_iter().any(is_other) {
-            return Some(true);
-        }
-    }
-    Some(false)
+    let changed = changed_by(&mutant.header, &mutant.within);
+    let is_changed = |name: &str| changed.iter().any(|changed| changed == name);
+    let may_find = |q: &&Question| q.asks.is_empty() || q.asks.iter().any(|name| is_changed(name));
+    let mut questions: Vec<_> = subject.questions.iter().filter(may_find).collect();
+    // the function itself before others
+    questions.sort_by_key(|q| q.argument != mutant.within);
+    let source = (subject.program)(&is_changed);
+    let program = compiled(&command, &source, &format!("mutant_{id}")).ok()?;
+    let is_other =
+        |q: &Question| answer(&program, q.argument, &q.input).as_ref() != Some(&q.expected);
+    Some(questions.into_iter().any(is_other))
 }
 
 /// The mutants that are not found.
@@ -144,11 +148,10 @@ fn report(survivors: &[Mutant]) {
 #[test]
 #[ignore = "takes minutes"]
 fn mistakes_in_single_precision_are_found() {
-    let program = |only: Option<&str>| host::program(|name| only.is_none_or(|only| name == only));
     report(&survivors(&Subject {
         name: "shading.h",
         compiler: &["gcc"],
-        program: &program,
+        program: &|is_asked| host::program(is_asked),
         questions: &of_floats(),
     }));
 }

@@ -6,9 +6,9 @@ use pollster::block_on;
 use wgpu::util::{BufferInitDescriptor, DeviceExt, DownloadBuffer};
 use wgpu::{
     BindGroupDescriptor, BindGroupEntry, BufferDescriptor, BufferUsages, CommandEncoderDescriptor,
-    ComputePassDescriptor, ComputePipelineDescriptor, Device, DeviceDescriptor, Instance,
-    InstanceDescriptor, PipelineCompilationOptions, PollType, Queue, RequestAdapterOptions,
-    ShaderModuleDescriptor, ShaderSource,
+    ComputePassDescriptor, ComputePipeline, ComputePipelineDescriptor, Device, DeviceDescriptor,
+    Instance, InstanceDescriptor, PipelineCompilationOptions, PollType, Queue,
+    RequestAdapterOptions, ShaderModuleDescriptor, ShaderSource,
 };
 
 use crate::Result;
@@ -33,27 +33,39 @@ impl Gpu {
         })
     }
 
-    /// Runs `main` of a shader once for each result, given its buffers; the results stand in the last.
-    pub fn run(
-        &self,
-        source: ShaderSource,
-        inputs: &[&[u8]],
-        results: usize,
-        width: usize,
-    ) -> Vec<f32> {
-        let device = &self.device;
-        let module = device.create_shader_module(ShaderModuleDescriptor {
+    /// The function `main` of a shader.
+    pub fn kernel(&self, source: ShaderSource) -> Kernel<'_> {
+        let module = self.device.create_shader_module(ShaderModuleDescriptor {
             label: None,
             source,
         });
-        let pipeline = device.create_compute_pipeline(&ComputePipelineDescriptor {
-            label: None,
-            layout: None,
-            module: &module,
-            entry_point: Some("main"),
-            compilation_options: PipelineCompilationOptions::default(),
-            cache: None,
-        });
+        let pipeline = self
+            .device
+            .create_compute_pipeline(&ComputePipelineDescriptor {
+                label: None,
+                layout: None,
+                module: &module,
+                entry_point: Some("main"),
+                compilation_options: PipelineCompilationOptions::default(),
+                cache: None,
+            });
+        Kernel {
+            gpu: self,
+            pipeline,
+        }
+    }
+}
+
+pub struct Kernel<'a> {
+    gpu: &'a Gpu,
+    pipeline: ComputePipeline,
+}
+
+impl Kernel<'_> {
+    /// Runs it once for each result, given its buffers; the results stand in the last.
+    pub fn run(&self, inputs: &[&[u8]], results: usize, width: usize) -> Vec<f32> {
+        let Self { gpu, pipeline } = self;
+        let device = &gpu.device;
         let buffer = |contents: &&[u8]| {
             let usage = BufferUsages::STORAGE;
             device.create_buffer_init(&BufferInitDescriptor {
@@ -89,14 +101,14 @@ impl Gpu {
         });
         let mut commands = device.create_command_encoder(&CommandEncoderDescriptor::default());
         let mut pass = commands.begin_compute_pass(&ComputePassDescriptor::default());
-        pass.set_pipeline(&pipeline);
+        pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &group, &[]);
         pass.dispatch_workgroups(results.div_ceil(64) as u32, 1, 1);
         drop(pass);
-        self.queue.submit([commands.finish()]);
+        gpu.queue.submit([commands.finish()]);
         let (done, result) = mpsc::channel();
         let output = buffers.last().expect("the results");
-        DownloadBuffer::read_buffer(device, &self.queue, &output.slice(..), move |bytes| {
+        DownloadBuffer::read_buffer(device, &gpu.queue, &output.slice(..), move |bytes| {
             done.send(bytes).expect("the program waits");
         });
         device

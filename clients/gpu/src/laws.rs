@@ -7,9 +7,11 @@ use std::thread;
 use bytemuck::{Pod, Zeroable};
 use shading::f32::{Rgb, Vec3};
 use shading_laws::{Laws, Light, Renderer, Scene, Triple};
+use wgpu::ShaderSource;
 
 use crate::Result;
 use crate::buffers::{GpuLight, GpuMaterial};
+use crate::gpu::{Gpu, Kernel};
 
 /// A scene as the shaders read it.
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -104,8 +106,10 @@ fn gpu_light(light: &Light) -> GpuLight {
 /// A program that reads scenes and writes colors, each with a number that fills it.
 struct Program<'a>(&'a str);
 
+type Shaded = std::result::Result<Vec<Triple>, String>;
+
 impl Renderer for Program<'_> {
-    fn shade(&mut self, scenes: &[Scene]) -> std::result::Result<Vec<Triple>, String> {
+    fn shade(&mut self, scenes: &[Scene]) -> Shaded {
         let scenes: Vec<_> = scenes.iter().map(GpuScene::from).collect();
         let mut child = Command::new(self.0)
             .stdin(Stdio::piped())
@@ -121,6 +125,17 @@ impl Renderer for Program<'_> {
         .map_err(|error| error.to_string())?;
         child.wait().map_err(|error| error.to_string())?;
         Ok(triples(&bytemuck::pod_collect_to_vec(&bytes)))
+    }
+}
+
+impl Renderer for Kernel<'_> {
+    fn shade(&mut self, scenes: &[Scene]) -> Shaded {
+        if scenes.is_empty() {
+            return Ok(vec![]); // a buffer holds something
+        }
+        let scenes: Vec<_> = scenes.iter().map(GpuScene::from).collect();
+        let colors = self.run(&[bytemuck::cast_slice(&scenes)], scenes.len(), 4);
+        Ok(triples(&colors))
     }
 }
 
@@ -144,4 +159,18 @@ fn judge(name: &str, renderer: &mut impl Renderer, is_mistaken: bool) -> Result<
 /// The laws on a program in C.
 pub fn of_program(program: &str, is_mistaken: bool) -> Result<()> {
     judge(program, &mut Program(program), is_mistaken)
+}
+
+/// The laws on a file in WGSL, and on the file with a reflection that is wrong.
+pub fn of_file(gpu: &Gpu, name: &str, file: &str) -> Result<()> {
+    let mistaken = file.replace("n_dot_w + n_dot_w", "n_dot_w");
+    if mistaken == file {
+        return Err(format!("{name}: there is no reflection").into());
+    }
+    for (file, is_mistaken) in [(file, false), (&mistaken, true)] {
+        let source = format!("{file}{}", include_str!("../shaders/laws.wgsl"));
+        let mut kernel = gpu.kernel(ShaderSource::Wgsl(source.into()));
+        judge(name, &mut kernel, is_mistaken)?;
+    }
+    Ok(())
 }

@@ -1,7 +1,9 @@
 //! The files of `languages/` at work: `gpu scene FOLDER` writes a scene of points and what the crate makes of it;
-//! `gpu compare FOLDER FILE` compares with it what another program has written; `gpu run [MODULE]` computes every
-//! function and the scene on a Vulkan device, and the scene by a SPIR-V module, if one is named; `gpu laws PROGRAM
-//! [mistaken]` tries the laws of local illumination on a program that shades scenes.
+//! `gpu compare FILE exact|nearly` compares with it what another program has written; `gpu run [MODULE]` computes
+//! every function and the scene on a Vulkan device, and the scene by a SPIR-V module, if one is named, and tries
+//! the laws of local illumination on the files; `gpu laws PROGRAM [mistaken]` tries them on a program that shades
+//! scenes; `gpu calls` prints a page's calls of every function in GLSL, and `gpu answers FILE exact|nearly` judges
+//! their results.
 
 mod buffers;
 #[path = "../../../languages/tests/support/mod.rs"]
@@ -93,13 +95,15 @@ fn run(module: Option<&str>) -> Result<()> {
         let (_, file) = files.iter().find(|file| file.0 == name).ok_or("no file")?;
         println!("{name}");
         let source = format!("{file}{}", include_str!("../shaders/scene.wgsl"));
-        let colors = gpu.run(ShaderSource::Wgsl(source.into()), &inputs, count, 4);
+        let kernel = gpu.kernel(ShaderSource::Wgsl(source.into()));
+        let colors = kernel.run(&inputs, count, 4);
         compare(
             name,
             &alpha(colors),
             if power == Power::Own { ALL } else { NEARLY_ALL },
         )?;
         rows::compare(&gpu, file, power)?;
+        laws::of_file(&gpu, name, file)?;
     }
     if let Some(module) = module {
         let bytes = fs::read(module)?;
@@ -107,7 +111,8 @@ fn run(module: Option<&str>) -> Result<()> {
             .chunks_exact(4)
             .map(|word| u32::from_le_bytes(word.try_into().expect("four")));
         let source = ShaderSource::SpirV(Cow::from(words.collect::<Vec<_>>()));
-        compare(module, &alpha(gpu.run(source, &inputs, count, 4)), ALL)?;
+        let colors = gpu.kernel(source).run(&inputs, count, 4);
+        compare(module, &alpha(colors), ALL)?;
     }
     Ok(())
 }
@@ -130,6 +135,18 @@ fn main() {
                 if how == "exact" { ALL } else { NEARLY_ALL },
             )
         }),
+        ["calls"] => {
+            print!("{}", rows::calls());
+            Ok(())
+        }
+        ["answers", file, how] => {
+            let power = if how == "exact" {
+                Power::Own
+            } else {
+                Power::BuiltIn
+            };
+            read(file).and_then(|numbers| rows::judge_all(&numbers, power))
+        }
         ["laws", program] => laws::of_program(program, false),
         ["laws", program, "mistaken"] => laws::of_program(program, true),
         ["run"] => run(None),
@@ -137,7 +154,11 @@ fn main() {
         _ => {
             let compare = "gpu compare FILE exact|nearly";
             let laws = "gpu laws PROGRAM [mistaken]";
-            Err(format!("usage: gpu scene FOLDER | {compare} | {laws} | gpu run [MODULE]").into())
+            let calls = "gpu calls | gpu answers FILE exact|nearly";
+            Err(format!(
+                "usage: gpu scene FOLDER | {compare} | {calls} | {laws} | gpu run [MODULE]"
+            )
+            .into())
         }
     };
     if let Err(error) = result {

@@ -26,6 +26,9 @@ pub const C: Dialect = Dialect {
         ("pow", "powf"),
     ],
     own: &[],
+    extremes: &[
+        "Every bit is the crate's, also for numbers from 1e-45 to 1e38; GCC needs -ffp-contract=off.",
+    ],
     file: [
         "#ifndef SHADING_H\n#define SHADING_H\n\n#include <math.h>\n#include <stdint.h>\n#include <string.h>\n\n",
         "#endif\n",

@@ -7,7 +7,7 @@ pub struct Mutant {
     pub before: String,
     pub after: String,
     pub header: String,
-    /// The function that has the mistake, without its prefix.
+    /// The function or the table that has the mistake, without its prefix.
     pub within: String,
 }
 
@@ -56,7 +56,8 @@ pub fn mutants(header: &str) -> Vec<Mutant> {
     for (at, line) in lines.iter().enumerate() {
         let begins_comment = line.trim_start().starts_with("/*");
         let is_code = !(is_comment || is_macro || begins_comment || line.starts_with('#'));
-        if let Some((head, _)) = line.split_once('(')
+        // a function, or a table
+        if let Some((head, _)) = line.split_once(['(', '['])
             && head.starts_with("static")
         {
             let name = head.rsplit(' ').next().expect("a name");
@@ -142,4 +143,32 @@ fn next_number(word: &str) -> Option<String> {
     }
     let x: u64 = word.trim_end_matches('u').parse().ok()?;
     Some((x + 1).to_string())
+}
+
+/// What a function or a table of a header may change: itself, what names it, and what names that.
+pub fn changed_by(header: &str, name: &str) -> Vec<String> {
+    let mut all = vec![name.to_string()];
+    let mut within = String::new();
+    for line in header.lines() {
+        if line.starts_with("static")
+            && let Some((head, _)) = line.split_once(['(', '['])
+        {
+            let name = head.rsplit(' ').next().expect("a name");
+            within = name.trim_start_matches("shading_").into();
+            continue;
+        }
+        // each calls only those before it
+        let names = |known: &String| {
+            let mut rest = line.split("shading_").skip(1);
+            rest.any(|rest| {
+                rest.split(|c: char| !c.is_alphanumeric() && c != '_')
+                    .next()
+                    == Some(known)
+            })
+        };
+        if !all.contains(&within) && all.iter().any(names) {
+            all.push(within.clone());
+        }
+    }
+    all
 }

@@ -32,6 +32,8 @@ pub fn arguments(function: &Function, draw: Draw, calls: usize) -> Vec<f32> {
     all
 }
 
+pub const ALL: [Draw; 4] = [Draw::Ordinary, Draw::Special, Draw::Extreme, Draw::Edge];
+
 /// How the numbers of an argument are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Draw {
@@ -40,6 +42,8 @@ pub enum Draw {
     Special,
     /// From the least number to the largest, each of its own size.
     Extreme,
+    /// Vectors whose square is at an end of the range in which squares are exact, 2⁻¹⁰⁰ or 2¹⁰⁰, beside ordinary ones.
+    Edge,
 }
 
 struct Random {
@@ -135,6 +139,13 @@ impl Random {
             Kind::Cosines => {
                 let (a, b) = (self.signed() + 0.0, self.signed() + 0.0);
                 all.extend(if a > b { [a, b] } else { [b, a] });
+            }
+            Kind::Vector if self.draw == Draw::Edge && self.bits() & 1 == 0 => {
+                let x = [f32::from_bits(177 << 23), f32::from_bits(77 << 23)]
+                    [(self.bits() & 1) as usize];
+                let mut v = [x, 0.0, 0.0];
+                v.rotate_right((self.bits() % 3) as usize);
+                all.extend(v);
             }
             Kind::Vector => {
                 let size = self.size();
