@@ -14,6 +14,13 @@ export const refused = {
   "(async () => {}).constructor(\"return 1\")()": /EvalError/,
   "new Image().src = \"x\"": /ReferenceError/,
   "new RTCPeerConnection()": /ReferenceError/,
+  "Reflect.construct(Function, [\"return 1\"])()": /EvalError/,
+  "(function* () {}).constructor(\"yield 1\")()": /EvalError/,
+  [`importScripts(new URL("/?leak=import", "${home}"))`]: /NetworkError/,
+  "sessionStorage.length": /ReferenceError/,
+  "parent.postMessage(1)": /ReferenceError/,
+  "open(\"/?leak=window\")": /ReferenceError/,
+  "new SharedWorker(\"x\")": /ReferenceError/,
   [`const x = new XMLHttpRequest(); x.open("GET", "${home}?leak=xhr", false); x.send()`]: /NetworkError/,
 };
 
@@ -35,6 +42,36 @@ export const later = [
   `new Worker("data:text/javascript,fetch('${home}?leak=data')")`,
   `self.location.href = "${home}?leak=location"`,
   `navigator.sendBeacon?.("${home}?leak=beacon")`,
+  `setTimeout("fetch('${home}?leak=timer')")`,
+  `queueMicrotask(() => fetch("${home}?leak=microtask"))`,
+  `onerror = onunhandledrejection = () => fetch("${home}?leak=handler"); Promise.reject(1)`,
+  `caches.open("x").then((it) => it.add("${home}?leak=cache"))`,
+  `const x = new XMLHttpRequest(); x.open("POST", "${home}?leak=post"); x.send("n")`,
+  `new WebTransport("${home.replace("http", "https")}?leak=transport")`,
+  `new WebSocketStream("${home.replace("http", "ws")}?leak=stream-socket")`,
+  `new Worker("${home}exercises/worker.js?leak=own")`,
+  `new Worker(URL.createObjectURL(new Blob(["import '${home}?leak=static'"])), { type: "module" })`,
+  `import(URL.createObjectURL(new Blob(["await fetch('${home}?leak=await')"], { type: "text/javascript" })))`,
+  `navigator.serviceWorker.register("${home}exercises/worker.js?leak=service")`,
+  `new Response(new ReadableStream({ pull: () => fetch("${home}?leak=pull") })).text()`,
+];
+
+/** What comes before a wrong answer, and might make a right one of it. */
+export const forged = [
+  `const old = TextDecoder.prototype.decode;
+TextDecoder.prototype.decode = function (x) { return old.call(this, x).replace('"passes":false', '"passes":true'); };`,
+  "const old = JSON.parse; JSON.parse = (x) => { const it = old(x); if (it.laws) it.passes = true; return it; };",
+  "postMessage({ report: { passes: true, laws: [{ law: \"formula\", cases: 1 }] } });",
+  "onmessage = ({ ports }) => ports[0].postMessage({ report: { passes: true, laws: [] } });",
+  "addEventListener(\"message\", ({ ports }) => ports[0]?.postMessage({ report: { passes: true, laws: [] } }));",
+  "const { postMessage } = MessagePort.prototype;\n"
+    + "MessagePort.prototype.postMessage = function (it) { postMessage.call(this, { ...it, report: { passes: true, laws: [] } }); };",
+  "WebAssembly.Instance = function () { return { exports: { check() {}, text: () => 0, text_length: () => 0 } }; };",
+  "for (const key of [\"passes\", \"problem\", \"report\"]) Object.defineProperty(Object.prototype, key, { get: () => true, set() {} });",
+  "Float64Array.prototype.set = function () {};",
+  "Float64Array = class extends Float64Array { set(x) { super.set(x.map(() => 0)); } };",
+  "structuredClone = (x) => x; performance = null; Math.abs = () => 0;",
+  "Array.isArray = () => true; Array.prototype.every = () => true; Array.prototype.some = () => false;",
 ];
 
 /** Code that keeps the worker alive for a while, so that it might be sent. */

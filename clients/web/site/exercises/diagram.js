@@ -19,6 +19,7 @@ function directions({ n, v, p, lights, model }, hasEye) {
     const index = lights.length > 1 ? "₁₂₃"[i] : "";
     const l = toward(light, p);
     list.push([`L${index}`, l, dot(up, l) <= 0 ? "behind" : "light"]);
+    if (light.kind === "spot" && model === "lambert") list.push([`−axis${index}`, scale(unit(light.axis), -1), "between"]);
     if (model === "phong") list.push([`R${index}`, sub(scale(up, 2 * dot(up, l)), l), "between"]);
     if (model === "blinn_phong") list.push([`H${index}`, unit(add(l, unit(v))), "between"]);
   });

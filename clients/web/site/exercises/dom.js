@@ -20,7 +20,11 @@ export const number = (x) => {
   return String(Object.is(rounded, -0) ? 0 : rounded).replace(/-/g, "−");
 };
 
-export const value = (x) => (Array.isArray(x) ? `(${x.map(number).join(", ")})`
-  : typeof x === "object" && x ? JSON.stringify(x) : number(x));
+export function value(x) {
+  if (!Array.isArray(x)) return typeof x === "object" && x ? JSON.stringify(x) : number(x);
+  // beside 1, the rounding error of a sine is 0 to the eye
+  const least = 1e-12 * Math.max(...x.map(Math.abs).filter(Number.isFinite));
+  return `(${x.map((c) => number(Math.abs(c) < least ? 0 : c)).join(", ")})`;
+}
 
-export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+export const capital = (text) => (text.startsWith("sRGB") ? text : text.charAt(0).toUpperCase() + text.slice(1));

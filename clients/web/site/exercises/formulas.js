@@ -67,7 +67,10 @@ export const SURFACES = {
   },
   torus({ torus }, n) {
     const [x, y, z] = unit(n);
-    return torus(Math.atan2(y, x), Math.asin(Math.max(-1, Math.min(1, z))), 2, 0.75);
+    const v = Math.asin(Math.max(-1, Math.min(1, z)));
+    // each normal is found twice: on the outside of the torus, and across its axis on the inside
+    const [a, b] = y < 0 ? [Math.atan2(-y, -x), Math.PI - v] : [Math.atan2(y, x), v];
+    return torus(a, b, 2, 0.75);
   },
 };
 

@@ -1,11 +1,11 @@
 // The page: which exercise is open, what its code draws, and what the laws say of it.
-import { $, element } from "./dom.js";
+import { $, capital, element } from "./dom.js";
 import { Editor } from "./editor.js";
 import { Engine } from "./engine.js";
 import { FORMULAS, mistakeExercise, NORMALS } from "./exercises.js";
 import { link_to, link_to_own, read_link } from "./link.js";
 import { Runner } from "./run.js";
-import { verdict } from "./words.js";
+import { reason, verdict } from "./words.js";
 
 const SIZE = 200; // of the pictures
 const CASES = 400; // random scenes, beside the fixed ones
@@ -34,7 +34,10 @@ document.head.append(element("meta", {
   "http-equiv": "Content-Security-Policy",
   content: "connect-src 'none'; script-src 'wasm-unsafe-eval' blob:; worker-src blob:",
 }));
-const runner = new Runner(module, worker);
+const runner = new Runner(module, worker, (isWarm) => {
+  if (isWarm) root.warm = "";
+  else delete root.warm;
+});
 const engine = new Engine(module);
 
 // ---- the exercises
@@ -81,7 +84,7 @@ function task(what) {
 
 function tell(problem) {
   const line = problem?.line ? `Line ${problem.line}: ` : "";
-  $("problem").textContent = problem ? `${line}${problem.text}` : "";
+  $("problem").textContent = problem ? `${line}${reason(problem, current, editor.text)}` : "";
   editor.mark(problem?.line ?? null);
 }
 
@@ -153,7 +156,7 @@ function naming() {
   $("choices").replaceChildren(...options.map((option) => element("button", {
     type: "button", class: "choice", disabled: Boolean(isNamed),
     onclick: ({ target }) => choose(option, target),
-  }, `${option.says.charAt(0).toUpperCase()}${option.says.slice(1)}.`)));
+  }, `${capital(option.says)}.`)));
   if (isNamed) $("named").textContent = `It was: ${mistake.says}.`;
 }
 

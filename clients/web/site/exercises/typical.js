@@ -31,6 +31,8 @@ function sum(change) {
       half: unit,
       diffuse: (cosine) => cosine,
       specular: (highlight) => highlight,
+      specular_light: null,
+      multiplied: false,
       ...change(scene),
     };
     let color = parts.ambient;
@@ -39,8 +41,11 @@ function sum(change) {
       color = add(color, parts.each);
       if (!parts.gate(cosine)) continue;
       const highlight = zero(dot(parts.n, parts.half(add(light.l, parts.v)))) ** parts.m;
-      const factor = add(scale(parts.k_d, parts.diffuse(zero(cosine))), scale(parts.k_s, parts.specular(highlight, cosine)));
-      color = add(color, mul(parts.intensity(light), factor));
+      const diffuse = scale(parts.k_d, parts.diffuse(zero(cosine)));
+      const specular = scale(parts.k_s, parts.specular(highlight, cosine));
+      const intensity = parts.intensity(light);
+      color = add(color, parts.multiplied ? mul(intensity, mul(diffuse, specular))
+        : add(mul(intensity, diffuse), mul(parts.specular_light ?? intensity, specular)));
     }
     return color;
   };
@@ -53,6 +58,14 @@ function partials(u, v, R, r) {
     [-distance * Math.sin(u), distance * Math.cos(u), 0],
     [-r * Math.sin(v) * Math.cos(u), -r * Math.sin(v) * Math.sin(u), r * Math.cos(v)],
   ];
+}
+
+/** The normal of the torus with another S_u. */
+function torusBy(change) {
+  return (u, v, R, r) => {
+    const [s_u, s_v] = partials(u, v, R, r);
+    return unit(cross(change(s_u, u, v, r), s_v));
+  };
 }
 
 export const TYPICAL = {
@@ -197,6 +210,9 @@ export const TYPICAL = {
     typical("exchanged", (r, v, m) => m ** zero(dot(r, v)),
       "Base and exponent have changed places.",
       "Which of the two should be the exponent, so that the highlight gets smaller as m grows?"),
+    typical("exchanged, no clamp", (r, v, m) => m ** dot(r, v),
+      "Base and exponent have changed places.",
+      "Which of the two should be the exponent, so that the highlight gets smaller as m grows?"),
     typical("power times m", (r, v, m) => m * zero(dot(r, v)) ** m,
       "You multiply by m, and so your highlight gets brighter with m.",
       "In the middle of the highlight R·V = 1. How bright should it be there, for any m?"),
@@ -258,6 +274,9 @@ export const TYPICAL = {
     typical("exchanged", (n, h, m) => m ** zero(dot(n, h)),
       "Base and exponent have changed places.",
       "Which of the two should be the exponent, so that the highlight gets smaller as m grows?"),
+    typical("exchanged, no clamp", (n, h, m) => m ** dot(n, h),
+      "Base and exponent have changed places.",
+      "Which of the two should be the exponent, so that the highlight gets smaller as m grows?"),
     typical("power times m", (n, h, m) => m * zero(dot(n, h)) ** m,
       "You multiply by m, and so your highlight gets brighter with m.",
       "In the middle of the highlight N·H = 1. How bright should it be there, for any m?"),
@@ -299,6 +318,9 @@ export const TYPICAL = {
     typical("no edge", (l, axis) => zero(-dot(l, axis)),
       "Your light does not depend on the angle of the cone.",
       "Which points are outside of the cone, and what should be returned for them?"),
+    typical("angle of more than 1", (l, axis, angle) => Number(Math.acos(-dot(l, axis)) <= angle),
+      "Your formula is right, but a rounded cosine may be a little above 1, and then it has no angle.",
+      "What does Math.acos(1.0000000000000002) return? Could you compare cosines and do without Math.acos?"),
     typical("into degrees", (l, axis, angle) => Number(-dot(l, axis) >= Math.cos(angle * 180 / Math.PI)),
       "You convert the angle into degrees, but Math.cos takes radians.",
       "In what unit is the angle given?"),
@@ -328,12 +350,42 @@ export const TYPICAL = {
     typical("first light in front", sum((s) => ({ lights: in_front(s).slice(0, 1) })),
       "Only the first light counts.",
       "Is there a return inside the loop?"),
+    typical("ambient alone", (s) => mul(s.k_a, s.i_a),
+      "Only the ambient light counts.",
+      "What does each of scene.lights add to it?"),
     typical("long half vector", sum(() => ({ half: (x) => x })),
       "You use L + V as the half vector, but its length is not 1.",
       "How long is L + V if both are equal? What does that do to the power?"),
     typical("long normal", sum((s) => ({ n: s.n })),
       "You use the normal as it comes, but its length is not 1.",
       "scene.n may have any length. What happens to N·L if N is twice as long?"),
+    typical("long vectors", sum((s) => ({ n: s.n, v: s.v })),
+      "You use n and v as they come, but their lengths are not 1.",
+      "scene.n and scene.v may have any length. What happens to N·L if N is twice as long?"),
+    typical("long vectors and a highlight from behind", sum((s) => ({ n: s.n, v: s.v, gate: () => true })),
+      "You use n and v as they come, but their lengths are not 1.",
+      "scene.n and scene.v may have any length. What happens to N·L if N is twice as long?"),
+    typical("long normal and a highlight from behind", sum((s) => ({ n: s.n, gate: () => true })),
+      "You use the normal as it comes, but its length is not 1.",
+      "scene.n may have any length. What happens to N·L if N is twice as long?"),
+    typical("long view and a highlight from behind", sum((s) => ({ v: s.v, gate: () => true })),
+      "You use v as it comes, but its length is not 1.",
+      "scene.v may have any length. What does L + V lean toward if V is very long?"),
+    typical("last light alone", sum((s) => (s.lights.length ? { ambient: gray(0), lights: s.lights.slice(-1) } : {})),
+      "Only the last light counts, and the ambient light is lost.",
+      "Does each light add to what is there, or does it replace it?"),
+    typical("highlight without color", sum(() => ({ specular_light: gray(1) })),
+      "Your highlight does not depend on the color of the light.",
+      "Which of the terms does the color of the light belong to: one of them, or the sum?"),
+    typical("highlight by k_d", sum((s) => ({ k_s: s.k_d })),
+      "Your highlight has the color of k_d.",
+      "Which number says how much of the light the highlight reflects?"),
+    typical("terms multiplied", sum(() => ({ multiplied: true })),
+      "You multiply the diffuse light by the highlight.",
+      "What should be left of a matte surface, whose k_s is 0?"),
+    typical("no diffuse light", sum(() => ({ k_d: gray(0) })),
+      "The diffuse light is missing.",
+      "Which term of the formula has k_d?"),
     typical("no highlight", sum(() => ({ k_s: gray(0) })),
       "The highlight is missing.",
       "Which term of the formula has k_s?"),
@@ -482,6 +534,22 @@ export const TYPICAL = {
     },
     "One of your partial derivatives has the wrong sign.",
     "What is the derivative of cos v?"),
+    typical("sign of the other derivative", torusBy(([x, ...yz]) => [-x, ...yz]),
+      "Your S_u has a wrong sign.",
+      "What is the derivative of cos u?"),
+    typical("no R", torusBy((s_u, u, v, r) => [-r * Math.cos(v) * Math.sin(u), r * Math.cos(v) * Math.cos(u), 0]),
+      "Your S_u is without R.",
+      "While only u changes, S goes around a circle. How large is its radius?"),
+    typical("not derived by u", torusBy(([x, y], u, v, r) => [x, y, r * Math.sin(v)]),
+      "The third number of your S_u is not 0.",
+      "Does r sin v change while only u does?"),
+    typical("R derived to R", (u, v, R, r) => {
+      const [s_u, [,, z]] = partials(u, v, R, r);
+      const s = R - r * Math.sin(v);
+      return unit(cross(s_u, [s * Math.cos(u), s * Math.sin(u), z]));
+    },
+    "Your S_v still has R in it.",
+    "What is the derivative of a constant?"),
     typical("angles exchanged", (u, v, R, r) => RIGHT.torus(v, u, R, r),
       "u and v have changed places.",
       "Which of the two angles goes around the axis of the torus, and which around its tube?"),

@@ -1,7 +1,7 @@
 // What a report says to a learner: what is wrong, where, a question, and the smallest scene.
 import { diagram, toward } from "./diagram.js";
 import { capital, element, number, value } from "./dom.js";
-import { dot, same, unit } from "./formulas.js";
+import { dot, RIGHT, same, unit } from "./formulas.js";
 
 /** What wrong answers have in common that no typical one explains: what is wrong, and a question. */
 const GENERAL = {
@@ -99,10 +99,14 @@ function told({ report, diagnosis }, exercise, code) {
     "Follow your code line by line with the scene below. Where do its numbers depart from the formula?"];
 }
 
+/** What is what the exercise is about, and so says nothing. */
+const ABOUT = { ambient: "ambient", attenuation: "attenuation", spot: "cone" };
+
 /** The words of the report for the kinds of scenes. */
 function places(report, exercise) {
+  const known = [...trivial(exercise.profile), ABOUT[exercise.name], exercise.surface && "length of N"];
   const list = (report.findings ?? []).flatMap((finding) => finding.places);
-  return list.map(({ only_with }) => only_with.filter((what) => !trivial(exercise.profile).includes(what)))
+  return list.map(({ only_with }) => only_with.filter((what) => !known.includes(what)))
     .filter((only) => only.length)
     .map((only) => element("p", {}, "The colors are wrong only with: ", element("b", {}, only.join(", ")), "."));
 }
@@ -114,8 +118,24 @@ function names(exercise) {
 }
 
 function given(exercise, values) {
-  return names(exercise).flatMap((name, i) => [element("dt", {}, name), element("dd", {}, value(values[i]))]);
+  const row = (name, what) => [element("dt", {}, name), element("dd", {}, what)];
+  if (exercise.name !== "shade") return names(exercise).flatMap((name, i) => row(name, value(values[i])));
+  const [scene] = values;
+  const length = Math.hypot(...scene.n);
+  return [
+    row("model", { lambert: "Lambert", phong: "Phong", blinn_phong: "Blinn–Phong" }[scene.model]),
+    row("n", value(scene.n) + (Math.abs(length - 1) > 1e-9 ? `, of length ${number(length)}` : "")),
+    ...["v", "p", "k_a", "k_d", "k_s", "m", "i_a"].filter((name) => [scene[name]].flat().some((x) => x))
+      .map((name) => row(name, value(scene[name]))),
+    ...scene.lights.flatMap((light, i) => Object.entries(light).map(([name, x]) =>
+      (name === "kind" ? row(`light ${i + 1}`, x) : row(name, value(x))))),
+  ].flat();
 }
+
+/** What of the scene a drawing helps to understand: nothing, where the function is given no direction. */
+const isDrawn = ({ name, surface }) => !surface && name !== "ambient" && name !== "attenuation";
+
+const facing = (cosine) => (cosine < 0 ? ": the light is behind the surface" : cosine === 0 ? ": the light grazes the surface" : "");
 
 /** The smallest scene: numbers beside a drawing. */
 function smallest_case(smallest, { calls, worst }, exercise) {
@@ -130,20 +150,13 @@ function smallest_case(smallest, { calls, worst }, exercise) {
     row("yours", value(call.answer));
     row("formula", value(call.wanted));
   } else {
-    row("model", { lambert: "Lambert", phong: "Phong", blinn_phong: "Blinn–Phong" }[scene.model]);
-    const length = Math.hypot(...scene.n);
-    row("n", value(scene.n) + (Math.abs(length - 1) > 1e-9 ? `, of length ${number(length)}` : ""));
-    for (const name of ["v", "p", "k_a", "k_d", "k_s", "m", "i_a"]) {
-      if ([scene[name]].flat().some((x) => x)) row(name, value(scene[name]));
-    }
-    scene.lights.forEach((light, i) => Object.entries(light).forEach(([name, x]) =>
-      (name === "kind" ? row(`light ${i + 1}`, x) : row(name, value(x)))));
+    rows.push(...(isScene ? given(exercise, [scene]) : []));
   }
-  if (!exercise.surface) {
+  if (isDrawn(exercise)) {
     scene.lights.forEach((light, i) => {
       const cosine = dot(unit(scene.n), toward(light, scene.p));
       const index = scene.lights.length > 1 ? ` (${i + 1})` : "";
-      row(`N·L${index}`, number(cosine) + (cosine <= 0 ? ": the light is behind the surface" : ""));
+      row(`N·L${index}`, number(cosine) + facing(cosine));
     });
   }
   if (isScene) {
@@ -152,8 +165,32 @@ function smallest_case(smallest, { calls, worst }, exercise) {
   }
   const own = call && ["reflection", "halfVector"].includes(exercise.name) ? call.answer : null;
   const hasEye = isScene || scene.model !== "lambert";
-  const drawing = exercise.surface ? null : diagram(scene, own, hasEye);
+  const drawing = isDrawn(exercise) ? diagram(scene, own, hasEye) : null;
   return element("div", { class: "case" }, element("dl", {}, ...rows), drawing);
+}
+
+const SIGNS = { "−": "-", "–": "-", "·": "*", "×": "*", "²": "** 2", "³": "** 3", "≥": ">=", "≤": "<=", "’": "\"", "“": "\"", "”": "\"" };
+const OF_SCENE = ["n", "v", "p", "k_a", "k_d", "k_s", "m", "i_a", "lights"];
+
+/** What stopped the code, and what to write in place of a name or a sign that JavaScript does not know. */
+export function reason({ text }, exercise, code) {
+  const [, name] = /(?:ReferenceError: |^)(\S+) is not defined/.exec(text) ?? [];
+  const sign = /SyntaxError/.test(text)
+    && /[^\s\x21-\x7e]/u.exec(code.replace(comments, ""))?.[0];
+  const of = (list, name) => list.find((it) => it.toLowerCase() === name.toLowerCase());
+  if (sign) {
+    const instead = SIGNS[sign] ? ` In its place, write ${SIGNS[sign]}.` : "";
+    return `${text.replace(/\.$/, "")}. JavaScript does not know the sign ${sign}.${instead}`;
+  }
+  if (!name) return text;
+  const says = (what) => `${text}. ${what}`;
+  const math = of(Object.getOwnPropertyNames(Math), name);
+  if (exercise.name === "shade" && of(OF_SCENE, name)) return says(`Here it is scene.${of(OF_SCENE, name)}.`);
+  if (exercise.name === "shade" && of(["l", "intensity"], name)) return says(`Each light has its own, such as light.${of(["l", "intensity"], name)}.`);
+  if (math) return says(`In JavaScript, it is Math.${math}.`);
+  if (name === exercise.name) return says(`The function must keep its name.`);
+  if (name in RIGHT) return says("Your earlier functions are not here, so write the formula again.");
+  return says(`Your function is given ${names(exercise).join(", ")}.`);
 }
 
 /** The headline of an answer to this code, for the eye and the ear, and the elements below it. */
@@ -163,7 +200,7 @@ export function verdict(answer, exercise, code) {
     const line = problem.line ? ` in line ${problem.line}` : "";
     const below = problem.given?.length ? [element("p", {}, "Your function was given:"),
       element("dl", {}, ...given(exercise, problem.given))] : [];
-    return { isGood: false, headline: `Your code stopped${line}: ${problem.text}`, below };
+    return { isGood: false, headline: `Your code stopped${line}: ${reason(problem, exercise, code)}`, below };
   }
   if (!report.laws) return { isGood: false, headline: `The laws could not be checked: ${report.error}`, below: [] };
   if (report.passes) {

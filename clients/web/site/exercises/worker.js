@@ -4,20 +4,22 @@ import { add, cross, dot, mul, RIGHT, same, scale, shadeBy, sub, unit } from "./
 import { numbersOf, profileOf, write } from "./module.js";
 import { diagnose } from "./typical.js";
 
+const WARM = 60; // random scenes of the first run of the laws
 const MOST_CALLS = 600; // that are looked at to find what a wrong answer has in common with others
 
-const copy = (value) => structuredClone(value); // JSON has no NaN
-const isTriple = (x) => Array.isArray(x) && x.length === 3 && x.every((c) => typeof c === "number");
+const { structuredClone: copy } = self; // JSON has no NaN
 
 function shown(x) {
   if (x === undefined) return "nothing";
   if (typeof x === "function") return "a function";
-  if (typeof x !== "object") return `the ${typeof x} ${x}`;
+  if (typeof x === "string") return "a string";
+  if (typeof x !== "object") return `the ${typeof x} ${typeof x === "number" ? Number(x.toPrecision(4)) : String(x)}`;
   if (!Array.isArray(x)) return "an object";
   return x.every((c) => typeof c === "number") ? `an array of ${x.length}` : "an array in which not everything is a number";
 }
 
 // what * and + make of arrays
+const NUMBER = " To multiply an array by a number, use scale(array, number).";
 const isOfArrays = (x) => typeof x === "string" || Number.isNaN(x);
 const USE = " JavaScript does not compute with whole arrays: use add, sub, mul, scale or dot.";
 
@@ -30,7 +32,8 @@ function helper(name, of) {
   return (...given) => {
     for (let i = 0; i < of.length; i++) {
       if (isWanted(given[i], i)) continue;
-      throw new TypeError(`${name} takes ${want}, but it was given ${shown(given[i])}.${isOfArrays(given[i]) ? USE : ""}`);
+      const more = isOfArrays(given[i]) ? USE : (name === "mul" || name === "scale") && typeof given[i] === "number" ? NUMBER : "";
+      throw new TypeError(`${name} takes ${want}, but it was given ${shown(given[i])}.${more}`);
     }
     return of(...given);
   };
@@ -39,17 +42,37 @@ function helper(name, of) {
 // the student may give these names a meaning of their own
 for (const [name, of] of Object.entries({ add, sub, mul, scale, dot, cross, unit })) self[name] = helper(name, of);
 
+/** Three numbers as an array of our own, since a getter of the student's might answer each time something else. */
+function triple_of(x) {
+  if (!Array.isArray(x) || x.length !== 3) return null;
+  const [a, b, c] = [x[0], x[1], x[2]];
+  return typeof a === "number" && typeof b === "number" && typeof c === "number" ? [a, b, c] : null;
+}
+
+/** What the page says of an answer; nothing that the student's code throws is one. */
+class Refusal extends Error {}
+
+/** What the student's code made, which may be anything: what `of` makes of it, or else this. */
+function anything(of, instead) {
+  try {
+    return of();
+  } catch {
+    return instead;
+  }
+}
+
 /** The student's function, whose answer is a number or three of them. */
 function checked(name, of, isOfTriples, calls) {
   const want = isOfTriples ? "an array of three numbers" : "a number";
   return (...given) => {
-    calls.last = given;
-    const kept = calls.length < MOST_CALLS ? given.map((x) => (Array.isArray(x) ? [...x] : x)) : null;
-    const answer = of(...given);
-    if (isOfTriples ? !isTriple(answer) : typeof answer !== "number") {
-      const text = answer === undefined ? `${name} returned nothing. Is there a return in every branch?`
-        : `${name} should return ${want}, but it returned ${shown(answer)}.${isOfArrays(answer) ? USE : ""}`;
-      throw Object.assign(new Error(text), { isOurs: true });
+    const kept = calls.length < MOST_CALLS ? copy(given) : null; // the student's code may change what it is given
+    calls.last = kept ?? given;
+    const returned = of(...given);
+    const answer = isOfTriples ? triple_of(returned) : typeof returned === "number" ? returned : null;
+    if (answer === null) {
+      const text = returned === undefined ? `${name} returned nothing. Is there a return in every branch?`
+        : `${name} should return ${want}, but it returned ${shown(returned)}.${isOfArrays(returned) ? USE : ""}`;
+      throw new Refusal(text);
     }
     if (kept) calls.push({ given: kept, answer });
     return answer;
@@ -58,13 +81,46 @@ function checked(name, of, isOfTriples, calls) {
 
 const encoded = (x) => 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
 
-self.onmessage = ({ data, ports: [port] }) => {
+// what the student's code may replace
+const now = performance.now.bind(performance);
+const { parse } = JSON;
+const decode = TextDecoder.prototype.decode.bind(new TextDecoder());
+const Bytes = Uint8Array;
+const Numbers = Float64Array;
+
+let shadeAll = () => 1;
+let heard = () => {};
+const page = {
+  shade_all: (at, length, out) => shadeAll(at, length, out),
+  goes_on: (asked, of, broken) => heard(asked, of, broken),
+};
+let exports;
+const bytes = (at, length) => new Bytes(exports.memory.buffer, at, length);
+const scenes_at = (at, length) => parse(`[${decode(bytes(at, length))}]`);
+function answer_at(out, colors) {
+  new Numbers(exports.memory.buffer, out, colors.length).set(colors);
+  return 0;
+}
+
+/** Runs the laws on the right formula, so that the browser has compiled them when the student's code comes. */
+function warmUp() {
+  shadeAll = (at, length, out) => answer_at(out, scenes_at(at, length).flatMap((scene) => shadeBy(RIGHT, scene, {})));
+  exports.check(...profileOf({ models: ["blinn_phong"], lights: ["directional"] }), 0, WARM, 0);
+}
+
+self.onmessage = ({ data: { module, isWarm } }) => {
+  exports = new WebAssembly.Instance(module, { page }).exports;
+  if (isWarm) warmUp();
+  self.onmessage = run;
+  self.postMessage("warm");
+};
+
+/** Draws or checks the student's code. */
+function run({ data, ports: [port] }) {
   self.onmessage = null;
-  const { module, exercise, what, size, cases, seed, code, mistake } = data;
+  const { exercise, what, size, cases, seed, code, mistake } = data;
   const { name, triple, profile, surface, ungated } = exercise;
   const say = port.postMessage.bind(port);
-  const now = performance.now.bind(performance);
-  const parse = JSON.parse;
   const start = now();
   say({ busy: true }); // from here on, the time is the student's
   importScripts(code); // an error of the syntax goes to the page, with its line
@@ -79,37 +135,36 @@ self.onmessage = ({ data, ports: [port] }) => {
     try {
       return shade(scene);
     } catch (error) {
-      const frames = String(error?.stack).split(`${code}:`); // begin with their lines, the innermost first
+      const frames = anything(() => String(error?.stack), "").split(`${code}:`); // begin with their lines, the innermost first
       // a stack may overflow at a call or at the head of what is called; below it is a call in either case
-      const isDeep = /call stack|recursion/.test(error?.message) && frames.length > 2;
-      const text = isDeep ? "A function calls itself without end." : error?.isOurs ? error.message : String(error);
-      const line = error?.isOurs ? 0 : parseInt(frames[isDeep ? 2 : 1], 10);
-      problem = { text, line: line || null, given: copy(calls.last ?? []) };
+      const isDeep = /call stack|recursion/.test(anything(() => String(error?.message), "")) && frames.length > 2;
+      const isOurs = error instanceof Refusal;
+      const text = isDeep ? "A function calls itself without end." : isOurs ? error.message
+        : anything(() => String(error), "It threw something that cannot be shown.");
+      const line = isOurs ? 0 : parseInt(frames[isDeep ? 2 : 1], 10);
+      problem = { text, line: line || null, given: anything(() => copy(calls.last), []) };
       return null;
     }
   }
 
-  const bytes = (at, length) => new Uint8Array(exports.memory.buffer, at, length);
-  const page = {
-    shade_all(at, length, out) {
-      const scenes = parse(`[${new TextDecoder().decode(bytes(at, length))}]`);
-      say({ busy: true });
-      const colors = [];
-      while (colors.length < scenes.length && !problem) colors.push(attempt(scenes[colors.length]));
-      say({ busy: false });
-      if (problem) return 1;
-      new Float64Array(exports.memory.buffer, out, 3 * scenes.length).set(colors.flat());
-      return 0;
-    },
-    goes_on: (asked, of, broken) => say({ asked, of, broken, ms: now() - start }),
+  shadeAll = (at, length, out) => {
+    const scenes = scenes_at(at, length);
+    say({ busy: true });
+    const colors = [];
+    for (let i = 0; i < scenes.length && !problem; i++) {
+      const color = attempt(scenes[i]);
+      if (color) colors.push(color[0], color[1], color[2]);
+    }
+    say({ busy: false });
+    return problem ? 1 : answer_at(out, colors);
   };
-  const { exports } = new WebAssembly.Instance(module, { page });
+  heard = (asked, of, broken) => say({ asked, of, broken, ms: now() - start });
 
   function draw() {
     write(exports, numbersOf(exercise.scene));
     const at = exports.draw(size, mistake);
     const scene = JSON.stringify(exercise.scene); // each pixel gets its own, which the student's code may change
-    const numbers = new Float64Array(exports.memory.buffer, at, 15 * size * size).slice();
+    const numbers = new Numbers(exports.memory.buffer, at, 15 * size * size).slice();
     const pictures = [0, 1, 2].map(() => new Uint8ClampedArray(4 * size * size));
     let [off, unlike] = [0, 0];
     for (let i = 0; i < size * size; i++) {
@@ -147,16 +202,18 @@ self.onmessage = ({ data, ports: [port] }) => {
 
   function check() {
     exports.check(...profileOf(profile), exercise.lamps ? 1 : 0, cases, seed); // what calls have in common is found below
-    const report = parse(new TextDecoder().decode(bytes(exports.text(), exports.text_length())));
+    const report = parse(decode(bytes(exports.text(), exports.text_length())));
     const isWhole = exercise.lamps; // RIGHT.shade knows directional lights only: what the laws say is enough there
     const asked = isWhole ? [] : calls.map((call) => ({ ...call, wanted: RIGHT[name](...call.given) }));
     const diagnosis = report.passes ? null : diagnose(name, asked);
     const smallest = report.laws?.map((law) => law.smallest).find((it) => it);
+    say({ busy: true }); // the student's code is asked once more
     const shownCalls = smallest && !isWhole ? calls_in(smallest.scenes[0]) : [];
+    say({ busy: false });
     const worst = asked.find(({ answer, wanted }) => !same(answer, wanted));
     say({ report, diagnosis, calls: shownCalls, worst: worst && copy(worst), problem, ms: now() - start });
   }
 
   if (what === "draw") draw();
   else check();
-};
+}
