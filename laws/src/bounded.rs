@@ -69,11 +69,6 @@ impl Bounded {
         Self::rounded(self.value.cos(), error, 0.0, self.u)
     }
 
-    /// Another value with the same error.
-    fn with(self, value: f64) -> Self {
-        Self { value, ..self }
-    }
-
     pub fn at_least_zero(self) -> Self {
         self.if_positive(self, Self::ZERO)
     }
@@ -145,7 +140,10 @@ impl Number for Bounded {
 impl Neg for Bounded {
     type Output = Self;
     fn neg(self) -> Self {
-        self.with(-self.value)
+        Self {
+            value: -self.value,
+            ..self
+        }
     }
 }
 

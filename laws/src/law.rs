@@ -7,8 +7,7 @@ use crate::formula::Formula;
 use crate::scene::Triple;
 
 /// A statement about the color of a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Law {
     Finite,
     Formula,

@@ -33,11 +33,13 @@ mod shrink;
 // a run: what it tries, what it may conclude, and what it says
 mod cause;
 mod evidence;
+mod experiment;
 mod options;
 mod place;
 mod plan;
 mod report;
 mod run;
+mod search;
 
 pub use cause::Cause;
 pub use clock::Clock;

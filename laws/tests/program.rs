@@ -247,13 +247,11 @@ fn no_missing_line_is_memory() {
 
 #[test]
 fn nan_breaks_a_law_and_the_report_names_the_scene() {
-    for nan in ["NaN", "null", "1e999", "-nan(ind)"] {
-        let script = python(&format!("if is_scene: say('[0,{nan},0]'); continue"));
-        let line = r#"$laws --cases 8 python3 -c "$script""#;
-        let report = shell(&temporary(), &script, line, 1);
-        let command = "printf '%s\\n' '{\"shading-laws\":1}' '{\"model\":";
-        assert!(report.contains(command), "{report}");
-    }
+    let script = python("if is_scene: say('[0,NaN,0]'); continue");
+    let line = r#"$laws --cases 8 python3 -c "$script""#;
+    let report = shell(&temporary(), &script, line, 1);
+    let command = "printf '%s\\n' '{\"shading-laws\":1}' '{\"model\":";
+    assert!(report.contains(command), "{report}");
 }
 
 #[test]

@@ -7,6 +7,7 @@ use super::{Failure, Run, SEARCH};
 use crate::cause::Cause;
 use crate::edit::EDITS;
 use crate::evidence::FEW;
+use crate::experiment;
 use crate::formula::Formula;
 use crate::law::{Broken, Law};
 use crate::mistakes::formula;
@@ -15,6 +16,7 @@ use crate::plan::Case;
 use crate::profile::Profile;
 use crate::report::{Counterexample, Finding};
 use crate::scene::{Scene, Triple};
+use crate::search;
 
 /// The most broken cases that are placed.
 const MOST_BROKEN: usize = 600;
@@ -221,7 +223,7 @@ impl Run<'_> {
             }
             Some(are_wrong)
         };
-        place::places(scenes, most.min(place::MOST), profile, &mut ask)
+        search::places(scenes, most.min(experiment::MOST), profile, &mut ask)
     }
 
     /// Gives each of two findings of one law a scene in which the other makes no difference.
@@ -270,5 +272,5 @@ fn places_of_mistake(scenes: &[Scene], profile: &Profile, then: &Profile) -> Vec
     };
     let scenes: Vec<Scene> = scenes.iter().filter(|it| is_wrong(it)).cloned().collect();
     let mut ask = |scenes: &[Scene]| Some(scenes.iter().map(is_wrong).collect());
-    place::places(&scenes, place::MOST, profile, &mut ask).unwrap_or_default()
+    search::places(&scenes, experiment::MOST, profile, &mut ask).unwrap_or_default()
 }

@@ -1,0 +1,170 @@
+//! One thing at a time is taken out of broken cases, and what repairs them is told.
+
+use std::cmp::Reverse;
+
+use crate::cause::is_nearly_all;
+use crate::edit::EDITS;
+use crate::place::{Place, number};
+use crate::profile::Profile;
+use crate::scene::Scene;
+
+/// Things of which the first is all that is left without the second.
+const ALONE: [[&str; 2]; 4] = [
+    ["highlight", "diffuse"],
+    ["diffuse", "highlight"],
+    ["point", "cone"],
+    ["point", "spot"],
+];
+
+/// What nothing but a lamp has, and nothing but a highlight.
+const OF_LAMPS: [&str; 3] = ["distance", "attenuation", "cone"];
+const OF_HIGHLIGHTS: [&str; 4] = ["length of V", "shininess", "Phong", "Blinn"];
+
+/// The most edits by which two mistakes are told apart. Each takes two experiments, and the renderer's time.
+const MOST_PARTS: usize = 5;
+
+/// The fewest cases that show a second mistake. An edit that repairs a case as often as not repairs all of 8 by
+/// chance once in 256 times, so one of all edits does in 9 of 100; of 3, about three do.
+pub const FEW: usize = 8;
+
+/// The most broken cases of an experiment: a bit each.
+pub const MOST: usize = 60;
+
+/// Asks whether the colors of scenes are wrong, if the renderer still answers.
+pub type Ask<'a> = dyn FnMut(&[Scene]) -> Option<Vec<bool>> + 'a;
+
+/// Broken cases without one thing each.
+pub struct Experiment {
+    count: usize,
+    /// What is left alone by what was taken out already, so that nothing is left to be wrong without it.
+    alone: Vec<&'static str>,
+    /// For each edit the cases that it repairs, those that it leaves broken, and those of which it says nothing.
+    repaired: Vec<u64>,
+    broken: Vec<u64>,
+    unknown: Vec<u64>,
+}
+
+/// The number of cases of a set.
+fn count(cases: u64) -> usize {
+    cases.count_ones() as usize
+}
+
+impl Experiment {
+    /// Takes things out of the scenes of broken cases, and asks for each again, if anything answers.
+    pub fn new(
+        cases: &[Scene],
+        profile: &Profile,
+        ask: &mut Ask,
+        without: &[usize],
+    ) -> Option<Self> {
+        let count = cases.len().min(MOST);
+        let [repaired, broken, unknown] = [(); 3].map(|()| vec![0; EDITS.len()]);
+        let is_out = |id: &str| without.iter().any(|k| EDITS[*k].id == id);
+        let alone = ALONE.into_iter().filter(|[_, other]| is_out(other));
+        let mut experiment = Self {
+            count,
+            alone: alone.map(|[id, _]| id).collect(),
+            repaired,
+            broken,
+            unknown,
+        };
+        let (mut asked, mut of) = (Vec::new(), Vec::new());
+        for (k, edit) in EDITS.iter().enumerate() {
+            for (i, scene) in cases[..count].iter().enumerate() {
+                let Some(mut trial) = edit.trial(scene, profile) else {
+                    continue;
+                };
+                // a lamp may become a sun where suns were taken out because they are wrong, too
+                for &k in without {
+                    if EDITS[k].of(scene, profile).is_none() {
+                        let again = EDITS[k].of(&trial.edited, profile);
+                        trial.edited = again.unwrap_or(trial.edited);
+                    }
+                }
+                if trial.edited == *scene {
+                    experiment.unknown[k] |= 1 << i;
+                    continue;
+                }
+                asked.push(trial.edited);
+                of.push((k, i, false));
+                if let Some(control) = trial.control {
+                    asked.push(control);
+                    of.push((k, i, true));
+                }
+            }
+        }
+        for ((k, i, is_control), is_broken) in of.into_iter().zip(ask(&asked)?) {
+            let answer = match (is_control, is_broken) {
+                (true, true) => continue,
+                (true, false) => &mut experiment.unknown,
+                (false, true) => &mut experiment.broken,
+                (false, false) => &mut experiment.repaired,
+            };
+            answer[k] |= 1 << i;
+        }
+        for k in 0..EDITS.len() {
+            experiment.repaired[k] &= !experiment.unknown[k];
+            experiment.broken[k] &= !experiment.unknown[k];
+        }
+        Some(experiment)
+    }
+
+    /// The place of the cases.
+    pub fn place(&self) -> Place {
+        let of = u64::MAX >> (64 - self.count.clamp(1, 64));
+        let mut place = Place::default();
+        let is_of = |place: &Place, ids: &[&str]| place.only_with.iter().any(|id| ids.contains(id));
+        for (k, edit) in EDITS.iter().enumerate() {
+            let known = count(of & !self.unknown[k]);
+            let [repaired, broken] = self.counts(k);
+            let is_told = if known * 2 > count(of) && !self.alone.contains(&edit.id) {
+                is_nearly_all(repaired, known)
+            } else {
+                edit.id == "lamps" && is_of(&place, &OF_LAMPS)
+                    || edit.id == "highlight" && is_of(&place, &OF_HIGHLIGHTS)
+            };
+            if is_told {
+                place.only_with.push(edit.id);
+            } else if broken > repaired {
+                place.also_without.push(edit.id);
+            }
+        }
+        place
+    }
+
+    /// Tells of a place what it could not show where something was out: whether it is of highlights alone, or of
+    /// point lights alone. The cases that its edit repairs have the other, too.
+    pub fn settle(&self, place: &mut Place, edit: usize, out: &[usize]) {
+        // without a highlight, the model is another, too, which says nothing of diffuse light
+        for [id, other] in ALONE.into_iter().filter(|[id, _]| *id != "diffuse") {
+            let other = number(other).filter(|k| out.contains(k));
+            let (Some(k), Some(other)) = (number(id), other) else {
+                continue;
+            };
+            let of = self.repaired[edit] & self.broken[other];
+            let is_known = count(of) >= FEW && !place.only_with.contains(&id);
+            if is_known && is_nearly_all(count(self.repaired[k] & of), count(of)) {
+                place.also_without.retain(|it| *it != id);
+                place.only_with.push(id);
+                place.only_with.sort_by_key(|id| number(id));
+            }
+        }
+    }
+
+    /// The edits that repair some of the cases and leave others, the most helpful ones first.
+    pub fn parts(&self) -> Vec<usize> {
+        let is_part = |k: &usize| {
+            let [repaired, broken] = self.counts(*k);
+            repaired >= FEW && broken > 0
+        };
+        let mut parts: Vec<usize> = (0..EDITS.len()).filter(is_part).collect();
+        parts.sort_by_key(|k| Reverse(self.counts(*k)[0]));
+        parts.truncate(MOST_PARTS);
+        parts
+    }
+
+    /// The number of cases that an edit repairs, and that of those that it leaves broken.
+    fn counts(&self, k: usize) -> [usize; 2] {
+        [self.repaired[k], self.broken[k]].map(count)
+    }
+}

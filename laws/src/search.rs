@@ -1,0 +1,140 @@
+//! The search for places: for one, or for several where several things are wrong.
+
+use crate::edit::EDITS;
+use crate::experiment::{Ask, Experiment, FEW};
+use crate::place::{GENERAL, Place, merge, number};
+use crate::profile::Profile;
+use crate::scene::Scene;
+
+/// What turns the eye, as "eye behind" does, too. That cannot always keep the highlight as bright, so it
+/// repairs some cases of what is wrong with some cosines alone, and these repair the others: that is one thing.
+const TURNS: [&str; 3] = ["shininess", "Phong", "Blinn"];
+
+/// The most things that are taken out one after the other, each because another is wrong, too.
+const DEPTH: usize = 2;
+
+/// So many cases of all, from the first to the last.
+fn some(cases: &[Scene], count: usize) -> Vec<Scene> {
+    let count = count.min(cases.len());
+    let some = (0..count).map(|i| cases[i * cases.len() / count].clone());
+    some.collect()
+}
+
+/// Where cases are broken: one place, or several where several things are wrong. As many cases as an
+/// experiment may have are taken of all.
+pub fn places(
+    cases: &[Scene],
+    most: usize,
+    profile: &Profile,
+    ask: &mut Ask,
+) -> Option<Vec<Place>> {
+    Search { most, profile, ask }.places(cases, &[])
+}
+
+/// A search for places. Nothing is found once the renderer does not answer.
+struct Search<'a, 'b> {
+    /// The most cases of an experiment.
+    most: usize,
+    profile: &'a Profile,
+    ask: &'a mut Ask<'b>,
+}
+
+impl Search<'_, '_> {
+    fn experiment(&mut self, cases: &[Scene], without: &[usize]) -> Option<Experiment> {
+        Experiment::new(&some(cases, self.most), self.profile, self.ask, without)
+    }
+
+    /// The cases that are still broken without some things.
+    fn left(&mut self, cases: &[Scene], edits: &[usize]) -> Option<Vec<Scene>> {
+        let without = |case: &Scene| {
+            edits.iter().fold(case.clone(), |case, k| {
+                EDITS[*k].of(&case, self.profile).unwrap_or(case)
+            })
+        };
+        let edited: Vec<Scene> = cases.iter().map(without).collect();
+        let are_broken = (self.ask)(&edited)?.into_iter();
+        let broken = edited.into_iter().zip(are_broken).filter(|(_, is)| *is);
+        Some(broken.map(|(case, _)| case).collect())
+    }
+
+    /// The places of cases from which some edits have taken things out already.
+    fn places(&mut self, cases: &[Scene], without: &[usize]) -> Option<Vec<Place>> {
+        let experiment = self.experiment(cases, without)?;
+        let whole = experiment.place();
+        if without.len() >= DEPTH {
+            return Some(vec![whole]);
+        }
+        // without what nearly all need, something else may be wrong with the others
+        let particular = whole.only_with.iter().find(|id| !GENERAL.contains(id));
+        let firsts = match particular.and_then(|id| number(id)) {
+            Some(k) => vec![k],
+            None => experiment.parts(),
+        };
+        let cases = some(cases, 10 * self.most);
+        let mut found = Vec::new();
+        for k in firsts {
+            match self.apart(&cases, (&experiment, &whole), k, without) {
+                Some(all) if all.len() > 1 => found.push(all),
+                Some(_) => {}
+                None => break, // the time is up
+            }
+        }
+        // few places, and particular ones
+        let first = |place: &Place| number(place.only_with.first()?);
+        found.sort_by_key(|all| (all.len(), all.iter().filter_map(first).sum::<usize>()));
+        Some(found.into_iter().next().unwrap_or(vec![whole]))
+    }
+
+    /// The places, if one thing is wrong with what an edit takes out and another without it: each is the place of
+    /// the cases that are left without the other. None if these do not need what they were told apart by.
+    fn apart(
+        &mut self,
+        cases: &[Scene],
+        (experiment, whole): (&Experiment, &Place),
+        k: usize,
+        without: &[usize],
+    ) -> Option<Vec<Place>> {
+        let none = Some(Vec::new());
+        let left = self.left(cases, &[k])?;
+        if left.len() < FEW {
+            return none;
+        }
+        let without_first = [without, &[k]].concat();
+        let mut others = if whole.only_with.len() < 2 {
+            self.places(&left, &without_first)?
+        } else {
+            let of_others = self.experiment(&left, &without_first)?;
+            vec![of_others.place()]
+        };
+        let edits: Vec<usize> = others.iter().filter_map(|it| it.beside(whole)).collect();
+        let both = [&edits[..], &[k]].concat();
+        let turns = |id: &&str| *id == "eye behind" || TURNS.contains(id);
+        let is_one = both.iter().all(|k| turns(&EDITS[*k].id))
+            && both.iter().any(|k| EDITS[*k].id == "eye behind");
+        if edits.len() < others.len() || is_one {
+            return none;
+        }
+        let of_first = self.left(cases, &edits)?;
+        if of_first.len() < FEW {
+            return none;
+        }
+        let of_first = self.experiment(&of_first, &[without, &edits].concat())?;
+        let mut first = of_first.place();
+        let is_told = !whole.is_general() || first.beside(whole).is_some();
+        if !first.only_with.contains(&EDITS[k].id) || !is_told {
+            return none;
+        }
+        experiment.settle(&mut first, k, &edits);
+        for (other, edit) in others.iter_mut().zip(&edits) {
+            experiment.settle(other, *edit, &[k]);
+        }
+        let mut all = vec![first];
+        for other in others {
+            if all.iter().all(|place| !place.is_as_particular(&other)) {
+                all.push(other);
+            }
+        }
+        merge(&mut all);
+        Some(all)
+    }
+}
