@@ -59,18 +59,17 @@ pub struct Evidence {
     profile: Profile,
     wrong: Vec<Sample>,
     right: Vec<Sample>,
-    parts: OnceCell<Vec<Cause>>,
+    of_some: OnceCell<Vec<Cause>>,
 }
 
 impl Evidence {
     /// No answer yet, of a renderer that says this of itself.
     pub fn new(profile: Profile) -> Self {
-        let (wrong, right, parts) = (Vec::new(), Vec::new(), OnceCell::new());
         Self {
             profile,
-            wrong,
-            right,
-            parts,
+            wrong: Vec::new(),
+            right: Vec::new(),
+            of_some: OnceCell::new(),
         }
     }
 
@@ -99,7 +98,7 @@ impl Evidence {
             .or_else(|| self.form_of_some())
             .or_else(|| self.one_of_two())
             .or_else(|| {
-                let halves = self.parts().iter().filter(|it| it.is_half());
+                let halves = self.mistakes_of_some().iter().filter(|it| it.is_half());
                 best(halves.cloned().collect())
             })
     }
@@ -120,19 +119,20 @@ impl Evidence {
         cause.or_else(|| ROUGH.iter().find_map(|bits| self.roughness(*bits)))
     }
 
-    /// The mistakes that explain some of the wrong colors and no right one away, those that explain most first.
-    pub fn parts(&self) -> &[Cause] {
-        self.parts.get_or_init(|| {
-            let mut parts = self.mistakes(false);
-            parts.retain(|it| it.explained >= FEW);
-            parts.truncate(MOST_PARTS);
-            parts
-        })
+    /// The mistakes that explain so many of the wrong colors, and no right one away, that they may be one of two.
+    pub fn parts(&self) -> impl Iterator<Item = &Cause> {
+        let parts = self.mistakes_of_some().iter();
+        parts.filter(|it| it.explained >= FEW).take(MOST_PARTS)
+    }
+
+    /// The mistakes that explain some of the wrong colors, which take long to find.
+    fn mistakes_of_some(&self) -> &[Cause] {
+        self.of_some.get_or_init(|| self.mistakes(false))
     }
 
     /// A mistake of the table, without which another one explains all.
     fn one_of_two(&self) -> Option<Cause> {
-        let mut parts = self.parts().iter().filter(|part| {
+        let mut parts = self.parts().filter(|part| {
             let rest = part.then.as_deref().map(|then| self.rest(then));
             rest.is_some_and(|it| it.wrong.len() >= FEW && !it.mistakes(true).is_empty())
         });

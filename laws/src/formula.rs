@@ -355,7 +355,10 @@ impl<'a> Formula<'a> {
 
     /// The reply of a renderer like this.
     pub fn reply(&self, scene: &Scene) -> Triple {
-        self.linear(scene).map(|c| self.encoded(c.value))
+        let level = self.profile.level();
+        let at_level = |c: f64| level.map_or(c, |level| (c / level).round() * level);
+        let linear = self.linear(scene);
+        linear.map(|c| at_level(self.encoded(c.value)))
     }
 
     /// What becomes of linear light on its way out.

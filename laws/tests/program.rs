@@ -210,8 +210,10 @@ fn lines_are_missed(language: &str, step: usize) {
     let text = shell(&folder, "", &format!("$laws example {language}"), 0);
     let lines: Vec<&str> = text.lines().collect();
     let line = match language {
+        // otherwise, what is not initialized holds what was there before, which is memory
         "c" => {
-            "cc -w -x c -O1 file.c -o by_c -lm && $laws --timeout 2 --cases 64 --no-shrink ./by_c"
+            "cc -w -x c -O1 -ftrivial-auto-var-init=zero file.c -o by_c -lm &&
+             $laws --timeout 2 --cases 64 --no-shrink ./by_c"
         }
         "python" => "$laws --timeout 2 --cases 64 --no-shrink python3 file.python",
         _ => "$laws --timeout 2 --cases 64 --no-shrink node file.javascript",
