@@ -100,7 +100,6 @@ impl Graph {
             (Node::Neg(_), Some(Node::Neg(x)), _) => x,
             (Node::Add(a, _), _, Some(Node::Neg(y))) => self.insert(Node::Sub(a, y)),
             (Node::Add(_, b), Some(Node::Neg(x)), _) => self.insert(Node::Sub(b, x)),
-            (Node::Sub(a, _), _, Some(Node::Neg(y))) => self.node(Node::Add(a, y)),
             (Node::Mul(_, b), Some(Node::Neg(x)), _) => self.negated(Node::Mul(x, b)),
             (Node::Mul(a, _), _, Some(Node::Neg(y))) => self.negated(Node::Mul(a, y)),
             (Node::Add(a, b), ..) => self.insert(Node::Add(a.min(b), a.max(b))),

@@ -147,7 +147,9 @@ impl Known {
             ) => {
                 edge == same
                     && is(self, below, less)
-                    && (x == y || !self.range(g, x).nan && is(self, x, y) && is(self, below, more))
+                    && !self.range(g, x).nan
+                    && is(self, x, y)
+                    && is(self, below, more)
                     && is(self, other, more)
             }
             _ => false,
