@@ -19,14 +19,21 @@ complain() {
 # within WHAT VALUE LIMIT: complains if the value exceeds the limit
 within() { [ "$2" -le "$3" ] || complain "$1: $2 exceeds $3"; }
 
-# build TARGET PROFILE PROGRAM: prints the path of the program
+# build TARGET PROFILE PROGRAM: prints the path of the program. The profile is `release`, at opt-level 3; `small`, at opt-level
+# s; or `ball`, as an author builds firmware that must be fast and small. They are one profile for cargo, which compiles the
+# macros and the build scripts of dependencies once for each profile; so the next build may replace the program.
 build() {
-    local features=""
+    local features="" level=3 lto=false
+    case $2 in
+    small) level=s ;;
+    ball) lto=fat ;;
+    esac
     case $3 in
     ball | frame) features=ball ;;
     c) features=c ;;
     esac
-    cargo build --quiet --target "$1" --profile "$2" --bin "$3" --features "$features" >&2 && echo "target/$1/$2/$3"
+    CARGO_PROFILE_RELEASE_OPT_LEVEL=$level CARGO_PROFILE_RELEASE_LTO=$lto \
+        cargo build --quiet --target "$1" --release --bin "$3" --features "$features" >&2 && echo "target/$1/release/$3"
 }
 
 # run TARGET PROFILE PROGRAM ARGUMENT...: prints what the program prints in the emulator
