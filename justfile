@@ -20,7 +20,7 @@ chips:
 
 # measure the time beside the same by hand (`just bench quick forms` for some), and fail above a limit
 bench *what:
-    cargo bench -p shading-benches --bench time -- judge {{what}}
+    cargo bench -p shading-benches --features peers --bench time -- judge {{what}}
 
 # measure the loops of the working tree against those of a commit
 slower commit:

@@ -9,6 +9,8 @@ fn main() -> ExitCode {
             "bench",
             "--package",
             "shading-benches",
+            "--features",
+            "peers",
             "--bench",
             "time",
             "--",

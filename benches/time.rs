@@ -1,6 +1,6 @@
 //! How long the crate takes beside the same by hand: on `glam`, on `wide`, in C and with the standard library.
 //!
-//! `cargo bench -p shading-benches --bench time` prints tables in Markdown; with `-- judge`, a
+//! `cargo bench -p shading-benches --features peers --bench time` prints tables in Markdown; with `-- judge`, a
 //! ratio above its limit is measured again, and is an error if it stays there. `-- quick` takes a
 //! quarter of the time; `-- forms lanes` runs these tables alone.
 

@@ -88,7 +88,7 @@ fi
 
 echo "== the library builds for every target"
 # shellcheck disable=SC2046 # one word per target
-(cd ../.. && cargo build --quiet --package shading --lib --no-default-features \
+(cd ../.. && cargo build --quiet --package shading --lib --no-default-features --target-dir tests/firmware/target \
     $(printf -- '--target %s ' $chips wasm32-unknown-unknown)) || complain "the library does not build"
 
 echo "== the same bits"
