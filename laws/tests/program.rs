@@ -203,16 +203,16 @@ fn what_is_remembered_is_told_with_what_was_asked_before() {
     }
 }
 
-/// Takes out single lines of an example. Whatever is left has no memory, so none may be told of it.
+/// Takes out single lines of an example. What is left has no memory, so none may be told of it.
 fn lines_are_missed(language: &str, step: usize) {
     let folder = temporary();
     let file = format!("file.{language}");
     let text = shell(&folder, "", &format!("$laws example {language}"), 0);
     let lines: Vec<&str> = text.lines().collect();
     let line = match language {
-        // otherwise, what is not initialized holds what was there before, which is memory
+        // what is not initialized or not returned would be what was there before, which is memory
         "c" => {
-            "cc -w -x c -O1 -ftrivial-auto-var-init=zero file.c -o by_c -lm &&
+            "cc -Werror=return-type -x c -O1 -ftrivial-auto-var-init=zero file.c -o by_c -lm &&
              $laws --timeout 2 --cases 64 --no-shrink ./by_c"
         }
         "python" => "$laws --timeout 2 --cases 64 --no-shrink python3 file.python",
@@ -225,12 +225,12 @@ fn lines_are_missed(language: &str, step: usize) {
         command.args(["-c", line]).current_dir(&folder);
         command.env("laws", env!("CARGO_BIN_EXE_shading-laws"));
         let (_, report, _) = run(&mut command);
-        let line = lines[missing];
-        assert!(
-            !report.contains("a scene changes the color"),
-            "{line}: {report}"
-        );
-        assert!(!report.contains("no_memory is BROKEN"), "{line}: {report}");
+        // an answer to a line that has none shifts the others, and is told first
+        let is_shifted = report.contains("the run ended early: after the answer to scene");
+        let is_memory = ["a scene changes the color", "no_memory is BROKEN"]
+            .iter()
+            .any(|part| report.contains(part));
+        assert!(is_shifted || !is_memory, "{}: {report}", lines[missing]);
     }
 }
 
