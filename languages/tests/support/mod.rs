@@ -22,7 +22,12 @@ pub fn is_sound(function: &Function, result: &[f32]) -> bool {
 
 /// The numbers of the arguments of many calls, one call after another.
 pub fn arguments(function: &Function, draw: Draw, calls: usize) -> Vec<f32> {
-    let mut random = Random { state: 7, draw };
+    let is_made_finite = ["arrival", "total"].contains(&function.name);
+    let mut random = Random {
+        state: 7,
+        draw,
+        is_made_finite,
+    };
     let mut all = vec![];
     for _ in 0..calls {
         for (name, kind) in &function.parameters {
@@ -42,13 +47,35 @@ pub enum Draw {
     Special,
     /// From the least number to the largest, each of its own size.
     Extreme,
-    /// Vectors whose square is at an end of the range in which squares are exact, 2⁻¹⁰⁰ or 2¹⁰⁰, beside ordinary ones.
+    /// Numbers at which a comparison of a formula holds with equality, or may, beside ordinary ones.
     Edge,
 }
+
+/// Directions. Halfway between the fourth and the fifth, the cosine to the first is 0. The square of the last is
+/// above 1.
+const DIRECTIONS: [[f32; 3]; 6] = [
+    [1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, 0.0, 1.0],
+    [0.6, 0.8, 0.0],
+    [-0.6, 0.8, 0.0],
+    [0.498_756_8, -0.813_002_8, -0.300_446_7],
+];
+
+/// Edges of a triangle. At some of the angles to the x-axis, the angle begins to be measured otherwise.
+const SPECIAL_VECTORS: [[f32; 3]; 6] = [
+    [0.0, 0.0, 0.0],
+    [1.0, 0.0, 0.0],
+    [1.0, 2.414_213_7, 0.0],
+    [1.0, 0.414_213_57, 0.0],
+    [1.0, 0.414_213_6, 0.0],
+    [0.0, 1.0, 0.0],
+];
 
 struct Random {
     state: u64,
     draw: Draw,
+    is_made_finite: bool,
 }
 
 impl Random {
@@ -96,7 +123,65 @@ impl Random {
         <[f32; 3]>::from(v.unit_or(shading::UnitVec3::Z))
     }
 
+    fn one_of<T: Copy>(&mut self, all: &[T]) -> T {
+        all[self.bits() as usize % all.len()]
+    }
+
+    /// An argument at an edge; nothing for a kind that has none.
+    fn edge(&mut self, name: &str, kind: Kind) -> Option<Vec<f32>> {
+        // the ends of the cosines that a cone stores, and what is one step beside
+        const COSINES: [f32; 6] = [
+            -1.0,
+            -0.999_999_6,
+            -0.999_999_5,
+            0.999_999_5,
+            0.999_999_6,
+            1.0,
+        ];
+        Some(match kind {
+            Kind::Cosine => vec![self.one_of(&COSINES)],
+            Kind::Cosines => {
+                let (a, b) = (self.one_of(&COSINES), self.one_of(&COSINES));
+                vec![a.max(b), a.min(b)]
+            }
+            Kind::Positive if ["range", "limit", "r"].contains(&name) => {
+                vec![self.one_of(&[1.0, 2e38, f32::MAX])]
+            }
+            Kind::Positive => vec![self.one_of(&[0.0, 1.0, 1e38])],
+            Kind::Color if name == "coefficients" => vec![1.0, 0.0, 0.0],
+            // a sum or an intensity may have any size where the result is made finite
+            Kind::Color if self.is_made_finite && !name.starts_with("k_") && name != "i_a" => {
+                vec![self.one_of(&[1.0, 3e38]); 3]
+            }
+            Kind::Unit => {
+                let sign = self.one_of(&[1.0, -1.0]);
+                self.one_of(&DIRECTIONS).map(|x| x * sign).to_vec()
+            }
+            Kind::Vector => {
+                let of = [DIRECTIONS, SPECIAL_VECTORS][(self.bits() & 1) as usize];
+                // the square of 2^50 and that of 2^-50 are at the ends of the range in which squares are exact
+                let sizes = [
+                    1.0,
+                    1.0,
+                    -1.0,
+                    2_f32.powi(50),
+                    2_f32.powi(-50),
+                    2_f32.powi(126),
+                ];
+                let size = self.one_of(&sizes);
+                self.one_of(&of).map(|x| x * size).to_vec()
+            }
+            _ => return None,
+        })
+    }
+
     fn draw(&mut self, name: &str, kind: Kind, all: &mut Vec<f32>) {
+        if self.draw == Draw::Edge
+            && self.bits() & 3 != 0
+            && let Some(numbers) = self.edge(name, kind)
+        {
+            return all.extend(numbers);
+        }
         match kind {
             Kind::Flag => all.push((self.bits() & 1) as f32),
             Kind::Cosine => {
@@ -139,13 +224,6 @@ impl Random {
             Kind::Cosines => {
                 let (a, b) = (self.signed() + 0.0, self.signed() + 0.0);
                 all.extend(if a > b { [a, b] } else { [b, a] });
-            }
-            Kind::Vector if self.draw == Draw::Edge && self.bits() & 1 == 0 => {
-                let x = [f32::from_bits(177 << 23), f32::from_bits(77 << 23)]
-                    [(self.bits() & 1) as usize];
-                let mut v = [x, 0.0, 0.0];
-                v.rotate_right((self.bits() % 3) as usize);
-                all.extend(v);
             }
             Kind::Vector => {
                 let size = self.size();
