@@ -113,7 +113,7 @@ impl Factor {
             (slope, constant, excess) = (slope >> 1, constant >> 1, excess >> 1);
             shift += 1;
         }
-        let denominator = slope * q as i64 + constant;
+        let denominator = product(slope as i32, q) + constant;
         let mut bits = denominator as u64 | 1;
         while bits >> 63 == 0 {
             (bits, shift) = (bits << 1, shift - 1);

@@ -106,18 +106,13 @@ impl Scaled {
 
     #[inline]
     pub(super) const fn unit_and_length(self) -> ([Fixed; 3], Fixed) {
-        let Self {
-            v: [x, y, z],
-            shift,
-            square,
-            root,
-        } = self;
+        let ([x, y, z], shift, root) = (self.v, self.shift, self.root);
         let unit = [
             Fixed((upper(x, root) + (1 << 10)) >> 11),
             Fixed((upper(y, root) + (1 << 10)) >> 11),
             Fixed((upper(z, root) + (1 << 10)) >> 11),
         ];
-        let length = upper_unsigned(square, root as u32); // in units of 2^(5 − shift) steps
+        let length = upper_unsigned(self.square, root as u32); // in units of 2^(5 − shift) steps
         let length = if shift > 5 {
             ((length >> (shift - 6)) + 1) >> 1
         } else if length >> (26 + shift) != 0 {

@@ -7,11 +7,6 @@
 
 #[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
 pub(super) use libm::sqrt;
-#[cfg(not(any(
-    all(target_arch = "x86_64", target_feature = "sse2"),
-    all(target_arch = "arm", target_abi = "eabihf")
-)))]
-pub(super) use libm::sqrtf;
 #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 pub(super) use x86_64::{sqrt, sqrtf};
 
@@ -59,6 +54,21 @@ pub(super) fn sqrtf(x: f32) -> f32 {
         );
     }
     f32::from_bits(bits)
+}
+
+/// Without an FPU, each copy of the routine takes 230 bytes on a Cortex-M0.
+#[cfg(not(any(
+    all(target_arch = "x86_64", target_feature = "sse2"),
+    all(target_arch = "arm", target_abi = "eabihf")
+)))]
+#[inline]
+pub(super) fn sqrtf(x: f32) -> f32 {
+    #[inline(never)]
+    fn called(x: f32) -> f32 {
+        libm::sqrtf(x)
+    }
+    let fpu = crate::target::FPU;
+    if fpu { libm::sqrtf(x) } else { called(x) }
 }
 
 /// The correctly rounded root of a positive normal number, for constants. The integer root has at
