@@ -188,7 +188,7 @@ function list() {
       return element("li", {}, element("a", {
         href: `#${id}`, class: isDone ? "done" : "", "aria-current": id === current.id ? "page" : null,
         "aria-label": number ? `${title}${isDone ? ", done" : ""}` : null,
-      }, number ? String(number) : title, number || !isDone ? null : element("small", {}, " done")));
+      }, number ? String(number) : element("span", {}, title, isDone ? element("small", {}, " done") : null)));
     }));
   }
   $("score").textContent = `${ALL.filter(({ id }) => kept[id]?.done).length} of ${ALL.length} done`;
