@@ -162,8 +162,10 @@ function redraw() {
   $("message").textContent = draw(part(), canvas, context);
   for (const name of OF_LAMP2) form.elements[name].disabled = !isOn("second");
   for (const name of OF_SUN) form.elements[name].disabled = !isOn("sun");
+  const hasFalloff = ["a", "b", "c"].some(field);
   LAMPS.forEach(({ marker, color, names }, lamp) => {
-    showLamp($(marker), lamp === 0 || isOn("second"), lampPlace(lamp), names.map(field));
+    showLamp($(marker), hasFalloff && (lamp === 0 || isOn("second")), lampPlace(lamp), names.map(field));
+    if (!hasFalloff) $(`${marker}-place`).textContent = "off";
     $(marker).style.setProperty("--light", form.elements[color].value);
   });
   explain();
@@ -213,7 +215,7 @@ function place(marker, x, y) {
 
 /** What shines, by the sign that stands beside its letters: nothing is added to those of a single lamp. */
 function lit() {
-  const hasFalloff = field("a") || field("b") || field("c");
+  const hasFalloff = ["a", "b", "c"].some(field);
   const lamps = hasFalloff ? (isOn("second") ? ["1", "2"] : [isOn("sun") ? "1" : ""]) : [];
   return [...lamps, ...(isOn("sun") ? ["sun"] : [])];
 }

@@ -11,7 +11,7 @@ function curve(canvas, most, of, marks, label) {
   context.scale(sharp, sharp);
   const values = Array.from({ length: 101 }, (_, i) => of((i / 100) * most));
   const finite = values.filter(Number.isFinite);
-  const highest = Math.max(1e-9, ...finite.map((x) => Math.min(x, 4)));
+  const highest = finite.length === 0 ? 1 : Math.max(1e-9, ...finite.map((x) => Math.min(x, 4)));
   const at = (x, y) => [left + (x / most) * (WIDTH - left - 6), bottom - (Math.min(y, highest) / highest) * (bottom - top)];
   Object.assign(context, { strokeStyle: color, fillStyle: color, font: "10px system-ui, sans-serif", lineWidth: 1 });
   context.globalAlpha = 0.5;
