@@ -72,6 +72,7 @@ function keep(id, what) {
 // ---- the open exercise
 let current = FORMULAS[0];
 let later;
+let drawn = null; // the code whose picture is shown
 let hints = 0;
 const editor = new Editor({ changed, submit: check });
 
@@ -90,6 +91,7 @@ function tell(problem) {
 
 function draw() {
   clearTimeout(later);
+  const { text } = editor;
   const heard = ({ pictures, off, unlike, problem, ms }) => {
     tell(problem);
     if (pictures) {
@@ -98,9 +100,10 @@ function draw() {
     } else {
       $("off").textContent = "There is no picture.";
     }
+    drawn = text;
     Object.assign(root, { drawn: Math.round(ms ?? -1), off: off ?? "", unlike: unlike ?? "" });
   };
-  runner.run(editor.text, task("draw"), { heard });
+  runner.run(text, task("draw"), { heard });
 }
 
 function changed() {
@@ -139,6 +142,7 @@ function check() {
     $("headline").scrollIntoView({ block: "nearest" });
     Object.assign(root, { checked: Math.round(performance.now() - start), first });
     dispatchEvent(new CustomEvent("checked", { detail: answer }));
+    if (drawn !== editor.text) later = setTimeout(draw); // the click came before the picture
   };
   runner.run(editor.text, task("check"), { heard, progress });
 }
