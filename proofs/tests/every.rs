@@ -38,10 +38,8 @@ fn a_root_is_correctly_rounded() {
 #[ignore = "every f32"]
 fn a_comparison_with_a_range_is_that_of_numbers() {
     for x in every_float() {
-        for (low, high) in [
-            (1.0 / f32::EXTREME, f32::EXTREME),
-            (1.0 / f32::EXTREME, 1.0),
-        ] {
+        let low = 1.0 / f32::EXTREME;
+        for high in [f32::EXTREME, 1.0] {
             let is_inside = low < x && x < high;
             assert!(
                 x.any_outside(low, high) != is_inside || x == low || x == high,

@@ -26,7 +26,6 @@ fn check<I: std::fmt::Debug>(
         }
     }
     assert!(compared > 0);
-    println!("{compared} values");
 }
 
 /// Ranges of each kind: with and without NaN, −0, infinities, either sign, one number alone.
@@ -322,4 +321,17 @@ fn powers_with_a_contract() {
             [all_of(power, x), all_of(power * m, power)].concat()
         },
     );
+}
+
+/// What is selected below an edge keeps the order of numbers, and NaN lies below no edge.
+#[test]
+fn order_of_selections() {
+    let ranges = [Range::within(0.0, 1.0), Range::within(2.0, 4.0)].map(Range::or_nan);
+    check(Format::Small(3, 2), ranges, |given, x| {
+        let x = given.number("x", *x);
+        let y = given.number("y", Range::within(2.0, 4.0));
+        let edge = given.number("edge", Range::ANY);
+        let [x, y] = [x, y].map(|z| edge.above(z).select(Term::ZERO, Term::ONE));
+        vec![Goal::AtMost(x, y)]
+    });
 }
