@@ -63,7 +63,9 @@ fn the_code_of_the_page_compiles() {
             .split(' ')
             .collect::<Vec<_>>(),
     );
-    let arduino = "#include <stdint.h>\nstruct Port {\n    void begin(long) {}\n    void print(char) {}\n    void println() {}\n};\nstatic Port Serial;\n";
+    let arduino = "#include <stdint.h>\n\
+        struct Port { void begin(long) {} void print(char) {} void println() {} };\n\
+        static Port Serial;\n";
     let sketch = format!("{arduino}{}", block("cpp\n"));
     let source = written("sketch.cpp", &sketch);
     succeeds(

@@ -95,10 +95,10 @@ impl Cause {
     }
 }
 
-/// Whether something is nearly all of a count: a tenth may miss. A mistake of the table has a number that is a little
-/// off in some renderers. In some scenes an edit leaves what it is about as it was, such as a second light that
-/// the wrong one hides. Of 62 mistakes alone, all were told alike where a fifth might miss, and where a twentieth;
-/// but of 15 pairs, one was told in part where a twentieth might.
+/// Whether something is nearly all of a count: a tenth may miss. A mistake of the table has a number that is
+/// a little off in some renderers. In some scenes an edit leaves what it is about as it was, such as a second
+/// light that the wrong one hides. Of 62 mistakes alone, all were told alike where a fifth might miss, and where
+/// a twentieth; but of 15 pairs, one was told in part where a twentieth might.
 pub fn is_nearly_all(count: usize, of: usize) -> bool {
     count * 10 >= of * 9
 }

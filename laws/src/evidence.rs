@@ -178,7 +178,7 @@ impl Evidence {
                 Some(None) => unknown += 1, // such as that of the eye in the surface, which has no direction
                 Some(Some(true)) | None => {}
             }
-            // a right color that is wrong with the mistake shows that it is not made there; rounding may decide of few
+            // a right color that is wrong with the mistake shows that it is made elsewhere; rounding decides a few
             contradicted += usize::from(self.right.get(i).and_then(fits) == Some(false));
             if contradicted > 2 || is_whole && !is_nearly_all(all - unexplained, all) {
                 return None;

@@ -5,7 +5,7 @@ use shading::fixed::Fixed;
 use shading::number::{Dimmed, LightSum};
 use shading::{Real, Rgb, Vec3};
 
-/// What products, dot products, the test of what faces a surface and sums over a light give, for `fixed.py` to compare with.
+/// What products, dot products, the test of what faces a surface and sums give, for `fixed.py` to compare with.
 pub fn print() {
     let mut random = Random(1);
     let mut next = || {
