@@ -184,12 +184,12 @@ page() {
     node web/test/exercises.mjs "$built/release/normals" ${PICTURES:+"$(realpath "$PICTURES")"}
 }
 
-# the files of languages/: a ball and a teapot in C, C++, Metal (as C++), GLSL, HLSL and WGSL; every function in WGSL and GLSL, also
-# with extreme numbers; the laws on C and WGSL
+# the files of languages/: a ball and a teapot in C, C++, Metal (as C++), GLSL, HLSL and WGSL; every function in WGSL, GLSL, HLSL
+# and Metal, also with extreme numbers; the laws on C and WGSL
 gpu() {
     install_packages gcc g++ glslang-tools spirv-tools libvulkan1 mesa-vulkan-drivers
     command -v "${CHROMIUM:-chromium}" >/dev/null || install_packages chromium
-    local work=$built/gpu files=../languages shaders=gpu/shaders power language
+    local work=$built/gpu files=../languages shaders=gpu/shaders power language how
     mkdir -p "$work"
     (cd gpu && cargo fmt --check && cargo clippy --quiet -- -D warnings && cargo build --quiet)
     local program=${CARGO_TARGET_DIR:-gpu/target}/debug/gpu
@@ -218,12 +218,14 @@ gpu() {
             { printf '%s\nprecision highp float;\n%s\n' "$language" "$power" && cat "$files/shading.glsl" $shaders/scene.frag; } >"$work/scene.frag"
             glslangValidator "$work/scene.frag"
         done
-        in_a_browser "$power" $([ -n "$power" ] && echo exact || echo nearly)
+        how=$([ -n "$power" ] && echo exact || echo nearly)
+        in_a_browser "$power" "$how"
+        for language in hlsl metal; do XDG_RUNTIME_DIR=$work "$program" $language "$work" "$how"; done
         { echo "$power" && cat $shaders/scene.hlsl; } >"$work/scene.hlsl"
         glslangValidator -D -S comp -e main -V -I"$files" "$work/scene.hlsl" -o "$work/scene.spv"
         spirv-val "$work/scene.spv"
     done
-    XDG_RUNTIME_DIR=$work "$program" run
+    XDG_RUNTIME_DIR=$work "$program" run "$work/scene.spv"
 }
 
 # in_a_browser POWER HOW: the scene and every function in GLSL with one of its powers, by WebGL without a GPU

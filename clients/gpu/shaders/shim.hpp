@@ -35,8 +35,9 @@ inline float dot(float3 a, float3 b) { return a.x * b.x + a.y * b.y + a.z * b.z;
 inline float3 cross(float3 a, float3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-inline float max(float a, float b) { return a > b ? a : b; }
-inline float min(float a, float b) { return a > b ? b : a; }
+// of a NaN and a number, the number, as in Metal
+inline float max(float a, float b) { return std::fmax(a, b); }
+inline float min(float a, float b) { return std::fmin(a, b); }
 inline float3 min(float3 a, float3 b) { return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)}; }
 inline float clamp(float x, float a, float b) { return min(max(x, a), b); }
 inline float sqrt(float x) { return std::sqrt(x); }

@@ -3,7 +3,8 @@
 //! every function and the scene on a Vulkan device, and the scene by a SPIR-V module, if one is named, and tries
 //! the laws of local illumination on the files; `gpu laws PROGRAM [mistaken]` tries them on a program that shades
 //! scenes; `gpu calls` prints a page's calls of every function in GLSL, and `gpu answers FILE exact|nearly` judges
-//! their results.
+//! their results; `gpu hlsl FOLDER exact|nearly` and `gpu metal FOLDER exact|nearly` compare every function in these
+//! languages, with what they translate in a folder.
 
 mod buffers;
 #[path = "../../../languages/tests/support/mod.rs"]
@@ -12,13 +13,13 @@ mod gpu;
 mod laws;
 mod rows;
 mod scene;
+mod translated;
 
 use std::borrow::Cow;
 use std::error::Error;
 use std::path::Path;
 use std::{env, fs, process};
 
-use shading_languages::files;
 use wgpu::ShaderSource;
 
 use buffers::{GpuLight, GpuMaterial};
@@ -91,8 +92,7 @@ fn run(module: Option<&str>) -> Result<()> {
         ("shading_exact.wgsl", Power::Own),
         ("shading.wgsl", Power::BuiltIn),
     ] {
-        let files = files();
-        let (_, file) = files.iter().find(|file| file.0 == name).ok_or("no file")?;
+        let file = &rows::of_file(name)?;
         println!("{name}");
         let source = format!("{file}{}", include_str!("../shaders/scene.wgsl"));
         let kernel = gpu.kernel(ShaderSource::Wgsl(source.into()));
@@ -140,13 +140,10 @@ fn main() {
             Ok(())
         }
         ["answers", file, how] => {
-            let power = if how == "exact" {
-                Power::Own
-            } else {
-                Power::BuiltIn
-            };
-            read(file).and_then(|numbers| rows::judge_all(&numbers, power))
+            read(file).and_then(|numbers| rows::judge_all(&numbers, Power::of(how)))
         }
+        ["hlsl", folder, how] => translated::compare_hlsl(Path::new(folder), Power::of(how)),
+        ["metal", folder, how] => translated::compare_metal(Path::new(folder), Power::of(how)),
         ["laws", program] => laws::of_program(program, false),
         ["laws", program, "mistaken"] => laws::of_program(program, true),
         ["run"] => run(None),
@@ -154,9 +151,10 @@ fn main() {
         _ => {
             let compare = "gpu compare FILE exact|nearly";
             let laws = "gpu laws PROGRAM [mistaken]";
+            let translated = "gpu hlsl|metal FOLDER exact|nearly";
             let calls = "gpu calls | gpu answers FILE exact|nearly";
             Err(format!(
-                "usage: gpu scene FOLDER | {compare} | {calls} | {laws} | gpu run [MODULE]"
+                "usage: gpu scene FOLDER | {compare} | {calls} | {translated} | {laws} | gpu run [MODULE]"
             )
             .into())
         }

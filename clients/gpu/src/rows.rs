@@ -3,19 +3,19 @@
 
 use std::fmt::Write as _;
 
-use shading_languages::{Arguments, Function, Kind, functions};
+use shading_languages::{Arguments, Function, Kind, files, functions};
 use wgpu::ShaderSource;
 
 use crate::Result;
 use crate::draw::{Draw, arguments, is_sound};
 use crate::gpu::Gpu;
 
-const CALLS: usize = 20_000;
+pub const CALLS: usize = 20_000;
 
 /// Calls in a browser, which fill rows of 64.
 const CALLS_IN_A_BROWSER: usize = 1024;
 
-const DRAWS: [Draw; 3] = [Draw::Ordinary, Draw::Special, Draw::Extreme];
+pub const DRAWS: [Draw; 3] = [Draw::Ordinary, Draw::Special, Draw::Extreme];
 
 /// What the power of a Vulkan device may be off by in a result, for m up to 200. The logarithm may be off
 /// by 2⁻²¹, so its product with m by 200 · 2⁻²¹ and the power by ln 2 times that, 1,109 · 2⁻²⁴; the
@@ -29,9 +29,19 @@ pub enum Power {
     BuiltIn,
 }
 
+impl Power {
+    /// By whether a file is to be exact.
+    pub fn of(how: &str) -> Self {
+        match how {
+            "exact" => Self::Own,
+            _ => Self::BuiltIn,
+        }
+    }
+}
+
 /// How a file computes beside the crate.
 #[derive(Default)]
-struct Tally {
+pub struct Tally {
     functions: usize,
     largest: f32,
     /// The calls with extreme numbers, and how many of them have the crate's results.
@@ -91,7 +101,28 @@ impl Tally {
         Ok(is_exact)
     }
 
-    fn report(&self) {
+    /// Judges what a function gives for each draw.
+    pub fn of_function(
+        &mut self,
+        function: &Function,
+        calls: usize,
+        power: Power,
+        compute: &mut dyn FnMut(&[f32]) -> Result<Vec<f32>>,
+    ) -> Result<()> {
+        let mut is_exact = true;
+        for draw in DRAWS {
+            let numbers = arguments(function, draw, calls);
+            let found = compute(&numbers)?;
+            if found.len() != calls * function.result.width() {
+                return Err(format!("{}: {} numbers", function.name, found.len()).into());
+            }
+            is_exact &= self.judge(function, draw, &numbers, &found, power)?;
+        }
+        self.functions += usize::from(is_exact);
+        Ok(())
+    }
+
+    pub fn report(&self) {
         let (all, steps) = (functions().len(), self.largest * 16_777_216.0);
         let Self {
             functions,
@@ -108,6 +139,12 @@ impl Tally {
     }
 }
 
+/// The text of a file.
+pub fn of_file(name: &str) -> Result<String> {
+    let file = files().into_iter().find(|file| file.0 == name);
+    Ok(file.ok_or("no file")?.1)
+}
+
 /// Compares all functions in WGSL.
 pub fn compare(gpu: &Gpu, file: &str, power: Power) -> Result<()> {
     let mut tally = Tally::default();
@@ -115,17 +152,10 @@ pub fn compare(gpu: &Gpu, file: &str, power: Power) -> Result<()> {
         let kernel = gpu.kernel(ShaderSource::Wgsl(
             format!("{file}{}", in_wgsl(function)).into(),
         ));
-        let mut is_exact = true;
-        for draw in DRAWS {
-            let numbers = arguments(function, draw, CALLS);
-            let found = kernel.run(
-                &[bytemuck::cast_slice(&numbers)],
-                CALLS,
-                function.result.width(),
-            );
-            is_exact &= tally.judge(function, draw, &numbers, &found, power)?;
-        }
-        tally.functions += usize::from(is_exact);
+        let width = function.result.width();
+        tally.of_function(function, CALLS, power, &mut |numbers| {
+            Ok(kernel.run(&[bytemuck::cast_slice(numbers)], CALLS, width))
+        })?;
     }
     tally.report();
     Ok(())
@@ -268,7 +298,7 @@ fn argument(kind: Kind, at: &mut usize, number: &dyn Fn(usize) -> String, suffix
     format!("{of}({})", parts.join(", "))
 }
 
-fn numbers(of: &str, kind: Kind) -> Vec<String> {
+pub fn numbers(of: &str, kind: Kind) -> Vec<String> {
     match (kind.fields(), kind.width()) {
         (Some((_, _, fields)), _) => {
             let field = |(name, kind): &(&str, Kind)| numbers(&format!("{of}.{name}"), *kind);
