@@ -123,12 +123,12 @@ inline float power(float c, float m) {
 
 #else
 
-// (c/d)^m for c/d within [0, by the language's own power.
+// (c/d)^m for c/d within [0, 1] and m >= 0, by the language's own power.
 inline float power_of_quotient(float c, float d, float m) {
     return pow(min(c / d, 1.0f), m);
 }
 
-// c^m for c within [0, by the language's own power.
+// c^m for c within [0, 1] and m >= 0, by the language's own power.
 inline float power(float c, float m) {
     return pow(c, m);
 }

@@ -53,12 +53,12 @@ struct shading_Measured {
     v_length: f32,
 }
 
-// (c/d)^m for c/d within [0, by the language's own power.
+// (c/d)^m for c/d within [0, 1] and m >= 0, by the language's own power.
 fn shading_power_of_quotient(c: f32, d: f32, m: f32) -> f32 {
     return pow(min(c / d, 1.0), m);
 }
 
-// c^m for c within [0, by the language's own power.
+// c^m for c within [0, 1] and m >= 0, by the language's own power.
 fn shading_power(c: f32, m: f32) -> f32 {
     return pow(c, m);
 }

@@ -1,13 +1,12 @@
 //! The files.
 
-use crate::dialect::{C, Dialect, GLSL, HLSL, METAL, Powers, WGSL, WGSL_EXACT, filled};
-use crate::given::{built_in_powers, encodings, is_extreme, operations_on_bits};
-use crate::graph::{Graph, with};
+use crate::dialect::{C, Dialect, GLSL, HLSL, METAL, WGSL, WGSL_EXACT, filled};
+use crate::given::{filled_with_levels, is_extreme, operations_on_bits};
+use crate::graph::Graph;
 use crate::kind::Kind;
-use crate::print::{Printer, Text};
-use crate::table::{Function, functions};
-use crate::tree::explore;
-use crate::values::Values;
+use crate::print::Printer;
+use crate::table::{BUILT_IN_POWERS, Function, functions};
+use crate::tree::Recorded;
 use crate::wrap::wrapped;
 
 const FILES: [(&str, &Dialect); 6] = [
@@ -38,34 +37,23 @@ pub fn text(dialect: &'static Dialect) -> String {
     let head = HEAD.iter().chain(dialect.extremes);
     let head: String = head.map(|line| comment(dialect, line)).collect();
     let structs = Kind::STRUCTS.iter().map(|kind| structure(dialect, *kind));
-    let (powers, others) = functions().split_at(2);
     let texts = |functions: &[Function]| -> String {
         let text = |function| function_text(dialect, function);
         functions.iter().map(text).collect()
     };
-    let (own, built_in) = (
-        operations_on_bits(dialect) + &texts(powers),
-        built_in_powers(dialect),
-    );
-    let powers = match dialect.powers {
-        Powers::Own => own,
-        Powers::BuiltIn => built_in,
-        Powers::Defined => {
-            format!("#ifdef SHADING_EXACT_POWER\n\n{own}#else\n\n{built_in}#endif\n\n")
-        }
-    };
+    let (powers, others) = functions().split_at(2);
+    let own = operations_on_bits(dialect) + &texts(powers);
+    let powers = [("own", &own[..]), ("built_in", &texts(BUILT_IN_POWERS))];
     let [begin, end] = dialect.file;
     [
         &head,
         "\n",
         begin,
-        dialect.vectors,
         &structs.collect::<String>(),
-        &powers,
+        &filled(dialect.powers, &powers),
         &is_extreme(dialect),
         &texts(others),
-        &encodings(dialect),
-        end,
+        &filled_with_levels(dialect, end),
     ]
     .concat()
 }
@@ -87,7 +75,7 @@ fn structure(dialect: &Dialect, kind: Kind) -> String {
     };
     for (i, (name, kind)) in fields.iter().enumerate() {
         let of = match kind.width() {
-            3 if is_stored => dialect.stored.into(),
+            3 if is_stored => [dialect.packed, dialect.types[2]].concat(),
             _ => dialect.type_of(*kind),
         };
         add(&of, name);
@@ -136,62 +124,38 @@ fn names(function: &str) -> Vec<(&'static str, &'static str)> {
 }
 
 fn function_text(dialect: &'static Dialect, function: &Function) -> String {
-    let variables = || {
-        let of = |(name, kind): &(&str, Kind)| kind.variables(name);
-        let variables = function.parameters.iter().flat_map(of);
-        variables.map(|x| x.0).collect()
-    };
-    // a product with 0 tells what is not finite in this function alone
-    let drops_zeros = function.name != "normal_transformed";
-    let recorded = Recorded {
-        graph: Graph::new(function.name, function.selects, drops_zeros),
-        name: &dialect.named(function.name),
-        parameters: &function.parameters,
-        result: function.result,
-        formula: &|| (function.record)(variables()),
-    };
+    let recorded = Recorded::new(
+        Graph::new(function.name),
+        function.parameters,
+        function.result,
+        &function.record,
+    );
     let doc = comment(dialect, function.doc.trim());
-    let text = recorded.text(dialect, dialect.prefix.into(), &names(function.name));
+    let name = dialect.named(function.name);
+    let text = written(
+        dialect,
+        &name,
+        &recorded,
+        dialect.prefix,
+        &names(function.name),
+    );
     format!("{doc}{text}\n")
 }
 
-/// A function to record.
-pub(crate) struct Recorded<'a> {
-    pub graph: Graph,
-    pub name: &'a str,
-    pub parameters: &'a [(&'static str, Kind)],
-    pub result: Kind,
-    pub formula: &'a dyn Fn() -> Vec<usize>,
-}
-
-impl Recorded<'_> {
-    /// Its text, given what stands before the functions of the files that it calls, and names of values.
-    pub fn text(self, dialect: &'static Dialect, prefix: String, names: &[(&str, &str)]) -> String {
-        with(|g| *g = self.graph);
-        let tree = explore(self.formula, &[]);
-        // a struct is changed in place where structs are passed by pointers
-        let is_changed = |(_, kind): &&(_, Kind)| *kind == self.result && kind.fields().is_some();
-        let changed = self.parameters.iter().find(is_changed);
-        let changed = changed
-            .filter(|_| dialect.pointers.is_some())
-            .map(|(name, _)| *name);
-        let result = match changed {
-            Some(_) => "void".into(),
-            None => dialect.type_of(self.result),
-        };
-        let head = head(dialect, self.name, self.parameters, changed, &result);
-        let body = with(|g| {
-            let printer = Printer {
-                dialect,
-                values: Values::new(g),
-                result: self.result,
-                parameters: self.parameters,
-                changed,
-                prefix,
-                text: Text::default(),
-            };
-            printer.body(&tree, names)
-        });
-        format!("{head}{body}}}\n")
-    }
+/// The text of a function, given what stands before the functions of the files that it calls, and names of values.
+pub(crate) fn written(
+    dialect: &'static Dialect,
+    name: &str,
+    function: &Recorded,
+    prefix: &str,
+    names: &[(&str, &str)],
+) -> String {
+    let changed = function.changed(dialect);
+    let result = match changed {
+        Some(_) => "void".into(),
+        None => dialect.type_of(function.result),
+    };
+    let head = head(dialect, name, function.parameters, changed, &result);
+    let body = Printer::new(dialect, function, prefix).body(names);
+    format!("{head}{body}}}\n")
 }

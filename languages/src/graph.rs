@@ -1,40 +1,47 @@
-//! What is recorded: a graph of operations, in which equal ones are one, and the decisions on the way.
+//! What is recorded: a graph of values, in which equal ones are one, and the decisions on the way.
 
 use std::cell::RefCell;
 use std::collections::HashMap;
 
+use crate::kind::Kind;
+use crate::table::functions;
+
+/// How a value comes from others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Op {
+    Parameter(&'static str),
+    /// The bits of an `f32`.
+    Constant(u32),
+    /// A field of a struct, or a component of a vector.
+    Field(&'static str),
+    /// A call of a function of the files.
+    Call(&'static str),
+    /// A call of a function that the languages have.
+    Own(&'static str),
     Add,
     Sub,
     Mul,
+    /// A vector times a number.
+    Scale,
     Div,
-    Min,
-    Max,
+    Neg,
+    Above,
+    AtLeast,
+    All,
+    Any,
+    /// Where the first holds, the second, and elsewhere the third.
+    Select,
 }
 
-/// A comparison of two nodes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Test {
-    Above(usize, usize),
-    AtLeast(usize, usize),
-    /// Outside of the range in which squares are exact.
-    Extreme(usize),
-}
+pub const MINIMUM: Op = Op::Own("min");
+pub const MAXIMUM: Op = Op::Own("max");
+pub const VECTOR: Op = Op::Own("vector");
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Node {
-    /// A name, and which of its components.
-    Var(String, Option<usize>),
-    /// The bits of an `f32`.
-    Const(u32),
-    Binary(Op, usize, usize),
-    Neg(usize),
-    Dot([usize; 3], [usize; 3]),
-    Select(Test, usize, usize),
-    Call(&'static str, Vec<usize>),
-    /// One number of the result of a call.
-    Part(usize, usize),
+pub struct Node {
+    pub op: Op,
+    pub kind: Kind,
+    pub of: Vec<usize>,
 }
 
 /// The constants of a number, which every graph begins with.
@@ -51,14 +58,10 @@ pub struct Graph {
     index: HashMap<Node, usize>,
     /// The function that is recorded: a call of it is written out.
     pub defining: &'static str,
-    /// Whether a mask chooses between two results, as in lanes, where it would otherwise decide on one path.
-    pub selects: bool,
-    /// Whether a product with 0 is 0. A derivative has many.
-    pub drops_zeros: bool,
     /// Whether each decision is known to be true, and each number finite.
     assumes: bool,
     /// The decisions of this run.
-    pub path: Vec<(Test, bool)>,
+    pub path: Vec<(usize, bool)>,
     /// How the first of them are to be answered; the others are `true`.
     pub given: Vec<bool>,
 }
@@ -77,24 +80,11 @@ pub fn assuming<R>(f: impl FnOnce() -> R) -> R {
     result
 }
 
-/// The answer to a test in this run.
-pub fn decide(test: Test) -> bool {
-    with(|g| {
-        if let Some(answer) = g.known(test).or(g.assumes.then_some(true)) {
-            return answer;
-        }
-        let answer = g.given.get(g.path.len()).copied().unwrap_or(true);
-        g.path.push((test, answer));
-        answer
-    })
-}
-
 impl Graph {
-    pub fn new(defining: &'static str, selects: bool, drops_zeros: bool) -> Self {
+    /// A graph for a function of the files, or for one that has no name among them.
+    pub fn new(defining: &'static str) -> Self {
         let mut graph = Self {
             defining,
-            selects,
-            drops_zeros,
             ..Self::default()
         };
         for constant in CONSTANTS {
@@ -103,7 +93,9 @@ impl Graph {
         graph
     }
 
-    pub fn node(&mut self, node: Node) -> usize {
+    pub fn add(&mut self, op: Op, kind: Kind, of: &[usize]) -> usize {
+        let of = of.to_vec();
+        let node = Node { op, kind, of };
         if let Some(&known) = self.index.get(&node) {
             return known;
         }
@@ -113,14 +105,25 @@ impl Graph {
     }
 
     pub fn constant(&mut self, x: f32) -> usize {
-        self.node(Node::Const(x.to_bits()))
+        self.add(Op::Constant(x.to_bits()), Kind::Number, &[])
     }
 
-    pub fn value(&self, n: usize) -> Option<f32> {
-        match self.nodes[n] {
-            Node::Const(bits) => Some(f32::from_bits(bits)),
-            _ => None,
-        }
+    /// The numbers of a parameter.
+    pub fn parameter(&mut self, name: &'static str, kind: Kind) -> Vec<usize> {
+        let parameter = self.add(Op::Parameter(name), kind, &[]);
+        self.numbers(parameter)
+    }
+
+    /// The numbers of the result of a call, given those of its arguments.
+    pub fn call(&mut self, name: &'static str, arguments: &[usize]) -> Vec<usize> {
+        let function = functions().iter().find(|function| function.name == name);
+        let (of, result) = match function {
+            Some(function) => (self.values(function.parameters, arguments), function.result),
+            // what takes the bits of a number is not in the table
+            None => (arguments.to_vec(), Kind::Number),
+        };
+        let call = self.add(Op::Call(name), result, &of);
+        self.numbers(call)
     }
 
     /// Whether the function that is recorded gets or gives numbers that overflow: most have finite arguments.
@@ -128,107 +131,155 @@ impl Graph {
         ["", "measured", "attenuation", "arrival", "total"].contains(&self.defining)
     }
 
+    /// Whether a product with 0 is 0; in one function, it tells what is not finite. A derivative has many.
+    fn drops_zeros(&self) -> bool {
+        self.defining != "normal_transformed"
+    }
+
     /// Whether the function takes a light, of whose kind and falloff others decide.
     pub fn is_lit(&self) -> bool {
         self.defining == "arrival" || self.defining.starts_with("add_")
     }
 
-    /// Whether it is the length of a direction.
-    pub fn is_length(&self, n: usize) -> bool {
-        match self.nodes[n] {
-            Node::Part(call, 3) => matches!(self.nodes[call], Node::Call("measured", _)),
-            _ => false,
+    /// Whether a test asks if there is a direction: whether its length is above 0.
+    pub fn is_of_length(&self, test: usize) -> bool {
+        let Node { op, of, .. } = &self.nodes[test];
+        *op == Op::Above && of[1] == ZERO && self.nodes[of[0]].op == Op::Field("w_length")
+    }
+
+    /// The answer to a test in this run, or `otherwise` if it is not known.
+    pub fn decide(&mut self, test: usize, otherwise: Option<bool>) -> bool {
+        let assumed = self.assumes.then_some(true);
+        if let Some(answer) = self.known(test).or(otherwise).or(assumed) {
+            return answer;
+        }
+        let answer = self.given.get(self.path.len()).copied().unwrap_or(true);
+        self.path.push((test, answer));
+        answer
+    }
+
+    /// What masks answer of some lanes: in the files, they choose between two results. A function of the user's
+    /// may mean to decide.
+    pub fn lanes(&self, answer: bool) -> Option<bool> {
+        (!self.defining.is_empty()).then_some(answer)
+    }
+
+    pub fn known(&self, test: usize) -> Option<bool> {
+        let of_path = || self.path.iter().find(|(known, _)| *known == test);
+        match test {
+            ZERO | ONE => Some(test == ONE),
+            _ => of_path().map(|(_, answer)| *answer),
         }
     }
 
-    fn known(&self, test: Test) -> Option<bool> {
-        let both = |a, b| self.value(a).zip(self.value(b));
-        let by_value = match test {
-            Test::Above(MAX, _) if self.is_lit() => Some(true), // whether there is a range asks the falloff
-            Test::Above(a, b) => both(a, b).map(|(a, b)| a > b),
-            Test::AtLeast(a, b) => both(a, b).map(|(a, b)| a >= b),
-            Test::Extreme(_) => None,
-        };
-        let by_path = || self.path.iter().find(|(known, _)| *known == test);
-        by_value.or_else(|| by_path().map(|known| known.1))
-    }
-
-    /// Whether a mask holds, if that is known or must be decided.
-    pub fn holds(&self, test: Test, lanes: Option<bool>) -> Option<bool> {
-        self.known(test).or(lanes.filter(|_| self.selects))
-    }
-
-    pub fn binary(&mut self, op: Op, a: usize, b: usize) -> usize {
-        let (x, y) = (self.value(a), self.value(b));
-        if let (Some(x), Some(y)) = (x, y) {
-            return self.constant(match op {
-                Op::Add => x + y,
-                Op::Sub => x - y,
-                Op::Mul => x * y,
-                Op::Div => x / y,
-                Op::Min => x.min(y),
-                Op::Max => x.max(y),
-            });
+    fn known_number(&self, n: usize) -> Option<f32> {
+        match self.nodes[n].op {
+            Op::Constant(bits) => Some(f32::from_bits(bits)),
+            _ => None,
         }
+    }
+
+    /// An operation on one number or two.
+    pub fn number(&mut self, op: Op, of: &[usize]) -> usize {
+        let known: Option<Vec<_>> = of.iter().map(|n| self.known_number(*n)).collect();
+        if let Some(known) = known.and_then(|numbers| computed(op, &numbers)) {
+            return self.constant(known);
+        }
+        let (a, b) = (of[0], of[of.len() - 1]);
+        let [x, y] = [a, b].map(|n| self.known_number(n));
+        let [left, right] = [a, b].map(|n| self.nodes[n].clone());
         match (op, x, y) {
-            (Op::Mul, Some(0.0), _) if self.drops_zeros => a,
-            (Op::Mul, _, Some(0.0)) if self.drops_zeros => b,
-            (Op::Sub, Some(0.0), _) if self.drops_zeros => self.neg(b),
+            (Op::Neg, ..) if left.op == Op::Neg => left.of[0],
+            (Op::Mul, Some(0.0), _) if self.drops_zeros() => a,
+            (Op::Mul, _, Some(0.0)) if self.drops_zeros() => b,
+            (Op::Sub, Some(0.0), _) if self.drops_zeros() => self.number(Op::Neg, &[b]),
             (Op::Add, Some(0.0), _) | (Op::Mul, Some(1.0), _) => b,
             (Op::Add | Op::Sub, _, Some(0.0)) | (Op::Mul | Op::Div, _, Some(1.0)) => a,
-            (Op::Min, _, Some(f32::MAX)) if self.assumes || !self.can_overflow() => a,
-            _ => self.node(Node::Binary(op, a, b)),
+            (MINIMUM, _, Some(f32::MAX)) if self.assumes || !self.can_overflow() => a,
+            (MINIMUM, ..) if left.op == MAXIMUM => {
+                self.add(Op::Own("clamp"), Kind::Number, &[left.of[0], left.of[1], b])
+            }
+            (MAXIMUM, ..) if right.op == Op::Neg && right.of[0] == a => {
+                self.add(Op::Own("abs"), Kind::Number, &[a])
+            }
+            // whether there is a range asks the falloff
+            (Op::Above, Some(f32::MAX), _) if self.is_lit() => ONE,
+            // (a choice between 1 and 0) > 0 is its test
+            (Op::Above, _, Some(0.0)) if left.op == Op::Select && left.of[1..] == [ONE, ZERO] => {
+                left.of[0]
+            }
+            (Op::Above | Op::AtLeast, ..) => self.add(op, Kind::Flag, of),
+            _ => self.add(op, Kind::Number, of),
         }
     }
 
     pub fn dot(&mut self, a: [usize; 3], b: [usize; 3]) -> usize {
         if a[1..] == [ZERO; 2] || b[1..] == [ZERO; 2] {
-            return self.binary(Op::Mul, a[0], b[0]);
+            return self.number(Op::Mul, &[a[0], b[0]]);
         }
-        self.node(Node::Dot(a, b))
-    }
-
-    pub fn neg(&mut self, a: usize) -> usize {
-        match self.nodes[a] {
-            Node::Const(bits) => self.constant(-f32::from_bits(bits)),
-            Node::Neg(b) => b,
-            _ => self.node(Node::Neg(a)),
-        }
+        let of = [a, b].map(|numbers| self.value(&numbers));
+        self.add(Op::Own("dot"), Kind::Number, &of)
     }
 
     /// A choice. What both sides have in common is outside of it.
-    pub fn select(&mut self, test: Test, then: usize, otherwise: usize) -> usize {
+    pub fn select(&mut self, test: usize, then: usize, otherwise: usize) -> usize {
         if then == otherwise {
             return then;
         }
         if let Some(answer) = self.known(test) {
             return if answer { then } else { otherwise };
         }
-        match (
-            test,
-            self.nodes[then].clone(),
-            self.nodes[otherwise].clone(),
-        ) {
+        let [above, yes, no] = [test, then, otherwise].map(|n| self.nodes[n].clone());
+        if above.op == Op::Above {
             // max and min, as the crate derives them
-            (Test::Above(a, b), ..) if (a, b) == (then, otherwise) => self.binary(Op::Max, a, b),
-            (Test::Above(a, b), ..) if (b, a) == (then, otherwise) => self.binary(Op::Min, a, b),
-            (_, Node::Binary(op, a, x), Node::Binary(same, b, y)) if op == same && a == b => {
-                let right = self.select(test, x, y);
-                self.binary(op, a, right)
+            if above.of == [then, otherwise] {
+                return self.number(MAXIMUM, &above.of);
             }
-            (_, Node::Binary(op, a, x), Node::Binary(same, b, y)) if op == same && x == y => {
-                let left = self.select(test, a, b);
-                self.binary(op, left, x)
+            if above.of == [otherwise, then] {
+                return self.number(MINIMUM, &above.of);
             }
-            (_, Node::Binary(Op::Mul, a, x), _) if a == otherwise => {
-                let right = self.select(test, x, ONE);
-                self.binary(Op::Mul, a, right)
-            }
-            (_, Node::Select(t, a, x), Node::Select(same, b, y)) if t == same && x == y => {
+        }
+        match (yes.op, &yes.of[..], &no.of[..]) {
+            (Op::Select, &[same, a, x], &[t, b, y]) if (same, x) == (t, y) => {
                 let then = self.select(test, a, b);
-                self.select(t, then, x)
+                self.select(same, then, x)
             }
-            _ => self.node(Node::Select(test, then, otherwise)),
+            (op, &[a, x], &[b, y]) if op == no.op && is_binary(op) && a == b => {
+                let right = self.select(test, x, y);
+                self.number(op, &[a, right])
+            }
+            (op, &[a, x], &[b, y]) if op == no.op && is_binary(op) && x == y => {
+                let left = self.select(test, a, b);
+                self.number(op, &[left, x])
+            }
+            (Op::Mul, &[a, x], _) if a == otherwise => {
+                let right = self.select(test, x, ONE);
+                self.number(Op::Mul, &[a, right])
+            }
+            _ => self.choice(test, then, otherwise),
         }
     }
+}
+
+fn is_binary(op: Op) -> bool {
+    matches!(
+        op,
+        Op::Add | Op::Sub | Op::Mul | Op::Div | MINIMUM | MAXIMUM
+    )
+}
+
+/// The result of an operation on known numbers; a comparison gives 1 or 0.
+fn computed(op: Op, numbers: &[f32]) -> Option<f32> {
+    Some(match (op, numbers) {
+        (Op::Neg, [x]) => -x,
+        (Op::Add, [x, y]) => x + y,
+        (Op::Sub, [x, y]) => x - y,
+        (Op::Mul, [x, y]) => x * y,
+        (Op::Div, [x, y]) => x / y,
+        (MINIMUM, [x, y]) => x.min(*y),
+        (MAXIMUM, [x, y]) => x.max(*y),
+        (Op::Above, [x, y]) => f32::from(x > y),
+        (Op::AtLeast, [x, y]) => f32::from(x >= y),
+        _ => return None,
+    })
 }

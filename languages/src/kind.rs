@@ -1,17 +1,16 @@
 //! What the functions take and give.
 
 use shading::number::{Measured, power};
-use shading::{Arrival, Lobe, Material, Real, Rgb, Scalar, UnitVec3, Vec3};
+use shading::{Arrival, Elementary, Lobe, Material, Rgb, Scalar, UnitVec3, Vec3};
 
 use crate::light::Light;
-use crate::number::{Expr, variable};
 
 /// A number that the table can be computed with.
-pub trait Number: Real + Scalar + Lobe<Self> + power::Bits {}
-impl<T: Real + Scalar + Lobe<T> + power::Bits> Number for T {}
+pub trait Number: Elementary + Scalar + Lobe<Self> + power::Bits {}
+impl<T: Elementary + Scalar + Lobe<T> + power::Bits> Number for T {}
 
 /// The kind of a parameter or a result: its type, and which numbers it may have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// A number.
     Number,
@@ -39,8 +38,54 @@ pub enum Kind {
     Sums,
 }
 
-/// The names and the kinds of a struct's fields.
+/// Names and kinds of fields.
 type Fields = &'static [(&'static str, Kind)];
+
+const COMPONENTS: Fields = &[
+    ("x", Kind::Number),
+    ("y", Kind::Number),
+    ("z", Kind::Number),
+];
+
+impl Kind {
+    /// Its fields or components; a number has none.
+    pub(crate) fn parts(self) -> Fields {
+        match self {
+            Self::Number | Self::Positive | Self::Cosine | Self::Fraction | Self::Flag => &[],
+            Self::Pair | Self::Cosines => &COMPONENTS[..2],
+            _ => self.fields().map_or(COMPONENTS, |(_, _, fields)| fields),
+        }
+    }
+
+    /// How many numbers it has.
+    #[must_use]
+    pub fn width(self) -> usize {
+        let widths = self.parts().iter().map(|part| part.1.width());
+        widths.sum::<usize>().max(1)
+    }
+}
+
+/// A value of some numbers.
+pub trait Value<T> {
+    /// Takes its numbers from the next ones.
+    fn take(from: &mut dyn Iterator<Item = T>) -> Self;
+    /// Its numbers, in the order of its fields.
+    fn numbers(self) -> Vec<T>;
+}
+
+macro_rules! values {
+    ($($type:ty: |$from:ident| $taken:expr, |$value:ident| $numbers:expr;)*) => {$(
+        impl<T: Number> Value<T> for $type {
+            fn take($from: &mut dyn Iterator<Item = T>) -> Self {
+                $taken
+            }
+            fn numbers(self) -> Vec<T> {
+                let $value = self;
+                $numbers
+            }
+        }
+    )*};
+}
 
 macro_rules! structs {
     ($(#[doc = $doc:literal] $kind:ident: $type:ty { $($name:ident($field:ident): $of:ident),* $(,)? })*) => {
@@ -60,18 +105,22 @@ macro_rules! structs {
             }
         }
 
-        $(impl<T: Number> Parts<T> for $type {
-            fn parts(self) -> Vec<T> {
-                [$(self.$field.parts()),*].concat()
-            }
-        }
-
-        impl<T: Number> Taken<T> for $type {
-            fn take(from: &mut Arguments<T>) -> Self {
-                Self { $($field: Taken::take(from)),* }
-            }
-        })*
+        values! {$(
+            $type: |from| Self { $($field: Value::take(from)),* }, |all| [$(all.$field.numbers()),*].concat();
+        )*}
     };
+}
+
+values! {
+    T: |from| from.next().expect("a value has all its numbers"), |x| vec![x];
+    Vec<T>: |from| from.collect(), |all| all;
+    [T; 2]: |from| [T::take(from), T::take(from)], |pair| pair.to_vec();
+    [T; 3]: |from| [T::take(from), T::take(from), T::take(from)], |all| all.to_vec();
+    Vec3<T>: |from| <[T; 3]>::take(from).into(), |v| vec![v.x, v.y, v.z];
+    Rgb<T>: |from| <[T; 3]>::take(from).into(), |color| vec![color.r, color.g, color.b];
+    UnitVec3<T>: |from| UnitVec3::assume_unit(Vec3::take(from)), |v| (*v).numbers();
+    // 0 where there is no direction
+    Option<UnitVec3<T>>: |from| Some(UnitVec3::take(from)), |v| v.map_or(Vec3::ZERO, |v| *v).numbers();
 }
 
 // beside the name of a field, the crate's
@@ -114,92 +163,4 @@ pub(crate) struct Sums<T> {
 pub(crate) struct Tangent<T> {
     pub t: Vec3<T>,
     pub h: T,
-}
-
-impl Kind {
-    /// How many numbers it has.
-    #[must_use]
-    pub fn width(self) -> usize {
-        match self {
-            Self::Number | Self::Positive | Self::Cosine | Self::Fraction | Self::Flag => 1,
-            Self::Pair | Self::Cosines => 2,
-            _ => self.fields().map_or(3, |(_, _, fields)| {
-                fields.iter().map(|field| field.1.width()).sum()
-            }),
-        }
-    }
-
-    /// The variables of a parameter of this kind, in order.
-    pub(crate) fn variables(self, name: &str) -> Vec<Expr> {
-        if let Some((_, _, fields)) = self.fields() {
-            let field = |(field, kind): &(&str, Self)| kind.variables(&format!("{name}.{field}"));
-            return fields.iter().flat_map(field).collect();
-        }
-        match self.width() {
-            1 => vec![variable(name, None)],
-            width => (0..3)
-                .take(width)
-                .map(|i| variable(name, Some(i)))
-                .collect(),
-        }
-    }
-}
-
-/// The numbers of a value, in the order of its fields.
-pub trait Parts<T> {
-    fn parts(self) -> Vec<T>;
-}
-
-/// A value that takes its numbers from the arguments.
-pub trait Taken<T> {
-    fn take(from: &mut Arguments<T>) -> Self;
-}
-
-macro_rules! parts {
-    ($($type:ty: |$value:ident| $numbers:expr;)*) => {$(
-        impl<T: Number> Parts<T> for $type {
-            fn parts(self) -> Vec<T> {
-                let $value = self;
-                $numbers
-            }
-        }
-    )*};
-}
-
-parts! {
-    T: |x| vec![x];
-    Vec<T>: |all| all;
-    Vec3<T>: |v| vec![v.x, v.y, v.z];
-    Rgb<T>: |color| vec![color.r, color.g, color.b];
-    UnitVec3<T>: |v| (*v).parts();
-    [T; 2]: |pair| pair.to_vec();
-    Option<UnitVec3<T>>: |v| v.map_or(Vec3::ZERO, |v| *v).parts(); // 0 where there is no direction
-}
-
-macro_rules! taken {
-    ($($type:ty: |$from:ident| $value:expr;)*) => {$(
-        impl<T: Number> Taken<T> for $type {
-            fn take($from: &mut Arguments<T>) -> Self {
-                $value
-            }
-        }
-    )*};
-}
-
-taken! {
-    T: |from| from.0.next().expect("an argument has all its numbers");
-    [T; 2]: |from| [T::take(from), T::take(from)];
-    Vec3<T>: |from| Vec3::new(T::take(from), T::take(from), T::take(from));
-    UnitVec3<T>: |from| UnitVec3::assume_unit(Vec3::take(from));
-    Rgb<T>: |from| Rgb::new(T::take(from), T::take(from), T::take(from));
-}
-
-/// The arguments of a function, from its numbers.
-pub struct Arguments<T>(std::vec::IntoIter<T>);
-
-impl<T: Number> Arguments<T> {
-    #[must_use]
-    pub fn new(numbers: Vec<T>) -> Self {
-        Self(numbers.into_iter())
-    }
 }

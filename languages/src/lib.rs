@@ -19,11 +19,11 @@ mod print;
 mod surface;
 mod table;
 mod tree;
-mod values;
+mod vector;
 mod wrap;
 
 pub use file::{files, text};
-pub use kind::{Arguments, Kind};
+pub use kind::Kind;
 pub use number::Expr;
 pub use surface::{implicit, parametric};
 pub use table::{Function, functions};

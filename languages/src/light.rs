@@ -6,14 +6,14 @@ use shading::{
 };
 
 use crate::graph::assuming;
-use crate::kind::Number;
+use crate::kind::{Number, Value};
 
 pub struct Light<T> {
     pub position: Vec3<T>,
     pub is_sun: T,
     pub intensity: Rgb<T>,
     pub limit: T,
-    pub coefficients: Vec3<T>,
+    pub coefficients: Rgb<T>,
     pub range: T,
     pub axis: UnitVec3<T>,
     pub is_smoothstep: T,
@@ -39,7 +39,7 @@ impl<T: Number> Light<T> {
 
     /// With a range, and with a range of glTF.
     fn attenuations(&self) -> [Attenuation<T>; 2] {
-        let Vec3 { x: a, y: b, z: c } = self.coefficients;
+        let Rgb { r: a, g: b, b: c } = self.coefficients;
         let both = assuming(|| {
             let falloff = Attenuation::new(a, b, c)?.clamped_to(self.limit)?;
             Some([
@@ -51,7 +51,7 @@ impl<T: Number> Light<T> {
     }
 
     /// What `f` makes of the light at p, whatever its kind and falloff: each is made by its constructors.
-    pub fn each(&self, p: Vec3<T>, f: impl Fn(IncidentLight<T>) -> Vec<T>) -> Vec<T> {
+    pub fn each<V: Value<T>>(&self, p: Vec3<T>, f: impl Fn(IncidentLight<T>) -> V) -> V {
         let (position, intensity) = (self.position, self.intensity);
         if self.is_sun > T::ZERO {
             let l = UnitVec3::assume_unit(position);
@@ -80,9 +80,9 @@ impl<T: Number> Light<T> {
             cone,
         };
         let is_spot = self.cosines[0].above(T::NEG_ONE);
-        let both = f(spot.at(p)).into_iter().zip(f(point.at(p)));
-        both.map(|(spot, point)| is_spot.select(spot, point))
-            .collect()
+        let [spot, point] = [spot.at(p), point.at(p)].map(|light| f(light).numbers());
+        let both = spot.into_iter().zip(point);
+        V::take(&mut both.map(|(spot, point)| is_spot.select(spot, point)))
     }
 }
 

@@ -1,6 +1,5 @@
 //! The numbers that record.
 
-use std::array;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -8,61 +7,66 @@ use shading::number::power::Bits;
 use shading::number::{Dimmed, Mask, Measured, Toward};
 use shading::{Elementary, Lobe, Real, Rgb, Vec3};
 
-use crate::graph::{EXTREME, MAX, NEG_ONE, Node, ONE, Op, Test, ZERO, decide, with};
-use crate::kind::Kind;
+use crate::graph::{EXTREME, MAX, MAXIMUM, MINIMUM, NEG_ONE, ONE, Op, ZERO, with};
+use crate::kind::{Kind, Value};
 
 /// A number that records the formula which computes it.
 ///
 /// The hooks of [`Real`] are recorded as calls of functions that the files define.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expr(pub(crate) usize);
 
 /// The same number, which writes the hooks out: it records the functions behind the calls.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Inline(pub usize);
 
 /// The same, except that it calls the vectors between points.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Crossed(pub usize);
 
 /// Where a comparison holds.
 #[derive(Clone, Copy, Debug)]
 pub struct Above {
-    test: Test,
+    test: usize,
     /// Whether it decides even where other masks choose.
     decides: bool,
 }
 
 impl Above {
-    fn answer(self, lanes: bool) -> bool {
-        let lanes = Some(lanes).filter(|_| !self.decides);
-        let known = with(|g| g.holds(self.test, lanes));
-        known.unwrap_or_else(|| decide(self.test))
+    /// What it answers of some lanes, if it need not decide.
+    fn answer(self, lanes: bool, decides: bool) -> bool {
+        with(|g| {
+            let lanes = g.lanes(lanes).filter(|_| !decides);
+            g.decide(self.test, lanes)
+        })
     }
 
     fn is_anywhere(self) -> bool {
         // whether there is a direction decides whether there is a result
-        let is_length = |n: usize| with(|g| g.is_length(n));
-        let decides = self.decides || matches!(self.test, Test::Above(n, ZERO) if is_length(n));
-        Self { decides, ..self }.answer(true)
+        let decides = self.decides || with(|g| g.is_of_length(self.test));
+        self.answer(true, decides)
     }
 }
 
-/// The results of a call.
-fn call<const N: usize>(name: &'static str, arguments: &[usize]) -> [usize; N] {
+/// The answer to a comparison.
+fn decide(op: Op, left: usize, right: usize) -> bool {
     with(|g| {
-        let call = g.node(Node::Call(name, arguments.to_vec()));
-        array::from_fn(|part| g.node(Node::Part(call, part)))
+        let test = g.number(op, &[left, right]);
+        g.decide(test, None)
     })
 }
 
-fn call_of_vectors<const N: usize>(name: &'static str, vectors: &[Vec3<Expr>]) -> [Expr; N] {
-    let numbers = vectors.iter().flat_map(|v| [v.x.0, v.y.0, v.z.0]);
-    call(name, &numbers.collect::<Vec<_>>()).map(Expr)
+/// The result of a function of the files.
+fn call<V: Value<Expr>>(name: &'static str, arguments: &[Vec<Expr>]) -> V {
+    let arguments: Vec<_> = arguments.concat().iter().map(|x| x.0).collect();
+    let result = with(|g| g.call(name, &arguments));
+    V::take(&mut result.into_iter().map(Expr))
 }
 
+/// The result of a function that takes a light and a number.
 fn call_of_light(name: &'static str, x: Expr) -> Expr {
-    Expr::call(name, &[Kind::Light.variables("light"), vec![x]].concat())
+    let light = with(|g| g.parameter("light", Kind::Light));
+    call(name, &[light.into_iter().map(Expr).collect(), vec![x]])
 }
 
 macro_rules! operators {
@@ -70,28 +74,40 @@ macro_rules! operators {
         impl $trait for $number {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
-                Self(with(|g| g.binary(Op::$trait, self.0, other.0)))
+                Self(with(|g| g.number(Op::$trait, &[self.0, other.0])))
             }
         }
     )*};
 }
 
+macro_rules! elementary {
+    ($number:ident: $($method:ident($($other:ident)?) $function:literal)*) => {
+        impl Elementary for $number {
+            $(fn $method(self $(, $other: Self)?) -> Self {
+                let of = [self.0 $(, $other.0)?];
+                Self(with(|g| g.add(Op::Own($function), Kind::Number, &of)))
+            })*
+        }
+    };
+}
+
 macro_rules! number {
-    ($number:ident { $($hooks:item)* }) => {
+    ($number:ident, $decides:literal, { $($hooks:item)* }) => {
         operators!($number: Add::add Sub::sub Mul::mul Div::div);
+        elementary!($number: sin() "sin" cos() "cos" tan() "tan" atan2(x) "atan2" exp() "exp" ln() "log"
+            powf(exponent) "pow" abs() "abs");
 
         impl Neg for $number {
             type Output = Self;
             fn neg(self) -> Self {
-                Self(with(|g| g.neg(self.0)))
+                Self(with(|g| g.number(Op::Neg, &[self.0])))
             }
         }
 
         impl $number {
             fn call(name: &'static str, arguments: &[Self]) -> Self {
                 let arguments: Vec<_> = arguments.iter().map(|x| x.0).collect();
-                let [result] = call(name, &arguments);
-                Self(result)
+                Self(with(|g| g.call(name, &arguments)[0]))
             }
         }
 
@@ -101,7 +117,7 @@ macro_rules! number {
             }
 
             fn all(self) -> bool {
-                self.answer(false)
+                self.answer(false, self.decides)
             }
 
             fn select(self, then: $number, otherwise: $number) -> $number {
@@ -124,31 +140,27 @@ macro_rules! number {
             }
 
             fn sqrt(self) -> Self {
-                Self::call("sqrt", &[self])
+                Self(with(|g| g.add(Op::Own("sqrt"), Kind::Number, &[self.0])))
             }
 
             fn above(self, other: Self) -> Above {
-                // (a choice between 1 and 0) > 0 is its test
-                let test = with(|g| match g.nodes[self.0] {
-                    Node::Select(test, ONE, ZERO) if other.0 == ZERO => test,
-                    _ => Test::Above(self.0, other.0),
-                });
-                Above { test, decides: false }
+                let test = with(|g| g.number(Op::Above, &[self.0, other.0]));
+                Above { test, decides: $decides }
             }
 
             fn at_least(self, floor: Self) -> Self {
-                Self(with(|g| g.binary(Op::Max, self.0, floor.0)))
+                Self(with(|g| g.number(MAXIMUM, &[self.0, floor.0])))
             }
 
             fn at_most(self, limit: Self) -> Self {
-                Self(with(|g| g.binary(Op::Min, self.0, limit.0)))
+                Self(with(|g| g.number(MINIMUM, &[self.0, limit.0])))
             }
 
             fn any_outside(self, low: Self, high: Self) -> bool {
-                let range = with(|g| (g.value(low.0), g.value(high.0)));
-                let extreme = with(|g| g.value(EXTREME));
-                assert_eq!(range, (extreme.map(|x| 1.0 / x), extreme), "the range of squares");
-                decide(Test::Extreme(self.0))
+                let range = (low, high);
+                assert!(range == (Self::ONE / Self::EXTREME, Self::EXTREME), "the range of squares");
+                let test = Self::call("is_extreme", &[self]);
+                with(|g| g.decide(test.0, None))
             }
 
             fn finite(self) -> Self {
@@ -195,12 +207,6 @@ macro_rules! number {
             }
         }
 
-        impl PartialEq for $number {
-            fn eq(&self, other: &Self) -> bool {
-                self.0 == other.0
-            }
-        }
-
         impl PartialOrd for $number {
             /// Which of two formulas is the larger has no answer before they have numbers.
             fn partial_cmp(&self, _: &Self) -> Option<Ordering> {
@@ -208,7 +214,7 @@ macro_rules! number {
             }
 
             fn gt(&self, other: &Self) -> bool {
-                decide(Test::Above(self.0, other.0))
+                decide(Op::Above, self.0, other.0)
             }
 
             fn lt(&self, other: &Self) -> bool {
@@ -216,7 +222,7 @@ macro_rules! number {
             }
 
             fn ge(&self, other: &Self) -> bool {
-                decide(Test::AtLeast(self.0, other.0))
+                decide(Op::AtLeast, self.0, other.0)
             }
 
             fn le(&self, other: &Self) -> bool {
@@ -226,36 +232,41 @@ macro_rules! number {
     };
 }
 
-number!(Inline {});
+number!(Inline, true, {});
 
-number!(Crossed {
+number!(Crossed, true, {
     fn between(origin: Vec3<Self>, v: Vec3<Self>) -> Vec3<Self> {
         let [origin, v] = [origin, v].map(|v| v.map(|x| Expr(x.0)));
         Expr::between(origin, v).map(|x| Self(x.0))
     }
 });
 
-number!(Expr {
+number!(Expr, false, {
     fn faces(n: Vec3<Self>, v: Vec3<Self>) -> Above {
-        Above { decides: true, ..Self::dot(n, v).above(Self::ZERO) }
+        Above {
+            decides: true,
+            ..Self::dot(n, v).above(Self::ZERO)
+        }
     }
 
     fn measured(v: Vec3<Self>) -> Measured<Self> {
-        let [x, y, z, w_length, length] = call_of_vectors("measured", &[v]);
-        Measured { w: Vec3::new(x, y, z), w_length, length }
+        call("measured", &[v.numbers()])
     }
 
     fn toward(n: Vec3<Self>, v: Vec3<Self>) -> Toward<Self> {
         let measured = Self::measured(v);
-        Toward { measured, n_dot_w: Self::dot(n, measured.w) }
+        Toward {
+            measured,
+            n_dot_w: Self::dot(n, measured.w),
+        }
     }
 
     fn between(origin: Vec3<Self>, v: Vec3<Self>) -> Vec3<Self> {
-        call_of_vectors("between", &[origin, v]).into()
+        call("between", &[origin, v].map(Value::numbers))
     }
 
     fn crossed(origin: Vec3<Self>, a: Vec3<Self>, b: Vec3<Self>) -> Vec3<Self> {
-        call_of_vectors("crossed", &[origin, a, b]).into()
+        call("crossed", &[origin, a, b].map(Value::numbers))
     }
 
     fn windowed(
@@ -266,10 +277,20 @@ number!(Expr {
         is_squared: Above,
     ) -> Dimmed<Self> {
         if with(|g| g.is_lit()) {
-            return Dimmed { color, factor: call_of_light("falloff", q) };
+            return Dimmed {
+                color,
+                factor: call_of_light("falloff", q),
+            };
         }
-        let name = if is_squared.is_anywhere() { "window" } else { "window_gltf" };
-        Dimmed { color, factor: factor * Self::call(name, &[q, range]) }
+        let name = if is_squared.is_anywhere() {
+            "window"
+        } else {
+            "window_gltf"
+        };
+        Dimmed {
+            color,
+            factor: factor * Self::call(name, &[q, range]),
+        }
     }
 
     fn beamed(
@@ -282,28 +303,17 @@ number!(Expr {
     ) -> Dimmed<Self> {
         let cosine = Self::dot(-axis, measured.w) / measured.w_length;
         if with(|g| g.is_lit()) {
-            return Dimmed { color, factor: factor * call_of_light("spot", cosine) };
+            return Dimmed {
+                color,
+                factor: factor * call_of_light("spot", cosine),
+            };
         }
         // a soft edge may be smooth, and a hard one is neither
-        let is_square = with(|g| g.holds(is_smooth.test, None)) == Some(false);
+        let is_square = with(|g| g.known(is_smooth.test)) == Some(false);
         let name = if is_square { "beam" } else { "beam_smoothstep" };
-        Dimmed { color, factor: factor * Self::call(name, &[cosine, inner, outer]) }
+        Dimmed {
+            color,
+            factor: factor * Self::call(name, &[cosine, inner, outer]),
+        }
     }
 });
-
-macro_rules! elementary {
-    ($($method:ident($($other:ident)?) $function:literal)*) => {
-        impl Elementary for Expr {
-            $(fn $method(self $(, $other: Self)?) -> Self {
-                Self::call($function, &[self $(, $other)?])
-            })*
-        }
-    };
-}
-
-elementary!(sin() "sin" cos() "cos" tan() "tan" atan2(x) "atan2" exp() "exp" ln() "log" powf(exponent) "pow" abs() "abs");
-
-/// A parameter, or a component of one.
-pub(crate) fn variable(name: &str, component: Option<usize>) -> Expr {
-    Expr(with(|g| g.node(Node::Var(name.into(), component))))
-}

@@ -3,10 +3,11 @@
 use shading::{Dual, Vec3, normal};
 
 use crate::dialect::Dialect;
-use crate::file::Recorded;
+use crate::file::written;
 use crate::graph::Graph;
-use crate::kind::{Kind, Parts};
-use crate::number::{Expr, variable};
+use crate::kind::{Kind, Value};
+use crate::number::Expr;
+use crate::tree::Recorded;
 
 /// Writes two functions for the implicit surface f(p) = 0: `name(p)`, which is f, and `name_normal(p)`, its exact
 /// normal, which is 0 where there is none.
@@ -47,15 +48,11 @@ pub fn implicit(
     value: impl Fn(Vec3<Expr>) -> Expr,
     derivatives: impl Fn(Vec3<Dual<Expr>>) -> Dual<Expr>,
 ) -> String {
-    let parameters = [("p", Kind::Vector)];
-    let p = || Vec3::from([0, 1, 2].map(|i| variable("p", Some(i))));
-    let value = text(dialect, name, &parameters, Kind::Number, &|| {
-        vec![value(p())]
-    });
-    let normal = || normal::implicit(&derivatives, p()).parts();
-    let name = format!("{name}_normal");
-    let normal = text(dialect, &name, &parameters, Kind::Unit, &normal);
-    format!("{value}\n{normal}")
+    let p = |of: &[Expr]| Vec3::new(of[0], of[1], of[2]);
+    let value = |of: &[Expr]| vec![value(p(of))];
+    let normal = |of: &[Expr]| normal::implicit(&derivatives, p(of)).numbers();
+    let text = text(dialect, name, &[("p", Kind::Vector)]);
+    text("", Kind::Number, &value) + "\n" + &text("_normal", Kind::Unit, &normal)
 }
 
 /// Writes two functions for the parametric surface s(u, v): `name(u, v)`, which is s, and `name_normal(u, v)`, its
@@ -67,31 +64,27 @@ pub fn parametric(
     point: impl Fn(Expr, Expr) -> Vec3<Expr>,
     derivatives: impl Fn(Dual<Expr>, Dual<Expr>) -> Vec3<Dual<Expr>>,
 ) -> String {
-    let parameters = [("u", Kind::Number), ("v", Kind::Number)];
-    let [u, v] = ["u", "v"].map(|name| move || variable(name, None));
-    let point = || point(u(), v()).parts();
-    let point = text(dialect, name, &parameters, Kind::Vector, &point);
-    let normal = || normal::parametric(&derivatives, u(), v()).parts();
-    let name = format!("{name}_normal");
-    let normal = text(dialect, &name, &parameters, Kind::Unit, &normal);
-    format!("{point}\n{normal}")
+    let point = |of: &[Expr]| point(of[0], of[1]).numbers();
+    let normal = |of: &[Expr]| normal::parametric(&derivatives, of[0], of[1]).numbers();
+    let text = text(dialect, name, &[("u", Kind::Number), ("v", Kind::Number)]);
+    text("", Kind::Vector, &point) + "\n" + &text("_normal", Kind::Unit, &normal)
 }
 
-/// A function of the user's.
+type Formula<'a> = &'a dyn Fn(&[Expr]) -> Vec<Expr>;
+
+/// Writes a function of the user's, given the end of its name, its result and its formula.
 fn text(
     dialect: &'static Dialect,
     name: &str,
     parameters: &[(&'static str, Kind)],
-    result: Kind,
-    formula: &dyn Fn() -> Vec<Expr>,
-) -> String {
-    let graph = Graph::new("", false, true);
-    let recorded = Recorded {
-        graph,
-        name,
-        parameters,
-        result,
-        formula: &|| formula().iter().map(|x| x.0).collect(),
-    };
-    recorded.text(dialect, [dialect.namespace, dialect.prefix].concat(), &[])
+) -> impl Fn(&str, Kind, Formula) -> String {
+    move |end, result, formula| {
+        let record = |numbers: &[usize]| {
+            let numbers: Vec<_> = numbers.iter().copied().map(Expr).collect();
+            formula(&numbers).iter().map(|x| x.0).collect()
+        };
+        let recorded = Recorded::new(Graph::new(""), parameters, result, &record);
+        let prefix = [dialect.namespace, dialect.prefix].concat();
+        written(dialect, &[name, end].concat(), &recorded, &prefix, &[])
+    }
 }

@@ -1,25 +1,69 @@
 //! What a function computes on each of its paths.
 
-use crate::graph::{Node, Op, Test, ZERO, with};
+use std::mem::take;
 
-/// Which of two paths to take: the first, if all tests hold, or if any does.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Condition {
-    pub tests: Vec<Test>,
-    pub is_any: bool,
+use crate::dialect::Dialect;
+use crate::graph::{Graph, Op, with};
+use crate::kind::Kind;
+
+/// A function that was recorded.
+pub struct Recorded<'a> {
+    pub parameters: &'a [(&'static str, Kind)],
+    pub result: Kind,
+    pub graph: Graph,
+    pub tree: Tree,
+}
+
+impl<'a> Recorded<'a> {
+    /// Records a formula, which takes the numbers of the parameters.
+    pub fn new(
+        graph: Graph,
+        parameters: &'a [(&'static str, Kind)],
+        result: Kind,
+        formula: &dyn Fn(&[usize]) -> Vec<usize>,
+    ) -> Self {
+        with(|g| *g = graph);
+        let numbers = |(name, kind): &(&'static str, Kind)| with(|g| g.parameter(name, *kind));
+        let numbers: Vec<_> = parameters.iter().flat_map(numbers).collect();
+        let whole = [("", result)];
+        let fields = result.fields().map_or(&whole[..], |(_, _, fields)| fields);
+        let results = || {
+            let results = formula(&numbers);
+            with(|g| g.values(fields, &results))
+        };
+        let tree = explore(&results, &[]);
+        Self {
+            parameters,
+            result,
+            graph: with(take),
+            tree,
+        }
+    }
+
+    /// The parameter that is changed in place of a result, where structs are passed by pointers.
+    pub fn changed(&self, dialect: &Dialect) -> Option<&'static str> {
+        let of_pointer = |_: &_| dialect.pointers.is_some() && self.result.fields().is_some();
+        let mut parameters = self
+            .parameters
+            .iter()
+            .filter(|parameter| parameter.1 == self.result);
+        parameters.next().filter(of_pointer).map(|(name, _)| *name)
+    }
 }
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tree {
+    /// The fields of a result.
     Leaf(Vec<usize>),
-    Branch(Condition, Box<Tree>, Box<Tree>),
+    /// The paths where a test holds, and where it does not.
+    Branch(usize, Box<Tree>, Box<Tree>),
 }
 
 /// Runs a formula once for each path through its decisions.
-pub fn explore(formula: &dyn Fn() -> Vec<usize>, given: &[bool]) -> Tree {
+fn explore(formula: &dyn Fn() -> Vec<usize>, given: &[bool]) -> Tree {
     with(|g| (g.given, g.path) = (given.to_vec(), vec![]));
     let results = formula();
-    let Some(&(test, _)) = with(|g| g.path.get(given.len()).copied()).as_ref() else {
+    let Some((test, _)) = with(|g| g.path.get(given.len()).copied()) else {
         return Tree::Leaf(results);
     };
     let side = |answer| explore(formula, &[given, &[answer]].concat());
@@ -28,40 +72,25 @@ pub fn explore(formula: &dyn Fn() -> Vec<usize>, given: &[bool]) -> Tree {
 }
 
 /// One branch, or none where both sides are the same.
-fn joined(test: Test, yes: Tree, no: Tree) -> Tree {
+fn joined(test: usize, yes: Tree, no: Tree) -> Tree {
     if yes == no {
         return yes;
     }
-    if let Some(unit) = normalized(test, &yes, &no) {
-        return unit;
-    }
-    let before = |tests: &[Test], is_any| Condition {
-        tests: [&[test], tests].concat(),
-        is_any,
-    };
+    let op = |test: usize| with(|g| g.nodes[test].op);
+    let tests = |op, others| with(|g| g.joined(op, test, others));
     match (&yes, &no) {
-        (_, Tree::Branch(Condition { tests, is_any }, same, rest))
-            if **same == yes && (*is_any || tests.len() == 1) =>
+        // a direction is printed as a call
+        (Tree::Leaf(then), Tree::Leaf(otherwise))
+            if with(|g| g.normalized(test, then[0], otherwise[0])).is_some() =>
         {
-            Tree::Branch(before(tests, true), same.clone(), rest.clone())
+            Tree::Leaf(vec![with(|g| g.choice(test, then[0], otherwise[0]))])
         }
-        (Tree::Branch(Condition { tests, is_any }, rest, same), _) if **same == no && !is_any => {
-            Tree::Branch(before(tests, false), rest.clone(), same.clone())
+        (_, Tree::Branch(others, same, rest)) if **same == yes && op(*others) != Op::All => {
+            Tree::Branch(tests(Op::Any, *others), same.clone(), rest.clone())
         }
-        _ => Tree::Branch(before(&[], false), Box::new(yes), Box::new(no)),
+        (Tree::Branch(others, rest, same), _) if **same == no && op(*others) != Op::Any => {
+            Tree::Branch(tests(Op::All, *others), rest.clone(), same.clone())
+        }
+        _ => Tree::Branch(test, Box::new(yes), Box::new(no)),
     }
-}
-
-/// w/|w| where |w| > 0, and 0 elsewhere: a choice, which is printed as a call.
-fn normalized(test: Test, yes: &Tree, no: &Tree) -> Option<Tree> {
-    let (Tree::Leaf(yes), Tree::Leaf(no), Test::Above(length, ZERO)) = (yes, no, test) else {
-        return None;
-    };
-    with(|g| {
-        let is_over_length =
-            |&n: &usize| matches!(g.nodes[n], Node::Binary(Op::Div, _, of) if of == length);
-        let is_unit = yes.iter().all(is_over_length) && no[..] == [ZERO; 3];
-        let select = |&n: &usize| g.node(Node::Select(test, n, ZERO));
-        is_unit.then(|| Tree::Leaf(yes.iter().map(select).collect()))
-    })
 }

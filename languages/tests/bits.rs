@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use host::{answer, bytes, compiled};
-use shading_languages::{Arguments, Function, functions};
+use shading_languages::{Function, functions};
 use support::{ALL, Draw, arguments, is_sound};
 
 mod host;
@@ -23,7 +23,7 @@ fn difference(program: &Path, function: &Function, draw: Draw, count: usize) -> 
     let mut different = 0;
     let mut first = None;
     for (x, y) in all.chunks(inputs).zip(found.chunks(results)) {
-        let right = (function.compute)(Arguments::new(x.to_vec()));
+        let right = (function.compute)(x);
         assert_eq!(right.len(), y.len());
         if right.iter().zip(y).any(|(a, b)| a.to_bits() != b.to_bits()) {
             different += 1;

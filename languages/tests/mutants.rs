@@ -14,7 +14,7 @@ use std::{fs, thread};
 use fixed_point::{LEVELS, PROGRAM, by_the_crate, levels_by_the_crate, scenes, words};
 use host::{answer, bytes, compiled};
 use mutant::{Mutant, changed_by, mutants};
-use shading_languages::{Arguments, functions};
+use shading_languages::functions;
 use support::{ALL, Draw, arguments};
 
 mod fixed_point;
@@ -43,7 +43,7 @@ fn of_floats() -> Vec<Question> {
             let calls = if is_long { 500_000 } else { 20_000 };
             let input = arguments(function, draw, calls);
             let width: usize = function.parameters.iter().map(|p| p.1.width()).sum();
-            let compute = |x: &[f32]| (function.compute)(Arguments::new(x.to_vec()));
+            let compute = |x: &[f32]| (function.compute)(x);
             let expected: Vec<_> = input.chunks(width).flat_map(compute).collect();
             all.push(Question {
                 argument: function.name,

@@ -3,7 +3,7 @@
 
 use std::fmt::Write as _;
 
-use shading_languages::{Arguments, Function, Kind, files, functions};
+use shading_languages::{Function, Kind, files, functions};
 use wgpu::ShaderSource;
 
 use crate::Result;
@@ -67,7 +67,7 @@ impl Tally {
             .chunks(inputs)
             .zip(found.chunks(function.result.width()))
         {
-            let right = (function.compute)(Arguments::new(x.to_vec()));
+            let right = (function.compute)(x);
             // a driver may simplify 0 − x to −x: zeros may have another sign. A device may give 0 for a
             // subnormal number.
             let flushed = |x: &f32| if x.is_subnormal() { 0.0 } else { *x };

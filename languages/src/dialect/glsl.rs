@@ -3,12 +3,10 @@
 use super::{Dialect, GRAPHICS};
 
 pub const GLSL: Dialect = Dialect {
-    types: ["float", "vec2", "vec3"],
-    stored: "vec3",
+    types: ["float", "vec2", "vec3", "bool"],
     pads: false,
     made: "return {type}({values});",
-    vector: ("vec3", true),
-    builtins: &[("atan2", "atan")],
+    own: &[("atan2", "atan")],
     file: ["#ifndef SHADING_GLSL\n#define SHADING_GLSL\n\n", "#endif\n"],
     bits: Ok(["floatBitsToInt", "intBitsToFloat"]),
     ..GRAPHICS

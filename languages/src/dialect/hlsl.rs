@@ -3,7 +3,7 @@
 use super::{Dialect, GRAPHICS};
 
 pub const HLSL: Dialect = Dialect {
-    vector: ("float3", false),
+    splats: false,
     file: ["#ifndef SHADING_HLSL\n#define SHADING_HLSL\n\n", "#endif\n"],
     bits: Ok(["asint", "asfloat"]),
     ..GRAPHICS

@@ -5,7 +5,7 @@ use super::{Dialect, GRAPHICS};
 pub const METAL: Dialect = Dialect {
     prefix: "",
     namespace: "shading::",
-    stored: "packed_float3",
+    packed: "packed_",
     function: "inline {type} {name}({parameters}) {",
     suffix: "f",
     file: [

@@ -12,6 +12,7 @@ pub use hlsl::HLSL;
 pub use metal::METAL;
 pub use wgsl::{WGSL, WGSL_EXACT};
 
+use crate::graph::Op;
 use crate::kind::Kind;
 
 /// A language. In the texts, `{type}`, `{name}` and the like stand for what is meant.
@@ -21,12 +22,10 @@ pub struct Dialect {
     pub prefix: &'static str,
     /// What stands before them in a call from another file.
     pub namespace: &'static str,
-    /// The types of one number, two and three.
-    pub types: [&'static str; 3],
-    /// The type of what holds or does not.
-    pub truth: &'static str,
-    /// The type of three numbers within a struct.
-    pub stored: &'static str,
+    /// The types of one number, two and three, and of what holds or does not.
+    pub types: [&'static str; 4],
+    /// What stands before the type of three numbers in a buffer.
+    pub packed: &'static str,
     pub comment: [&'static str; 2],
     /// The beginning of a struct, a field, and the end.
     pub structure: [&'static str; 3],
@@ -42,51 +41,33 @@ pub struct Dialect {
     pub choice: &'static str,
     /// Returns a struct of the values of its fields.
     pub made: &'static str,
-    /// The function that makes a vector of three numbers, and whether it takes one for all.
-    pub vector: (&'static str, bool),
+    /// Whether a vector of three times the same number takes it once.
+    pub splats: bool,
     /// What follows a number.
     pub suffix: &'static str,
-    /// Functions in place of the operators of vectors, in a language without: + − × ÷, a minimum, a
-    /// product with a number and a sign.
-    pub operators: Option<[&'static str; 7]>,
-    /// The functions whose names differ.
-    pub builtins: &'static [(&'static str, &'static str)],
-    /// The functions of the language itself, which are not prefixed.
-    pub own: &'static [&'static str],
+    /// Functions in place of the operations on vectors, in a language without.
+    pub vector_functions: &'static [(Op, &'static str)],
+    /// The functions of the language whose names differ.
+    pub own: &'static [(&'static str, &'static str)],
     /// How its results compare with the crate's for extreme numbers.
     pub extremes: &'static [&'static str],
-    /// The beginning of the file and its end.
+    /// The beginning of the file and its end, in which the least light of each level may have a place.
     pub file: [&'static str; 2],
-    /// Vectors, in a language without.
-    pub vectors: &'static str,
     /// What gives the bits of a number as an integer, and a number of such bits; or the text of the operations
     /// on bits that the crate's power needs.
     pub bits: Result<[&'static str; 2], &'static str>,
-    pub powers: Powers,
+    /// Which power a file has: the crate's `{own}`, the language's `{built_in}`, or both.
+    pub powers: &'static str,
     /// The test whether a square is out of range.
     pub is_extreme: &'static str,
-    /// The encodings of light, in a language whose textures do not encode.
-    pub encodings: &'static str,
-}
-
-/// Which power a file has.
-#[derive(Debug)]
-pub enum Powers {
-    /// The crate's alone.
-    Own,
-    /// The language's alone.
-    BuiltIn,
-    /// The crate's, if a name is defined.
-    Defined,
 }
 
 /// What most languages for graphics have in common.
 const GRAPHICS: Dialect = Dialect {
     prefix: "shading_",
     namespace: "",
-    types: ["float", "float2", "float3"],
-    truth: "bool",
-    stored: "float3",
+    types: ["float", "float2", "float3", "bool"],
+    packed: "",
     comment: ["// ", ""],
     structure: ["struct {name} {", "{type} {field};", "};"],
     pads: true,
@@ -97,24 +78,18 @@ const GRAPHICS: Dialect = Dialect {
     branch: "if ({test}) {",
     choice: "{test} ? {yes} : {no}",
     made: "{type} result = {{values}};\nreturn result;",
-    vector: ("float3", true),
+    splats: true,
     suffix: "",
-    operators: None,
-    builtins: &[],
-    own: &[
-        "sqrt", "abs", "min", "max", "clamp", "dot", "cross", "length", "sin", "cos", "tan",
-        "atan2", "exp", "log", "pow", "atan",
-    ],
+    vector_functions: &[],
+    own: &[],
     extremes: &[
         "Tried with 860,000 calls and numbers from 1e-45 to 1e38, in WGSL on Mesa's llvmpipe and in GLSL in Chromium's SwiftShader:",
         "with the crate's own power, 0.998 and 0.963 of the results were the crate's; with the language's, 0.950 and 0.957.",
     ],
     file: ["", ""],
-    vectors: "",
     bits: Ok(["", ""]),
-    powers: Powers::Defined,
+    powers: "#ifdef SHADING_EXACT_POWER\n\n{own}#else\n\n{built_in}#endif\n\n",
     is_extreme: "!(square >= {low} && square < {high})",
-    encodings: "",
 };
 
 impl Dialect {
@@ -123,12 +98,12 @@ impl Dialect {
         format!("{}{name}", self.prefix)
     }
 
-    /// The name of a function that is called, which may be the language's own.
-    pub(crate) fn function_named(&self, name: &str, prefix: &str) -> String {
-        match self.builtins.iter().find(|builtin| builtin.0 == name) {
-            Some(builtin) => builtin.1.into(),
-            None if self.own.contains(&name) => name.into(),
-            None => format!("{prefix}{name}"),
+    /// The name of a function that the language has.
+    pub(crate) fn own(&self, name: &'static str) -> &'static str {
+        match self.own.iter().find(|own| own.0 == name) {
+            Some(own) => own.1,
+            None if name == "vector" => self.types[2],
+            None => name,
         }
     }
 

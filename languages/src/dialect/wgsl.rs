@@ -1,10 +1,9 @@
 //! WGSL, for wgpu, Bevy and browsers.
 
-use super::{Dialect, GRAPHICS, Powers};
+use super::{Dialect, GRAPHICS};
 
 pub const WGSL: Dialect = Dialect {
-    types: ["f32", "vec2f", "vec3f"],
-    stored: "vec3f",
+    types: ["f32", "vec2f", "vec3f", "bool"],
     structure: ["struct {name} {", "{field}: {type},", "}"],
     pads: false,
     function: "fn {name}({parameters}) -> {type} {",
@@ -13,14 +12,13 @@ pub const WGSL: Dialect = Dialect {
     branch: "if {test} {",
     choice: "select({no}, {yes}, {test})",
     made: "return {type}({values});",
-    vector: ("vec3f", true),
     bits: Ok(["bitcast<i32>", "bitcast<f32>"]),
-    powers: Powers::BuiltIn,
+    powers: "{built_in}",
     ..GRAPHICS
 };
 
 /// With the crate's own power.
 pub const WGSL_EXACT: Dialect = Dialect {
-    powers: Powers::Own,
+    powers: "{own}",
     ..WGSL
 };

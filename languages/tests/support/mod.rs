@@ -30,7 +30,7 @@ pub fn arguments(function: &Function, draw: Draw, calls: usize) -> Vec<f32> {
     };
     let mut all = vec![];
     for _ in 0..calls {
-        for (name, kind) in &function.parameters {
+        for (name, kind) in function.parameters {
             random.draw(name, *kind, &mut all);
         }
     }
