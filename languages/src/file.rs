@@ -2,7 +2,6 @@
 
 use crate::dialect::{C, Dialect, GLSL, HLSL, METAL, WGSL, WGSL_EXACT, filled};
 use crate::given::{filled_with_levels, is_extreme, operations_on_bits};
-use crate::graph::Graph;
 use crate::kind::Kind;
 use crate::print::Printer;
 use crate::table::{BUILT_IN_POWERS, Function, functions};
@@ -67,25 +66,28 @@ fn structure(dialect: &Dialect, kind: Kind) -> String {
     let (name, doc, fields) = kind.fields().expect("a struct has fields");
     let name = dialect.named(name);
     let [begin, field, end] = dialect.structure;
-    let mut out = comment(dialect, doc.trim()) + &filled(begin, &[("name", &name)]) + "\n";
-    let is_stored = matches!(kind, Kind::Light | Kind::Material);
-    let mut add = |of: &str, name: &str| {
+    let [begin, end] = [begin, end].map(|text| filled(text, &[("name", &name)]));
+    let line = |of: &str, name: &str| {
         let line = filled(field, &[("type", of), ("field", name)]);
-        out += &["    ", &line, "\n"].concat();
+        format!("    {line}\n")
     };
+    let is_stored = matches!(kind, Kind::Light | Kind::Material);
+    let mut lines = String::new();
     for (i, (name, kind)) in fields.iter().enumerate() {
-        let of = match kind.width() {
-            3 if is_stored => [dialect.packed, dialect.types[2]].concat(),
-            _ => dialect.type_of(*kind),
+        let packed = if is_stored && kind.width() == 3 {
+            dialect.packed
+        } else {
+            ""
         };
-        add(&of, name);
+        lines += &line(&[packed, &dialect.type_of(*kind)].concat(), name);
         let is_followed = fields.get(i + 1).is_some_and(|next| next.1.width() == 1);
         let is_short = kind.width() == 3 && !is_followed || *name == "is_gltf";
         if is_stored && dialect.pads && is_short {
-            add(dialect.types[0], &format!("padding_{name}"));
+            lines += &line(dialect.types[0], &format!("padding_{name}"));
         }
     }
-    out + &filled(end, &[("name", &name)]) + "\n\n"
+    let doc = comment(dialect, doc.trim());
+    format!("{doc}{begin}\n{lines}{end}\n\n")
 }
 
 pub(crate) fn head(
@@ -124,38 +126,14 @@ fn names(function: &str) -> Vec<(&'static str, &'static str)> {
 }
 
 fn function_text(dialect: &'static Dialect, function: &Function) -> String {
-    let recorded = Recorded::new(
-        Graph::new(function.name),
-        function.parameters,
-        function.result,
-        &function.record,
-    );
-    let doc = comment(dialect, function.doc.trim());
-    let name = dialect.named(function.name);
-    let text = written(
-        dialect,
-        &name,
-        &recorded,
-        dialect.prefix,
-        &names(function.name),
-    );
-    format!("{doc}{text}\n")
-}
-
-/// The text of a function, given what stands before the functions of the files that it calls, and names of values.
-pub(crate) fn written(
-    dialect: &'static Dialect,
-    name: &str,
-    function: &Recorded,
-    prefix: &str,
-    names: &[(&str, &str)],
-) -> String {
-    let changed = function.changed(dialect);
-    let result = match changed {
-        Some(_) => "void".into(),
-        None => dialect.type_of(function.result),
-    };
-    let head = head(dialect, name, function.parameters, changed, &result);
-    let body = Printer::new(dialect, function, prefix).body(names);
-    format!("{head}{body}}}\n")
+    let Function {
+        name,
+        parameters,
+        result,
+        ..
+    } = *function;
+    let recorded = Recorded::new(name, parameters, result, &function.record);
+    let printer = Printer::new(dialect, &recorded, dialect.prefix);
+    let text = printer.function(&dialect.named(name), &names(name));
+    comment(dialect, function.doc.trim()) + &text + "\n"
 }

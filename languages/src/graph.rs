@@ -147,21 +147,17 @@ impl Graph {
         *op == Op::Above && of[1] == ZERO && self.nodes[of[0]].op == Op::Field("w_length")
     }
 
-    /// The answer to a test in this run, or `otherwise` if it is not known.
-    pub fn decide(&mut self, test: usize, otherwise: Option<bool>) -> bool {
+    /// The answer to a test in this run. In the files, masks choose between two results, as in lanes, of which some
+    /// answer otherwise; a function of the user's may mean to decide.
+    pub fn decide(&mut self, test: usize, lanes: Option<bool>) -> bool {
+        let lanes = lanes.filter(|_| !self.defining.is_empty());
         let assumed = self.assumes.then_some(true);
-        if let Some(answer) = self.known(test).or(otherwise).or(assumed) {
+        if let Some(answer) = self.known(test).or(lanes).or(assumed) {
             return answer;
         }
         let answer = self.given.get(self.path.len()).copied().unwrap_or(true);
         self.path.push((test, answer));
         answer
-    }
-
-    /// What masks answer of some lanes: in the files, they choose between two results. A function of the user's
-    /// may mean to decide.
-    pub fn lanes(&self, answer: bool) -> Option<bool> {
-        (!self.defining.is_empty()).then_some(answer)
     }
 
     pub fn known(&self, test: usize) -> Option<bool> {
@@ -226,9 +222,6 @@ impl Graph {
         if then == otherwise {
             return then;
         }
-        if let Some(answer) = self.known(test) {
-            return if answer { then } else { otherwise };
-        }
         let [above, yes, no] = [test, then, otherwise].map(|n| self.nodes[n].clone());
         if above.op == Op::Above {
             // max and min, as the crate derives them
@@ -239,20 +232,24 @@ impl Graph {
                 return self.number(MINIMUM, &above.of);
             }
         }
-        match (yes.op, &yes.of[..], &no.of[..]) {
-            (Op::Select, &[same, a, x], &[t, b, y]) if (same, x) == (t, y) => {
+        if let Some(answer) = self.known(test) {
+            return if answer { then } else { otherwise };
+        }
+        let same = (yes.op == no.op).then_some(yes.op);
+        match (same, &yes.of[..], &no.of[..]) {
+            (Some(Op::Select), &[same, a, x], &[t, b, y]) if (same, x) == (t, y) => {
                 let then = self.select(test, a, b);
                 self.select(same, then, x)
             }
-            (op, &[a, x], &[b, y]) if op == no.op && is_binary(op) && a == b => {
+            (Some(op), &[a, x], &[b, y]) if is_binary(op) && a == b => {
                 let right = self.select(test, x, y);
                 self.number(op, &[a, right])
             }
-            (op, &[a, x], &[b, y]) if op == no.op && is_binary(op) && x == y => {
+            (Some(op), &[a, x], &[b, y]) if is_binary(op) && x == y => {
                 let left = self.select(test, a, b);
                 self.number(op, &[left, x])
             }
-            (Op::Mul, &[a, x], _) if a == otherwise => {
+            (_, &[a, x], _) if yes.op == Op::Mul && a == otherwise => {
                 let right = self.select(test, x, ONE);
                 self.number(Op::Mul, &[a, right])
             }

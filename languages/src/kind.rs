@@ -3,8 +3,6 @@
 use shading::number::{Measured, power};
 use shading::{Arrival, Elementary, Lobe, Material, Rgb, Scalar, UnitVec3, Vec3};
 
-use crate::light::Light;
-
 /// A number that the table can be computed with.
 pub trait Number: Elementary + Scalar + Lobe<Self> + power::Bits {}
 impl<T: Elementary + Scalar + Lobe<T> + power::Bits> Number for T {}
@@ -87,8 +85,34 @@ macro_rules! values {
     )*};
 }
 
+/// The type of a kind.
+macro_rules! of_kind {
+    (Vector) => { Vec3<T> };
+    (Unit) => { UnitVec3<T> };
+    (Color) => { Rgb<T> };
+    (Pair) => { [T; 2] };
+    (Cosines) => { [T; 2] };
+    (Light) => { Light<T> };
+    (Material) => { Material<T, T> };
+    (Arrival) => { Arrival<T> };
+    (Sums) => { Sums<T> };
+    (Tangent) => { Tangent<T> };
+    (Measured) => { Measured<T> };
+    ($number:ident) => { T };
+}
+pub(crate) use of_kind;
+
+macro_rules! defined {
+    (the_crates $kind:ident $fields:tt) => {};
+    (own $kind:ident { $($field:ident: $of:ident),* }) => {
+        pub struct $kind<T> {
+            $(pub $field: of_kind!($of)),*
+        }
+    };
+}
+
 macro_rules! structs {
-    ($(#[doc = $doc:literal] $kind:ident: $type:ty { $($name:ident($field:ident): $of:ident),* $(,)? })*) => {
+    ($(#[doc = $doc:literal] $whose:ident $kind:ident { $($name:ident($field:ident): $of:ident),* $(,)? })*) => {
         impl Kind {
             pub const STRUCTS: &[Self] = &[$(Self::$kind),*];
 
@@ -105,15 +129,18 @@ macro_rules! structs {
             }
         }
 
+        $(defined!($whose $kind { $($field: $of),* });)*
+
         values! {$(
-            $type: |from| Self { $($field: Value::take(from)),* }, |all| [$(all.$field.numbers()),*].concat();
+            of_kind!($kind):
+                |from| Self { $($field: Value::take(from)),* },
+                |all| [$(all.$field.numbers()),*].concat();
         )*}
     };
 }
 
 values! {
     T: |from| from.next().expect("a value has all its numbers"), |x| vec![x];
-    Vec<T>: |from| from.collect(), |all| all;
     [T; 2]: |from| [T::take(from), T::take(from)], |pair| pair.to_vec();
     [T; 3]: |from| [T::take(from), T::take(from), T::take(from)], |all| all.to_vec();
     Vec3<T>: |from| <[T; 3]>::take(from).into(), |v| vec![v.x, v.y, v.z];
@@ -126,7 +153,7 @@ values! {
 // beside the name of a field, the crate's
 structs! {
     /// A light of any kind. A sun has its direction L for a position; a lamp has the cosines -1.
-    Light: Light<T> {
+    own Light {
         position(position): Vector,
         is_sun(is_sun): Flag,
         intensity(intensity): Color,
@@ -140,27 +167,17 @@ structs! {
     }
 
     /// The reflectances of a surface, and its shininess m.
-    Material: Material<T, T> { k_a(k_a): Color, m(m): Positive, k_d(k_d): Color, k_s(k_s): Color }
+    the_crates Material { k_a(k_a): Color, m(m): Positive, k_d(k_d): Color, k_s(k_s): Color }
 
     /// What arrives at a point from one light: L, the distance q and I.
-    Arrival: Arrival<T> { l(l): Unit, q(distance): Positive, i(intensity): Color }
+    the_crates Arrival { l(l): Unit, q(distance): Positive, i(intensity): Color }
 
     /// The sums over lights of I max(0, N.L) and of I times the highlight. They begin as 0.
-    Sums: Sums<T> { diffuse(diffuse): Color, specular(specular): Color }
+    own Sums { diffuse(diffuse): Color, specular(specular): Color }
 
     /// The tangent t of a triangle with texture coordinates, and its handedness h.
-    Tangent: Tangent<T> { t(t): Unit, h(h): Number }
+    own Tangent { t(t): Unit, h(h): Number }
 
     /// A vector w of the direction of another, whose square is in range, |w|, and the length of the other.
-    Measured: Measured<T> { w(w): Vector, w_length(w_length): Positive, v_length(length): Positive }
-}
-
-pub(crate) struct Sums<T> {
-    pub diffuse: Rgb<T>,
-    pub specular: Rgb<T>,
-}
-
-pub(crate) struct Tangent<T> {
-    pub t: Vec3<T>,
-    pub h: T,
+    the_crates Measured { w(w): Vector, w_length(w_length): Positive, v_length(length): Positive }
 }

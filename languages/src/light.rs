@@ -6,20 +6,7 @@ use shading::{
 };
 
 use crate::graph::assuming;
-use crate::kind::{Number, Value};
-
-pub struct Light<T> {
-    pub position: Vec3<T>,
-    pub is_sun: T,
-    pub intensity: Rgb<T>,
-    pub limit: T,
-    pub coefficients: Rgb<T>,
-    pub range: T,
-    pub axis: UnitVec3<T>,
-    pub is_smoothstep: T,
-    pub cosines: [T; 2],
-    pub is_gltf: T,
-}
+use crate::kind::{Light, Number, Value};
 
 impl<T: Number> Light<T> {
     /// What dims the light after the distance q: the attenuation and the window of the range.
@@ -32,8 +19,7 @@ impl<T: Number> Light<T> {
     pub fn spot(&self, cosine: T) -> T {
         let [l, axis] = [T::ONE, -cosine].map(|x| Vec3::new(x, T::ZERO, T::ZERO));
         let [l, axis] = [l, axis].map(UnitVec3::assume_unit);
-        let cone = cone(self.cosines);
-        let [hard, smooth] = [cone, cone.smoothstep()].map(|cone| cone.factor(axis, l));
+        let [hard, smooth] = self.cones().map(|cone| cone.factor(axis, l));
         self.is_smoothstep.above(T::ZERO).select(smooth, hard)
     }
 
@@ -50,6 +36,12 @@ impl<T: Number> Light<T> {
         both.expect("the numbers of an attenuation")
     }
 
+    /// With a linear edge, and with a smoothstep.
+    fn cones(&self) -> [Cone<T>; 2] {
+        let hard = cone(self.cosines);
+        [hard, hard.smoothstep()]
+    }
+
     /// What `f` makes of the light at p, whatever its kind and falloff: each is made by its constructors.
     pub fn each<V: Value<T>>(&self, p: Vec3<T>, f: impl Fn(IncidentLight<T>) -> V) -> V {
         let (position, intensity) = (self.position, self.intensity);
@@ -57,23 +49,15 @@ impl<T: Number> Light<T> {
             let l = UnitVec3::assume_unit(position);
             return f(DirectionalLight { l, intensity }.at(p));
         }
-        let [within, within_gltf] = self.attenuations();
-        let attenuation = if self.is_gltf > T::ZERO {
-            within_gltf
-        } else {
-            within
-        };
+        let is_gltf = usize::from(self.is_gltf > T::ZERO);
+        let attenuation = self.attenuations()[is_gltf];
         let point = PointLight {
             position,
             intensity,
             attenuation,
         };
-        let hard = cone(self.cosines);
-        let cone = if self.is_smoothstep > T::ZERO {
-            hard.smoothstep()
-        } else {
-            hard
-        };
+        let is_smoothstep = usize::from(self.is_smoothstep > T::ZERO);
+        let cone = self.cones()[is_smoothstep];
         let spot = SpotLight {
             point,
             axis: self.axis,

@@ -7,7 +7,7 @@ use shading::number::power::Bits;
 use shading::number::{Dimmed, Mask, Measured, Toward};
 use shading::{Elementary, Lobe, Real, Rgb, Vec3};
 
-use crate::graph::{EXTREME, MAX, MAXIMUM, MINIMUM, NEG_ONE, ONE, Op, ZERO, with};
+use crate::graph::{EXTREME, MAX, NEG_ONE, ONE, Op, ZERO, with};
 use crate::kind::{Kind, Value};
 
 /// A number that records the formula which computes it.
@@ -33,12 +33,10 @@ pub struct Above {
 }
 
 impl Above {
-    /// What it answers of some lanes, if it need not decide.
+    /// What it answers of some lanes, unless it decides.
     fn answer(self, lanes: bool, decides: bool) -> bool {
-        with(|g| {
-            let lanes = g.lanes(lanes).filter(|_| !decides);
-            g.decide(self.test, lanes)
-        })
+        let lanes = (!decides).then_some(lanes);
+        with(|g| g.decide(self.test, lanes))
     }
 
     fn is_anywhere(self) -> bool {
@@ -148,14 +146,6 @@ macro_rules! number {
                 Above { test, decides: $decides }
             }
 
-            fn at_least(self, floor: Self) -> Self {
-                Self(with(|g| g.number(MAXIMUM, &[self.0, floor.0])))
-            }
-
-            fn at_most(self, limit: Self) -> Self {
-                Self(with(|g| g.number(MINIMUM, &[self.0, limit.0])))
-            }
-
             fn any_outside(self, low: Self, high: Self) -> bool {
                 let range = (low, high);
                 assert!(range == (Self::ONE / Self::EXTREME, Self::EXTREME), "the range of squares");
@@ -179,10 +169,6 @@ macro_rules! number {
         impl Lobe<Self> for $number {
             fn raise(self, cosine: Self) -> Self {
                 Self::call("power", &[cosine, self.at_least(Self::ZERO)])
-            }
-
-            fn raise_root(self, square: Self) -> Self {
-                (Self::of(0.5) * self).raise(square)
             }
 
             fn raise_quotient(self, square: Self, of: Self) -> Self {
@@ -276,21 +262,17 @@ number!(Expr, false, {
         range: Self,
         is_squared: Above,
     ) -> Dimmed<Self> {
-        if with(|g| g.is_lit()) {
-            return Dimmed {
-                color,
-                factor: call_of_light("falloff", q),
-            };
-        }
         let name = if is_squared.is_anywhere() {
             "window"
         } else {
             "window_gltf"
         };
-        Dimmed {
-            color,
-            factor: factor * Self::call(name, &[q, range]),
-        }
+        let factor = if with(|g| g.is_lit()) {
+            call_of_light("falloff", q)
+        } else {
+            factor * Self::call(name, &[q, range])
+        };
+        Dimmed { color, factor }
     }
 
     fn beamed(
@@ -302,18 +284,15 @@ number!(Expr, false, {
         measured: &Measured<Self>,
     ) -> Dimmed<Self> {
         let cosine = Self::dot(-axis, measured.w) / measured.w_length;
-        if with(|g| g.is_lit()) {
-            return Dimmed {
-                color,
-                factor: factor * call_of_light("spot", cosine),
-            };
-        }
         // a soft edge may be smooth, and a hard one is neither
         let is_square = with(|g| g.known(is_smooth.test)) == Some(false);
         let name = if is_square { "beam" } else { "beam_smoothstep" };
-        Dimmed {
-            color,
-            factor: factor * Self::call(name, &[cosine, inner, outer]),
-        }
+        let of_cone = if with(|g| g.is_lit()) {
+            call_of_light("spot", cosine)
+        } else {
+            Self::call(name, &[cosine, inner, outer])
+        };
+        let factor = factor * of_cone;
+        Dimmed { color, factor }
     }
 });

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use crate::dialect::{Dialect, WGSL, filled};
+use crate::file::head;
 use crate::graph::{MINIMUM, Node, Op, VECTOR};
 use crate::kind::Kind;
 use crate::tree::{Recorded, Tree};
@@ -56,8 +57,17 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// The statements of a function, given the books' names for values and their formulas in WGSL.
-    pub fn body(mut self, names: &[(&str, &str)]) -> String {
+    /// The text of the function, given its name, and the books' names for values and their formulas in WGSL.
+    pub fn function(mut self, name: &str, names: &[(&str, &str)]) -> String {
+        let Recorded {
+            parameters,
+            result,
+            tree,
+            ..
+        } = self.function;
+        let changed = self.function.changed(self.dialect);
+        let of = changed.map_or_else(|| self.dialect.type_of(*result), |_| "void".into());
+        self.out = head(self.dialect, name, parameters, changed, &of);
         let mut wgsl = Printer::new(&WGSL, self.function, "");
         for value in 0..self.function.graph.nodes.len() {
             let text = wgsl.formula(value).0;
@@ -70,9 +80,9 @@ impl<'a> Printer<'a> {
             }
         }
         self.names = wgsl.variables;
-        self.count(&self.function.tree, &[]);
-        self.tree(&self.function.tree, "    ");
-        self.out
+        self.count(tree, &[]);
+        self.tree(tree, "    ");
+        self.out + "}\n"
     }
 
     fn node(&self, value: usize) -> &'a Node {

@@ -3,10 +3,9 @@
 use shading::{Dual, Vec3, normal};
 
 use crate::dialect::Dialect;
-use crate::file::written;
-use crate::graph::Graph;
 use crate::kind::{Kind, Value};
 use crate::number::Expr;
+use crate::print::Printer;
 use crate::tree::Recorded;
 
 /// Writes two functions for the implicit surface f(p) = 0: `name(p)`, which is f, and `name_normal(p)`, its exact
@@ -83,8 +82,8 @@ fn text(
             let numbers: Vec<_> = numbers.iter().copied().map(Expr).collect();
             formula(&numbers).iter().map(|x| x.0).collect()
         };
-        let recorded = Recorded::new(Graph::new(""), parameters, result, &record);
+        let recorded = Recorded::new("", parameters, result, &record);
         let prefix = [dialect.namespace, dialect.prefix].concat();
-        written(dialect, &[name, end].concat(), &recorded, &prefix, &[])
+        Printer::new(dialect, &recorded, &prefix).function(&[name, end].concat(), &[])
     }
 }

@@ -7,8 +7,8 @@ use shading::{
     half_vector, normal, reflection, shade, term,
 };
 
-use crate::kind::{Kind, Number, Sums, Tangent, Value};
-use crate::light::{Light, cone};
+use crate::kind::{Kind, Light, Number, Sums, Tangent, Value, of_kind};
+use crate::light::cone;
 use crate::number::{Crossed, Expr, Inline};
 
 /// A function of the files.
@@ -66,19 +66,6 @@ fn beam<T: Number>(cosine: T, edges: [T; 2], is_smooth: T::Mask) -> T {
 fn window<T: Number>(q: T, r: T, is_squared: T::Mask) -> T {
     let v = Vec3::new(q, T::ZERO, T::ZERO);
     T::windowed(full(), v, q, r, is_squared).factor
-}
-
-macro_rules! of_kind {
-    (Vector) => { Vec3<T> };
-    (Unit) => { UnitVec3<T> };
-    (Color) => { Rgb<T> };
-    (Pair) => { [T; 2] };
-    (Cosines) => { [T; 2] };
-    (Light) => { Light<T> };
-    (Material) => { Material<T, T> };
-    (Arrival) => { Arrival<T> };
-    (Sums) => { Sums<T> };
-    ($number:ident) => { T };
 }
 
 // each row begins with the number that records it: a function behind a hook writes the hook out
@@ -266,7 +253,7 @@ functions! {
     Expr fn normal_tangent(v1: Vector, v2: Vector, v3: Vector, uv1: Pair, uv2: Pair, uv3: Pair) -> Tangent = {
         let tangent = normal::tangent([v1, v2, v3], [uv1, uv2, uv3]);
         let (t, h) = tangent.map_or((Vec3::ZERO, T::ZERO), |(t, h)| (*t, h));
-        Tangent { t, h }
+        Tangent { t: UnitVec3::assume_unit(t), h }
     };
 
     /// A normal from a map: x t + y b + z N, length 1. glTF 2.0, 3.7.2.1.

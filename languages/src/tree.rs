@@ -15,14 +15,14 @@ pub struct Recorded<'a> {
 }
 
 impl<'a> Recorded<'a> {
-    /// Records a formula, which takes the numbers of the parameters.
+    /// Records a formula, which takes the numbers of the parameters, for a function of the files or one without a name.
     pub fn new(
-        graph: Graph,
+        defining: &'static str,
         parameters: &'a [(&'static str, Kind)],
         result: Kind,
         formula: &dyn Fn(&[usize]) -> Vec<usize>,
     ) -> Self {
-        with(|g| *g = graph);
+        with(|g| *g = Graph::new(defining));
         let numbers = |(name, kind): &(&'static str, Kind)| with(|g| g.parameter(name, *kind));
         let numbers: Vec<_> = parameters.iter().flat_map(numbers).collect();
         let whole = [("", result)];
@@ -42,12 +42,11 @@ impl<'a> Recorded<'a> {
 
     /// The parameter that is changed in place of a result, where structs are passed by pointers.
     pub fn changed(&self, dialect: &Dialect) -> Option<&'static str> {
-        let of_pointer = |_: &_| dialect.pointers.is_some() && self.result.fields().is_some();
-        let mut parameters = self
-            .parameters
-            .iter()
-            .filter(|parameter| parameter.1 == self.result);
-        parameters.next().filter(of_pointer).map(|(name, _)| *name)
+        dialect.pointers?;
+        self.result.fields()?;
+        let mut parameters = self.parameters.iter();
+        let changed = parameters.find(|parameter| parameter.1 == self.result)?;
+        Some(changed.0)
     }
 }
 
