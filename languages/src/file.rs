@@ -126,13 +126,9 @@ fn names(function: &str) -> Vec<(&'static str, &'static str)> {
 }
 
 fn function_text(dialect: &'static Dialect, function: &Function) -> String {
-    let Function {
-        name,
-        parameters,
-        result,
-        ..
-    } = *function;
-    let recorded = Recorded::new(name, parameters, result, &function.record);
+    let name = function.name;
+    let (parameters, result) = (function.parameters, function.result);
+    let recorded = Recorded::new(dialect, name, parameters, result, &function.record);
     let printer = Printer::new(dialect, &recorded, dialect.prefix);
     let text = printer.function(&dialect.named(name), &names(name));
     comment(dialect, function.doc.trim()) + &text + "\n"

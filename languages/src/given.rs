@@ -44,8 +44,8 @@ pub fn is_extreme(dialect: &Dialect) -> String {
     text(dialect, dialect.types[3], IS_EXTREME, &places)
 }
 
-/// The operations on the bits of a number. `{bits}` is the function that gives the bits as an integer, and `{of_bits}`
-/// the one that takes them.
+/// The operations on the bits of a number. `{bits}` is the function that gives the bits as an integer, and
+/// `{of_bits}` the one that takes them.
 const OPERATIONS_ON_BITS: [Given; 4] = [
     (
         "e of x = 2^e z, where z is within [least, 2 least).",

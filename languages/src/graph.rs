@@ -58,7 +58,9 @@ pub struct Graph {
     index: HashMap<Node, usize>,
     /// The function that is recorded: a call of it is written out.
     pub defining: &'static str,
-    /// Whether each decision is known to be true, and each number finite.
+    /// Whether the language has quotients, minima and maxima of vectors.
+    pub divides_vectors: bool,
+    /// Whether each decision is known to be true.
     assumes: bool,
     /// The decisions of this run.
     pub path: Vec<(usize, bool)>,
@@ -82,9 +84,10 @@ pub fn assuming<R>(f: impl FnOnce() -> R) -> R {
 
 impl Graph {
     /// A graph for a function of the files, or for one that has no name among them.
-    pub fn new(defining: &'static str) -> Self {
+    pub fn new(defining: &'static str, divides_vectors: bool) -> Self {
         let mut graph = Self {
             defining,
+            divides_vectors,
             ..Self::default()
         };
         for constant in CONSTANTS {
@@ -147,8 +150,8 @@ impl Graph {
         *op == Op::Above && of[1] == ZERO && self.nodes[of[0]].op == Op::Field("w_length")
     }
 
-    /// The answer to a test in this run. In the files, masks choose between two results, as in lanes, of which some
-    /// answer otherwise; a function of the user's may mean to decide.
+    /// The answer to a test in this run. In the files, masks choose between two results, as in lanes, of which
+    /// some answer otherwise; a function of the user's may mean to decide.
     pub fn decide(&mut self, test: usize, lanes: Option<bool>) -> bool {
         let lanes = lanes.filter(|_| !self.defining.is_empty());
         let assumed = self.assumes.then_some(true);
@@ -191,7 +194,7 @@ impl Graph {
             (Op::Sub, Some(0.0), _) if self.drops_zeros() => self.number(Op::Neg, &[b]),
             (Op::Add, Some(0.0), _) | (Op::Mul, Some(1.0), _) => b,
             (Op::Add | Op::Sub, _, Some(0.0)) | (Op::Mul | Op::Div, _, Some(1.0)) => a,
-            (MINIMUM, _, Some(f32::MAX)) if self.assumes || !self.can_overflow() => a,
+            (MINIMUM, _, Some(f32::MAX)) if !self.can_overflow() => a,
             (MINIMUM, ..) if left.op == MAXIMUM => {
                 self.add(Op::Own("clamp"), Kind::Number, &[left.of[0], left.of[1], b])
             }
@@ -200,17 +203,13 @@ impl Graph {
             }
             // whether there is a range asks the falloff
             (Op::Above, Some(f32::MAX), _) if self.is_lit() => ONE,
-            // (a choice between 1 and 0) > 0 is its test
-            (Op::Above, _, Some(0.0)) if left.op == Op::Select && left.of[1..] == [ONE, ZERO] => {
-                left.of[0]
-            }
             (Op::Above | Op::AtLeast, ..) => self.add(op, Kind::Flag, of),
             _ => self.add(op, Kind::Number, of),
         }
     }
 
     pub fn dot(&mut self, a: [usize; 3], b: [usize; 3]) -> usize {
-        if a[1..] == [ZERO; 2] || b[1..] == [ZERO; 2] {
+        if b[1..] == [ZERO; 2] {
             return self.number(Op::Mul, &[a[0], b[0]]);
         }
         let of = [a, b].map(|numbers| self.value(&numbers));

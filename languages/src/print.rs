@@ -125,7 +125,6 @@ impl<'a> Printer<'a> {
         let is_constant = |n: &usize| matches!(self.node(*n).op, Op::Constant(_));
         match op {
             Op::Parameter(_) | Op::Constant(_) | Op::Field(_) => true,
-            Op::Neg => self.is_trivial(of[0]),
             _ => *kind == Kind::Flag || *op == VECTOR && of.iter().all(is_constant),
         }
     }
@@ -272,7 +271,7 @@ impl<'a> Printer<'a> {
             (Op::Field(name), _) => self.field(&self.text(of[0], ATOM), name),
             (Op::Call(name), _) => call(&[self.prefix, name].concat()),
             (VECTOR, _) => self.vector(of),
-            (MINIMUM, _) if is_vector => {
+            (MINIMUM, _) if is_vector && self.node(of[1]).kind == Kind::Number => {
                 format!("min({}, {})", self.text(of[0], 0), self.vector(&[of[1]; 3]))
             }
             (Op::Own(name), _) => call(self.dialect.own(name)),

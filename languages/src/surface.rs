@@ -82,7 +82,7 @@ fn text(
             let numbers: Vec<_> = numbers.iter().copied().map(Expr).collect();
             formula(&numbers).iter().map(|x| x.0).collect()
         };
-        let recorded = Recorded::new("", parameters, result, &record);
+        let recorded = Recorded::new(dialect, "", parameters, result, &record);
         let prefix = [dialect.namespace, dialect.prefix].concat();
         Printer::new(dialect, &recorded, &prefix).function(&[name, end].concat(), &[])
     }

@@ -15,14 +15,17 @@ pub struct Recorded<'a> {
 }
 
 impl<'a> Recorded<'a> {
-    /// Records a formula, which takes the numbers of the parameters, for a function of the files or one without a name.
+    /// Records the formula of a function of the files, or of one without a name, which takes the numbers of the
+    /// parameters.
     pub fn new(
+        dialect: &Dialect,
         defining: &'static str,
         parameters: &'a [(&'static str, Kind)],
         result: Kind,
         formula: &dyn Fn(&[usize]) -> Vec<usize>,
     ) -> Self {
-        with(|g| *g = Graph::new(defining));
+        let divides_vectors = dialect.vector_functions.is_empty();
+        with(|g| *g = Graph::new(defining, divides_vectors));
         let numbers = |(name, kind): &(&'static str, Kind)| with(|g| g.parameter(name, *kind));
         let numbers: Vec<_> = parameters.iter().flat_map(numbers).collect();
         let whole = [("", result)];

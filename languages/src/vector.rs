@@ -1,6 +1,6 @@
 //! Vectors and structs, found in recorded numbers.
 
-use crate::graph::{Graph, MAX, MINIMUM, Node, Op, VECTOR, ZERO};
+use crate::graph::{Graph, MAX, MAXIMUM, MINIMUM, Node, Op, VECTOR, ZERO};
 use crate::kind::Kind;
 
 impl Graph {
@@ -60,6 +60,9 @@ impl Graph {
             (Op::Select, &[test, v, w]) if is_uniform(test) => {
                 let [v, w] = [v, w].map(|lanes| self.vector(lanes));
                 return self.choice(test[0], v, w);
+            }
+            (Op::Div | MINIMUM | MAXIMUM, &[v, w]) if self.divides_vectors => {
+                (op, vec![self.vector(v), self.vector(w)])
             }
             (Op::Add | Op::Sub | Op::Mul, &[v, w]) => {
                 let crossed = self.crossed(op, v, w);

@@ -4,6 +4,10 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
+use shading::{Elementary, Vec3};
+use shading_languages::dialect::{C, GLSL, HLSL};
+use shading_languages::{implicit, parametric};
+
 /// Runs a command in the folder of the files, and fails with what it prints if it does.
 fn succeeds(command: &[&str]) {
     let output = Command::new(command[0])
@@ -110,4 +114,55 @@ fn glsl_and_hlsl_compile() {
         succeeds(&[&["glslangValidator"], &hlsl[..]].concat());
         succeeds(&["spirv-val", &module]);
     }
+}
+
+/// A box with round edges, in operations on vectors that C has for numbers alone, and with decisions.
+fn rounded_box<T: Elementary + PartialOrd>(p: Vec3<T>) -> T {
+    let size = Vec3::new(T::of(1.0), T::of(2.0), T::of(3.0));
+    let part = Vec3::new(p.x / size.x, p.y / size.y, p.z / size.z);
+    let outside = part.map(|x| (x.abs() - T::ONE).at_least(T::ZERO));
+    let inside = part.map(|x| x.at_most(T::ONE));
+    let square = outside.dot(outside);
+    if square >= T::of(0.25) || p.x < p.y {
+        return square.sqrt() + inside.cross(p).dot(p);
+    }
+    square.powf(p.z).atan2(p.x)
+}
+
+fn wave<T: Elementary>(u: T, v: T) -> Vec3<T> {
+    Vec3::new(u, v, u.sin() * v.cos()) * (u.exp() + v.tan())
+}
+
+/// Surfaces of the user's compile after the files that they call.
+#[test]
+fn surfaces_compile() {
+    let [c, glsl, hlsl] = [&C, &GLSL, &HLSL].map(|dialect| {
+        let wave = parametric(dialect, "wave", wave, wave);
+        implicit(dialect, "rounded_box", rounded_box, rounded_box) + &wave
+    });
+    let source = written("surfaces.c", &format!("#include \"shading.h\"\n{c}"));
+    succeeds(&[
+        "gcc",
+        "-std=c99",
+        "-Wall",
+        "-Werror",
+        "-Wno-unused-function",
+        "-I.",
+        "-fsyntax-only",
+        &source,
+    ]);
+    let file_of = |name: &str| file(&format!("shading.{name}"));
+    let version = "#version 300 es\nprecision highp float;\n";
+    let main = "out vec4 color;\nvoid main() {\n    color = vec4(1.0);\n}\n";
+    let source = written(
+        "surfaces.frag",
+        &[version, &file_of("glsl"), &glsl, main].concat(),
+    );
+    succeeds(&["glslangValidator", &source]);
+    let main = "[numthreads(1, 1, 1)]\nvoid main() {\n}\n";
+    let source = written("surfaces.hlsl", &[&file_of("hlsl"), &hlsl, main].concat());
+    let module = written("surfaces.spv", "");
+    let command = "glslangValidator -D -S comp -e main -V -o";
+    let command: Vec<_> = command.split(' ').chain([&module[..], &source]).collect();
+    succeeds(&command);
 }
