@@ -15,7 +15,8 @@ use crate::scene::{Scene, Triple, mul};
 /// The most colors that are kept, wrong ones and right ones.
 const MOST: usize = 600;
 
-/// The most mistakes that are tried as the first of two. Each takes as long as a search for one.
+/// The most mistakes that are tried as the first of two. Each takes as long as a search for one. Of 75 pairs, none was
+/// told otherwise with 2 and with 6.
 const MOST_PARTS: usize = 3;
 
 /// The fewest wrong colors that tell a form: with fewer, one of 255 sets of forms fits by chance.
@@ -170,27 +171,22 @@ impl Evidence {
     /// for, give nearly all of the wrong ones.
     fn score(&self, formula: &Formula, is_whole: bool) -> Option<Cause> {
         let all = self.wrong.len();
-        let (mut unexplained, mut unknown, mut contradicted) = (0, 0, 0);
+        let (mut unexplained, mut contradicted) = (0, 0);
         for i in 0..all.max(self.right.len()) {
             let fits = |(scene, reply): &Sample| formula.fits(scene, *reply);
-            match self.wrong.get(i).map(fits) {
-                Some(Some(false)) => unexplained += 1,
-                Some(None) => unknown += 1, // such as that of the eye in the surface, which has no direction
-                Some(Some(true)) | None => {}
-            }
+            // what may be anything, such as a highlight along a surface, is not explained by that
+            let is_unexplained = |sample| fits(sample) != Some(true);
+            unexplained += usize::from(self.wrong.get(i).is_some_and(is_unexplained));
             // a right color that is wrong with the mistake shows that it is made elsewhere; rounding decides a few
             contradicted += usize::from(self.right.get(i).and_then(fits) == Some(false));
             if contradicted > 2 || is_whole && !is_nearly_all(all - unexplained, all) {
                 return None;
             }
         }
-        let of = all - unknown;
-        let is_enough = !is_whole || is_nearly_all(of - unexplained, of);
-        // what is known of few colors explains nothing
-        (is_enough && of * 4 >= all).then(|| Cause {
-            explained: of - unexplained,
-            of,
-            errors: unexplained + unknown + contradicted,
+        Some(Cause {
+            explained: all - unexplained,
+            of: all,
+            errors: unexplained + contradicted,
             ..Cause::default()
         })
     }
@@ -284,6 +280,9 @@ impl Evidence {
                 channels.any(|(c, reply)| right.ends(c).is_some_and(|[_, high]| *reply > high));
             brighter += usize::from(is_brighter);
         }
+        // Rounding goes up and down: of 14 renderers that round to 8 to 24 bits, each had the rarer way in 17 of 100
+        // colors or more. Where only k_s is rounded, it is 11, but then the place says more. The colors in bfloat
+        // are known well enough in 63 of 100. With from 44 to 55, none of 320 mistakes was told otherwise.
         let is_balanced = brighter.min(explained - brighter) * 8 >= explained;
         let is_so = explained * 2 >= self.wrong.len();
         (is_so && is_balanced).then(|| Cause::rough(bits, &self.profile, explained))
