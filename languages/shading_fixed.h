@@ -193,9 +193,9 @@ SHADING_FIXED_SHARED int64_t shading_fixed_product(int32_t a, int32_t b) {
     return (int64_t)((uint64_t)(int64_t)shading_fixed_upper(a, b) << 32 | low);
 }
 
+/* The product of unsigned numbers, the second below 2^31. */
 SHADING_FIXED_SHARED uint64_t shading_fixed_product_unsigned(uint32_t a, uint32_t b) {
-    uint32_t upper = shading_fixed_upper_unsigned(a, b) + ((uint32_t)((int32_t)b >> 31) & a);
-    return (uint64_t)upper << 32 | (uint32_t)(a * b);
+    return (uint64_t)shading_fixed_upper_unsigned(a, b) << 32 | (uint32_t)(a * b);
 }
 
 /* The product with a number of at most 2^16. */
@@ -578,21 +578,19 @@ SHADING_FIXED_ONCE uint32_t shading_fixed_window(shading_fixed_vec3 v, shading_f
    after the point. v leads to the light. KHR_lights_punctual; POV-Ray 3.7. */
 SHADING_FIXED_ONCE uint32_t shading_fixed_cone(const shading_fixed_light *light, shading_fixed_vec3 v) {
     const shading_fixed narrowest = SHADING_FIXED_ONE - 4;
-    shading_fixed inner = light->inner, outer = light->outer;
+    /* The axis is lit and a cone of every direction lights every direction, although cosines are rounded. */
+    shading_fixed inner = light->inner < -narrowest ? -2 * SHADING_FIXED_ONE : light->inner;
+    shading_fixed outer = shading_fixed_clamp(light->outer, -SHADING_FIXED_ONE, narrowest);
     shading_fixed_scaled s = shading_fixed_scale_up(v);
     int32_t cosine = shading_fixed_cosine(&s, shading_fixed_neg3(light->axis)); /* 25 bits after the point */
-    /* The axis is lit and a cone of every direction lights every direction, although cosines are rounded. */
-    if (inner < -narrowest) inner = outer = -2 * SHADING_FIXED_ONE;
     if (inner > narrowest) inner = narrowest;
-    if (outer > narrowest) outer = narrowest;
     if (cosine >= shading_fixed_shl(inner, 9)) return UINT32_MAX; /* which rounds to 1 */
     if (cosine <= shading_fixed_shl(outer, 9)) return 0;
     uint32_t width = (uint32_t)inner - (uint32_t)outer;
-    width = width < 1 ? 1 : width > (uint32_t)1 << 22 ? (uint32_t)1 << 22 : width;
     uint32_t zeros = shading_fixed_leading_zeros(width);
     uint32_t beyond = ((uint32_t)cosine - ((uint32_t)outer << 9)) << (zeros - 9);
     uint32_t t = shading_fixed_upper_unsigned(beyond, shading_fixed_reciprocal(width << zeros));
-    t = (t < UINT32_MAX >> 4 ? t : UINT32_MAX >> 4) << 3; /* 31 bits after the point */
+    t <<= 3; /* 31 bits after the point, below 1 for each width */
     uint32_t square = shading_fixed_upper_unsigned(t, t);
     return light->is_smooth ? shading_fixed_upper_unsigned(((uint32_t)3 << 30) - t, square) << 4 : square << 2;
 }

@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-enum { ARGUMENTS = 88, LIGHT = 22, RESULTS = 58 };
+enum { ARGUMENTS = 88, LIGHT = 22, RESULTS = 61 };
 
 static const int32_t *arguments;
 static int32_t results[RESULTS], *next_result;
@@ -31,6 +31,9 @@ static void compute(void) {
     shading_fixed_vec3 n = vector(0), v = vector(3), p = vector(6), i_a = vector(19);
     shading_fixed_material material = {vector(10), vector(13), vector(16), (uint32_t)arguments[9]};
     shading_fixed_sum lambert = SHADING_FIXED_DARK, phong = SHADING_FIXED_DARK, blinn = SHADING_FIXED_DARK;
+    /* A lamp that the crate's types refuse, as a rule. */
+    shading_fixed_light unchecked = {SHADING_FIXED_KIND_LAMP, false, false, {0, 0, 0}, i_a, n.x, n.y, n.z,
+                                     v.x & INT32_MAX, 0, {0, 0, 0}, 0, 0};
     int i;
     give3(shading_fixed_unit(n));
     give(shading_fixed_length(p));
@@ -44,6 +47,7 @@ static void compute(void) {
     give3(shading_fixed_normal_sphere(n, p));
     give3(shading_fixed_normal_triangle(n, v, p));
     give3(shading_fixed_normal_facing(n, v, p));
+    give3(shading_fixed_attenuated(&unchecked, p.x & INT32_MAX));
     for (i = LIGHT; i < ARGUMENTS; i += LIGHT) {
         shading_fixed_light one = light(i);
         shading_fixed_arrival arrival = shading_fixed_arrival_at(&one, p);

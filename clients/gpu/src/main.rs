@@ -3,8 +3,8 @@
 //! every function and the scene on a Vulkan device, and the scene by a SPIR-V module, if one is named, and tries
 //! the laws of local illumination on the files; `gpu laws PROGRAM [mistaken]` tries them on a program that shades
 //! scenes; `gpu calls` prints a page's calls of every function in GLSL, and `gpu answers FILE exact|nearly` judges
-//! their results; `gpu hlsl FOLDER exact|nearly` and `gpu metal FOLDER exact|nearly` compare every function in these
-//! languages, with what they translate in a folder.
+//! their results; `gpu hlsl FOLDER exact|nearly` and `gpu metal FOLDER exact|nearly` compare every function in
+//! these languages, with what they translate in a folder.
 
 mod buffers;
 #[path = "../../../languages/tests/support/mod.rs"]

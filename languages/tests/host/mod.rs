@@ -125,6 +125,11 @@ fn numbers(of: &str, kind: Kind) -> Vec<String> {
     }
 }
 
+/// A header of this package.
+pub fn header(name: &str) -> String {
+    std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(name)).expect("a header")
+}
+
 /// Compiles a text in C to a program, or says why it cannot be.
 pub fn compiled(command: &[&str], source: &str, name: &str) -> Result<PathBuf, String> {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
@@ -142,6 +147,19 @@ pub fn compiled(command: &[&str], source: &str, name: &str) -> Result<PathBuf, S
     } else {
         Err(String::from_utf8_lossy(&output.stderr).into_owned())
     }
+}
+
+/// What a compiler sees of a text in C.
+pub fn preprocessed(command: &[&str], source: &str, name: &str) -> Vec<u8> {
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.c"));
+    std::fs::write(&file, source).unwrap();
+    let output = Command::new(command[0])
+        .args(&command[1..])
+        .args(["-E", "-P"])
+        .arg(&file)
+        .output()
+        .expect("a compiler");
+    output.stdout
 }
 
 /// What a program answers to what it reads; nothing, if it fails or takes a quarter of a minute.

@@ -3,8 +3,7 @@
 /// A header with one mistake.
 #[derive(Clone)]
 pub struct Mutant {
-    /// The line as it was, and as it is.
-    pub before: String,
+    /// The line as it is.
     pub after: String,
     pub header: String,
     /// The function or the table that has the mistake, without its prefix.
@@ -70,7 +69,6 @@ pub fn mutants(header: &str) -> Vec<Mutant> {
                 let mut lines = lines.clone();
                 lines[at] = &after;
                 all.push(Mutant {
-                    before: (*line).into(),
                     header: lines.join("\n"),
                     within: within.clone(),
                     after,

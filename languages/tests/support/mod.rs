@@ -62,15 +62,24 @@ const DIRECTIONS: [[f32; 3]; 6] = [
     [0.498_756_8, -0.813_002_8, -0.300_446_7],
 ];
 
-/// Edges of a triangle. At some of the angles to the x-axis, the angle begins to be measured otherwise.
-const SPECIAL_VECTORS: [[f32; 3]; 6] = [
+/// Edges of a triangle. At some of the angles to the x-axis, the angle begins to be measured otherwise; at others,
+/// it is rounded otherwise if a coefficient of its series is one step larger.
+const SPECIAL_VECTORS: [[f32; 3]; 8] = [
     [0.0, 0.0, 0.0],
     [1.0, 0.0, 0.0],
     [1.0, 2.414_213_7, 0.0],
     [1.0, 0.414_213_57, 0.0],
     [1.0, 0.414_213_6, 0.0],
+    [1.0, 0.284_191_2, 0.0],
+    [1.0, 0.326_280_36, 0.0],
     [0.0, 1.0, 0.0],
 ];
+
+/// Exponents of 1/2 at which the power is rounded otherwise if its last coefficient is one step larger.
+const SPECIAL_EXPONENTS: [f32; 3] = [0.220_329_88, 0.348_216_27, 0.426_914_87];
+
+/// The first is the second times 11,863,283/2²⁴, from which on a quotient's logarithm has the next exponent.
+const SPECIAL_QUOTIENT: [f32; 2] = [0.353_554_28, 0.500_001_25];
 
 struct Random {
     state: u64,
@@ -147,7 +156,12 @@ impl Random {
             Kind::Positive if ["range", "limit", "r"].contains(&name) => {
                 vec![self.one_of(&[1.0, 2e38, f32::MAX])]
             }
+            Kind::Positive if name == "m" && self.bits() & 1 == 0 => {
+                vec![self.one_of(&SPECIAL_EXPONENTS)]
+            }
             Kind::Positive => vec![self.one_of(&[0.0, 1.0, 1e38])],
+            Kind::Fraction if name == "d" => vec![self.one_of(&[SPECIAL_QUOTIENT[1], 1.0])],
+            Kind::Fraction => vec![self.one_of(&[SPECIAL_QUOTIENT[0], 0.5, 1.0])],
             Kind::Color if name == "coefficients" => vec![1.0, 0.0, 0.0],
             // a sum or an intensity may have any size where the result is made finite
             Kind::Color if self.is_made_finite && !name.starts_with("k_") && name != "i_a" => {
@@ -158,7 +172,10 @@ impl Random {
                 self.one_of(&DIRECTIONS).map(|x| x * sign).to_vec()
             }
             Kind::Vector => {
-                let of = [DIRECTIONS, SPECIAL_VECTORS][(self.bits() & 1) as usize];
+                let of: &[[f32; 3]] = match self.bits() & 1 {
+                    0 => &DIRECTIONS,
+                    _ => &SPECIAL_VECTORS,
+                };
                 // the square of 2^50 and that of 2^-50 are at the ends of the range in which squares are exact
                 let sizes = [
                     1.0,
@@ -169,7 +186,7 @@ impl Random {
                     2_f32.powi(126),
                 ];
                 let size = self.one_of(&sizes);
-                self.one_of(&of).map(|x| x * size).to_vec()
+                self.one_of(of).map(|x| x * size).to_vec()
             }
             _ => return None,
         })
