@@ -199,6 +199,8 @@ macro_rules! pages {
         /// [recipes]: mod@crate::guide::recipes
         /// [lanes]: mod@crate::guide::speed#points-in-lanes
         /// [a-highlight-that-fades]: mod@crate::guide::materials#a-highlight-that-fades
+        /// [a-normal-map-of-a-height-image]: mod@crate::guide::surfaces#a-normal-map-of-a-height-image
+        /// [a-relief-that-looks-wrong]: mod@crate::guide::surfaces#a-relief-that-looks-wrong
         /// [a-shininess-from-a-roughness]: mod@crate::guide::materials#a-shininess-from-a-roughness
         /// [ambient-light]: mod@crate::guide::lights#ambient-light
         /// [area-lights]: mod@crate::guide::lights#area-lights
@@ -207,8 +209,10 @@ macro_rules! pages {
         /// [bumps-from-heights]: mod@crate::guide::surfaces#bumps-from-heights
         /// [color-temperature]: mod@crate::guide::lights#color-temperature
         /// [colors]: mod@crate::guide::colors
+        /// [colors-of-16-bits]: mod@crate::guide::speed#colors-of-16-bits
         /// [cool-to-warm-shading]: mod@crate::guide::materials#cool-to-warm-shading
         /// [depth-images]: mod@crate::guide::surfaces#depth-images
+        /// [distances-along-the-ray]: mod@crate::guide::surfaces#distances-along-the-ray
         /// [exposure-and-luminance]: mod@crate::guide::colors#exposure-and-luminance
         /// [falloffs-beams-and-filters-of-your-own]: mod@crate::guide::lights#falloffs-beams-and-filters-of-your-own
         /// [filters-of-svg]: mod@crate::guide::surfaces#filters-of-svg
@@ -224,6 +228,7 @@ macro_rules! pages {
         /// [lights-of-a-gltf-file]: mod@crate::guide::lights#lights-of-a-gltf-file
         /// [limits-and-ranges]: mod@crate::guide::lights#limits-and-ranges
         /// [lumen-and-candela]: mod@crate::guide::lights#lumen-and-candela
+        /// [marching-cubes]: mod@crate::guide::surfaces#marching-cubes
         /// [materials]: mod@crate::guide::materials
         /// [materials-of-threejs]: mod@crate::guide::materials#materials-of-threejs
         /// [mirrored-objects]: mod@crate::guide::surfaces#mirrored-objects
@@ -231,6 +236,7 @@ macro_rules! pages {
         /// [normal-maps]: mod@crate::guide::surfaces#normal-maps
         /// [one-space]: mod@crate::guide::surfaces#one-space
         /// [points-in-lanes]: mod@crate::guide::speed#points-in-lanes
+        /// [reliefs]: mod@crate::guide::surfaces#reliefs-and-surface-plots-of-other-programs
         /// [rim-lights-and-toon-highlights]: mod@crate::guide::materials#rim-lights-and-toon-highlights
         /// [rough-surfaces]: mod@crate::guide::materials#rough-surfaces
         /// [shadows]: mod@crate::guide::lights#shadows
@@ -241,6 +247,7 @@ macro_rules! pages {
         /// [surfaces]: mod@crate::guide::surfaces
         /// [textures-and-emission]: mod@crate::guide::colors#textures-and-emission
         /// [two-sided-surfaces]: mod@crate::guide::surfaces#two-sided-surfaces
+        /// [two-normal-maps]: mod@crate::guide::surfaces#two-normal-maps
         /// [wavefront-materials]: mod@crate::guide::materials#wavefront-materials
         /// [wrapped-and-toon-shading]: mod@crate::guide::materials#wrapped-and-toon-shading
         /// [schema]: mod@crate::guide::schema
