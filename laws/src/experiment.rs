@@ -16,6 +16,9 @@ const ALONE: [[&str; 2]; 4] = [
     ["point", "spot"],
 ];
 
+/// What takes a whole term of the color away.
+const TERMS: [&str; 4] = ["ambient", "diffuse", "highlight", "lights"];
+
 /// What nothing but a lamp has, and nothing but a highlight.
 const OF_LAMPS: [&str; 3] = ["distance", "attenuation", "cone"];
 const OF_HIGHLIGHTS: [&str; 4] = ["length of V", "shininess", "Phong", "Blinn"];
@@ -122,9 +125,9 @@ impl Experiment {
             let known = count(of & !self.unknown[k]);
             let [repaired, broken] = self.counts(k);
             let is_told = if known * 2 > count(of) && !self.alone.contains(&edit.id) {
-                // Of light that is taken away, nothing is left to be wrong. Without it, most colors are too dark for a
+                // Of a term that is taken away, nothing is left to be wrong. Without it, most colors are too dark for a
                 // wrong clamp, too, but not all. Where another thing was out, a few cases may be wrong by a rest of it.
-                let is_strict = edit.darkens && self.is_first;
+                let is_strict = self.is_first && TERMS.contains(&edit.id);
                 repaired == known || !is_strict && is_nearly_all(repaired, known)
             } else {
                 edit.id == "lamps" && is_of(&place, &OF_LAMPS)
