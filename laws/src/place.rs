@@ -32,6 +32,12 @@ impl Place {
         number(self.only_with.iter().find(is_told)?)
     }
 
+    /// Whether all that another one needs is needed by this, too, so that this is the smaller one.
+    pub(crate) fn is_within(&self, other: &Self) -> bool {
+        let mut ids = other.only_with.iter();
+        ids.all(|id| self.only_with.contains(id))
+    }
+
     /// Whether both say the same but for what is general.
     pub(crate) fn is_as_particular(&self, other: &Self) -> bool {
         let particular = |place: &Self| -> Vec<&str> {

@@ -87,6 +87,11 @@ impl Run<'_> {
             let is_sure = part.is_half() || other.is_some();
             if is_sure || others.iter().all(|place| !place.is_general()) {
                 let of_part = places_of_mistake(&scenes, &plan.profile, then);
+                // a known mistake that gives the same where one more thing is missing is no other one: so m + 2 is 3m at 1
+                let is_within = |it: &Place| of_part.iter().any(|part| it.is_within(part));
+                if !is_sure && others.iter().any(is_within) {
+                    continue;
+                }
                 // the parts of one thing are one mistake
                 let mut all = [&of_part[..], &others].concat();
                 place::merge(&mut all);
