@@ -21,6 +21,11 @@ pub(crate) const FPU: bool = !SCARCE_FLASH || cfg!(target_abi = "eabihf");
 pub(crate) const NARROW_PRODUCT: bool =
     cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
+/// Whether an instruction counts the zeros before a number.
+#[cfg(feature = "fixed")]
+pub(crate) const COUNTS_ZEROS: bool =
+    !(NARROW_PRODUCT || cfg!(all(target_arch = "riscv32", not(target_feature = "zbb"))));
+
 /// Whether the maximum of two floats makes a number of a signaling NaN.
 pub(crate) const KEEPS_SIGNALING_NAN: bool = cfg!(target_arch = "aarch64");
 

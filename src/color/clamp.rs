@@ -10,11 +10,9 @@ pub(super) const BRIGHTEST: f32 = f32::from_bits(1.0_f32.to_bits() - 1);
 /// The bits of a number, brought into a range of positive numbers; NaN counts as dark.
 #[inline]
 pub(super) const fn clamped(x: f32, low: f32, high: f32) -> u32 {
-    if SCARCE_FLASH {
+    if SCARCE_FLASH || KEEPS_SIGNALING_NAN && x.is_nan() {
         return clamped_by_bits(x, low, high);
     }
-    let is_kept = KEEPS_SIGNALING_NAN && x.is_nan();
-    let x = if is_kept { low } else { x };
     let bits = if x > low { x } else { low }.to_bits();
     // The second comparison is one of integers, because the compiler would make a branch of two of
     // floats: it sees that the result has only one level then.

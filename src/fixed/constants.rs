@@ -82,11 +82,10 @@ impl Cone<Fixed> {
         } else {
             [limited(inner), limited(outer)]
         };
-        let smooth = Fixed(0);
         Self {
             inner,
             outer,
-            smooth,
+            smooth: Fixed(0),
         }
     }
 }

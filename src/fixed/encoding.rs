@@ -6,13 +6,9 @@ use crate::color::{FIXED_EIGHT_BITS, FIXED_FIVE_BITS, FIXED_SIX_BITS, Rgb};
 /// The channel within [0, 1), in steps. At the greatest that it returns, every encoding has its highest level.
 #[inline]
 const fn within_16_bits(channel: Fixed) -> u16 {
-    const HIGHEST: u16 = u16::MAX - 1;
+    const HIGHEST: i32 = u16::MAX as i32 - 1;
     let steps = channel.0 & !(channel.0 >> 31);
-    if steps > HIGHEST as i32 {
-        HIGHEST
-    } else {
-        steps as u16
-    }
+    (if steps > HIGHEST { HIGHEST } else { steps }) as u16
 }
 
 /// As for `f32`, with whole numbers alone: each `Fixed` from 0 to 1 is an `f32`.

@@ -1,9 +1,9 @@
 //! What dims a light: the attenuation, the window of a range and the beam of a cone.
 
-use super::product::{product, product_unsigned, upper_rounded, upper_unsigned};
+use super::product::{product, product_unsigned, upper_rounded, upper_unsigned, zeros};
 use super::reciprocal::reciprocal;
 use super::root::Scaled;
-use super::{Fixed, ONE, saturated};
+use super::{Fixed, saturated};
 use crate::number::Dimmed;
 use crate::vector::Vec3;
 
@@ -58,7 +58,7 @@ pub(super) fn beam(
     }
     // wrapping and limited, for edges that no cone has
     let width = (inner.0.wrapping_sub(outer.0) as u32).clamp(1, 1 << 22);
-    let zeros = width.leading_zeros();
+    let zeros = zeros(width);
     let beyond = (cosine.wrapping_sub(at_outer) as u32) << (zeros - 9);
     let t = upper_unsigned(beyond, reciprocal(width << zeros));
     let t = t.min(u32::MAX >> 4) << 3; // 31 bits after the point
@@ -71,19 +71,17 @@ pub(super) fn beam(
     }
 }
 
-/// A factor of any size, `significand`/2^`shift`.
+/// A factor of any size: a number over a power of two, given its exponent.
 #[derive(Clone, Copy)]
-pub(super) struct Factor {
-    significand: u32,
-    shift: u32,
-}
+pub(super) struct Factor(u32, i32);
 
 impl Factor {
     #[cold]
     #[inline(never)]
     pub(super) fn times(self, x: Fixed) -> Fixed {
-        let product = product_unsigned(self.significand, x.0.max(0) as u32);
-        saturated(((product << 1 >> self.shift) + 1) >> 1) // rounded
+        let Self(significand, shift) = self;
+        let product = product_unsigned(significand, x.0.max(0) as u32);
+        saturated(((product << 1 >> shift) + 1) >> 1) // rounded
     }
 
     /// The factor of [`Real::attenuated`](crate::Real::attenuated), whatever the denominator and the limit are.
@@ -92,45 +90,52 @@ impl Factor {
     /// It never rises as a coefficient or q does. From 1 on, d has the slope that short products have, rounded to
     /// a step, and the factor has the bits that it has there. Below 1, d has all the digits of the slope, and is
     /// limited to 1, because the two slopes differ.
-    // With loops, because without an instruction for it a count of zeros takes 80 bytes.
+    // Without a loop: the compiler makes four copies of its body for a Cortex-M4.
     #[cold]
     #[inline(never)]
     pub(super) fn attenuating(
-        [a, b, c]: [Fixed; 3],
+        a: Fixed,
+        b: Fixed,
+        c: Fixed,
         q: Fixed,
         limit: Fixed,
         is_near: bool,
     ) -> Self {
         let q = q.0.max(0);
-        // the slope b + cq with 32 bits after the point, and then as many as leave 31 in all
+        // the slope b + cq with 32 bits after the point, and then as many as leave 31 in all, and 30 of a
         let mut slope = product(c.0, q) + ((b.0 as i64) << 16);
         if !is_near {
             slope = (slope + (1 << 15)) >> 16 << 16;
         }
-        let (mut constant, mut shift) = ((a.0 as i64) << 32, 44);
-        let mut excess = (slope.unsigned_abs() >> 31 | constant.unsigned_abs() >> 62) as u32;
-        while excess != 0 {
-            (slope, constant, excess) = (slope >> 1, constant >> 1, excess >> 1);
-            shift += 1;
-        }
+        let excess = (slope.unsigned_abs() >> 31) as u32 | a.0.unsigned_abs() >> 30;
+        // at most 31: a slope of more bits leaves nothing of the light
+        let dropped = 31 - zeros(excess.min(u32::MAX >> 1) << 1 | 1);
+        let upper = |number: i32| (number as u32) << 1 << (31 - dropped);
+        let slope = upper((slope >> 32) as i32) | slope as u32 >> dropped;
+        let constant = ((a.0 >> dropped) as i64) << 32 | upper(a.0) as i64;
         let denominator = product(slope as i32, q) + constant;
-        let mut bits = denominator as u64 | 1;
-        while bits >> 63 == 0 {
-            (bits, shift) = (bits << 1, shift - 1);
-        }
-        let mut significand = reciprocal((bits >> 32) as u32) << (-shift).clamp(0, 3);
-        let mut shift = shift.clamp(0, 62) as u32;
-        if shift > 32 {
-            (significand, shift) = (significand >> (shift - 32), 32);
-        }
-        let in_steps = ((significand as u64) << 16) >> shift;
         if denominator < 0 {
-            (significand, shift) = (0, 0);
-        } else if limit != Fixed::MAX && in_steps >= limit.0 as u64 {
-            (significand, shift) = (limit.0.max(0) as u32, 16);
-        } else if is_near && in_steps < ONE as u64 {
-            (significand, shift) = (1, 0);
+            return Self(0, 0);
         }
-        Self { significand, shift }
+        let mut shift = 44 + dropped as i32;
+        let (mut bits, mut lower) = ((denominator >> 32) as u32, denominator as u32 | 1);
+        if bits == 0 {
+            (bits, lower, shift) = (lower, 0, shift - 32);
+        }
+        let left = zeros(bits);
+        let mut significand = reciprocal(bits << left | lower >> 1 >> (31 - left));
+        shift -= left as i32;
+        if shift > 32 {
+            (significand, shift) = (significand >> (shift - 32).min(31), 32);
+        } else if shift < 0 {
+            (significand, shift) = (significand << (-shift).min(3), 0);
+        }
+        if limit != Fixed::MAX && ((significand as u64) << 16) >> shift >= limit.0 as u64 {
+            Self(limit.0 as u32, 16)
+        } else if is_near && significand >> (shift % 32) == 0 {
+            Self(1, 0)
+        } else {
+            Self(significand, shift)
+        }
     }
 }

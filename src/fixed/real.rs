@@ -2,7 +2,7 @@
 
 use super::cosine::cosine;
 use super::falloff::{Factor, beam, times, window};
-use super::product::{product, product_by_fraction, product_unsigned};
+use super::product::{product, product_by_fraction, product_unsigned, zeros};
 use super::reciprocal::reciprocal;
 use super::root::{Scaled, halfway_cosine, root, unit_and_length};
 use super::{Fixed, ONE, rounded, saturated, triangle};
@@ -61,12 +61,11 @@ impl Real for Fixed {
     #[inline]
     fn measured(v: Vec3<Self>) -> Measured<Self> {
         let (unit, length) = unit_and_length(v.into());
-        let w_length = Self(if length.0 == 0 { 0 } else { ONE });
-        Measured {
-            w: unit.into(),
-            w_length,
-            length,
+        let mut measured = Measured::along(unit.into(), length);
+        if length.0 == 0 {
+            measured.w_length = Self(0);
         }
+        measured
     }
 
     #[inline]
@@ -142,18 +141,16 @@ impl Real for Fixed {
         let is_negative_or_limited = (c.0 | limit.0.wrapping_sub(ONE)) < 0;
         if is_negative_or_limited || slope_above | d_above != 0 || d < ONE as u32 {
             let is_near = slope_above | d_above == 0 && d < ONE as u32;
-            let factor = Factor::attenuating([a, b, c], q, limit, is_near);
+            let factor = Factor::attenuating(a, b, c, q, limit, is_near);
             let Rgb { r, g, b } = color;
             return Dimmed::full(Rgb::new(factor.times(r), factor.times(g), factor.times(b))); // `map` would be a call
         }
         if d == ONE as u32 {
             return Dimmed::full(color);
         }
-        let zeros = d.leading_zeros();
-        times(
-            Dimmed::full(color),
-            reciprocal(d << zeros) << 3 >> (15 - zeros),
-        )
+        let zeros = zeros(d);
+        let factor = reciprocal(d << zeros) << 3 >> (15 - zeros);
+        times(Dimmed::full(color), factor)
     }
 
     /// From the squares of q and r, which are exact, so that a bright light has its digits where it ends.

@@ -1,7 +1,7 @@
 //! Roots, directions and lengths.
 
 use super::Fixed;
-use super::product::{upper, upper_unsigned};
+use super::product::{upper, upper_unsigned, zeros};
 use super::reciprocal::reciprocal_root;
 use crate::target::NARROW_PRODUCT;
 use crate::vector::Vec3;
@@ -13,7 +13,7 @@ pub(super) const fn root(x: Fixed) -> Fixed {
         return Fixed(0);
     }
     let bits = x.0 as u32;
-    let even = bits.leading_zeros() & !1;
+    let even = zeros(bits) & !1;
     let normal = bits << even;
     // √(2¹⁶ x), or a step less
     let root = (upper_unsigned(normal, reciprocal_root(normal) as u32) >> (3 + even / 2)) as i32;
@@ -91,7 +91,7 @@ impl Scaled {
     #[inline(always)]
     const fn of_inline([x, y, z]: [Fixed; 3]) -> Self {
         let bits = x.0.unsigned_abs() | y.0.unsigned_abs() | z.0.unsigned_abs();
-        let shift = (bits | bits << 1 | 1).leading_zeros(); // 0 for −2³¹, too
+        let shift = zeros(bits | bits << 1 | 1); // 0 for −2³¹, too
         let [x, y, z] = [x.0 << shift, y.0 << shift, z.0 << shift];
         // from 2²⁸ on
         let square = square([x, y, z]);

@@ -1,7 +1,7 @@
 //! The edges of triangles of every size, and their cross product.
 
 use super::Fixed;
-use super::product::product;
+use super::product::{product, zeros};
 
 pub(super) const fn between(origin: [Fixed; 3], v: [Fixed; 3]) -> [Fixed; 3] {
     let [x, y, z] = edge(origin, v);
@@ -27,7 +27,7 @@ const fn edge([a, b, c]: [Fixed; 3], [x, y, z]: [Fixed; 3]) -> [i32; 3] {
         f = (z.0 >> 1) - (c.0 >> 1);
     }
     let bits = d.unsigned_abs() | e.unsigned_abs() | f.unsigned_abs();
-    let shift = (bits | bits << 1 | 1).leading_zeros(); // 0 for −2³¹, too
+    let shift = zeros(bits | bits << 1 | 1); // 0 for −2³¹, too
     [d << shift, e << shift, f << shift]
 }
 

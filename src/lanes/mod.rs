@@ -15,7 +15,7 @@ use crate::color::Rgb;
 use crate::number::lobe::{self, half_shininess};
 use crate::number::power::{self, Bits, EXPONENT};
 use crate::number::{Lobe, Mask, Real, shininess};
-use crate::target::{ROOT_OF_LANES, SSE2};
+use crate::target::ROOT_OF_LANES;
 
 // x87 rounds a number in a register differently from a number in memory
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
@@ -183,31 +183,23 @@ macro_rules! real {
                 In(self.simd_gt(other))
             }
 
+            // elsewhere, these three compare and choose
+            #[cfg(target_feature = "sse2")]
             #[inline]
             fn at_least(self, floor: Self) -> Self {
-                if SSE2 {
-                    self.fast_max(floor)
-                } else {
-                    self.above(floor).select(self, floor)
-                }
+                self.fast_max(floor)
             }
 
+            #[cfg(target_feature = "sse2")]
             #[inline]
             fn at_most(self, limit: Self) -> Self {
-                if SSE2 {
-                    limit.fast_min(self)
-                } else {
-                    self.above(limit).select(limit, self)
-                }
+                limit.fast_min(self)
             }
 
+            #[cfg(target_feature = "sse2")]
             #[inline]
             fn finite(self) -> Self {
-                if SSE2 {
-                    self.fast_min(Self::MAX)
-                } else {
-                    Self::MAX.above(self).select(self, Self::MAX)
-                }
+                self.fast_min(Self::MAX)
             }
         }
     };

@@ -237,21 +237,13 @@ macro_rules! constants {
                 }
                 let (inner, outer) = ($cosine(inner), $cosine(outer));
                 // rounding may have swapped the cosines of nearly equal angles
-                Self::const_from_cosines(if inner < outer { outer } else { inner }, outer)
-            }
-
-            /// [`from_cosines`](Cone::from_cosines) for constants.
-            const fn const_from_cosines(inner: $float, outer: $float) -> Option<Self> {
-                if 1.0 >= inner && inner >= outer && outer >= -1.0 {
-                    let is_everywhere = inner < Self::SLACK - 1.0;
-                    Some(Self {
-                        inner: Self::stored(inner, is_everywhere),
-                        outer: Self::stored(outer, is_everywhere),
-                        smooth: 0.0,
-                    })
-                } else {
-                    None
-                }
+                let inner = if inner < outer { outer } else { inner };
+                let is_everywhere = inner < Self::SLACK - 1.0;
+                Some(Self {
+                    inner: Self::stored(inner, is_everywhere),
+                    outer: Self::stored(outer, is_everywhere),
+                    smooth: 0.0,
+                })
             }
 
             const SLACK: $float = 4.0 * $float::EPSILON;

@@ -1,9 +1,8 @@
 //! The floats.
 
-use super::Real;
 use super::root::{sqrt, sqrtf};
 use super::triple::{Rgb, Vec3};
-use super::{Toward, length};
+use super::{Mask, Real, Toward, length};
 use crate::target::{SCARCE_FLASH, SSE2};
 
 macro_rules! float {
@@ -64,10 +63,8 @@ macro_rules! float {
                 // elsewhere it may be a call.
                 if SSE2 {
                     cosine.min(1.0)
-                } else if cosine < 1.0 {
-                    cosine
                 } else {
-                    1.0
+                    Self::ONE.above(cosine).select(cosine, 1.0)
                 }
             }
         }

@@ -1,8 +1,8 @@
-//! The two ways to each product, by long products and by halves, for every kind of argument: a
-//! processor computes by one of them alone, so a difference would show only on it.
+//! The two ways to each product, by long products and by halves, and to the zeros before a number, for every
+//! kind of argument: a processor computes by one of them alone, so a difference would show only on it.
 
 use crate::Random;
-use crate::product::{halves, long};
+use crate::product::{halves, long, zeros_by_product};
 
 /// Zero, the powers of two and their neighbors, numbers of any magnitude, and halves of all zeros or ones.
 fn numbers() -> Vec<u32> {
@@ -58,5 +58,12 @@ fn halves_give_the_long_products() {
                 "{x} {fraction}"
             );
         }
+    }
+}
+
+#[test]
+fn a_product_counts_the_zeros() {
+    for bits in numbers().into_iter().filter(|&bits| bits != 0) {
+        assert_eq!(zeros_by_product(bits), bits.leading_zeros(), "{bits:#x}");
     }
 }
