@@ -26,3 +26,24 @@ void point_in_c(const shading_vec3 *n, const shading_vec3 *v, const shading_Mate
     for (uint32_t i = 0; i < count; i++) shading_add_blinn_phong(&sums, *n, *v, material->m, &lamps[i], *n);
     *color = shading_total(&sums, material, *i_a);
 }
+
+/* A lamp alone, as a program without suns and spots has them. */
+typedef struct {
+    shading_vec3 position;
+    shading_vec3 intensity;
+    float limit;
+    shading_vec3 coefficients;
+    float range, is_gltf;
+} Lamp;
+
+void lamps_in_c(const shading_vec3 *n, const shading_vec3 *v, const shading_Material *material, const shading_vec3 *i_a,
+                const Lamp *lamps, uint32_t count, shading_vec3 *color) {
+    shading_Sums sums = {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f}};
+    for (uint32_t i = 0; i < count; i++) {
+        const Lamp *lamp = &lamps[i];
+        shading_Light light = {lamp->position, 0.0f, lamp->intensity, lamp->limit, lamp->coefficients, lamp->range,
+                               {0.0f, 0.0f, 1.0f}, 0.0f, {-1.0f, -1.0f}, lamp->is_gltf};
+        shading_add_blinn_phong(&sums, *n, *v, material->m, &light, *n);
+    }
+    *color = shading_total(&sums, material, *i_a);
+}

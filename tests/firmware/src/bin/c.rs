@@ -1,6 +1,6 @@
 //! Prints how many instructions a point light costs in Blinn–Phong, with a real m: by the crate, by the
-//! crate as a light of any kind, and by the header for C, whose lights are of any kind. Four points, each
-//! lit by four lamps. Fails if a bit differs.
+//! crate as a light of any kind, by the header for C, whose lights are of any kind, and by the header in a
+//! program with lamps alone. Four points, each lit by four lamps. Fails if a bit differs.
 #![no_std]
 #![no_main]
 
@@ -25,6 +25,17 @@ struct Light {
     is_gltf: f32,
 }
 
+/// As in in_f32.c.
+#[repr(C)]
+struct Lamp {
+    position: Vec3,
+    intensity: Rgb,
+    limit: f32,
+    coefficients: [f32; 3],
+    range: f32,
+    is_gltf: f32,
+}
+
 #[repr(C)]
 struct CMaterial {
     k_a: Rgb,
@@ -43,12 +54,22 @@ unsafe extern "C" {
         count: u32,
         color: &mut Rgb,
     );
+    safe fn lamps_in_c(
+        n: &UnitVec3,
+        v: &UnitVec3,
+        material: &CMaterial,
+        i_a: &Rgb,
+        lamps: &Lamp,
+        count: u32,
+        color: &mut Rgb,
+    );
 }
 
 firmware::program!(
     by_the_crate(LAMPS, PointLight::at),
     by_the_crate(LAMPS.map(Any::from), Any::at),
-    by_the_header()
+    by_the_header(lights_of_any_kind(), point_in_c),
+    by_the_header(lamps(), lamps_in_c)
 );
 
 const M: f32 = 32.0;
@@ -76,10 +97,8 @@ fn by_the_crate<L>(lamps: [L; 4], at: impl Fn(&L, Vec3) -> IncidentLight) -> u32
     })
 }
 
-fn by_the_header() -> u32 {
-    let Material { k_a, k_d, k_s, m } = brass::<f32, _>(M);
-    let material = CMaterial { k_a, m, k_d, k_s };
-    let lamps = LAMPS.map(|lamp| Light {
+fn lights_of_any_kind() -> [Light; 4] {
+    LAMPS.map(|lamp| Light {
         position: lamp.position,
         is_sun: 0.0,
         intensity: lamp.intensity,
@@ -90,12 +109,31 @@ fn by_the_header() -> u32 {
         is_smoothstep: 0.0,
         cosines: [-1.0, -1.0],
         is_gltf: 0.0,
-    });
+    })
+}
+
+fn lamps() -> [Lamp; 4] {
+    LAMPS.map(|lamp| Lamp {
+        position: lamp.position,
+        intensity: lamp.intensity,
+        limit: f32::MAX,
+        coefficients: lamp.attenuation.coefficients(),
+        range: f32::MAX,
+        is_gltf: 0.0,
+    })
+}
+
+/// A function of the header's program, which shades a point by some lights.
+type InC<L> = extern "C" fn(&UnitVec3, &UnitVec3, &CMaterial, &Rgb, &L, u32, &mut Rgb);
+
+fn by_the_header<L>(lights: [L; 4], point: InC<L>) -> u32 {
+    let Material { k_a, k_d, k_s, m } = brass::<f32, _>(M);
+    let material = CMaterial { k_a, m, k_d, k_s };
     by_each(|n| {
         let mut color = Rgb::BLACK;
         let count = board::instructions(|| {
             let (v, i_a) = (&UnitVec3::Z, &AMBIENT);
-            point_in_c(&n, v, &material, i_a, &lamps[0], 4, &mut color);
+            point(&n, v, &material, i_a, &lights[0], 4, &mut color);
         });
         let expected = shaded(n, &brass(M), &LAMPS);
         assert!(color.map(f32::to_bits) == expected.map(f32::to_bits));
