@@ -42,11 +42,11 @@ pub(super) const fn zeros(bits: u32) -> u32 {
 }
 
 /// One copy, by half as many instructions as the compiler's routine for a Cortex-M0 takes, and its inline code
-/// for RISC-V. The factor is 27 zeros between its bits of 1 and the next, in which each number of five bits begins
-/// at one bit; so its products with 2ⁿ − 1 differ in their highest five bits.
+/// for RISC-V. All bits after the first 1 become 1. The products of the factor with these 32 numbers differ in
+/// their highest five bits, which find the count in the table.
 ///
-/// Source: Charles E. Leiserson, Harald Prokop and Keith H. Randall, *Using de Bruijn Sequences to Index a 1 in a
-/// Computer Word*, 1998.
+/// Source: Sean Eron Anderson, *Bit Twiddling Hacks*, "Find the log base 2 of an N-bit integer in O(lg(N))
+/// operations with multiply and lookup".
 #[inline(never)]
 pub const fn zeros_by_product(mut bits: u32) -> u32 {
     static ZEROS: [u8; 32] = [

@@ -133,13 +133,14 @@ finish() {
 }
 [ "${1-}" != one ] || finish
 
-echo "== instructions of a point light with a real m: by the crate, by the crate as a light of any kind, by the header for C, by it with lamps alone"
+echo "== instructions of a point light with a real m: by the crate, by the crate as a light of any kind, by the header for C, by it with lamps alone; its bytes of stack"
 for target in $m4f $m0 $riscv; do
     icount="-icount shift=10"
     [ "$target" != $riscv ] || icount="-icount shift=0"
     # shellcheck disable=SC2086 # two words
-    read -r by_the_crate of_any_kind by_the_header lamps_alone <<<"$(run "$target" release c $icount)"
-    echo "$target: $by_the_crate, $of_any_kind, $by_the_header, $lamps_alone"
+    read -r by_the_crate of_any_kind by_the_header lamps_alone stack <<<"$(run "$target" release c $icount)"
+    echo "$target: $by_the_crate, $of_any_kind, $by_the_header, $lamps_alone; $stack"
+    within "$target: bytes of stack in C" "$stack" 228
     # the lights of the header are of any kind
     within "$target: hundredths of the crate's instructions in C" $((100 * by_the_header / of_any_kind)) 105
     within "$target: hundredths of those of a lamp" $((100 * lamps_alone / by_the_crate)) \

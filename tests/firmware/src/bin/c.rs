@@ -1,6 +1,7 @@
 //! Prints how many instructions a point light costs in Blinn–Phong, with a real m: by the crate, by the
 //! crate as a light of any kind, by the header for C, whose lights are of any kind, and by the header in a
-//! program with lamps alone. Four points, each lit by four lamps. Fails if a bit differs.
+//! program with lamps alone. Four points, each lit by four lamps. Fails if a bit differs. Then, how many
+//! bytes of stack the header takes below the caller.
 #![no_std]
 #![no_main]
 
@@ -69,7 +70,8 @@ firmware::program!(
     by_the_crate(LAMPS, PointLight::at),
     by_the_crate(LAMPS.map(Any::from), Any::at),
     by_the_header(lights_of_any_kind(), point_in_c),
-    by_the_header(lamps(), lamps_in_c)
+    by_the_header(lamps(), lamps_in_c),
+    stack_of_the_header()
 );
 
 const M: f32 = 32.0;
@@ -126,9 +128,19 @@ fn lamps() -> [Lamp; 4] {
 /// A function of the header's program, which shades a point by some lights.
 type InC<L> = extern "C" fn(&UnitVec3, &UnitVec3, &CMaterial, &Rgb, &L, u32, &mut Rgb);
 
-fn by_the_header<L>(lights: [L; 4], point: InC<L>) -> u32 {
+fn material_in_c() -> CMaterial {
     let Material { k_a, k_d, k_s, m } = brass::<f32, _>(M);
-    let material = CMaterial { k_a, m, k_d, k_s };
+    CMaterial { k_a, m, k_d, k_s }
+}
+
+fn stack_of_the_header() -> usize {
+    let (material, lights, mut color) = (material_in_c(), lights_of_any_kind(), Rgb::BLACK);
+    let (n, v, i_a) = (&CAP[1], &UnitVec3::Z, &AMBIENT);
+    board::stack(|| point_in_c(n, v, &material, i_a, &lights[0], 4, &mut color))
+}
+
+fn by_the_header<L>(lights: [L; 4], point: InC<L>) -> u32 {
+    let material = material_in_c();
     by_each(|n| {
         let mut color = Rgb::BLACK;
         let count = board::instructions(|| {
