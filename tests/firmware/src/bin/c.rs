@@ -133,8 +133,13 @@ fn material_in_c() -> CMaterial {
     CMaterial { k_a, m, k_d, k_s }
 }
 
+/// With a sun, a lamp that has a range, one far away, and a spot with a soft edge.
 fn stack_of_the_header() -> usize {
-    let (material, lights, mut color) = (material_in_c(), lights_of_any_kind(), Rgb::BLACK);
+    let (material, mut lights, mut color) = (material_in_c(), lights_of_any_kind(), Rgb::BLACK);
+    lights[0].is_sun = 1.0;
+    (lights[1].range, lights[1].is_gltf) = (20.0, 1.0);
+    lights[2].position = Vec3::new(1e25, 2e25, 3e25);
+    (lights[3].cosines, lights[3].is_smoothstep) = ([0.99, -0.99], 1.0);
     let (n, v, i_a) = (&CAP[1], &UnitVec3::Z, &AMBIENT);
     board::stack(|| point_in_c(n, v, &material, i_a, &lights[0], 4, &mut color))
 }
