@@ -71,9 +71,11 @@ impl Law {
                     .or_else(|| right.profile.is_not_as_said(reply)),
                 Self::NoMemory => {
                     let [low, high] = right.ends(light)?;
-                    let off = reply - replies.last()?[channel];
+                    let again = replies.last()?[channel];
+                    let off = reply - again;
                     let allowed = high - low + right.slack(reply.abs());
-                    (off.abs() > allowed).then_some((off, allowed))
+                    let is_lost = reply.is_nan() != again.is_nan();
+                    (is_lost || off.abs() > allowed).then_some((off, allowed))
                 }
             }?;
             Some(Broken {
