@@ -147,11 +147,21 @@ pub fn of_file(name: &str) -> Result<String> {
 
 /// Compares all functions in WGSL.
 pub fn compare(gpu: &Gpu, file: &str, power: Power) -> Result<()> {
+    compare_shaders(gpu, power, &|function| {
+        let source = format!("{file}{}", in_wgsl(function));
+        Ok(ShaderSource::Wgsl(source.into()))
+    })
+}
+
+/// Compares all functions, each by a shader that computes it for a buffer of numbers.
+pub fn compare_shaders(
+    gpu: &Gpu,
+    power: Power,
+    shader: &dyn Fn(&Function) -> Result<ShaderSource<'static>>,
+) -> Result<()> {
     let mut tally = Tally::default();
     for function in functions() {
-        let kernel = gpu.kernel(ShaderSource::Wgsl(
-            format!("{file}{}", in_wgsl(function)).into(),
-        ));
+        let kernel = gpu.kernel(shader(function)?);
         let width = function.result.width();
         tally.of_function(function, CALLS, power, &mut |numbers| {
             Ok(kernel.run(&[bytemuck::cast_slice(numbers)], CALLS, width))

@@ -13,7 +13,7 @@ use wgpu::ShaderSource;
 
 use crate::Result;
 use crate::gpu::Gpu;
-use crate::rows::{CALLS, Power, Tally, numbers, of_file};
+use crate::rows::{CALLS, Power, Tally, compare_shaders, numbers, of_file};
 
 fn with_power(name: &str, power: Power) -> Result<String> {
     let head = match power {
@@ -27,17 +27,10 @@ fn with_power(name: &str, power: Power) -> Result<String> {
 pub fn compare_hlsl(folder: &Path, power: Power) -> Result<()> {
     let gpu = Gpu::new()?;
     let file = with_power("shading.hlsl", power)?;
-    let mut tally = Tally::default();
-    for function in functions() {
+    compare_shaders(&gpu, power, &|function| {
         let source = format!("{file}{}", in_hlsl(function));
-        let kernel = gpu.kernel(ShaderSource::SpirV(Cow::from(spirv(folder, &source)?)));
-        let width = function.result.width();
-        tally.of_function(function, CALLS, power, &mut |numbers| {
-            Ok(kernel.run(&[bytemuck::cast_slice(numbers)], CALLS, width))
-        })?;
-    }
-    tally.report();
-    Ok(())
+        Ok(ShaderSource::SpirV(Cow::from(spirv(folder, &source)?)))
+    })
 }
 
 /// Compares all functions in Metal. The folder is for the program.
