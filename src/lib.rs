@@ -246,8 +246,8 @@ macro_rules! pages {
         /// [spots]: mod@crate::guide::lights#spots
         /// [surfaces]: mod@crate::guide::surfaces
         /// [textures-and-emission]: mod@crate::guide::colors#textures-and-emission
-        /// [two-sided-surfaces]: mod@crate::guide::surfaces#two-sided-surfaces
         /// [two-normal-maps]: mod@crate::guide::surfaces#two-normal-maps
+        /// [two-sided-surfaces]: mod@crate::guide::surfaces#two-sided-surfaces
         /// [wavefront-materials]: mod@crate::guide::materials#wavefront-materials
         /// [wrapped-and-toon-shading]: mod@crate::guide::materials#wrapped-and-toon-shading
         /// [schema]: mod@crate::guide::schema

@@ -71,7 +71,7 @@ pub(super) fn beam(
     }
 }
 
-/// A factor of any size: a number over a power of two, given its exponent.
+/// A factor of any size, significand/2^shift: `Factor(significand, shift)`.
 #[derive(Clone, Copy)]
 pub(super) struct Factor(u32, i32);
 
