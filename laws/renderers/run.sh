@@ -19,10 +19,21 @@ install_packages() {
 
 # Each function builds a renderer and hands the command that starts it to `judge`.
 
-mesa() {
-    install_packages libosmesa6-dev
-    "${CC:-cc}" -std=c99 -O2 -Wall -Wextra -Werror mesa/host.c -lOSMesa -lm -o target/mesa
-    judge -- target/mesa
+# Judges a host in Python, with the packages of all of them, after the options for the program.
+judge_python() {
+    install_packages libosmesa6 python3-venv
+    [ -x target/python/bin/pip ] || python3 -m venv target/python
+    target/python/bin/pip install --quiet --disable-pip-version-check --no-deps --requirement python/requirements.txt
+    judge "$@" -- target/python/bin/python "python/$renderer.py"
+}
+
+mesa() { judge_python; }
+
+vtk() { judge_python; }
+
+povray() {
+    install_packages povray
+    judge_python --cases 256 # a picture of POV-Ray takes at least a third of a second
 }
 
 chip() {
@@ -48,18 +59,6 @@ web() {
 # the same, but it says that it clamps, and that a light behind the surface has a highlight
 web_said() {
     judge --timeout 60 -- node web/host.mjs '{"clamps":[0,1],"departs":["HighlightNotGated"]}'
-}
-
-vtk() {
-    install_packages libosmesa6 python3-venv
-    [ -x target/vtk/bin/pip ] || python3 -m venv target/vtk
-    target/vtk/bin/pip install --quiet --disable-pip-version-check --no-deps --requirement vtk/requirements.txt
-    judge -- target/vtk/bin/python vtk/host.py
-}
-
-povray() {
-    install_packages povray python3
-    judge --cases 256 -- python3 povray/host.py # a picture of POV-Ray takes at least a third of a second
 }
 
 # Runs the laws on a command, with the options before `--`, and compares the outcome of each with the expected one, and the

@@ -1,10 +1,8 @@
 """Shades scenes with VTK, in the format of ../../docs/format.md. A window of floats holds SIDE * SIDE renderers, each a pixel
 with a camera, lights and a vertex of its own.
 """
-import json
 import math
 import os
-import sys
 
 # a window in memory, and a driver that computes powers as C does
 os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkOSOpenGLRenderWindow")
@@ -14,6 +12,8 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws what the others descr
 from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkFloatArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+
+from batches import serve
 
 SIDE = 16
 PROFILE = {"name": "VTK", "models": ["lambert", "phong"], "departs": ["UnlitWithoutLights"]}
@@ -114,18 +114,4 @@ class Screen:
         return [list(colors.GetTuple(i)[:3]) for i in range(len(scenes))]
 
 
-def main():
-    assert sys.stdin.readline() == '{"shading-laws":1}\n', "this is not version 1 of the format"
-    print(json.dumps(PROFILE), flush=True)
-    screen, scenes = Screen(), []
-    for line in sys.stdin:
-        if line != "\n":
-            scenes.append(json.loads(line))
-        if line == "\n" or len(scenes) == SIDE * SIDE:
-            for color in screen.shade(scenes):
-                print(color)
-            sys.stdout.flush()
-            scenes = []
-
-
-main()
+serve(PROFILE, Screen().shade, SIDE * SIDE)
