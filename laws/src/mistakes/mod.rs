@@ -23,7 +23,7 @@ pub struct Mistake {
     pub id: &'static str,
     /// What is wrong, in words; `{}` stands for a number that the renderer has in its code.
     pub says: &'static str,
-    /// The numbers that are tried for `{}`.
+    /// The numbers that are tried for `{}`; a 0 where there is none.
     pub values: &'static [f64],
     pub changes: Changes,
     /// Nobody makes it on purpose, because a color that is not finite breaks a law whatever is declared.
@@ -47,18 +47,20 @@ impl Fault {
     /// The mistake as a profile names it in `departs`: `HighlightNotGated`, `ConeExponent=2`.
     #[must_use]
     pub fn name(&self) -> String {
-        match self.mistake.values {
-            [] => self.id().into(),
-            _ => format!("{}={}", self.id(), self.value),
+        if self.has_number() {
+            format!("{}={}", self.id(), self.value)
+        } else {
+            self.id().into()
         }
+    }
+
+    fn has_number(&self) -> bool {
+        self.mistake.says.contains("{}")
     }
 
     /// The known mistakes, each with the first number that is tried for it.
     pub fn known() -> impl Iterator<Item = Self> {
-        MISTAKES.iter().map(|mistake| Self {
-            mistake,
-            value: mistake.values.first().copied().unwrap_or(0.0),
-        })
+        Self::all().filter(|fault| fault.value == fault.mistake.values[0])
     }
 
     /// The linear light that a renderer with this mistake, and with no other, gives a scene. It may be
@@ -82,12 +84,8 @@ impl Fault {
     /// Every mistake with every number that is tried for it.
     pub(crate) fn all() -> impl Iterator<Item = Self> {
         MISTAKES.iter().flat_map(|mistake| {
-            let values = if mistake.values.is_empty() {
-                &[0.0]
-            } else {
-                mistake.values
-            };
-            values.iter().map(move |&value| Self { mistake, value })
+            let values = mistake.values.iter();
+            values.map(move |&value| Self { mistake, value })
         })
     }
 }
@@ -96,25 +94,22 @@ impl FromStr for Fault {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Self, String> {
-        let (id, value) = match name.split_once('=') {
-            Some((id, value)) => (id, Some(value)),
-            None => (name, None),
-        };
-        let fault = Self::all().find(|fault| fault.id() == id);
-        let mut fault = fault.ok_or_else(|| {
+        let (id, number) = name.split_once('=').unwrap_or((name, ""));
+        let fault = Self::known().find(|fault| fault.id() == id);
+        let fault = fault.ok_or_else(|| {
             let names: Vec<String> = Self::known().map(|fault| fault.name()).collect();
             format!("there is no departure {id}; there are {}", names.join(", "))
         })?;
-        match (value, fault.mistake.values.first()) {
-            (None, Some(first)) => return Err(format!("{id} needs a number, as in {id}={first}")),
-            (Some(_), None) => return Err(format!("{id} has no number, but {name} gives it one")),
-            _ => {}
+        match (name.contains('='), fault.has_number()) {
+            (false, true) => Err(format!("{id} needs a number, as in {}", fault.name())),
+            (true, false) => Err(format!("{id} has no number, but {name} gives it one")),
+            (false, false) => Ok(fault),
+            (true, true) => {
+                let value = number.parse().ok().filter(|x: &f64| x.is_finite());
+                let value = value.ok_or(format!("{name}: {number} is no number"))?;
+                Ok(Self { value, ..fault })
+            }
         }
-        if let Some(value) = value {
-            let number = value.parse().ok().filter(|x: &f64| x.is_finite());
-            fault.value = number.ok_or(format!("{name}: {value} is no number"))?;
-        }
-        Ok(fault)
     }
 }
 
@@ -142,9 +137,8 @@ pub fn departures(profile: &Profile) -> Result<Vec<Fault>, String> {
 pub fn formula(profile: &Profile, fault: Option<Fault>) -> Formula<'_> {
     let departures = departures(profile).unwrap_or_default().into_iter();
     let is_made = |it: &Fault| fault.is_some_and(|fault| fault.id() == it.id());
-    let all = fault.into_iter();
-    let all = all.chain(departures.filter(|it| !is_made(it)));
-    let changes = all.flat_map(|fault| {
+    let others = departures.filter(|it| !is_made(it));
+    let changes = fault.into_iter().chain(others).flat_map(|fault| {
         let (changes, value) = (fault.mistake.changes.iter(), fault.value);
         changes.map(move |&(part, change)| Applied {
             part,

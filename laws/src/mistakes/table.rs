@@ -18,17 +18,21 @@ fn is_lamp(at: &At) -> bool {
     at.light.is_some_and(|light| light.lamp().is_some())
 }
 
-const fn row(id: &'static str, says: &'static str, changes: Changes) -> Mistake {
+const fn row(id: &'static str, says: &'static str) -> Mistake {
     Mistake {
         id,
         says,
-        values: &[],
-        changes,
+        values: &[0.0],
+        changes: &[],
         is_fatal: false,
     }
 }
 
 impl Mistake {
+    const fn changes(self, changes: Changes) -> Self {
+        Self { changes, ..self }
+    }
+
     /// Has one of these numbers.
     const fn of(self, values: &'static [f64]) -> Self {
         Self { values, ..self }
@@ -99,251 +103,182 @@ pub static MISTAKES: &[Mistake] = &[
     row(
         "NormalNotNormalized",
         "N is not normalized after interpolation",
-        &[(N, |_, at| at.raw_n)],
-    ),
-    row(
-        "NormalReversed",
-        "N points into the surface",
-        &[(N, |x, _| minus(x))],
-    ),
+    )
+    .changes(&[(N, |_, at| at.raw_n)]),
+    row("NormalReversed", "N points into the surface").changes(&[(N, |x, _| minus(x))]),
     row(
         "NormalTowardEye",
         "N is turned toward the eye, so the back of a surface is lit like its front",
-        &[(Side, |x, at| one(x[0] * side_of_eye(at)))],
-    ),
-    row(
-        "ViewNotNormalized",
-        "V is not normalized",
-        &[(V, |_, at| at.raw_v)],
-    ),
-    row(
-        "ViewReversed",
-        "V points from the eye to the surface",
-        &[(V, |x, _| minus(x))],
-    ),
-    row(
-        "LightNotNormalized",
-        "L is not normalized",
-        &[(L, |_, at| at.to_light)],
-    ),
-    row(
-        "LightReversed",
-        "L points from the light to the surface",
-        &[(L, |x, _| minus(x))],
-    ),
+    )
+    .changes(&[(Side, |x, at| one(x[0] * side_of_eye(at)))]),
+    row("ViewNotNormalized", "V is not normalized").changes(&[(V, |_, at| at.raw_v)]),
+    row("ViewReversed", "V points from the eye to the surface").changes(&[(V, |x, _| minus(x))]),
+    row("LightNotNormalized", "L is not normalized").changes(&[(L, |_, at| at.to_light)]),
+    row("LightReversed", "L points from the light to the surface").changes(&[(L, |x, _| minus(x))]),
     row(
         "PointForgotten",
         "L is the position of the lamp, from which p is not subtracted",
-        &[(ToLight, |_, at| at.position)],
-    ),
+    )
+    .changes(&[(ToLight, |_, at| at.position)]),
     row(
         "FastInverseRoot",
         "vectors are normalized by a fast inverse square root with one step of Newton's, \
          which is off by up to 0.18 %",
-        &[
-            (V, |_, at| unit_by_bits(at.raw_v, at)),
-            (N, |_, at| unit_by_bits(at.raw_n, at)),
-            (Q, |x, at| {
-                either(x, one(ONE / fast_inverse_root(x[0] * x[0], at)))
-            }),
-            (L, |x, at| {
-                let by_bits = unit_by_bits(at.to_light, at);
-                if is_lamp(at) {
-                    by_bits
-                } else {
-                    either(x, by_bits)
-                }
-            }),
-            (Half, |_, at| unit_by_bits(at.sum, at)),
-        ],
-    ),
+    )
+    .changes(&[
+        (V, |_, at| unit_by_bits(at.raw_v, at)),
+        (N, |_, at| unit_by_bits(at.raw_n, at)),
+        (Q, |x, at| {
+            either(x, one(ONE / fast_inverse_root(x[0] * x[0], at)))
+        }),
+        (L, |x, at| {
+            let by_bits = unit_by_bits(at.to_light, at);
+            if is_lamp(at) {
+                by_bits
+            } else {
+                either(x, by_bits)
+            }
+        }),
+        (Half, |_, at| unit_by_bits(at.sum, at)),
+    ]),
     // lamps
-    row(
-        "NotAttenuated",
-        "the light is not attenuated",
-        &[(Falloff, |_, _| one(ONE))],
-    ),
-    row(
-        "HighlightNotAttenuated",
-        "the highlight is not attenuated",
-        &[(ShinyFalloff, |_, _| one(ONE))],
-    ),
+    row("NotAttenuated", "the light is not attenuated").changes(&[(Falloff, |_, _| one(ONE))]),
+    row("HighlightNotAttenuated", "the highlight is not attenuated")
+        .changes(&[(ShinyFalloff, |_, _| one(ONE))]),
     row(
         "DegreesForRadians",
         "the angle of the cone is taken for degrees",
-        &[(Angle, |x, at| one(at.given(x[0].value.to_radians())))],
-    ),
+    )
+    .changes(&[(Angle, |x, at| one(at.given(x[0].value.to_radians())))]),
     row(
         "HalfAngleHalved",
         "the half-angle of the cone is taken for the whole one, and halved",
-        &[(Angle, |x, _| scale(x, exact(0.5)))],
-    ),
-    row(
-        "ConeReversed",
-        "the cone opens against its axis",
-        &[(Against, |x, _| minus(x))],
-    ),
-    row(
-        "ConeForgotten",
-        "the cone of a spot is ignored",
-        &[(Cone, |_, at| one(at.within))],
-    ),
+    )
+    .changes(&[(Angle, |x, _| scale(x, exact(0.5)))]),
+    row("ConeReversed", "the cone opens against its axis").changes(&[(Against, |x, _| minus(x))]),
+    row("ConeForgotten", "the cone of a spot is ignored")
+        .changes(&[(Cone, |_, at| one(at.within))]),
     row(
         "ConeExponent",
         "the light of a spot falls off within its cone, as the cosine to the power of {}",
-        &[(Within, |_, at| {
-            one(at.against.at_least_zero().power(at.value))
-        })],
     )
+    .changes(&[(Within, |_, at| {
+        one(at.against.at_least_zero().power(at.value))
+    })])
     .of(&[1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 3.0, 5.0, 10.0]),
     row(
         "ConeSmooth",
         "the light of a spot fades from its axis to its edge, by smoothstep",
-        &[(Within, |_, at| {
-            let t = ((at.against - at.edge) / (ONE - at.edge)).at_least_zero();
-            one(t * t * (exact(3.0) - t - t))
-        })],
-    ),
+    )
+    .changes(&[(Within, |_, at| {
+        let t = ((at.against - at.edge) / (ONE - at.edge)).at_least_zero();
+        one(t * t * (exact(3.0) - t - t))
+    })]),
     // terms
     row(
         "DiffuseNotClamped",
         "N·L is not clamped to 0, so light from behind is subtracted",
-        &[(Lambert, |_, at| one(at.n_dot_l))],
-    ),
+    )
+    .changes(&[(Lambert, |_, at| one(at.n_dot_l))]),
     row(
         "HighlightNotGated",
         "the highlight is not gated on N·L > 0, so faces turned away from a light have one",
-        &[(Gate, |_, _| one(ONE))],
-    ),
+    )
+    .changes(&[(Gate, |_, _| one(ONE))]),
     row(
         "ReflectionReversed",
         "R points the wrong way: reflect() of GLSL and HLSL takes −L",
-        &[(Cosine, |x, at| {
-            if at.model == Model::Phong {
-                minus(x)
-            } else {
-                x
-            }
-        })],
-    ),
-    row(
-        "HalfVectorNotNormalized",
-        "H = L + V is not normalized",
-        &[(Half, |_, at| at.sum)],
-    ),
+    )
+    .changes(&[(Cosine, |x, at| {
+        if at.model == Model::Phong {
+            minus(x)
+        } else {
+            x
+        }
+    })]),
+    row("HalfVectorNotNormalized", "H = L + V is not normalized")
+        .changes(&[(Half, |_, at| at.sum)]),
     row(
         "HalfVectorUnguarded",
         "H is NaN where L = -V: the length of L + V is not checked before the division",
-        &[(OfLight, |x, at| {
-            let is_none = at.sum.iter().all(|c| c.value.abs() <= c.error);
-            let nan = exact(f64::NAN).looser(f64::INFINITY);
-            if is_none && at.model == Model::BlinnPhong {
-                one(nan)
-            } else {
-                x
-            }
-        })],
     )
+    .changes(&[(OfLight, |x, at| {
+        let is_none = at.sum.iter().all(|c| c.value.abs() <= c.error);
+        let nan = exact(f64::NAN).looser(f64::INFINITY);
+        if is_none && at.model == Model::BlinnPhong {
+            one(nan)
+        } else {
+            x
+        }
+    })])
     .fatal(),
-    row(
-        "ShininessTimes",
-        "the shininess is multiplied by {}",
-        &[(M, |x, at| x.map(|m| exact(m.value * at.value)))],
-    )
-    .of(&[4.0, 2.0, 0.5, 0.25, 3.0, 128.0]),
+    row("ShininessTimes", "the shininess is multiplied by {}")
+        .changes(&[(M, |x, at| x.map(|m| exact(m.value * at.value)))])
+        .of(&[4.0, 2.0, 0.5, 0.25, 3.0, 128.0]),
     row(
         "NormalizedByEight",
         "the highlight is normalized by (m + 8)/(8π)",
-        &[(Power, |x, at| {
-            scale(x, Bounded::computed((at.m + 8.0) / (8.0 * PI), 16.0, at.u))
-        })],
-    ),
-    row(
-        "HighlightTimesCosine",
-        "the highlight is multiplied by N·L",
-        &[(Specular, |x, at| scale(x, at.n_dot_l.at_least_zero()))],
-    ),
+    )
+    .changes(&[(Power, |x, at| {
+        scale(x, Bounded::computed((at.m + 8.0) / (8.0 * PI), 16.0, at.u))
+    })]),
+    row("HighlightTimesCosine", "the highlight is multiplied by N·L")
+        .changes(&[(Specular, |x, at| scale(x, at.n_dot_l.at_least_zero()))]),
     row(
         "AmbientPerLight",
         "the ambient term is added once for each light",
-        &[(Once, |_, _| BLACK), (AmbientToo, |_, at| at.ambient)],
-    ),
+    )
+    .changes(&[(Once, |_, _| BLACK), (AmbientToo, |_, at| at.ambient)]),
     row(
         "AmbientTimesDiffuse",
         "the ambient term is multiplied by k_d",
-        &[(Ambient, |x, at| mul(x, at.k_d))],
-    ),
+    )
+    .changes(&[(Ambient, |x, at| mul(x, at.k_d))]),
     row(
         "UnlitWithoutLights",
         "without lights the surface is shown unlit: k_d is added",
-        &[(
-            Once,
-            |x, at| if at.count == 0.0 { add(x, at.k_d) } else { x },
-        )],
-    ),
-    row(
-        "AmbientTimes",
-        "the ambient term is multiplied by {}",
-        &[(Ambient, |x, at| scale(x, at.number()))],
     )
-    .of(FACTORS),
-    row(
-        "DiffuseTimes",
-        "the diffuse term is multiplied by {}",
-        &[(Diffuse, |x, at| scale(x, at.number()))],
-    )
-    .of(FACTORS),
-    row(
-        "HighlightTimes",
-        "the highlight is multiplied by {}",
-        &[(Specular, |x, at| scale(x, at.number()))],
-    )
-    .of(FACTORS),
-    row(
-        "LightTimes",
-        "the color of a light is multiplied by {}",
-        &[(Intensity, |x, at| scale(x, at.number()))],
-    )
-    .of(FACTORS),
+    .changes(&[(
+        Once,
+        |x, at| if at.count == 0.0 { add(x, at.k_d) } else { x },
+    )]),
+    row("AmbientTimes", "the ambient term is multiplied by {}")
+        .changes(&[(Ambient, |x, at| scale(x, at.number()))])
+        .of(FACTORS),
+    row("DiffuseTimes", "the diffuse term is multiplied by {}")
+        .changes(&[(Diffuse, |x, at| scale(x, at.number()))])
+        .of(FACTORS),
+    row("HighlightTimes", "the highlight is multiplied by {}")
+        .changes(&[(Specular, |x, at| scale(x, at.number()))])
+        .of(FACTORS),
+    row("LightTimes", "the color of a light is multiplied by {}")
+        .changes(&[(Intensity, |x, at| scale(x, at.number()))])
+        .of(FACTORS),
     // the sum, and the reply
-    row(
-        "LightsAtMost",
-        "lights beyond number {} are left out",
-        &[(OfLight, |x, at| if at.i >= at.value { BLACK } else { x })],
-    )
-    .of(&[
-        4.0, 1.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 32.0, 64.0,
-    ]),
-    row(
-        "ChannelsSwapped",
-        "red and blue are swapped",
-        &[(Sum, |[r, g, b], _| [b, g, r])],
-    ),
-    row(
-        "Scaled",
-        "all colors are multiplied by {}",
-        &[(Sum, |x, at| scale(x, at.number()))],
-    )
-    .of(&[0.5, 2.0, FRAC_1_PI, PI, 1.0 / 255.0, 255.0]),
+    row("LightsAtMost", "lights beyond number {} are left out")
+        .changes(&[(OfLight, |x, at| if at.i >= at.value { BLACK } else { x })])
+        .of(&[
+            4.0, 1.0, 2.0, 3.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 16.0, 32.0, 64.0,
+        ]),
+    row("ChannelsSwapped", "red and blue are swapped").changes(&[(Sum, |[r, g, b], _| [b, g, r])]),
+    row("Scaled", "all colors are multiplied by {}")
+        .changes(&[(Sum, |x, at| scale(x, at.number()))])
+        .of(&[0.5, 2.0, FRAC_1_PI, PI, 1.0 / 255.0, 255.0]),
     row(
         "SrgbOnceMore",
         "sRGB is applied once more than the profile says",
-        &[(Encode, |x, _| x.map(|c| exact(to_srgb(c.value))))],
-    ),
+    )
+    .changes(&[(Encode, |x, _| x.map(|c| exact(to_srgb(c.value))))]),
     row(
         "Gamma",
         "a gamma of {} is applied, not what the profile says",
-        &[(Encode, |_, at| {
-            of_linear(at, |x| x.max(0.0).powf(1.0 / at.value))
-        })],
     )
+    .changes(&[(Encode, |_, at| {
+        of_linear(at, |x| x.max(0.0).powf(1.0 / at.value))
+    })])
     .of(&[1.0, 2.2, 2.0, 1.8, 2.4]),
-    row(
-        "LevelsTruncated",
-        "levels are truncated, not rounded",
-        &[(Level, |_, at| {
-            let most = 1.0 / at.level.unwrap_or(1.0);
-            of_linear(at, |x| (x * most).floor() / most)
-        })],
-    ),
+    row("LevelsTruncated", "levels are truncated, not rounded").changes(&[(Level, |_, at| {
+        let most = 1.0 / at.level.unwrap_or(1.0);
+        of_linear(at, |x| (x * most).floor() / most)
+    })]),
 ];
