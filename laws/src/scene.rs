@@ -191,18 +191,25 @@ impl Light {
         }
     }
 
+    /// The axis of a spot, and the angle between it and the edge of the cone.
+    #[must_use]
+    pub fn cone(self) -> Option<(Triple, f64)> {
+        match self {
+            Self::Spot {
+                axis, half_angle, ..
+            } => Some((axis, half_angle)),
+            _ => None,
+        }
+    }
+
     /// The direction in which it is from a point, and the light that arrives there.
     pub(crate) fn arriving(self, p: Triple) -> (Triple, Triple) {
         let l = match self {
             Self::Directional { l, .. } => l,
             Self::Point { position, .. } | Self::Spot { position, .. } => unit(sub(position, p)),
         };
-        let is_dark = match self {
-            Self::Spot {
-                axis, half_angle, ..
-            } => -dot(axis, l) < half_angle.cos(),
-            _ => false,
-        };
+        let is_outside = |(axis, half_angle): (Triple, f64)| -dot(axis, l) < half_angle.cos();
+        let is_dark = self.cone().is_some_and(is_outside);
         let left = if is_dark { 0.0 } else { self.falloff(p) };
         (l, scale(self.intensity(), left))
     }

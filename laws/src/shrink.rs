@@ -50,34 +50,23 @@ pub fn simpler(scene: &Scene, profile: &Profile) -> Vec<Scene> {
 
 /// The vectors and numbers of a scene.
 fn parts(scene: &mut Scene) -> Vec<&mut [f64]> {
-    let Scene {
-        p,
-        n,
-        v,
-        k_a,
-        k_d,
-        k_s,
-        m,
-        i_a,
-        lights,
-        ..
-    } = scene;
-    let mut all: Vec<&mut [f64]> = vec![i_a, k_a, k_d, k_s, slice::from_mut(m), n, p, v];
-    for light in lights {
+    let colors = [
+        &mut scene.i_a,
+        &mut scene.k_a,
+        &mut scene.k_d,
+        &mut scene.k_s,
+    ];
+    let mut all: Vec<&mut [f64]> = colors.map(|color| &mut color[..]).into();
+    all.push(slice::from_mut(&mut scene.m));
+    all.extend([&mut scene.n[..], &mut scene.p, &mut scene.v]);
+    for light in &mut scene.lights {
         match light {
-            Light::Directional { intensity, l } => {
-                all.push(intensity);
-                all.push(l);
-            }
+            Light::Directional { intensity, l } => all.extend([&mut intensity[..], l]),
             Light::Point {
                 intensity,
                 position,
                 attenuation,
-            } => {
-                all.push(attenuation);
-                all.push(intensity);
-                all.push(position);
-            }
+            } => all.extend([&mut attenuation[..], intensity, position]),
             Light::Spot {
                 intensity,
                 position,
@@ -85,11 +74,8 @@ fn parts(scene: &mut Scene) -> Vec<&mut [f64]> {
                 axis,
                 half_angle,
             } => {
-                all.push(attenuation);
-                all.push(axis);
-                all.push(slice::from_mut(half_angle));
-                all.push(intensity);
-                all.push(position);
+                let half_angle = slice::from_mut(half_angle);
+                all.extend([attenuation, axis, half_angle, intensity, position]);
             }
         }
     }
