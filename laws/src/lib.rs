@@ -7,9 +7,6 @@
 
 // Each group uses only itself and those above it, and no two files use each other.
 
-// the time
-mod clock;
-
 // a scene, and numbers that know their error
 mod bounded;
 mod scene;
@@ -42,10 +39,9 @@ mod run;
 mod search;
 
 pub use cause::Cause;
-pub use clock::Clock;
 pub use law::Broken;
 pub use mistakes::Fault;
-pub use options::Laws;
+pub use options::{Clock, Laws};
 pub use place::Place;
 pub use profile::Profile;
 pub use renderer::{Progress, Renderer, from_fn};

@@ -2,9 +2,12 @@
 
 use std::time::Duration;
 
-use crate::clock::{self, Clock};
-use crate::mistakes::departures;
-use crate::profile::Profile;
+/// The time since some moment, which never goes back.
+///
+/// A page has no clock that the standard library knows. There, the default stands still, so only the numbers of
+/// scenes and of batches end a search, unless [`Laws`] is given a clock such as one that asks the page for
+/// `performance.now()`.
+pub type Clock = fn() -> Duration;
 
 /// A run of the laws. It is deterministic: the same seed gives the same scenes.
 ///
@@ -41,18 +44,23 @@ impl Default for Laws {
             shrinks: true,
             explains: true,
             time: None,
-            clock: clock::of_machine,
+            clock: of_machine,
         }
     }
 }
 
-impl Laws {
-    /// What prevents a run, if anything.
-    pub(crate) fn complaint(&self, profile: &Profile) -> Option<String> {
-        let of_profile = profile.complaint().or_else(|| departures(profile).err());
-        if let Some(complaint) = of_profile {
-            return Some(format!("the profile of {}: {complaint}", profile.name));
-        }
-        (self.cases == 0).then(|| "the number of cases is 0".into())
-    }
+/// The clock of the standard library, where it has one.
+#[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
+fn of_machine() -> Duration {
+    use std::sync::LazyLock;
+    use std::time::Instant;
+
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    START.elapsed()
+}
+
+/// No clock: asking the standard library for one would end the program.
+#[cfg(all(target_family = "wasm", target_os = "unknown"))]
+fn of_machine() -> Duration {
+    Duration::ZERO
 }

@@ -7,7 +7,7 @@ use crate::corpus;
 use crate::formula::Formula;
 use crate::generator;
 use crate::law::Law;
-use crate::mistakes::formula;
+use crate::mistakes::{departures, formula};
 use crate::options::Laws;
 use crate::profile::Profile;
 use crate::random::Random;
@@ -84,8 +84,12 @@ impl Plan {
     ///
     /// What prevents a run, in one line.
     pub fn new(laws: &Laws, profile: &Profile) -> Result<Self, String> {
-        if let Some(complaint) = laws.complaint(profile) {
-            return Err(complaint);
+        let complaint = profile.complaint().or_else(|| departures(profile).err());
+        if let Some(complaint) = complaint {
+            return Err(format!("the profile of {}: {complaint}", profile.name));
+        }
+        if laws.cases == 0 {
+            return Err("the number of cases is 0".into());
         }
         let mut scenes = corpus::edges(profile);
         let mut random = Random::new(laws.seed);
