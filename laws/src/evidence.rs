@@ -142,11 +142,10 @@ impl Evidence {
 
     /// What is wrong and what is right if the renderer says more of itself than before.
     pub fn rest(&self, then: &Profile) -> Self {
-        let (formula, ratio) = (formula(then, None), self.profile.white / then.white);
+        let formula = formula(then, None);
         let mut rest = Self::new(then.clone());
         for (scene, reply) in self.wrong.iter().chain(&self.right) {
-            let reply = reply.map(|c| c * ratio);
-            rest.note(formula.fits(scene, reply) != Some(false), scene, reply);
+            rest.note(formula.fits(scene, *reply) != Some(false), scene, *reply);
         }
         rest
     }
@@ -205,18 +204,11 @@ impl Evidence {
                     return None; // it is declared already, or another number of bits is
                 }
             }
-            let ratio = profile.white / form.white;
             let mut replies = self.wrong.iter().chain(&self.right);
-            let is_other = |c: &f64| form.is_not_as_said(c * ratio).is_some();
+            let is_other = |c: &f64| form.is_not_as_said(*c).is_some();
             if replies.any(|(_, reply)| reply.iter().any(is_other)) {
                 return None;
             }
-            let as_form = |(scene, reply): &Sample| (scene.clone(), reply.map(|c| c * ratio));
-            let evidence = Self {
-                wrong: self.wrong.iter().map(as_form).collect(),
-                right: self.right.iter().map(as_form).collect(),
-                ..Self::new(form.clone())
-            };
             let words: Vec<&str> = chosen.iter().map(|(words, ..)| *words).collect();
             let words = words.join(", ");
             let says = format!("colors are {words}, which the profile does not say");
@@ -225,7 +217,7 @@ impl Evidence {
             if form.departs != profile.departs {
                 members.push(format!("\"departs\":{:?}", form.departs));
             }
-            let score = evidence.score(&formula(&form, None), true)?;
+            let score = self.score(&formula(&form, None), true)?;
             Some(Cause {
                 says,
                 declare: Some(members.join(",")),

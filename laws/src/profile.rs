@@ -171,9 +171,14 @@ impl Profile {
         self.clamps.or(self.bits.map(|_| [0.0, 1.0]))
     }
 
-    /// The distance between two levels of a channel.
+    /// The ends of the range, as the renderer gives them.
+    pub(crate) fn ends(&self) -> Option<[f64; 2]> {
+        Some(self.range()?.map(|end| end * self.white))
+    }
+
+    /// The distance between two levels of a channel, as the renderer gives them.
     pub(crate) fn level(&self) -> Option<f64> {
-        Some(1.0 / (f64::from(self.bits?).exp2() - 1.0))
+        Some(self.white / (f64::from(self.bits?).exp2() - 1.0))
     }
 
     /// How far a reply of this size may be from the exact encoding: 0.6 of a level, as for Vulkan's normalized
@@ -187,11 +192,11 @@ impl Profile {
     /// How far a finite reply is out of the range or off its level, and how far it may be, where that
     /// is too far.
     pub(crate) fn is_not_as_said(&self, reply: f64) -> Option<(f64, f64)> {
-        let slack = 4.0 * self.roundoff;
+        let slack = 4.0 * self.roundoff * self.white;
         if !reply.is_finite() {
             return None;
         }
-        if let Some([low, high]) = self.range() {
+        if let Some([low, high]) = self.ends() {
             let beyond = (reply - high).max(low - reply);
             if beyond > slack {
                 return Some((beyond, slack));

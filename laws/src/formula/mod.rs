@@ -50,7 +50,7 @@ impl<'a> Formula<'a> {
     fn at(&self) -> At {
         At {
             u: self.u,
-            level: self.profile.level(),
+            level: self.profile.level().map(|it| it / self.profile.white),
             ..At::default()
         }
     }
@@ -131,10 +131,7 @@ impl<'a> Formula<'a> {
             let denominator = a + b * at.q + c * (at.q * at.q);
             at.falloff = self.number(Part::Falloff, at, ONE / denominator);
         }
-        if let Light::Spot {
-            axis, half_angle, ..
-        } = light
-        {
+        if let Some((axis, half_angle)) = light.cone() {
             at.against = self.number(Part::Against, at, -dot(turned(axis, u), at.l));
             let angle = self.number(Part::Angle, at, Bounded::given(half_angle, u));
             at.edge = angle.cos();
@@ -203,9 +200,9 @@ impl<'a> Formula<'a> {
     /// The same, where the color in linear light is known.
     pub fn fits_linear(&self, linear: Bounded3, reply: Triple) -> Option<bool> {
         let mut is_known = false;
-        let range = self.profile.range();
+        let ends = self.profile.ends();
         // NaN or infinity, or what a clamp to the range leaves of them
-        let is_lost = |c: f64| !c.is_finite() || range.is_some_and(|ends| ends.contains(&c));
+        let is_lost = |c: f64| !c.is_finite() || ends.is_some_and(|ends| ends.contains(&c));
         for (linear, c) in linear.into_iter().zip(reply) {
             match self.ends(linear) {
                 Some([low, high]) if !(low..=high).contains(&c) => return Some(false),
@@ -256,7 +253,7 @@ impl<'a> Formula<'a> {
         linear.map(|c| at_level(self.encoded(c.value)))
     }
 
-    /// What becomes of linear light on its way out.
+    /// What becomes of linear light on its way out, in the numbers of the renderer.
     fn encoded(&self, linear: f64) -> f64 {
         let at = &mut self.at();
         let mut of = |part, before: f64, right: f64| {
@@ -271,10 +268,8 @@ impl<'a> Formula<'a> {
         let x = clamped(linear);
         let right = if self.profile.srgb { to_srgb(x) } else { x };
         let y = clamped(of(Part::Encode, x, right));
-        if self.profile.bits.is_some() {
-            of(Part::Level, y, y)
-        } else {
-            y
-        }
+        let is_level = self.profile.bits.is_some();
+        let y = if is_level { of(Part::Level, y, y) } else { y };
+        y * self.profile.white
     }
 }

@@ -214,7 +214,6 @@ impl Run<'_> {
         let most =
             (left / waited * self.asked as f64 / EDITS.len() as f64).clamp(2.0, 60.0) as usize;
         let (deadline, right) = (self.deadline, formula(profile, None));
-        let ratio = self.plan.profile.white / profile.white;
         let mut ask = |scenes: &[Scene]| {
             // with time left for the first experiment, what others would find is left out
             if deadline.is_some_and(|end| self.now() >= end) {
@@ -223,10 +222,8 @@ impl Run<'_> {
             let mut are_wrong = Vec::new();
             for some in scenes.chunks(256) {
                 let replies = self.ask(some)?;
-                let is_wrong = |(scene, reply): (&Scene, Triple)| {
-                    is_broken(&right, scene, reply.map(|c| c * ratio))
-                };
-                are_wrong.extend(some.iter().zip(replies).map(is_wrong));
+                let answers = some.iter().zip(replies);
+                are_wrong.extend(answers.map(|(scene, reply)| is_broken(&right, scene, reply)));
             }
             Some(are_wrong)
         };
@@ -244,10 +241,8 @@ impl Run<'_> {
             return;
         };
         let (right, with_first) = (formula(&plan.profile, None), formula(&then, None));
-        let ratio = plan.profile.white / then.white;
-        let is_of_first = |scene: &Scene, color: Triple| {
-            with_first.fits(scene, color.map(|c| c * ratio)) == Some(true)
-        };
+        let is_of_first =
+            |scene: &Scene, color: Triple| with_first.fits(scene, color) == Some(true);
         let is_first = |it: &Failure| is_of_first(&it.case.scene, it.replies[0]);
         let is_second = |it: &Failure| is_of_first(&it.case.scene, right.reply(&it.case.scene));
         let is_so: [&dyn Fn(&Failure) -> bool; 2] = [&is_first, &is_second];
@@ -272,11 +267,7 @@ fn is_broken(right: &Formula, scene: &Scene, reply: Triple) -> bool {
 /// Where the colors would be wrong if nothing else were wrong than what a profile says in addition.
 fn places_of_mistake(scenes: &[Scene], profile: &Profile, then: &Profile) -> Vec<Place> {
     let (right, wrong) = (formula(profile, None), formula(then, None));
-    let ratio = then.white / profile.white;
-    let is_wrong = |scene: &Scene| {
-        let reply = wrong.reply(scene).map(|c| c * ratio);
-        is_broken(&right, scene, reply)
-    };
+    let is_wrong = |scene: &Scene| is_broken(&right, scene, wrong.reply(scene));
     let scenes: Vec<Scene> = scenes.iter().filter(|it| is_wrong(it)).cloned().collect();
     let mut ask = |scenes: &[Scene]| Some(scenes.iter().map(is_wrong).collect());
     search::places(&scenes, experiment::MOST, profile, &mut ask).unwrap_or_default()

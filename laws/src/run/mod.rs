@@ -171,7 +171,7 @@ impl Run<'_> {
         Some(cases.iter().map(of_case).collect())
     }
 
-    /// The colors of scenes, with 1 for white, if the renderer answers.
+    /// The colors of scenes, if the renderer answers.
     fn ask(&mut self, scenes: &[Scene]) -> Option<Vec<Triple>> {
         if scenes.is_empty() {
             return Some(Vec::new()); // a batch has scenes
@@ -191,11 +191,7 @@ impl Run<'_> {
         let answer = self.renderer.shade(scenes);
         self.waited += self.now().saturating_sub(asked);
         match answer {
-            Ok(mut colors) if colors.len() == scenes.len() => {
-                let white = self.plan.profile.white;
-                colors.iter_mut().flatten().for_each(|c| *c /= white);
-                Some(colors)
-            }
+            Ok(colors) if colors.len() == scenes.len() => Some(colors),
             answer => {
                 let few =
                     |colors: Vec<_>| format!("{} colors for {} scenes", colors.len(), scenes.len());
@@ -270,20 +266,11 @@ impl Run<'_> {
         self.told(scenes, failure.replies, failure.broken)
     }
 
-    /// Scenes and their colors, in the numbers that the renderer gives.
-    fn told(&self, scenes: Vec<Scene>, colors: Vec<Triple>, mut broken: Broken) -> Counterexample {
-        let white = self.plan.profile.white;
-        let as_given = |color: Triple| color.map(|c| c * white);
-        let right = scenes.iter().map(|it| self.right.reply(it));
-        broken.off *= white;
-        broken.allowed *= white;
+    fn told(&self, scenes: Vec<Scene>, mut colors: Vec<Triple>, broken: Broken) -> Counterexample {
+        colors.truncate(scenes.len());
         Counterexample {
-            right: right.map(as_given).collect(),
-            colors: colors
-                .into_iter()
-                .take(scenes.len())
-                .map(as_given)
-                .collect(),
+            right: scenes.iter().map(|it| self.right.reply(it)).collect(),
+            colors,
             broken,
             scenes,
         }
