@@ -295,11 +295,14 @@ shading_Arrival shading_arrival(shading_Light light, vec3 p) {
         return shading_Arrival(light.position, 3.4028234e38, light.intensity);
     }
     shading_Measured to_light = shading_measured(light.position - p);
-    float dimmed = to_light.w_length > 0.0 ? shading_falloff(light, to_light.v_length)
+    if (!(to_light.w_length > 0.0)) {
+        return shading_Arrival(vec3(0.0, 0.0, 1.0), min(to_light.v_length, 3.4028234e38), vec3(0.0));
+    }
+    float dimmed = shading_falloff(light, to_light.v_length)
             * (light.cosines.x > -1.0 ? shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
-            : 1.0) : 0.0;
-    return shading_Arrival(to_light.w_length > 0.0 ? to_light.w / to_light.w_length : vec3(0.0, 0.0, 1.0),
-            min(to_light.v_length, 3.4028234e38), min(light.intensity * dimmed, vec3(3.4028234e38)));
+            : 1.0);
+    return shading_Arrival(to_light.w / to_light.w_length, min(to_light.v_length, 3.4028234e38),
+            min(light.intensity * dimmed, vec3(3.4028234e38)));
 }
 
 // What one light adds by Lambert's model: I k_d max(0, N.L).

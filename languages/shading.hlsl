@@ -301,11 +301,15 @@ shading_Arrival shading_arrival(shading_Light light, float3 p) {
         return result;
     }
     shading_Measured to_light = shading_measured(light.position - p);
-    float dimmed = to_light.w_length > 0.0 ? shading_falloff(light, to_light.v_length)
+    if (!(to_light.w_length > 0.0)) {
+        shading_Arrival result = {float3(0.0, 0.0, 1.0), min(to_light.v_length, 3.4028234e38),
+                float3(0.0, 0.0, 0.0)};
+        return result;
+    }
+    float dimmed = shading_falloff(light, to_light.v_length)
             * (light.cosines.x > -1.0 ? shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
-            : 1.0) : 0.0;
-    shading_Arrival result = {to_light.w_length > 0.0 ? to_light.w / to_light.w_length
-            : float3(0.0, 0.0, 1.0), min(to_light.v_length, 3.4028234e38),
+            : 1.0);
+    shading_Arrival result = {to_light.w / to_light.w_length, min(to_light.v_length, 3.4028234e38),
             min(light.intensity * dimmed, float3(3.4028234e38, 3.4028234e38, 3.4028234e38))};
     return result;
 }

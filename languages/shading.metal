@@ -305,11 +305,15 @@ inline Arrival arrival(Light light, float3 p) {
         return result;
     }
     Measured to_light = measured(light.position - p);
-    float dimmed = to_light.w_length > 0.0f ? falloff(light, to_light.v_length)
-            * (light.cosines.x > -1.0f ? spot(light, dot(-light.axis, to_light.w) / to_light.w_length) : 1.0f)
-            : 0.0f;
-    Arrival result = {to_light.w_length > 0.0f ? to_light.w / to_light.w_length : float3(0.0f, 0.0f, 1.0f),
-            min(to_light.v_length, 3.4028234e38f), min(light.intensity * dimmed, float3(3.4028234e38f))};
+    if (!(to_light.w_length > 0.0f)) {
+        Arrival result = {float3(0.0f, 0.0f, 1.0f), min(to_light.v_length, 3.4028234e38f), float3(0.0f)};
+        return result;
+    }
+    float dimmed = falloff(light, to_light.v_length)
+            * (light.cosines.x > -1.0f ? spot(light, dot(-light.axis, to_light.w) / to_light.w_length)
+            : 1.0f);
+    Arrival result = {to_light.w / to_light.w_length, min(to_light.v_length, 3.4028234e38f),
+            min(light.intensity * dimmed, float3(3.4028234e38f))};
     return result;
 }
 

@@ -232,11 +232,13 @@ fn shading_arrival(light: shading_Light, p: vec3f) -> shading_Arrival {
         return shading_Arrival(light.position, 3.4028234e38, light.intensity);
     }
     let to_light = shading_measured(light.position - p);
-    let dimmed = select(0.0, shading_falloff(light, to_light.v_length)
+    if !(to_light.w_length > 0.0) {
+        return shading_Arrival(vec3f(0.0, 0.0, 1.0), min(to_light.v_length, 3.4028234e38), vec3f(0.0));
+    }
+    let dimmed = shading_falloff(light, to_light.v_length)
             * select(1.0, shading_spot(light, dot(-light.axis, to_light.w) / to_light.w_length),
-            light.cosines.x > -1.0), to_light.w_length > 0.0);
-    return shading_Arrival(select(vec3f(0.0, 0.0, 1.0), to_light.w / to_light.w_length,
-            to_light.w_length > 0.0), min(to_light.v_length, 3.4028234e38),
+            light.cosines.x > -1.0);
+    return shading_Arrival(to_light.w / to_light.w_length, min(to_light.v_length, 3.4028234e38),
             min(light.intensity * dimmed, vec3f(3.4028234e38)));
 }
 

@@ -150,12 +150,16 @@ impl Graph {
         *op == Op::Above && of[1] == ZERO && self.nodes[of[0]].op == Op::Field("w_length")
     }
 
-    /// The answer to a test in this run. In the files, masks choose between two results, as in lanes, of which
-    /// some answer otherwise; a function of the user's may mean to decide.
-    pub fn decide(&mut self, test: usize, lanes: Option<bool>) -> bool {
-        let lanes = lanes.filter(|_| !self.defining.is_empty());
+    /// Whether a test asks if a light has a range: its window is computed for every light, and may count as 1.
+    pub fn is_of_range(&self, test: usize) -> bool {
+        let Node { op, of, .. } = &self.nodes[test];
+        *op == Op::Above && of[0] == MAX
+    }
+
+    /// The answer to a test in this run.
+    pub fn decide(&mut self, test: usize) -> bool {
         let assumed = self.assumes.then_some(true);
-        if let Some(answer) = self.known(test).or(lanes).or(assumed) {
+        if let Some(answer) = self.known(test).or(assumed) {
             return answer;
         }
         let answer = self.given.get(self.path.len()).copied().unwrap_or(true);
@@ -272,10 +276,7 @@ fn computed(op: Op, numbers: &[f32]) -> Option<f32> {
         (Op::Sub, [x, y]) => x - y,
         (Op::Mul, [x, y]) => x * y,
         (Op::Div, [x, y]) => x / y,
-        (MINIMUM, [x, y]) => x.min(*y),
-        (MAXIMUM, [x, y]) => x.max(*y),
         (Op::Above, [x, y]) => f32::from(x > y),
-        (Op::AtLeast, [x, y]) => f32::from(x >= y),
         _ => return None,
     })
 }

@@ -26,45 +26,39 @@ pub(crate) struct Crossed(pub usize);
 
 /// Where a comparison holds.
 #[derive(Clone, Copy, Debug)]
-pub struct Above {
-    test: usize,
-    /// Whether it decides even where other masks choose.
-    decides: bool,
-}
-
-impl Above {
-    /// What it answers of some lanes, unless it decides.
-    fn answer(self, lanes: bool, decides: bool) -> bool {
-        let lanes = (!decides).then_some(lanes);
-        with(|g| g.decide(self.test, lanes))
-    }
-
-    fn is_anywhere(self) -> bool {
-        // whether there is a direction decides whether there is a result
-        let decides = self.decides || with(|g| g.is_of_length(self.test));
-        self.answer(true, decides)
-    }
-}
+pub struct Above(usize);
 
 /// The answer to a comparison.
 fn decide(op: Op, left: usize, right: usize) -> bool {
     with(|g| {
         let test = g.number(op, &[left, right]);
-        g.decide(test, None)
+        g.decide(test)
     })
 }
 
 /// The result of a function of the files.
-fn call<V: Value<Expr>>(name: &'static str, arguments: &[Vec<Expr>]) -> V {
-    let arguments: Vec<_> = arguments.concat().iter().map(|x| x.0).collect();
+fn call<V: Value<Expr>>(name: &'static str, arguments: &[Expr]) -> V {
+    let arguments: Vec<_> = arguments.iter().map(|x| x.0).collect();
     let result = with(|g| g.call(name, &arguments));
     V::take(&mut result.into_iter().map(Expr))
 }
 
-/// The result of a function that takes a light and a number.
-fn call_of_light(name: &'static str, x: Expr) -> Expr {
-    let light = with(|g| g.parameter("light", Kind::Light));
-    call(name, &[light.into_iter().map(Expr).collect(), vec![x]])
+/// The result of a function that takes the light and a number, where the function that is recorded takes a light.
+fn call_of_light(name: &'static str, x: Expr) -> Option<Expr> {
+    with(|g| g.is_lit()).then(|| {
+        let light = with(|g| g.parameter("light", Kind::Light));
+        let arguments: Vec<_> = light.into_iter().map(Expr).chain([x]).collect();
+        call(name, &arguments)
+    })
+}
+
+/// One of two names: the second, if a test is known to fail.
+fn chosen(test: Above, [name, otherwise]: [&'static str; 2]) -> &'static str {
+    if with(|g| g.known(test.0)) == Some(false) {
+        otherwise
+    } else {
+        name
+    }
 }
 
 macro_rules! operators {
@@ -90,7 +84,7 @@ macro_rules! elementary {
 }
 
 macro_rules! number {
-    ($number:ident, $decides:literal, { $($hooks:item)* }) => {
+    ($number:ident, { $($hooks:item)* }) => {
         operators!($number: Add::add Sub::sub Mul::mul Div::div);
         elementary!($number: sin() "sin" cos() "cos" tan() "tan" atan2(x) "atan2" exp() "exp" ln() "log"
             powf(exponent) "pow" abs() "abs");
@@ -111,15 +105,15 @@ macro_rules! number {
 
         impl Mask<$number> for Above {
             fn any(self) -> bool {
-                self.is_anywhere()
+                with(|g| g.is_of_range(self.0) || g.decide(self.0))
             }
 
             fn all(self) -> bool {
-                self.answer(false, self.decides)
+                with(|g| g.decide(self.0))
             }
 
             fn select(self, then: $number, otherwise: $number) -> $number {
-                $number(with(|g| g.select(self.test, then.0, otherwise.0)))
+                $number(with(|g| g.select(self.0, then.0, otherwise.0)))
             }
         }
 
@@ -142,15 +136,14 @@ macro_rules! number {
             }
 
             fn above(self, other: Self) -> Above {
-                let test = with(|g| g.number(Op::Above, &[self.0, other.0]));
-                Above { test, decides: $decides }
+                Above(with(|g| g.number(Op::Above, &[self.0, other.0])))
             }
 
             fn any_outside(self, low: Self, high: Self) -> bool {
                 let range = (low, high);
                 assert!(range == (Self::ONE / Self::EXTREME, Self::EXTREME), "the range of squares");
                 let test = Self::call("is_extreme", &[self]);
-                with(|g| g.decide(test.0, None))
+                with(|g| g.decide(test.0))
             }
 
             fn finite(self) -> Self {
@@ -218,25 +211,18 @@ macro_rules! number {
     };
 }
 
-number!(Inline, true, {});
+number!(Inline, {});
 
-number!(Crossed, true, {
+number!(Crossed, {
     fn between(origin: Vec3<Self>, v: Vec3<Self>) -> Vec3<Self> {
         let [origin, v] = [origin, v].map(|v| v.map(|x| Expr(x.0)));
         Expr::between(origin, v).map(|x| Self(x.0))
     }
 });
 
-number!(Expr, false, {
-    fn faces(n: Vec3<Self>, v: Vec3<Self>) -> Above {
-        Above {
-            decides: true,
-            ..Self::dot(n, v).above(Self::ZERO)
-        }
-    }
-
+number!(Expr, {
     fn measured(v: Vec3<Self>) -> Measured<Self> {
-        call("measured", &[v.numbers()])
+        call("measured", &v.numbers())
     }
 
     fn toward(n: Vec3<Self>, v: Vec3<Self>) -> Toward<Self> {
@@ -248,35 +234,28 @@ number!(Expr, false, {
     }
 
     fn between(origin: Vec3<Self>, v: Vec3<Self>) -> Vec3<Self> {
-        call("between", &[origin, v].map(Value::numbers))
+        call("between", &[origin, v].map(Value::numbers).concat())
     }
 
     fn crossed(origin: Vec3<Self>, a: Vec3<Self>, b: Vec3<Self>) -> Vec3<Self> {
-        call("crossed", &[origin, a, b].map(Value::numbers))
+        call("crossed", &[origin, a, b].map(Value::numbers).concat())
     }
 
     fn windowed(
-        Dimmed { color, factor }: Dimmed<Self>,
+        mut light: Dimmed<Self>,
         _v: Vec3<Self>,
         q: Self,
         range: Self,
         is_squared: Above,
     ) -> Dimmed<Self> {
-        let name = if is_squared.is_anywhere() {
-            "window"
-        } else {
-            "window_gltf"
-        };
-        let factor = if with(|g| g.is_lit()) {
-            call_of_light("falloff", q)
-        } else {
-            factor * Self::call(name, &[q, range])
-        };
-        Dimmed { color, factor }
+        let name = chosen(is_squared, ["window", "window_gltf"]);
+        let by_window = || light.factor * call(name, &[q, range]);
+        light.factor = call_of_light("falloff", q).unwrap_or_else(by_window);
+        light
     }
 
     fn beamed(
-        Dimmed { color, factor }: Dimmed<Self>,
+        mut light: Dimmed<Self>,
         axis: Vec3<Self>,
         [inner, outer]: [Self; 2],
         is_smooth: Above,
@@ -285,14 +264,9 @@ number!(Expr, false, {
     ) -> Dimmed<Self> {
         let cosine = Self::dot(-axis, measured.w) / measured.w_length;
         // a soft edge may be smooth, and a hard one is neither
-        let is_square = with(|g| g.known(is_smooth.test)) == Some(false);
-        let name = if is_square { "beam" } else { "beam_smoothstep" };
-        let of_cone = if with(|g| g.is_lit()) {
-            call_of_light("spot", cosine)
-        } else {
-            Self::call(name, &[cosine, inner, outer])
-        };
-        let factor = factor * of_cone;
-        Dimmed { color, factor }
+        let name = chosen(is_smooth, ["beam_smoothstep", "beam"]);
+        let by_edges = || call(name, &[cosine, inner, outer]);
+        light.factor = light.factor * call_of_light("spot", cosine).unwrap_or_else(by_edges);
+        light
     }
 });

@@ -353,12 +353,17 @@ static inline shading_Arrival shading_arrival(const shading_Light *light, shadin
         return result;
     }
     shading_Measured to_light = shading_measured(shading_sub(light->position, p));
-    float dimmed = to_light.w_length > 0.0f ? shading_falloff(light, to_light.v_length)
+    if (!(to_light.w_length > 0.0f)) {
+        shading_Arrival result = {shading_vector(0.0f, 0.0f, 1.0f),
+                shading_min(to_light.v_length, 3.4028234e38f), shading_vector(0.0f, 0.0f, 0.0f)};
+        return result;
+    }
+    float dimmed = shading_falloff(light, to_light.v_length)
             * (light->cosines.x > -1.0f
             ? shading_spot(light, shading_dot(shading_neg(light->axis), to_light.w) / to_light.w_length)
-            : 1.0f) : 0.0f;
-    shading_Arrival result = {to_light.w_length > 0.0f ? shading_over(to_light.w, to_light.w_length)
-            : shading_vector(0.0f, 0.0f, 1.0f), shading_min(to_light.v_length, 3.4028234e38f),
+            : 1.0f);
+    shading_Arrival result = {shading_over(to_light.w, to_light.w_length),
+            shading_min(to_light.v_length, 3.4028234e38f),
             shading_at_most(shading_scale(light->intensity, dimmed), 3.4028234e38f)};
     return result;
 }
