@@ -1,7 +1,8 @@
 //! The files.
 
+use shading::{Real, Rgb};
+
 use crate::dialect::{C, Dialect, GLSL, HLSL, METAL, WGSL, WGSL_EXACT, filled};
-use crate::given::{filled_with_levels, is_extreme, operations_on_bits};
 use crate::kind::Kind;
 use crate::print::Printer;
 use crate::table::{BUILT_IN_POWERS, Function, functions};
@@ -36,25 +37,37 @@ pub fn text(dialect: &'static Dialect) -> String {
     let head = HEAD.iter().chain(dialect.extremes);
     let head: String = head.map(|line| comment(dialect, line)).collect();
     let structs = Kind::STRUCTS.iter().map(|kind| structure(dialect, *kind));
-    let texts = |functions: &[Function]| -> String {
-        let text = |function| function_text(dialect, function);
-        functions.iter().map(text).collect()
+    let structs: Vec<_> = structs.collect();
+    let texts = |functions: &[Function]| {
+        let texts = functions.iter().map(|of| function_text(dialect, of));
+        texts.collect::<Vec<_>>().join("\n\n")
     };
     let (powers, others) = functions().split_at(2);
-    let own = operations_on_bits(dialect) + &texts(powers);
-    let powers = [("own", &own[..]), ("built_in", &texts(BUILT_IN_POWERS))];
-    let [begin, end] = dialect.file;
-    [
-        &head,
-        "\n",
-        begin,
-        &structs.collect::<String>(),
-        &filled(dialect.powers, &powers),
-        &is_extreme(dialect),
-        &texts(others),
-        &filled_with_levels(dialect, end),
-    ]
-    .concat()
+    let (inline, _) = dialect.function.split_once("{type}").unwrap_or_default();
+    let ends = [1.0 / f32::EXTREME, f32::EXTREME];
+    let [low_bits, high_bits] = ends.map(f32::to_bits);
+    let rgb565 = |x: f32| u32::from(Rgb::gray(x).to_rgb565());
+    let srgb8 = |x: f32| Rgb::gray(x).to_srgb8()[0].into();
+    let places = [
+        ("structs", structs.join("\n\n")),
+        ("own", texts(powers)),
+        ("built_in", texts(BUILT_IN_POWERS)),
+        ("functions", texts(others)),
+        ("inline", inline.into()),
+        ("prefix", dialect.prefix.into()),
+        ("bits", dialect.bits[0].into()),
+        ("of_bits", dialect.bits[1].into()),
+        ("low", dialect.number(ends[0])),
+        ("high", dialect.number(ends[1])),
+        ("low_bits", format!("0x{low_bits:08X}")),
+        ("width", format!("0x{:08X}", high_bits - low_bits)),
+        ("5_bits", edges(dialect, 32, |x| rgb565(x) & 31)),
+        ("6_bits", edges(dialect, 64, |x| rgb565(x) >> 5 & 63)),
+        ("8_bits", edges(dialect, 256, srgb8)),
+    ];
+    let places = places.each_ref().map(|(place, text)| (*place, &text[..]));
+    let [begin, end] = dialect.around;
+    [&head, "\n", begin, &filled(dialect.file, &places), end].concat()
 }
 
 pub(crate) fn comment(dialect: &Dialect, text: &str) -> String {
@@ -87,7 +100,7 @@ fn structure(dialect: &Dialect, kind: Kind) -> String {
         }
     }
     let doc = comment(dialect, doc.trim());
-    format!("{doc}{begin}\n{lines}{end}\n\n")
+    format!("{doc}{begin}\n{lines}{end}")
 }
 
 pub(crate) fn head(
@@ -131,5 +144,24 @@ fn function_text(dialect: &'static Dialect, function: &Function) -> String {
     let recorded = Recorded::new(dialect, name, parameters, result, &function.record);
     let printer = Printer::new(dialect, &recorded, dialect.prefix);
     let text = printer.function(&dialect.named(name), &names(name));
-    comment(dialect, function.doc.trim()) + &text + "\n"
+    comment(dialect, function.doc.trim()) + &text
+}
+
+/// The least number of each level but 0, found by bisection.
+fn edges(dialect: &Dialect, count: u32, level: impl Fn(f32) -> u32) -> String {
+    let edge = |of| {
+        let (mut below, mut from) = (0.0_f32.to_bits(), 1.0_f32.to_bits());
+        while from - below > 1 {
+            let middle = u32::midpoint(below, from);
+            if level(f32::from_bits(middle)) < of {
+                below = middle;
+            } else {
+                from = middle;
+            }
+        }
+        dialect.number(f32::from_bits(from)) + ","
+    };
+    let edges: Vec<_> = (1..count).map(edge).collect();
+    let lines: Vec<_> = edges.chunks(7).map(|edges| edges.join(" ")).collect();
+    lines.join("\n    ")
 }

@@ -10,7 +10,6 @@
 
 pub mod dialect;
 mod file;
-mod given;
 mod graph;
 mod kind;
 mod light;

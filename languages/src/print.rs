@@ -82,7 +82,7 @@ impl<'a> Printer<'a> {
         self.names = wgsl.variables;
         self.count(tree, &[]);
         self.tree(tree, "    ");
-        self.out + "}\n"
+        self.out + "}"
     }
 
     fn node(&self, value: usize) -> &'a Node {
@@ -274,7 +274,7 @@ impl<'a> Printer<'a> {
             (MINIMUM, _) if is_vector && self.node(of[1]).kind == Kind::Number => {
                 format!("min({}, {})", self.text(of[0], 0), self.vector(&[of[1]; 3]))
             }
-            (Op::Own(name), _) => call(self.dialect.own(name)),
+            (Op::Own(name), _) => call(&(self.dialect.own)(name)),
             (Op::Neg, _) => return (format!("-{}", self.text(of[0], ATOM)), SIGN),
             (Op::Select, _) => return self.choice(of),
             _ => return self.operation(*op, of),
@@ -285,11 +285,7 @@ impl<'a> Printer<'a> {
     fn vector(&self, numbers: &[usize]) -> String {
         let is_one = self.dialect.splats && *numbers == [numbers[0]; 3];
         let numbers = if is_one { &numbers[..1] } else { numbers };
-        format!(
-            "{}({})",
-            self.dialect.own("vector"),
-            self.joined(numbers, ", ")
-        )
+        format!("{}({})", self.dialect.types[3], self.joined(numbers, ", "))
     }
 
     fn choice(&self, of: &[usize]) -> (String, u8) {

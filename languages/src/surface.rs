@@ -84,6 +84,6 @@ fn text(
         };
         let recorded = Recorded::new(dialect, "", parameters, result, &record);
         let prefix = [dialect.namespace, dialect.prefix].concat();
-        Printer::new(dialect, &recorded, &prefix).function(&[name, end].concat(), &[])
+        Printer::new(dialect, &recorded, &prefix).function(&[name, end].concat(), &[]) + "\n"
     }
 }
