@@ -4,10 +4,9 @@ use shading::{Real, Rgb};
 
 use crate::dialect::{C, Dialect, GLSL, HLSL, METAL, WGSL, WGSL_EXACT, filled};
 use crate::kind::Kind;
-use crate::print::Printer;
+use crate::print::printed;
 use crate::table::{BUILT_IN_POWERS, Function, functions};
 use crate::tree::Recorded;
-use crate::wrap::wrapped;
 
 const FILES: [(&str, &Dialect); 6] = [
     ("shading.wgsl", &WGSL),
@@ -70,7 +69,7 @@ pub fn text(dialect: &'static Dialect) -> String {
     [&head, "\n", begin, &filled(dialect.file, &places), end].concat()
 }
 
-pub(crate) fn comment(dialect: &Dialect, text: &str) -> String {
+fn comment(dialect: &Dialect, text: &str) -> String {
     let [begin, end] = dialect.comment;
     format!("{begin}{text}{end}\n")
 }
@@ -103,30 +102,6 @@ fn structure(dialect: &Dialect, kind: Kind) -> String {
     format!("{doc}{begin}\n{lines}{end}")
 }
 
-pub(crate) fn head(
-    dialect: &Dialect,
-    name: &str,
-    parameters: &[(&str, Kind)],
-    changed: Option<&str>,
-    result: &str,
-) -> String {
-    let parameter = |(name, kind): &(&str, Kind)| {
-        let form = match dialect.pointers {
-            Some([_, form, _]) if Some(*name) == changed => form,
-            Some([form, ..]) if kind.fields().is_some() => form,
-            _ => dialect.parameter,
-        };
-        filled(form, &[("type", &dialect.type_of(*kind)), ("name", name)])
-    };
-    let parameters: Vec<_> = parameters.iter().map(parameter).collect();
-    let places = [
-        ("type", result),
-        ("name", name),
-        ("parameters", &parameters.join(", ")),
-    ];
-    wrapped("", &filled(dialect.function, &places))
-}
-
 /// The books' names for the values of a function, and their formulas.
 fn names(function: &str) -> Vec<(&'static str, &'static str)> {
     let sections = include_str!("names.txt").split("\n[").skip(1);
@@ -142,8 +117,8 @@ fn function_text(dialect: &'static Dialect, function: &Function) -> String {
     let name = function.name;
     let (parameters, result) = (function.parameters, function.result);
     let recorded = Recorded::new(dialect, name, parameters, result, &function.record);
-    let printer = Printer::new(dialect, &recorded, dialect.prefix);
-    let text = printer.function(&dialect.named(name), &names(name));
+    let own = dialect.named(name);
+    let text = printed(dialect, &recorded, &own, dialect.prefix, &names(name));
     comment(dialect, function.doc.trim()) + &text
 }
 

@@ -1,9 +1,9 @@
 //! Writes a recorded function in a language.
 
 use std::collections::HashMap;
+use std::mem::take;
 
 use crate::dialect::{Dialect, WGSL, filled};
-use crate::file::head;
 use crate::graph::{MINIMUM, Node, Op, VECTOR};
 use crate::kind::Kind;
 use crate::tree::{Recorded, Tree};
@@ -43,46 +43,71 @@ pub struct Printer<'a> {
     out: String,
 }
 
-impl<'a> Printer<'a> {
-    pub fn new(dialect: &'static Dialect, function: &'a Recorded<'a>, prefix: &'a str) -> Self {
-        let (names, variables, uses, out) = Default::default();
-        Self {
-            dialect,
-            function,
-            prefix,
-            names,
-            variables,
-            uses,
-            out,
+/// The text of a function, given its name, what stands before those that it calls, and the books' names for values
+/// and their formulas in WGSL.
+pub fn printed(
+    dialect: &'static Dialect,
+    function: &Recorded,
+    name: &str,
+    prefix: &str,
+    names: &[(&str, &str)],
+) -> String {
+    let mut printer = Printer {
+        dialect: &WGSL,
+        function,
+        prefix: "",
+        names: HashMap::new(),
+        variables: HashMap::new(),
+        uses: HashMap::new(),
+        out: String::new(),
+    };
+    for value in 0..function.graph.nodes.len() {
+        let text = printer.formula(value).0;
+        let is_formula = |formula: &str| match formula.split_once("...") {
+            Some((beginning, end)) => text.starts_with(beginning) && text.ends_with(end),
+            None => text == formula,
+        };
+        if let Some((name, _)) = names.iter().find(|(_, formula)| is_formula(formula)) {
+            printer.variables.insert(value, (*name).into());
         }
     }
+    printer.names = take(&mut printer.variables);
+    (printer.dialect, printer.prefix) = (dialect, prefix);
+    printer.count(&function.tree, &[]);
+    printer.head(name);
+    printer.tree(&function.tree, "    ");
+    printer.out + "}"
+}
 
-    /// The text of the function, given its name, and the books' names for values and their formulas in WGSL.
-    pub fn function(mut self, name: &str, names: &[(&str, &str)]) -> String {
-        let Recorded {
-            parameters,
-            result,
-            tree,
-            ..
-        } = self.function;
-        let changed = self.function.changed(self.dialect);
-        let of = changed.map_or_else(|| self.dialect.type_of(*result), |_| "void".into());
-        self.out = head(self.dialect, name, parameters, changed, &of);
-        let mut wgsl = Printer::new(&WGSL, self.function, "");
-        for value in 0..self.function.graph.nodes.len() {
-            let text = wgsl.formula(value).0;
-            let is_formula = |formula: &str| match formula.split_once("...") {
-                Some((beginning, end)) => text.starts_with(beginning) && text.ends_with(end),
-                None => text == formula,
+impl<'a> Printer<'a> {
+    fn head(&mut self, name: &str) {
+        let changed = self.changed();
+        let parameter = |(name, kind): &(&str, Kind)| {
+            let form = match self.dialect.pointers {
+                Some([_, form, _]) if Some(*name) == changed => form,
+                Some([form, ..]) if kind.fields().is_some() => form,
+                _ => self.dialect.parameter,
             };
-            if let Some((name, _)) = names.iter().find(|(_, formula)| is_formula(formula)) {
-                wgsl.variables.insert(value, (*name).into());
-            }
-        }
-        self.names = wgsl.variables;
-        self.count(tree, &[]);
-        self.tree(tree, "    ");
-        self.out + "}"
+            filled(
+                form,
+                &[("type", &self.dialect.type_of(*kind)), ("name", name)],
+            )
+        };
+        let parameters: Vec<_> = self.function.parameters.iter().map(parameter).collect();
+        let parameters = parameters.join(", ");
+        let result = self.dialect.type_of(self.function.result);
+        let of = changed.map_or(&result[..], |_| "void");
+        let places = [("type", of), ("name", name), ("parameters", &parameters)];
+        self.line("", &filled(self.dialect.function, &places));
+    }
+
+    /// The parameter that is changed in place of a result, where structs are passed by pointers.
+    fn changed(&self) -> Option<&'static str> {
+        self.dialect.pointers?;
+        self.function.result.fields()?;
+        let mut parameters = self.function.parameters.iter();
+        let changed = parameters.find(|parameter| parameter.1 == self.function.result)?;
+        Some(changed.0)
     }
 
     fn node(&self, value: usize) -> &'a Node {
@@ -99,9 +124,9 @@ impl<'a> Printer<'a> {
                 }
             }
             Tree::Branch(test, yes, no) => {
-                let path = [path, &[*test]].concat();
-                self.count(yes, &path);
-                self.count(no, &path);
+                for side in [yes, no] {
+                    self.count(side, &[path, &[*test]].concat());
+                }
             }
         }
     }
@@ -176,7 +201,7 @@ impl<'a> Printer<'a> {
         };
         let places =
             |of: &str| -> Vec<_> { fields.iter().map(|field| self.field(of, field.0)).collect() };
-        if let Some(changed) = self.function.changed(self.dialect) {
+        if let Some(changed) = self.changed() {
             for (place, text) in places(changed).iter().zip(texts) {
                 if *place != text {
                     self.line(indent, &format!("{place} = {text};"));
@@ -282,21 +307,19 @@ impl<'a> Printer<'a> {
         (text, ATOM)
     }
 
-    fn vector(&self, numbers: &[usize]) -> String {
-        let is_one = self.dialect.splats && *numbers == [numbers[0]; 3];
-        let numbers = if is_one { &numbers[..1] } else { numbers };
-        format!("{}({})", self.dialect.types[3], self.joined(numbers, ", "))
+    fn vector(&self, mut numbers: &[usize]) -> String {
+        if self.dialect.splats && *numbers == [numbers[0]; 3] {
+            numbers = &numbers[..1];
+        }
+        let numbers = self.joined(numbers, ", ");
+        format!("{}({numbers})", self.dialect.types[3])
     }
 
     fn choice(&self, of: &[usize]) -> (String, u8) {
-        let is_call = self.dialect.choice.starts_with("select");
-        let (least, level) = if is_call {
-            (0, ATOM)
-        } else {
-            (CHOICE + 1, CHOICE)
-        };
-        let [test, yes, no] = [0, 1, 2].map(|i| self.text(of[i], least));
+        let [test, yes, no] = [0, 1, 2].map(|i| self.text(of[i], CHOICE + 1));
         let places = [("test", &test[..]), ("yes", &yes), ("no", &no)];
+        let is_call = self.dialect.choice.starts_with("select");
+        let level = if is_call { ATOM } else { CHOICE };
         (filled(self.dialect.choice, &places), level)
     }
 

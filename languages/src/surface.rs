@@ -5,7 +5,7 @@ use shading::{Dual, Vec3, normal};
 use crate::dialect::Dialect;
 use crate::kind::{Kind, Value};
 use crate::number::Expr;
-use crate::print::Printer;
+use crate::print::printed;
 use crate::tree::Recorded;
 
 /// Writes two functions for the implicit surface f(p) = 0: `name(p)`, which is f, and `name_normal(p)`, its exact
@@ -84,6 +84,6 @@ fn text(
         };
         let recorded = Recorded::new(dialect, "", parameters, result, &record);
         let prefix = [dialect.namespace, dialect.prefix].concat();
-        Printer::new(dialect, &recorded, &prefix).function(&[name, end].concat(), &[]) + "\n"
+        printed(dialect, &recorded, &[name, end].concat(), &prefix, &[]) + "\n"
     }
 }

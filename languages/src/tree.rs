@@ -42,15 +42,6 @@ impl<'a> Recorded<'a> {
             tree,
         }
     }
-
-    /// The parameter that is changed in place of a result, where structs are passed by pointers.
-    pub fn changed(&self, dialect: &Dialect) -> Option<&'static str> {
-        dialect.pointers?;
-        self.result.fields()?;
-        let mut parameters = self.parameters.iter();
-        let changed = parameters.find(|parameter| parameter.1 == self.result)?;
-        Some(changed.0)
-    }
 }
 
 #[derive(Clone, Debug, PartialEq)]
