@@ -36,6 +36,7 @@ pub enum Op {
 pub const MINIMUM: Op = Op::Own("min");
 pub const MAXIMUM: Op = Op::Own("max");
 pub const VECTOR: Op = Op::Own("vector");
+pub const DOT: Op = Op::Own("dot");
 
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Node {
@@ -83,17 +84,13 @@ pub fn assuming<R>(f: impl FnOnce() -> R) -> R {
 }
 
 impl Graph {
-    /// A graph for a function of the files, or for one that has no name among them.
-    pub fn new(defining: &'static str, divides_vectors: bool) -> Self {
-        let mut graph = Self {
-            defining,
-            divides_vectors,
-            ..Self::default()
-        };
+    /// Begins with a function of the files, or with one that has no name among them.
+    pub fn begin(&mut self, defining: &'static str, divides_vectors: bool) {
+        *self = Self::default();
+        (self.defining, self.divides_vectors) = (defining, divides_vectors);
         for constant in CONSTANTS {
-            graph.constant(constant);
+            self.constant(constant);
         }
-        graph
     }
 
     pub fn add(&mut self, op: Op, kind: Kind, of: &[usize]) -> usize {
@@ -217,38 +214,30 @@ impl Graph {
             return self.number(Op::Mul, &[a[0], b[0]]);
         }
         let of = [a, b].map(|numbers| self.value(&numbers));
-        self.add(Op::Own("dot"), Kind::Number, &of)
+        self.add(DOT, Kind::Number, &of)
     }
 
     /// A choice. What both sides have in common is outside of it.
     pub fn select(&mut self, test: usize, then: usize, otherwise: usize) -> usize {
-        if then == otherwise {
-            return then;
-        }
         let [above, yes, no] = [test, then, otherwise].map(|n| self.nodes[n].clone());
-        if above.op == Op::Above {
-            // max and min, as the crate derives them
-            if above.of == [then, otherwise] {
-                return self.number(MAXIMUM, &above.of);
-            }
-            if above.of == [otherwise, then] {
-                return self.number(MINIMUM, &above.of);
-            }
-        }
-        if let Some(answer) = self.known(test) {
-            return if answer { then } else { otherwise };
-        }
+        let is_of = |sides| above.op == Op::Above && above.of == sides;
         let same = (yes.op == no.op).then_some(yes.op);
         match (same, &yes.of[..], &no.of[..]) {
+            _ if then == otherwise => then,
+            // max and min, as the crate derives them
+            _ if is_of([then, otherwise]) => self.number(MAXIMUM, &above.of),
+            _ if is_of([otherwise, then]) => self.number(MINIMUM, &above.of),
+            _ if self.known(test) == Some(true) => then,
+            _ if self.known(test) == Some(false) => otherwise,
             (Some(Op::Select), &[same, a, x], &[t, b, y]) if (same, x) == (t, y) => {
                 let then = self.select(test, a, b);
                 self.select(same, then, x)
             }
-            (Some(op), &[a, x], &[b, y]) if is_binary(op) && a == b => {
+            (Some(op), &[a, x], &[b, y]) if op != DOT && a == b => {
                 let right = self.select(test, x, y);
                 self.number(op, &[a, right])
             }
-            (Some(op), &[a, x], &[b, y]) if is_binary(op) && x == y => {
+            (Some(op), &[a, x], &[b, y]) if op != DOT && x == y => {
                 let left = self.select(test, a, b);
                 self.number(op, &[left, x])
             }
@@ -259,13 +248,6 @@ impl Graph {
             _ => self.choice(test, then, otherwise),
         }
     }
-}
-
-fn is_binary(op: Op) -> bool {
-    matches!(
-        op,
-        Op::Add | Op::Sub | Op::Mul | Op::Div | MINIMUM | MAXIMUM
-    )
 }
 
 /// The result of an operation on known numbers; a comparison gives 1 or 0.

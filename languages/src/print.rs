@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::mem::take;
 
 use crate::dialect::{Dialect, WGSL, filled};
-use crate::graph::{MINIMUM, Node, Op, VECTOR};
+use crate::graph::{DOT, MINIMUM, Node, Op, VECTOR};
 use crate::kind::Kind;
 use crate::tree::{Recorded, Tree};
 use crate::wrap::wrapped;
@@ -248,7 +248,7 @@ impl<'a> Printer<'a> {
     /// A name for a value that nobody has named: by what it is, or else by a number.
     fn name(&self, value: usize) -> String {
         let Node { op, of, .. } = self.node(value);
-        let dot = (*op == Op::Own("dot")).then(|| self.joined(of, "_dot_"));
+        let dot = (*op == DOT).then(|| self.joined(of, "_dot_"));
         let is_name = |text: &String| text.chars().all(|c| c.is_alphanumeric() || c == '_');
         let is_free = |name: &String| !self.variables.values().any(|used| used == name);
         let numbered = (1..).map(|n| format!("t{n}"));

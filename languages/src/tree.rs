@@ -25,7 +25,7 @@ impl<'a> Recorded<'a> {
         formula: &dyn Fn(&[usize]) -> Vec<usize>,
     ) -> Self {
         let divides_vectors = dialect.vector_functions.is_empty();
-        with(|g| *g = Graph::new(defining, divides_vectors));
+        with(|g| g.begin(defining, divides_vectors));
         let numbers = |(name, kind): &(&'static str, Kind)| with(|g| g.parameter(name, *kind));
         let numbers: Vec<_> = parameters.iter().flat_map(numbers).collect();
         let whole = [("", result)];
