@@ -30,35 +30,23 @@ pub struct Above(usize);
 
 /// The answer to a comparison.
 fn decide(op: Op, left: usize, right: usize) -> bool {
-    with(|g| {
-        let test = g.number(op, &[left, right]);
-        g.decide(test)
-    })
-}
-
-/// The result of a function of the files.
-fn call<V: Value<Expr>>(name: &'static str, arguments: &[Expr]) -> V {
-    let arguments: Vec<_> = arguments.iter().map(|x| x.0).collect();
-    let result = with(|g| g.call(name, &arguments));
-    V::take(&mut result.into_iter().map(Expr))
+    let test = with(|g| g.number(op, &[left, right]));
+    with(|g| g.decide(test))
 }
 
 /// The result of a function that takes the light and a number, where the function that is recorded takes a light.
 fn call_of_light(name: &'static str, x: Expr) -> Option<Expr> {
     with(|g| g.is_lit()).then(|| {
         let light = with(|g| g.parameter("light", Kind::Light));
-        let arguments: Vec<_> = light.into_iter().map(Expr).chain([x]).collect();
-        call(name, &arguments)
+        let light = light.into_iter().map(Expr);
+        Expr::call(name, &light.chain([x]).collect::<Vec<_>>())
     })
 }
 
 /// One of two names: the second, if a test is known to fail.
 fn chosen(test: Above, [name, otherwise]: [&'static str; 2]) -> &'static str {
-    if with(|g| g.known(test.0)) == Some(false) {
-        otherwise
-    } else {
-        name
-    }
+    let fails = with(|g| g.known(test.0)) == Some(false);
+    if fails { otherwise } else { name }
 }
 
 macro_rules! operators {
@@ -97,9 +85,11 @@ macro_rules! number {
         }
 
         impl $number {
-            fn call(name: &'static str, arguments: &[Self]) -> Self {
+            /// The result of a function of the files.
+            fn call<V: Value<Self>>(name: &'static str, arguments: &[Self]) -> V {
                 let arguments: Vec<_> = arguments.iter().map(|x| x.0).collect();
-                Self(with(|g| g.call(name, &arguments)[0]))
+                let result = with(|g| g.call(name, &arguments));
+                V::take(&mut result.into_iter().map(Self))
             }
         }
 
@@ -140,9 +130,8 @@ macro_rules! number {
             }
 
             fn any_outside(self, low: Self, high: Self) -> bool {
-                let range = (low, high);
-                assert!(range == (Self::ONE / Self::EXTREME, Self::EXTREME), "the range of squares");
-                let test = Self::call("is_extreme", &[self]);
+                assert!([low, high] == [Self::ONE / Self::EXTREME, Self::EXTREME], "the range of squares");
+                let test: Self = Self::call("is_extreme", &[self]);
                 with(|g| g.decide(test.0))
             }
 
@@ -222,23 +211,21 @@ number!(Crossed, {
 
 number!(Expr, {
     fn measured(v: Vec3<Self>) -> Measured<Self> {
-        call("measured", &v.numbers())
+        Self::call("measured", &v.numbers())
     }
 
     fn toward(n: Vec3<Self>, v: Vec3<Self>) -> Toward<Self> {
         let measured = Self::measured(v);
-        Toward {
-            measured,
-            n_dot_w: Self::dot(n, measured.w),
-        }
+        let n_dot_w = Self::dot(n, measured.w);
+        Toward { measured, n_dot_w }
     }
 
     fn between(origin: Vec3<Self>, v: Vec3<Self>) -> Vec3<Self> {
-        call("between", &[origin, v].map(Value::numbers).concat())
+        Self::call("between", &[origin, v].map(Value::numbers).concat())
     }
 
     fn crossed(origin: Vec3<Self>, a: Vec3<Self>, b: Vec3<Self>) -> Vec3<Self> {
-        call("crossed", &[origin, a, b].map(Value::numbers).concat())
+        Self::call("crossed", &[origin, a, b].map(Value::numbers).concat())
     }
 
     fn windowed(
@@ -249,7 +236,7 @@ number!(Expr, {
         is_squared: Above,
     ) -> Dimmed<Self> {
         let name = chosen(is_squared, ["window", "window_gltf"]);
-        let by_window = || light.factor * call(name, &[q, range]);
+        let by_window = || light.factor * Self::call(name, &[q, range]);
         light.factor = call_of_light("falloff", q).unwrap_or_else(by_window);
         light
     }
@@ -265,7 +252,7 @@ number!(Expr, {
         let cosine = Self::dot(-axis, measured.w) / measured.w_length;
         // a soft edge may be smooth, and a hard one is neither
         let name = chosen(is_smooth, ["beam_smoothstep", "beam"]);
-        let by_edges = || call(name, &[cosine, inner, outer]);
+        let by_edges = || Self::call(name, &[cosine, inner, outer]);
         light.factor = light.factor * call_of_light("spot", cosine).unwrap_or_else(by_edges);
         light
     }
