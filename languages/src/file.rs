@@ -79,27 +79,24 @@ fn structure(dialect: &Dialect, kind: Kind) -> String {
     let name = dialect.named(name);
     let [begin, field, end] = dialect.structure;
     let [begin, end] = [begin, end].map(|text| filled(text, &[("name", &name)]));
-    let line = |of: &str, name: &str| {
+    let mut lines = vec![comment(dialect, doc.trim()) + &begin];
+    let mut add = |of: &str, name: &str| {
         let line = filled(field, &[("type", of), ("field", name)]);
-        format!("    {line}\n")
+        lines.push(format!("    {line}"));
     };
     let is_stored = matches!(kind, Kind::Light | Kind::Material);
-    let mut lines = String::new();
     for (i, (name, kind)) in fields.iter().enumerate() {
-        let packed = if is_stored && kind.width() == 3 {
-            dialect.packed
-        } else {
-            ""
-        };
-        lines += &line(&[packed, &dialect.type_of(*kind)].concat(), name);
+        let is_packed = is_stored && kind.width() == 3;
+        let packed = if is_packed { dialect.packed } else { "" };
+        add(&[packed, &dialect.type_of(*kind)].concat(), name);
         let is_followed = fields.get(i + 1).is_some_and(|next| next.1.width() == 1);
         let is_short = kind.width() == 3 && !is_followed || *name == "is_gltf";
         if is_stored && dialect.pads && is_short {
-            lines += &line(dialect.types[0], &format!("padding_{name}"));
+            add(dialect.types[0], &format!("padding_{name}"));
         }
     }
-    let doc = comment(dialect, doc.trim());
-    format!("{doc}{begin}\n{lines}{end}")
+    lines.push(end);
+    lines.join("\n")
 }
 
 /// The books' names for the values of a function, and their formulas.

@@ -39,19 +39,15 @@ pub enum Kind {
 /// Names and kinds of fields.
 type Fields = &'static [(&'static str, Kind)];
 
-const COMPONENTS: Fields = &[
-    ("x", Kind::Number),
-    ("y", Kind::Number),
-    ("z", Kind::Number),
-];
-
 impl Kind {
     /// Its fields or components; a number has none.
     pub(crate) fn parts(self) -> Fields {
-        match self {
-            Self::Number | Self::Positive | Self::Cosine | Self::Fraction | Self::Flag => &[],
-            Self::Pair | Self::Cosines => &COMPONENTS[..2],
-            _ => self.fields().map_or(COMPONENTS, |(_, _, fields)| fields),
+        use Kind::{Cosine, Cosines, Flag, Fraction, Number, Pair, Positive};
+        match (self, self.fields()) {
+            (_, Some((_, _, fields))) => fields,
+            (Number | Positive | Cosine | Fraction | Flag, _) => &[],
+            (Pair | Cosines, _) => &[("x", Number), ("y", Number)],
+            _ => &[("x", Number), ("y", Number), ("z", Number)],
         }
     }
 

@@ -57,12 +57,8 @@ impl<T: Number> Light<T> {
             attenuation,
         };
         let is_smoothstep = usize::from(self.is_smoothstep > T::ZERO);
-        let cone = self.cones()[is_smoothstep];
-        let spot = SpotLight {
-            point,
-            axis: self.axis,
-            cone,
-        };
+        let (axis, cone) = (self.axis, self.cones()[is_smoothstep]);
+        let spot = SpotLight { point, axis, cone };
         let is_spot = self.cosines[0].above(T::NEG_ONE);
         let [spot, point] = [spot.at(p), point.at(p)].map(|light| f(light).numbers());
         let both = spot.into_iter().zip(point);
