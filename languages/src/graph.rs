@@ -141,18 +141,6 @@ impl Graph {
         self.defining == "arrival" || self.defining.starts_with("add_")
     }
 
-    /// Whether a test asks if there is a direction: whether its length is above 0.
-    pub fn is_of_length(&self, test: usize) -> bool {
-        let Node { op, of, .. } = &self.nodes[test];
-        *op == Op::Above && of[1] == ZERO && self.nodes[of[0]].op == Op::Field("w_length")
-    }
-
-    /// Whether a test asks if a light has a range: its window is computed for every light, and may count as 1.
-    pub fn is_of_range(&self, test: usize) -> bool {
-        let Node { op, of, .. } = &self.nodes[test];
-        *op == Op::Above && of[0] == MAX
-    }
-
     /// The answer to a test in this run.
     pub fn decide(&mut self, test: usize) -> bool {
         let assumed = self.assumes.then_some(true);

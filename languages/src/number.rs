@@ -95,7 +95,8 @@ macro_rules! number {
 
         impl Mask<$number> for Above {
             fn any(self) -> bool {
-                with(|g| g.is_of_range(self.0) || g.decide(self.0))
+                // the window is computed without a range, too, and may count as 1
+                with(|g| g.nodes[self.0].of.first() == Some(&MAX) || g.decide(self.0))
             }
 
             fn all(self) -> bool {

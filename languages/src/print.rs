@@ -4,15 +4,13 @@ use std::collections::HashMap;
 use std::mem::take;
 
 use crate::dialect::{Dialect, WGSL, filled};
-use crate::graph::{DOT, MINIMUM, Node, Op, VECTOR};
+use crate::graph::{DOT, Node, Op, VECTOR};
 use crate::kind::Kind;
 use crate::tree::{Recorded, Tree};
 use crate::wrap::wrapped;
 
 /// How strongly an operation binds.
 const CHOICE: u8 = 1;
-const SUM: u8 = 5;
-const SIGN: u8 = 7;
 const ATOM: u8 = 8;
 
 /// The sign of an operation, and how strongly it binds.
@@ -22,8 +20,8 @@ fn operator(op: Op) -> (&'static str, u8) {
         Op::All => ("&&", 3),
         Op::Above => (">", 4),
         Op::AtLeast => (">=", 4),
-        Op::Add => ("+", SUM),
-        Op::Sub => ("-", SUM),
+        Op::Add => ("+", 5),
+        Op::Sub => ("-", 5),
         Op::Mul | Op::Scale => ("*", 6),
         Op::Div => ("/", 6),
         _ => panic!("{op:?} has no sign"),
@@ -261,11 +259,9 @@ impl<'a> Printer<'a> {
         if let Some(name) = self.variables.get(&value) {
             return name.clone();
         }
-        let (text, level) = self.formula(value);
-        if level < least {
-            format!("({text})")
-        } else {
-            text
+        match self.formula(value) {
+            (text, level) if level < least => format!("({text})"),
+            (text, _) => text,
         }
     }
 
@@ -296,11 +292,8 @@ impl<'a> Printer<'a> {
             (Op::Field(name), _) => self.field(&self.text(of[0], ATOM), name),
             (Op::Call(name), _) => call(&[self.prefix, name].concat()),
             (VECTOR, _) => self.vector(of),
-            (MINIMUM, _) if is_vector && self.node(of[1]).kind == Kind::Number => {
-                format!("min({}, {})", self.text(of[0], 0), self.vector(&[of[1]; 3]))
-            }
             (Op::Own(name), _) => call(&(self.dialect.own)(name)),
-            (Op::Neg, _) => return (format!("-{}", self.text(of[0], ATOM)), SIGN),
+            (Op::Neg, _) => return (format!("-{}", self.text(of[0], ATOM)), 7),
             (Op::Select, _) => return self.choice(of),
             _ => return self.operation(*op, of),
         };

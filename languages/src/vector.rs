@@ -56,7 +56,6 @@ impl Graph {
                 (Op::Scale, vec![self.vector(v), s[0]])
             }
             (Op::Div, &[v, s]) if is_uniform(s) => (op, vec![self.vector(v), s[0]]),
-            (MINIMUM, &[v, [MAX, MAX, MAX]]) => (op, vec![self.vector(v), MAX]),
             (Op::Select, &[test, v, w]) if is_uniform(test) => {
                 let [v, w] = [v, w].map(|lanes| self.vector(lanes));
                 return self.choice(test[0], v, w);
@@ -64,6 +63,7 @@ impl Graph {
             (Op::Div | MINIMUM | MAXIMUM, &[v, w]) if self.divides_vectors => {
                 (op, vec![self.vector(v), self.vector(w)])
             }
+            (MINIMUM, &[v, [MAX, MAX, MAX]]) => (op, vec![self.vector(v), MAX]),
             (Op::Add | Op::Sub | Op::Mul, &[v, w]) => {
                 let crossed = self.crossed(op, v, w);
                 let (op, of) = crossed.map_or((op, [v, w]), |of| (Op::Own("cross"), of));
@@ -108,15 +108,15 @@ impl Graph {
         self.add(Op::Select, kind, &[test, then, otherwise])
     }
 
-    /// v, if the choice is v/|v| where it has a direction, and 0 elsewhere.
+    /// v, if the choice is v/|v| where that length is above 0, and 0 elsewhere.
     pub fn normalized(&self, test: usize, then: usize, otherwise: usize) -> Option<usize> {
-        let [then, otherwise] = [then, otherwise].map(|n| &self.nodes[n]);
-        let (Op::Div, &[_, length]) = (then.op, &then.of[..]) else {
+        let [test, then, zero] = [test, then, otherwise].map(|n| &self.nodes[n]);
+        let (&[length, ZERO], Op::Div, &[_, by]) = (&test.of[..], then.op, &then.of[..]) else {
             return None;
         };
-        let is_of_length = self.is_of_length(test) && self.nodes[test].of[0] == length;
-        let is_normalized = is_of_length && otherwise.of == [ZERO; 3];
-        is_normalized.then(|| self.nodes[self.nodes[length].of[0]].of[0])
+        let Node { op, of, .. } = &self.nodes[length];
+        let is_of_length = test.op == Op::Above && *op == Op::Field("w_length");
+        (is_of_length && by == length && zero.of == [ZERO; 3]).then(|| self.nodes[of[0]].of[0])
     }
 
     /// A test and others: all of them, or any.
