@@ -134,6 +134,8 @@ finish() {
 [ "${1-}" != one ] || finish
 
 echo "== instructions of a point light with a real m: by the crate, by the crate as a light of any kind, by the header for C, by it with lamps alone; its bytes of stack"
+# GCC knows that a Cortex-M4 multiplies and adds sooner in two instructions than in one; rustc must be told the processor
+export CARGO_TARGET_THUMBV7EM_NONE_EABIHF_RUSTFLAGS="-C target-cpu=cortex-m4"
 for target in $m4f $m0 $riscv; do
     icount="-icount shift=10"
     [ "$target" != $riscv ] || icount="-icount shift=0"
@@ -144,8 +146,9 @@ for target in $m4f $m0 $riscv; do
     # the lights of the header are of any kind
     within "$target: hundredths of the crate's instructions in C" $((100 * by_the_header / of_any_kind)) 105
     within "$target: hundredths of those of a lamp" $((100 * lamps_alone / by_the_crate)) \
-        $([ "$target" = $m4f ] && echo 107 || echo 100)
+        $([ "$target" = $m4f ] && echo 93 || echo 100)
 done
+unset CARGO_TARGET_THUMBV7EM_NONE_EABIHF_RUSTFLAGS
 
 echo "== the ball, by the crate, by hand and in C: bytes of flash, millions of instructions, pixels that differ from the exact picture"
 # ball TARGET PROGRAM: prints the bytes, the instructions and the digest of the picture
