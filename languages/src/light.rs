@@ -11,7 +11,9 @@ use crate::kind::{Light, Number, Value};
 impl<T: Number> Light<T> {
     /// What dims the light after the distance q: the attenuation and the window of the range.
     pub fn falloff(&self, q: T) -> T {
-        let [within, within_gltf] = self.attenuations().map(|attenuation| attenuation.at(q));
+        // the window is computed without a range, too, and counts as 1
+        let at = |attenuation: Attenuation<T>| assuming(|| attenuation.at(q));
+        let [within, within_gltf] = self.attenuations().map(at);
         self.is_gltf.above(T::ZERO).select(within_gltf, within)
     }
 

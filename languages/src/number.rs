@@ -95,8 +95,7 @@ macro_rules! number {
 
         impl Mask<$number> for Above {
             fn any(self) -> bool {
-                // the window is computed without a range, too, and may count as 1
-                with(|g| g.nodes[self.0].of.first() == Some(&MAX) || g.decide(self.0))
+                with(|g| g.decide(self.0))
             }
 
             fn all(self) -> bool {
