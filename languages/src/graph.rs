@@ -153,11 +153,8 @@ impl Graph {
     }
 
     pub fn known(&self, test: usize) -> Option<bool> {
-        let of_path = || self.path.iter().find(|(known, _)| *known == test);
-        match test {
-            ZERO | ONE => Some(test == ONE),
-            _ => of_path().map(|(_, answer)| *answer),
-        }
+        let mut known = [(ONE, true), (ZERO, false)].iter().chain(&self.path);
+        known.find(|known| known.0 == test).map(|known| known.1)
     }
 
     fn known_number(&self, n: usize) -> Option<f32> {
