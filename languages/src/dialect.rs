@@ -6,10 +6,8 @@ use crate::kind::Kind;
 /// A language. In the texts, `{type}`, `{name}` and the like stand for what is meant.
 #[derive(Debug)]
 pub struct Dialect {
-    /// What stands before the names of the functions and the types.
-    pub prefix: &'static str,
-    /// What stands before them in a call from another file.
-    pub namespace: &'static str,
+    /// What stands before the names of the functions and the types: in the file, and after it.
+    pub prefix: [&'static str; 2],
     /// The types of one number, two and three, and what makes three a vector.
     pub types: [&'static str; 4],
     /// What stands before the type of three numbers in a buffer.
@@ -50,8 +48,7 @@ pub struct Dialect {
 
 /// What most languages for graphics have in common.
 const GRAPHICS: Dialect = Dialect {
-    prefix: "shading_",
-    namespace: "",
+    prefix: ["shading_"; 2],
     types: ["float", "float2", "float3", "float3"],
     packed: "",
     comment: ["// ", ""],
@@ -123,8 +120,7 @@ pub const HLSL: Dialect = Dialect {
 
 /// The Metal Shading Language.
 pub const METAL: Dialect = Dialect {
-    prefix: "",
-    namespace: "shading::",
+    prefix: ["", "shading::"],
     packed: "packed_",
     function: "inline {type} {name}({parameters}) {",
     suffix: "f",
@@ -174,7 +170,7 @@ pub const C: Dialect = Dialect {
 impl Dialect {
     /// The name of a function or a type of the files, where it is defined.
     pub(crate) fn named(&self, name: &str) -> String {
-        format!("{}{name}", self.prefix)
+        format!("{}{name}", self.prefix[0])
     }
 
     pub(crate) fn type_of(&self, kind: Kind) -> String {

@@ -53,7 +53,7 @@ pub fn text(dialect: &'static Dialect) -> String {
         ("built_in", texts(BUILT_IN_POWERS)),
         ("functions", texts(others)),
         ("inline", inline.into()),
-        ("prefix", dialect.prefix.into()),
+        ("prefix", dialect.prefix[0].into()),
         ("bits", dialect.bits[0].into()),
         ("of_bits", dialect.bits[1].into()),
         ("low", dialect.number(ends[0])),
@@ -115,7 +115,7 @@ fn function_text(dialect: &'static Dialect, function: &Function) -> String {
     let (parameters, result) = (function.parameters, function.result);
     let recorded = Recorded::new(dialect, name, parameters, result, &function.record);
     let own = dialect.named(name);
-    let text = printed(dialect, &recorded, &own, dialect.prefix, &names(name));
+    let text = printed(dialect, &recorded, &own, dialect.prefix[0], &names(name));
     comment(dialect, function.doc.trim()) + &text
 }
 

@@ -83,7 +83,7 @@ fn text(
             formula(&numbers).iter().map(|x| x.0).collect()
         };
         let recorded = Recorded::new(dialect, "", parameters, result, &record);
-        let prefix = [dialect.namespace, dialect.prefix].concat();
-        printed(dialect, &recorded, &[name, end].concat(), &prefix, &[]) + "\n"
+        let (name, [_, prefix]) = ([name, end].concat(), dialect.prefix);
+        printed(dialect, &recorded, &name, prefix, &[]) + "\n"
     }
 }
