@@ -49,23 +49,13 @@ fn chosen(test: Above, [name, otherwise]: [&'static str; 2]) -> &'static str {
     if fails { otherwise } else { name }
 }
 
-macro_rules! operators {
-    ($number:ident: $($trait:ident::$method:ident)*) => {$(
+/// Operations that are recorded as they are called.
+macro_rules! operations {
+    ($number:ident $trait:ident $(($output:ident))?: $($method:ident($($other:ident)?) $op:expr),*) => {
         impl $trait for $number {
-            type Output = Self;
-            fn $method(self, other: Self) -> Self {
-                Self(with(|g| g.number(Op::$trait, &[self.0, other.0])))
-            }
-        }
-    )*};
-}
-
-macro_rules! elementary {
-    ($number:ident: $($method:ident($($other:ident)?) $function:literal)*) => {
-        impl Elementary for $number {
+            $(type $output = Self;)?
             $(fn $method(self $(, $other: Self)?) -> Self {
-                let of = [self.0 $(, $other.0)?];
-                Self(with(|g| g.add(Op::Own($function), Kind::Number, &of)))
+                Self(with(|g| g.number($op, &[self.0 $(, $other.0)?])))
             })*
         }
     };
@@ -73,16 +63,14 @@ macro_rules! elementary {
 
 macro_rules! number {
     ($number:ident, { $($hooks:item)* }) => {
-        operators!($number: Add::add Sub::sub Mul::mul Div::div);
-        elementary!($number: sin() "sin" cos() "cos" tan() "tan" atan2(x) "atan2" exp() "exp" ln() "log"
-            powf(exponent) "pow" abs() "abs");
-
-        impl Neg for $number {
-            type Output = Self;
-            fn neg(self) -> Self {
-                Self(with(|g| g.number(Op::Neg, &[self.0])))
-            }
-        }
+        operations!($number Add(Output): add(x) Op::Add);
+        operations!($number Sub(Output): sub(x) Op::Sub);
+        operations!($number Mul(Output): mul(x) Op::Mul);
+        operations!($number Div(Output): div(x) Op::Div);
+        operations!($number Neg(Output): neg() Op::Neg);
+        operations!($number Elementary: sin() Op::Own("sin"), cos() Op::Own("cos"), tan() Op::Own("tan"),
+            atan2(x) Op::Own("atan2"), exp() Op::Own("exp"), ln() Op::Own("log"), powf(exponent) Op::Own("pow"),
+            abs() Op::Own("abs"));
 
         impl $number {
             /// The result of a function of the files.
