@@ -171,6 +171,11 @@ impl Random {
                 let sign = self.one_of(&[1.0, -1.0]);
                 self.one_of(&DIRECTIONS).map(|x| x * sign).to_vec()
             }
+            // two of these may be further apart than numbers go
+            Kind::Vector if self.is_made_finite && self.bits() % 4 == 0 => {
+                let size = self.one_of(&[2_f32.powi(127), -2_f32.powi(127)]);
+                self.one_of(&DIRECTIONS).map(|x| x * size).to_vec()
+            }
             Kind::Vector => {
                 let of: &[[f32; 3]] = match self.bits() & 1 {
                     0 => &DIRECTIONS,
