@@ -57,7 +57,7 @@ const CONSTANTS: [f32; 5] = [0.0, 1.0, -1.0, f32::MAX, f32::from_bits((127 + 100
 pub struct Graph {
     pub nodes: Vec<Node>,
     index: HashMap<Node, usize>,
-    /// The function that is recorded: a call of it is written out.
+    /// The function that is recorded.
     pub defining: &'static str,
     /// Whether the language has quotients, minima and maxima of vectors.
     pub divides_vectors: bool,

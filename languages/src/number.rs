@@ -12,7 +12,8 @@ use crate::kind::{Kind, Value};
 
 /// A number that records the formula which computes it.
 ///
-/// The hooks of [`Real`] are recorded as calls of functions that the files define.
+/// The hooks of [`Real`] are recorded as calls of functions that the files define. A comparison is recorded, too,
+/// and decides which path is recorded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expr(pub(crate) usize);
 
@@ -24,16 +25,6 @@ pub(crate) struct Inline(pub usize);
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Crossed(pub usize);
 
-/// Where a comparison holds.
-#[derive(Clone, Copy, Debug)]
-pub struct Above(usize);
-
-/// The answer to a comparison.
-fn decide(op: Op, left: usize, right: usize) -> bool {
-    let test = with(|g| g.number(op, &[left, right]));
-    with(|g| g.decide(test))
-}
-
 /// The result of a function that takes the light and a number, where the function that is recorded takes a light.
 fn call_of_light(name: &'static str, x: Expr) -> Option<Expr> {
     with(|g| g.is_lit()).then(|| {
@@ -44,7 +35,7 @@ fn call_of_light(name: &'static str, x: Expr) -> Option<Expr> {
 }
 
 /// One of two names: the second, if a test is known to fail.
-fn chosen(test: Above, [name, otherwise]: [&'static str; 2]) -> &'static str {
+fn chosen(test: Expr, [name, otherwise]: [&'static str; 2]) -> &'static str {
     let fails = with(|g| g.known(test.0)) == Some(false);
     if fails { otherwise } else { name }
 }
@@ -81,22 +72,22 @@ macro_rules! number {
             }
         }
 
-        impl Mask<$number> for Above {
+        impl Mask<Self> for $number {
             fn any(self) -> bool {
                 with(|g| g.decide(self.0))
             }
 
             fn all(self) -> bool {
-                with(|g| g.decide(self.0))
+                self.any()
             }
 
-            fn select(self, then: $number, otherwise: $number) -> $number {
-                $number(with(|g| g.select(self.0, then.0, otherwise.0)))
+            fn select(self, then: Self, otherwise: Self) -> Self {
+                Self(with(|g| g.select(self.0, then.0, otherwise.0)))
             }
         }
 
         impl Real for $number {
-            type Mask = Above;
+            type Mask = Self;
             type Sum = Rgb<Self>;
             const ZERO: Self = Self(ZERO);
             const ONE: Self = Self(ONE);
@@ -113,14 +104,13 @@ macro_rules! number {
                 Self(with(|g| g.add(Op::Own("sqrt"), Kind::Number, &[self.0])))
             }
 
-            fn above(self, other: Self) -> Above {
-                Above(with(|g| g.number(Op::Above, &[self.0, other.0])))
+            fn above(self, other: Self) -> Self {
+                Self(with(|g| g.number(Op::Above, &[self.0, other.0])))
             }
 
             fn any_outside(self, low: Self, high: Self) -> bool {
                 assert!([low, high] == [Self::ONE / Self::EXTREME, Self::EXTREME], "the range of squares");
-                let test: Self = Self::call("is_extreme", &[self]);
-                with(|g| g.decide(test.0))
+                Self::call::<Self>("is_extreme", &[self]).any()
             }
 
             fn finite(self) -> Self {
@@ -170,7 +160,7 @@ macro_rules! number {
             }
 
             fn gt(&self, other: &Self) -> bool {
-                decide(Op::Above, self.0, other.0)
+                self.above(*other).any()
             }
 
             fn lt(&self, other: &Self) -> bool {
@@ -178,7 +168,7 @@ macro_rules! number {
             }
 
             fn ge(&self, other: &Self) -> bool {
-                decide(Op::AtLeast, self.0, other.0)
+                Self(with(|g| g.number(Op::AtLeast, &[self.0, other.0]))).any()
             }
 
             fn le(&self, other: &Self) -> bool {
@@ -221,7 +211,7 @@ number!(Expr, {
         _v: Vec3<Self>,
         q: Self,
         range: Self,
-        is_squared: Above,
+        is_squared: Self,
     ) -> Dimmed<Self> {
         let name = chosen(is_squared, ["window", "window_gltf"]);
         let by_window = || light.factor * Self::call(name, &[q, range]);
@@ -233,7 +223,7 @@ number!(Expr, {
         mut light: Dimmed<Self>,
         axis: Vec3<Self>,
         [inner, outer]: [Self; 2],
-        is_smooth: Above,
+        is_smooth: Self,
         _v: Vec3<Self>,
         measured: &Measured<Self>,
     ) -> Dimmed<Self> {
