@@ -4,9 +4,8 @@ use shading::{Real, Rgb};
 
 use crate::dialect::{C, Dialect, GLSL, HLSL, METAL, WGSL, WGSL_EXACT, filled};
 use crate::kind::Kind;
-use crate::print::printed;
+use crate::print::function;
 use crate::table::{BUILT_IN_POWERS, Function, functions};
-use crate::tree::Recorded;
 
 const FILES: [(&str, &Dialect); 6] = [
     ("shading.wgsl", &WGSL),
@@ -99,24 +98,17 @@ fn structure(dialect: &Dialect, kind: Kind) -> String {
     lines.join("\n")
 }
 
-/// The books' names for the values of a function, and their formulas.
-fn names(function: &str) -> Vec<(&'static str, &'static str)> {
-    let sections = include_str!("names.txt").split("\n[").skip(1);
-    let of = |section: &'static str| {
-        let (title, lines) = section.split_once("]\n")?;
-        let lines = lines.lines().filter_map(|line| line.split_once(" = "));
-        function.starts_with(title).then_some(lines)
-    };
-    sections.filter_map(of).flatten().collect()
-}
-
-fn function_text(dialect: &'static Dialect, function: &Function) -> String {
-    let name = function.name;
-    let (parameters, result) = (function.parameters, function.result);
-    let recorded = Recorded::new(dialect, name, parameters, result, &function.record);
-    let own = dialect.named(name);
-    let text = printed(dialect, &recorded, &own, dialect.prefix[0], &names(name));
-    comment(dialect, function.doc.trim()) + &text
+fn function_text(dialect: &'static Dialect, of: &Function) -> String {
+    let name = dialect.named(of.name);
+    let text = function(
+        dialect,
+        of.name,
+        &name,
+        of.parameters,
+        of.result,
+        &of.record,
+    );
+    comment(dialect, of.doc.trim()) + &text
 }
 
 /// The least number of each level but 0, found by bisection.

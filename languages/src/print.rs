@@ -4,9 +4,9 @@ use std::collections::HashMap;
 use std::mem::take;
 
 use crate::dialect::{Dialect, WGSL, filled};
-use crate::graph::{DOT, Node, Op, VECTOR};
+use crate::graph::{DOT, Graph, Node, Op, VECTOR};
 use crate::kind::Kind;
-use crate::tree::{Recorded, Tree};
+use crate::tree::{Tree, recorded};
 use crate::wrap::wrapped;
 
 /// How strongly an operation binds.
@@ -28,11 +28,11 @@ fn operator(op: Op) -> (&'static str, u8) {
     }
 }
 
-pub struct Printer<'a> {
+struct Printer<'a> {
     dialect: &'static Dialect,
-    function: &'a Recorded<'a>,
-    /// What stands before the functions of the files that it calls.
-    prefix: &'a str,
+    parameters: &'a [(&'static str, Kind)],
+    result: Kind,
+    graph: &'a Graph,
     /// The names that the books have for values.
     names: HashMap<usize, String>,
     /// The values that have a variable, and its name.
@@ -41,25 +41,39 @@ pub struct Printer<'a> {
     out: String,
 }
 
-/// The text of a function, given its name, what stands before those that it calls, and the books' names for values
-/// and their formulas in WGSL.
-pub fn printed(
+/// The books' names for the values of a function, and their formulas.
+fn names(function: &str) -> Vec<(&'static str, &'static str)> {
+    let sections = include_str!("names.txt").split("\n[").skip(1);
+    let of = |section: &'static str| {
+        let (title, lines) = section.split_once("]\n")?;
+        let lines = lines.lines().filter_map(|line| line.split_once(" = "));
+        function.starts_with(title).then_some(lines)
+    };
+    sections.filter_map(of).flatten().collect()
+}
+
+/// The text of a function: one of the files that is recorded, or a user's, which is called another name.
+pub fn function(
     dialect: &'static Dialect,
-    function: &Recorded,
+    defining: &'static str,
     name: &str,
-    prefix: &str,
-    names: &[(&str, &str)],
+    parameters: &[(&'static str, Kind)],
+    result: Kind,
+    formula: &dyn Fn(&[usize]) -> Vec<usize>,
 ) -> String {
+    let (graph, tree) = recorded(dialect, defining, parameters, result, formula);
     let mut printer = Printer {
         dialect: &WGSL,
-        function,
-        prefix: "",
+        parameters,
+        result,
+        graph: &graph,
         names: HashMap::new(),
         variables: HashMap::new(),
         uses: HashMap::new(),
         out: String::new(),
     };
-    for value in 0..function.graph.nodes.len() {
+    let names = names(defining);
+    for value in 0..graph.nodes.len() {
         let text = printer.formula(value).0;
         let is_formula = |formula: &str| match formula.split_once("...") {
             Some((beginning, end)) => text.starts_with(beginning) && text.ends_with(end),
@@ -70,10 +84,10 @@ pub fn printed(
         }
     }
     printer.names = take(&mut printer.variables);
-    (printer.dialect, printer.prefix) = (dialect, prefix);
-    printer.count(&function.tree, &[]);
+    printer.dialect = dialect;
+    printer.count(&tree, &[]);
     printer.head(name);
-    printer.tree(&function.tree, "    ");
+    printer.tree(&tree, "    ");
     printer.out + "}"
 }
 
@@ -91,9 +105,9 @@ impl<'a> Printer<'a> {
                 &[("type", &self.dialect.type_of(*kind)), ("name", name)],
             )
         };
-        let parameters: Vec<_> = self.function.parameters.iter().map(parameter).collect();
+        let parameters: Vec<_> = self.parameters.iter().map(parameter).collect();
         let parameters = parameters.join(", ");
-        let result = self.dialect.type_of(self.function.result);
+        let result = self.dialect.type_of(self.result);
         let of = changed.map_or(&result[..], |_| "void");
         let places = [("type", of), ("name", name), ("parameters", &parameters)];
         self.line("", &filled(self.dialect.function, &places));
@@ -102,14 +116,14 @@ impl<'a> Printer<'a> {
     /// The parameter that is changed in place of a result, where structs are passed by pointers.
     fn changed(&self) -> Option<&'static str> {
         self.dialect.pointers?;
-        self.function.result.fields()?;
-        let mut parameters = self.function.parameters.iter();
-        let changed = parameters.find(|parameter| parameter.1 == self.function.result)?;
+        self.result.fields()?;
+        let mut parameters = self.parameters.iter();
+        let changed = parameters.find(|parameter| parameter.1 == self.result)?;
         Some(changed.0)
     }
 
     fn node(&self, value: usize) -> &'a Node {
-        &self.function.graph.nodes[value]
+        &self.graph.nodes[value]
     }
 
     /// Counts how often each value is used on the path on which it is used most.
@@ -194,7 +208,7 @@ impl<'a> Printer<'a> {
     /// Returns a result, given its fields.
     fn returned(&mut self, results: &[usize], indent: &str) {
         let texts: Vec<_> = results.iter().map(|value| self.text(*value, 0)).collect();
-        let Some((name, _, fields)) = self.function.result.fields() else {
+        let Some((name, _, fields)) = self.result.fields() else {
             return self.line(indent, &format!("return {};", texts[0]));
         };
         let places =
@@ -268,7 +282,7 @@ impl<'a> Printer<'a> {
     /// A field of what has a text.
     fn field(&self, of: &str, field: &str) -> String {
         let is_pointer = |(name, kind): &(&str, Kind)| *name == of && kind.fields().is_some();
-        let is_pointer = self.function.parameters.iter().any(is_pointer);
+        let is_pointer = self.parameters.iter().any(is_pointer);
         let arrow = self.dialect.pointers.filter(|_| is_pointer);
         format!("{of}{}{field}", arrow.map_or(".", |[.., arrow]| arrow))
     }
@@ -290,7 +304,11 @@ impl<'a> Printer<'a> {
             (Op::Parameter(name), _) => name.into(),
             (Op::Constant(bits), _) => self.dialect.number(f32::from_bits(bits)),
             (Op::Field(name), _) => self.field(&self.text(of[0], ATOM), name),
-            (Op::Call(name), _) => call(&[self.prefix, name].concat()),
+            (Op::Call(name), _) => {
+                // a user's function stands after the file
+                let is_users = self.graph.defining.is_empty();
+                call(&[self.dialect.prefix[usize::from(is_users)], name].concat())
+            }
             (VECTOR, _) => self.vector(of),
             (Op::Own(name), _) => call(&(self.dialect.own)(name)),
             (Op::Neg, _) => return (format!("-{}", self.text(of[0], ATOM)), 7),

@@ -5,8 +5,7 @@ use shading::{Dual, Vec3, normal};
 use crate::dialect::Dialect;
 use crate::kind::{Kind, Value};
 use crate::number::Expr;
-use crate::print::printed;
-use crate::tree::Recorded;
+use crate::print::function;
 
 /// Writes two functions for the implicit surface f(p) = 0: `name(p)`, which is f, and `name_normal(p)`, its exact
 /// normal, which is 0 where there is none.
@@ -82,8 +81,7 @@ fn text(
             let numbers: Vec<_> = numbers.iter().copied().map(Expr).collect();
             formula(&numbers).iter().map(|x| x.0).collect()
         };
-        let recorded = Recorded::new(dialect, "", parameters, result, &record);
-        let (name, [_, prefix]) = ([name, end].concat(), dialect.prefix);
-        printed(dialect, &recorded, &name, prefix, &[]) + "\n"
+        let name = [name, end].concat();
+        function(dialect, "", &name, parameters, result, &record) + "\n"
     }
 }

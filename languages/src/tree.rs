@@ -6,42 +6,27 @@ use crate::dialect::Dialect;
 use crate::graph::{Graph, Op, with};
 use crate::kind::Kind;
 
-/// A function that was recorded.
-pub struct Recorded<'a> {
-    pub parameters: &'a [(&'static str, Kind)],
-    pub result: Kind,
-    pub graph: Graph,
-    pub tree: Tree,
-}
-
-impl<'a> Recorded<'a> {
-    /// Records the formula of a function of the files, or of one without a name, which takes the numbers of the
-    /// parameters.
-    pub fn new(
-        dialect: &Dialect,
-        defining: &'static str,
-        parameters: &'a [(&'static str, Kind)],
-        result: Kind,
-        formula: &dyn Fn(&[usize]) -> Vec<usize>,
-    ) -> Self {
-        let divides_vectors = dialect.vector_functions.is_empty();
-        with(|g| g.begin(defining, divides_vectors));
-        let numbers = |(name, kind): &(&'static str, Kind)| with(|g| g.parameter(name, *kind));
-        let numbers: Vec<_> = parameters.iter().flat_map(numbers).collect();
-        let whole = [("", result)];
-        let fields = result.fields().map_or(&whole[..], |(_, _, fields)| fields);
-        let results = || {
-            let results = formula(&numbers);
-            with(|g| g.values(fields, &results))
-        };
-        let tree = explore(&results, &[]);
-        Self {
-            parameters,
-            result,
-            graph: with(take),
-            tree,
-        }
-    }
+/// Records the formula of a function of the files, or of one without a name, which takes the numbers of the
+/// parameters.
+pub fn recorded(
+    dialect: &Dialect,
+    defining: &'static str,
+    parameters: &[(&'static str, Kind)],
+    result: Kind,
+    formula: &dyn Fn(&[usize]) -> Vec<usize>,
+) -> (Graph, Tree) {
+    let divides_vectors = dialect.vector_functions.is_empty();
+    with(|g| g.begin(defining, divides_vectors));
+    let numbers = |(name, kind): &(&'static str, Kind)| with(|g| g.parameter(name, *kind));
+    let numbers: Vec<_> = parameters.iter().flat_map(numbers).collect();
+    let whole = [("", result)];
+    let fields = result.fields().map_or(&whole[..], |(_, _, fields)| fields);
+    let results = || {
+        let results = formula(&numbers);
+        with(|g| g.values(fields, &results))
+    };
+    let tree = explore(&results, &[]);
+    (with(take), tree)
 }
 
 #[derive(Clone, Debug, PartialEq)]
