@@ -157,21 +157,16 @@ impl Graph {
         known.find(|known| known.0 == test).map(|known| known.1)
     }
 
-    fn known_number(&self, n: usize) -> Option<f32> {
-        match self.nodes[n].op {
-            Op::Constant(bits) => Some(f32::from_bits(bits)),
-            _ => None,
-        }
-    }
-
     /// An operation on one number or two.
     pub fn number(&mut self, op: Op, of: &[usize]) -> usize {
-        let known: Option<Vec<_>> = of.iter().map(|n| self.known_number(*n)).collect();
-        if let Some(known) = known.and_then(|numbers| computed(op, &numbers)) {
+        let (a, b) = (of[0], of[of.len() - 1]);
+        let [x, y] = [a, b].map(|n| match self.nodes[n].op {
+            Op::Constant(bits) => Some(f32::from_bits(bits)),
+            _ => None,
+        });
+        if let Some(known) = x.zip(y).and_then(|(x, y)| computed(op, x, y)) {
             return self.constant(known);
         }
-        let (a, b) = (of[0], of[of.len() - 1]);
-        let [x, y] = [a, b].map(|n| self.known_number(n));
         let [left, right] = [a, b].map(|n| self.nodes[n].clone());
         match (op, x, y) {
             (Op::Neg, ..) if left.op == Op::Neg => left.of[0],
@@ -236,14 +231,14 @@ impl Graph {
 }
 
 /// The result of an operation on known numbers; a comparison gives 1 or 0.
-fn computed(op: Op, numbers: &[f32]) -> Option<f32> {
-    Some(match (op, numbers) {
-        (Op::Neg, [x]) => -x,
-        (Op::Add, [x, y]) => x + y,
-        (Op::Sub, [x, y]) => x - y,
-        (Op::Mul, [x, y]) => x * y,
-        (Op::Div, [x, y]) => x / y,
-        (Op::Above, [x, y]) => f32::from(x > y),
+fn computed(op: Op, x: f32, y: f32) -> Option<f32> {
+    Some(match op {
+        Op::Neg => -x,
+        Op::Add => x + y,
+        Op::Sub => x - y,
+        Op::Mul => x * y,
+        Op::Div => x / y,
+        Op::Above => f32::from(x > y),
         _ => return None,
     })
 }
