@@ -28,12 +28,10 @@ impl<T: Number> Light<T> {
     /// With a range, and with a range of glTF.
     fn attenuations(&self) -> [Attenuation<T>; 2] {
         let Rgb { r: a, g: b, b: c } = self.coefficients;
+        let (limit, range) = (self.limit, self.range);
         let both = assuming(|| {
-            let falloff = Attenuation::new(a, b, c)?.clamped_to(self.limit)?;
-            Some([
-                falloff.within(self.range)?,
-                falloff.within_gltf(self.range)?,
-            ])
+            let falloff = Attenuation::new(a, b, c)?.clamped_to(limit)?;
+            Some([falloff.within(range)?, falloff.within_gltf(range)?])
         });
         both.expect("the numbers of an attenuation")
     }

@@ -100,10 +100,8 @@ impl<'a> Printer<'a> {
                 Some([form, ..]) if kind.fields().is_some() => form,
                 _ => self.dialect.parameter,
             };
-            filled(
-                form,
-                &[("type", &self.dialect.type_of(*kind)), ("name", name)],
-            )
+            let of = self.dialect.type_of(*kind);
+            filled(form, &[("type", &of), ("name", name)])
         };
         let parameters: Vec<_> = self.parameters.iter().map(parameter).collect();
         let parameters = parameters.join(", ");
