@@ -46,45 +46,43 @@ impl Graph {
         if [x.op, y.op, z.op] == ["x", "y", "z"].map(Op::Field) && x.of == y.of && y.of == z.of {
             return x.of[0];
         }
-        let Some((op, lanes)) = self.by_lane(numbers) else {
-            return self.add(VECTOR, Kind::Vector, &numbers);
-        };
+        let (op, lanes) = self.by_lane(numbers);
         let is_uniform = |lanes: [usize; 3]| lanes == [lanes[0]; 3];
-        let (op, of) = match (op, &lanes[..]) {
-            (Op::Neg, &[v]) => (op, vec![self.vector(v)]),
-            (Op::Mul, &[v, s] | &[s, v]) if is_uniform(s) => {
-                (Op::Scale, vec![self.vector(v), s[0]])
-            }
-            (Op::Div, &[v, s]) if is_uniform(s) => (op, vec![self.vector(v), s[0]]),
+        let (op, vectors, number) = match (op, &lanes[..]) {
+            (Op::Neg, _) => (op, lanes, None),
+            (Op::Mul, &[v, s] | &[s, v]) if is_uniform(s) => (Op::Scale, vec![v], Some(s[0])),
+            (Op::Div, &[v, s]) if is_uniform(s) => (op, vec![v], Some(s[0])),
             (Op::Select, &[test, v, w]) if is_uniform(test) => {
                 let [v, w] = [v, w].map(|lanes| self.vector(lanes));
                 return self.choice(test[0], v, w);
             }
-            (Op::Div | MINIMUM | MAXIMUM, &[v, w]) if self.divides_vectors => {
-                (op, vec![self.vector(v), self.vector(w)])
-            }
-            (MINIMUM, &[v, [MAX, MAX, MAX]]) => (op, vec![self.vector(v), MAX]),
-            (Op::Add | Op::Sub | Op::Mul, &[v, w]) => {
-                let crossed = self.crossed(op, v, w);
-                let (op, of) = crossed.map_or((op, [v, w]), |of| (Op::Own("cross"), of));
-                (op, of.map(|lanes| self.vector(lanes)).to_vec())
-            }
-            _ => (VECTOR, numbers.to_vec()),
+            (Op::Div | MINIMUM | MAXIMUM, _) if self.divides_vectors => (op, lanes, None),
+            (MINIMUM, &[v, [MAX, MAX, MAX]]) => (op, vec![v], Some(MAX)),
+            (Op::Add | Op::Sub | Op::Mul, &[v, w]) => match self.crossed(op, v, w) {
+                Some(of) => (Op::Own("cross"), of.to_vec(), None),
+                None => (op, lanes, None),
+            },
+            _ => return self.add(VECTOR, Kind::Vector, &numbers),
         };
+        let vectors = vectors.into_iter().map(|lanes| self.vector(lanes));
+        let of: Vec<_> = vectors.chain(number).collect();
         self.add(op, Kind::Vector, &of)
     }
 
     /// The operation that gives each of three numbers, and what it takes for the three.
-    fn by_lane(&self, numbers: [usize; 3]) -> Option<(Op, Vec<[usize; 3]>)> {
+    fn by_lane(&self, numbers: [usize; 3]) -> (Op, Vec<[usize; 3]>) {
         let [x, y, z] = numbers.map(|n| &self.nodes[n]);
+        if [y.op, z.op] != [x.op; 2] {
+            return (VECTOR, vec![]);
+        }
         let lanes = (0..x.of.len()).map(|i| [x.of[i], y.of[i], z.of[i]]);
-        ([y.op, z.op] == [x.op; 2]).then(|| (x.op, lanes.collect()))
+        (x.op, lanes.collect())
     }
 
     /// v and w, if the differences of two times three products are v × w.
     fn crossed(&self, op: Op, left: [usize; 3], right: [usize; 3]) -> Option<[[usize; 3]; 2]> {
-        let [plus, minus] = [left, right].map(|side| self.by_lane(side));
-        let ((Op::Mul, plus), (Op::Mul, minus), Op::Sub) = (plus?, minus?, op) else {
+        let sides = [left, right].map(|side| self.by_lane(side));
+        let (Op::Sub, [(Op::Mul, plus), (Op::Mul, minus)]) = (op, sides) else {
             return None;
         };
         let ([v_y, v_z, v_x], [w_z, w_x, w_y]) = (plus[0], plus[1]);
