@@ -99,15 +99,9 @@ fn structure(dialect: &Dialect, kind: Kind) -> String {
 }
 
 fn function_text(dialect: &'static Dialect, of: &Function) -> String {
+    let (parameters, result) = (of.parameters, of.result);
     let name = dialect.named(of.name);
-    let text = function(
-        dialect,
-        of.name,
-        &name,
-        of.parameters,
-        of.result,
-        &of.record,
-    );
+    let text = function(dialect, of.name, &name, parameters, result, &of.record);
     comment(dialect, of.doc.trim()) + &text
 }
 

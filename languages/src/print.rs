@@ -52,7 +52,7 @@ fn names(function: &str) -> Vec<(&'static str, &'static str)> {
     sections.filter_map(of).flatten().collect()
 }
 
-/// The text of a function: one of the files that is recorded, or a user's, which is called another name.
+/// The text of a function with the given name: of the one of the files that is defined, or of a user's.
 pub fn function(
     dialect: &'static Dialect,
     defining: &'static str,
