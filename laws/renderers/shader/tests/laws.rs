@@ -3,13 +3,9 @@
 use shader::{PHONG, Shader};
 use shading_laws::{Laws, check};
 
-fn shader(wgsl: &str) -> Shader {
-    Shader::new(wgsl).expect("a Vulkan device, if only Mesa's")
-}
-
 #[test]
 fn the_shader_follows_the_laws() {
-    check(shader(PHONG));
+    check(Shader::new(PHONG));
 }
 
 /// The right code, a usual mistake in its place, and its name.
@@ -38,7 +34,7 @@ const MISTAKES: [(&str, &str, &str); 10] = [
 fn usual_mistakes_are_found_and_named() {
     for (right, wrong, mistake) in MISTAKES {
         assert_eq!(PHONG.matches(right).count(), 1, "{right}");
-        let mut shader = shader(&PHONG.replace(right, wrong));
+        let mut shader = Shader::new(&PHONG.replace(right, wrong));
         let report = Laws::default().run(&mut shader).expect("colors");
         let cause = report.findings[0].cause.as_ref().expect("a cause");
         let named = cause.mistake.map(|fault| fault.id());
