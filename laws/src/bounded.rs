@@ -46,14 +46,9 @@ impl Bounded {
         Self { value, error, u }
     }
 
-    /// A number that a renderer may compute with an error of some units of u.
-    pub fn computed(value: f64, units: f64, u: f64) -> Self {
-        Self::rounded(value, 0.0, units, u)
-    }
-
     /// The result of an operation that loses `units` of u. The errors of its operands alone would
     /// make it wrong by `error`.
-    fn rounded(value: f64, error: f64, units: f64, u: f64) -> Self {
+    pub fn rounded(value: f64, error: f64, units: f64, u: f64) -> Self {
         let mut error = error + units * u * value.abs();
         if value != 0.0 && value.abs() - error <= underflow(u) {
             error += underflow(u);

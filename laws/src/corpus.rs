@@ -1,5 +1,7 @@
 //! The edges that are known: fixed scenes, which each law tries before any random one.
 
+use std::collections::BTreeSet;
+
 use crate::profile::Profile;
 use crate::scene::{Kind, Light, Model, Scene, Triple, add, scale};
 
@@ -159,11 +161,9 @@ impl Corpus<'_> {
         let (l, v) = ([0.6, 0.0, 0.8], [-0.6, 0.0, 0.8]);
         for light in self.kinds(l, [0.5, 0.75, 0.25]) {
             let scene = Self::scene(UP, v, 8.0, vec![light]);
-            for lack in [[0.0, 1.0, 1.0], [1.0, 0.0, 1.0], [1.0, 1.0, 0.0]] {
+            for lack in 0..3 {
                 let mut scene = scene.clone();
-                scene.k_a = scale(scene.k_a, lack[0]);
-                scene.k_d = scale(scene.k_d, lack[1]);
-                scene.k_s = scale(scene.k_s, lack[2]);
+                *[&mut scene.k_a, &mut scene.k_d, &mut scene.k_s][lack] = BLACK;
                 self.add(&scene);
             }
         }
@@ -190,10 +190,8 @@ impl Corpus<'_> {
 
     /// Lamps near and far, attenuated by one coefficient alone, at a point away from the origin.
     fn lamps(&mut self) {
-        let kinds = [Kind::Point, Kind::Spot]
-            .into_iter()
-            .filter(|kind| self.profile.has(*kind));
-        let kinds: Vec<Kind> = kinds.collect();
+        let mut kinds = vec![Kind::Point, Kind::Spot];
+        kinds.retain(|kind| self.profile.has(*kind));
         let distances = [
             0.00002, 0.0001, 0.001, 0.005, 0.05, 0.5, 1.0, 2.0, 8.0, 40.0, 300.0, 1500.0, 12000.0,
             30000.0,
@@ -239,9 +237,6 @@ impl Corpus<'_> {
 
     /// Points within and outside a cone, nearer to its edge than a degree, and angles of whole degrees and others.
     fn spots(&mut self) {
-        if !self.profile.has(Kind::Spot) {
-            return;
-        }
         for degrees in [5.0, 10.0, 22.5, 30.0, 37.9, 45.0, 59.3, 75.6, 89.5, 90.0] {
             for beyond in [-40.0, -2.0, -0.3, 0.3, 2.0] {
                 let off: f64 = degrees + beyond;
@@ -294,11 +289,8 @@ impl Corpus<'_> {
     #[allow(clippy::cast_precision_loss)] // the count of lights
     fn many_lights(&mut self) {
         let most = self.profile.most_lights;
-        let mut counts = vec![most, most.saturating_sub(1), 5, 9, 17];
-        counts.retain(|count| (2..=most).contains(count));
-        counts.sort_unstable();
-        counts.dedup();
-        for count in counts {
+        let counts = BTreeSet::from([most, most.saturating_sub(1), 5, 9, 17]);
+        for count in counts.into_iter().filter(|it| (2..=most).contains(it)) {
             for brightest in [0, count / 2, count - 1] {
                 let lights = (0..count).map(|i| {
                     let [x, y, z] = [i % 3, i % 5, i % 2].map(|step| step as f64);

@@ -1,11 +1,10 @@
 //! Edits of a scene, each of which takes one thing out of it. What repairs a wrong color tells where a
 //! renderer is wrong, and a smaller scene that is as wrong is easier to read.
 
-use crate::formula::Formula;
+use crate::mistakes::formula;
 use crate::profile::Profile;
-use crate::scene::{
-    Kind, Light, Model, Scene, Triple, add, dot, length, mul, scale, size, sub, unit,
-};
+use crate::scene::{Kind, Light, Model, Scene, Triple};
+use crate::scene::{add, cross, dot, length, mul, scale, size, sub, unit};
 
 pub struct Edit {
     /// What no longer matters after the edit.
@@ -42,14 +41,13 @@ impl Edit {
         let mut control = None;
         if let Some([_, high]) = profile.range() {
             // what the edit brightens beyond the range would hide what is wrong
-            let right = Formula::new(profile, Vec::new(), false);
+            let right = formula(profile, None);
             let brightest = |scene: &Scene| size(right.linear(scene).map(|c| c.value));
             let is = brightest(&edited);
             if is > high && brightest(scene) <= high && is.is_finite() {
                 let factor = (-(is / high).log2().ceil()).exp2();
-                dim(&mut edited, factor);
-                let dimmed = control.insert(scene.clone());
-                dim(dimmed, factor);
+                edited.scale_light(factor);
+                control.insert(scene.clone()).scale_light(factor);
             }
         }
         (edited != *scene && profile.has_all_of(&edited)).then_some(Trial { edited, control })
@@ -58,7 +56,7 @@ impl Edit {
 
 /// Gives a scene so much ambient light that its color is again that of another, if that is above 1.
 fn brighten(scene: &mut Scene, other: &Scene, profile: &Profile) {
-    let right = Formula::new(profile, Vec::new(), false);
+    let right = formula(profile, None);
     let [is, was] = [&*scene, other].map(|scene| right.linear(scene).map(|c| c.value));
     let (mut k_a, mut i_a) = (scene.k_a, scene.i_a);
     for i in 0..3 {
@@ -168,8 +166,7 @@ pub static EDITS: &[Edit] = &[
         let cosine = dot(s.v, s.n) / (length(s.v) * length(s.n));
         if cosine < -1e-4 {
             let before = s.v;
-            let model = s.model;
-            keep_highlight(s, model, s.m, profile);
+            keep_highlight(s, s.model, s.m, profile);
             if dot(s.v, s.n) <= 0.0 {
                 s.v = scale(before, -1.0).map(|c| c + 0.0); // no -0
             }
@@ -194,21 +191,19 @@ pub static EDITS: &[Edit] = &[
     edit("directional", |s, p| replace(s, p, &[Kind::Directional])),
     darker("several lights", |s, _| s.lights.truncate(1)),
     edit("colors above 1", |s, _| {
-        let arriving = s
-            .lights
-            .iter()
-            .map(|light| scale(light.intensity(), light.falloff(s.p)));
+        let lights = s.lights.iter();
+        let arriving = lights.map(|light| scale(light.intensity(), light.falloff(s.p)));
         let sum = arriving.fold([0.0; 3], add);
         let most = add(mul(s.k_a, s.i_a), mul(add(s.k_d, s.k_s), sum));
         let most = most.into_iter().fold(0.0, f64::max);
         if most > 1.0 {
-            dim(s, (-most.log2().ceil()).exp2());
+            s.scale_light((-most.log2().ceil()).exp2());
         }
     }),
     edit("color of lights", |s, _| {
-        s.lights
-            .iter_mut()
-            .for_each(|light| *light.intensity_mut() = [1.0; 3]);
+        for light in &mut s.lights {
+            *light.intensity_mut() = [1.0; 3];
+        }
     }),
     edit("color of the surface", |s, _| {
         (s.k_a, s.k_d, s.k_s) = ([1.0; 3], [1.0; 3], [1.0; 3]);
@@ -231,7 +226,10 @@ fn keep_highlight(s: &mut Scene, model: Model, m: f64, profile: &Profile) {
     let (n, v) = (unit(s.n), unit(s.v));
     let ways = s.lights.iter().map(|light| light.arriving(s.p).0);
     let lit = ways.filter(|l| dot(*l, n) > 0.0);
-    let with_cosine = lit.map(|l| (cosine(s.model, n, l, v), l));
+    let with_cosine = lit.map(|l| {
+        let (a, b) = compared(s.model, [n, l, v]);
+        (dot(a, b), l)
+    });
     let brightest = with_cosine.max_by(|a, b| a.0.total_cmp(&b.0));
     let before = s.m;
     (s.model, s.m) = (model, m);
@@ -250,11 +248,11 @@ fn keep_highlight(s: &mut Scene, model: Model, m: f64, profile: &Profile) {
     }
 }
 
-/// R·V or N·H.
-fn cosine(model: Model, n: Triple, l: Triple, v: Triple) -> f64 {
+/// What a highlight is a power of the cosine between: R and V, or N and H.
+fn compared(model: Model, [n, l, v]: [Triple; 3]) -> (Triple, Triple) {
     match model {
-        Model::Phong => dot(mirrored(l, n), v),
-        _ => dot(n, unit(add(l, v))),
+        Model::Phong => (mirrored(l, n), v),
+        _ => (n, unit(add(l, v))),
     }
 }
 
@@ -265,23 +263,14 @@ fn mirrored(v: Triple, axis: Triple) -> Triple {
 
 /// The direction of an eye that sees this cosine, above the surface if there is one.
 fn turned(model: Model, [n, l, v]: [Triple; 3], cosine: f64) -> Option<Triple> {
-    // what the cosine is that of: R and V, or N and H
-    let (axis, other) = match model {
-        Model::Phong => (mirrored(l, n), v),
-        _ => (n, unit(add(l, v))),
-    };
+    let (axis, other) = compared(model, [n, l, v]);
     let off = sub(other, scale(axis, dot(axis, other)));
     let off = if length(off) > 1e-6 { off } else { sub(v, l) };
     if length(off) <= 1e-6 {
         return None; // at its peak, a highlight is as bright with any shininess
     }
     let off = unit(sub(off, scale(axis, dot(axis, off))));
-    let [a, b, c] = axis;
-    let across = [
-        b * off[2] - c * off[1],
-        c * off[0] - a * off[2],
-        a * off[1] - b * off[0],
-    ];
+    let across = cross(axis, off);
     let sine = (1.0 - cosine * cosine).sqrt();
     let ways = [off, across, scale(off, -1.0), scale(across, -1.0)];
     let found = ways.map(|way| add(scale(axis, cosine), scale(way, sine)));
@@ -293,21 +282,11 @@ fn turned(model: Model, [n, l, v]: [Triple; 3], cosine: f64) -> Option<Triple> {
     found.max_by(|v, w| dot(*v, n).total_cmp(&dot(*w, n)))
 }
 
-fn dim(scene: &mut Scene, factor: f64) {
-    scene.i_a = scale(scene.i_a, factor);
-    for light in &mut scene.lights {
-        *light.intensity_mut() = scale(light.intensity(), factor);
-    }
-}
-
 /// Turns each light of some kinds into one of another kind that gives the same, so that their number stays.
 fn replace(scene: &mut Scene, profile: &Profile, kinds: &[Kind]) {
     let p = scene.p;
-    for light in scene
-        .lights
-        .iter_mut()
-        .filter(|light| kinds.contains(&light.kind()))
-    {
+    let lights = scene.lights.iter_mut();
+    for light in lights.filter(|light| kinds.contains(&light.kind())) {
         let (l, intensity) = light.arriving(p);
         *light = if light.kind() == Kind::Directional {
             Light::point(intensity, add(p, l), [1.0, 0.0, 0.0])

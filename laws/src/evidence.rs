@@ -56,6 +56,7 @@ const FORMS: &[Form] = &[
 ];
 
 /// What a renderer answered, and a sample of it, of a size that does not grow with the run.
+#[derive(Clone, Default)]
 pub struct Evidence {
     profile: Profile,
     wrong: Vec<Sample>,
@@ -68,9 +69,7 @@ impl Evidence {
     pub fn new(profile: Profile) -> Self {
         Self {
             profile,
-            wrong: Vec::new(),
-            right: Vec::new(),
-            of_some: OnceCell::new(),
+            ..Self::default()
         }
     }
 
@@ -234,20 +233,11 @@ impl Evidence {
         let is_dark = |scene: &Scene| mul(scene.k_a, scene.i_a) == [0.0; 3];
         let without: [Lack; 2] = [("lights", is_unlit), ("ambient light", is_dark)];
         without.into_iter().find_map(|(what, is_without)| {
-            let of = |samples: &[Sample]| -> Vec<Sample> {
-                let some = samples.iter().filter(|(scene, _)| is_without(scene));
-                some.cloned().collect()
-            };
-            let (wrong, right) = (of(&self.wrong), of(&self.right));
-            if wrong.len() < FEW {
-                return None;
+            let mut some = self.clone();
+            for samples in [&mut some.wrong, &mut some.right] {
+                samples.retain(|(scene, _)| is_without(scene));
             }
-            let some = Self {
-                wrong,
-                right,
-                ..Self::new(self.profile.clone())
-            };
-            let mut cause = some.form()?;
+            let mut cause = some.form().filter(|_| some.wrong.len() >= FEW)?;
             let more = format!("; that is so without {what}, and there is more wrong with it");
             cause.says.push_str(&more);
             Some(Cause { of: 0, ..cause })
@@ -257,7 +247,8 @@ impl Evidence {
     /// The cause if all colors are as if they were rounded so, some too bright and some too dark.
     fn roughness(&self, bits: i32) -> Option<Cause> {
         let right = formula(&self.profile, None);
-        let rough = formula(&self.profile, None).in_precision(f64::from(-bits).exp2());
+        let mut rough = formula(&self.profile, None);
+        (rough.u, rough.is_wrong) = (f64::from(-bits).exp2(), true);
         let (mut explained, mut brighter) = (0, 0);
         for (scene, reply) in &self.wrong {
             // with so few bits, hardly anything is known of some colors

@@ -4,12 +4,12 @@
 //! (perpendicular, opposite, mirrored) are hit exactly and often. Long numbers have all the bits of
 //! the renderer's type, and lamps of long scenes stand as near as 2⁻¹⁰ and as far as 2¹⁴.
 
-use std::array::from_fn;
 use std::f64::consts::FRAC_PI_2;
 
 use crate::profile::{BRIGHTEST, Profile};
 use crate::random::Random;
-use crate::scene::{Kind, Light, Scene, Triple, add, dot, length, scale, size, sub, unit};
+use crate::scene::{Kind, Light, Scene, Triple};
+use crate::scene::{add, attenuated, cross, dot, length, scale, size, sub, unit};
 
 /// A vector of small whole numbers, with its largest component from 1 to 2 by a power of two.
 fn vector(v: Triple) -> Triple {
@@ -26,10 +26,7 @@ fn brighten(scene: &mut Scene, times: f64) {
     }
     let darker = |k: Triple| scale(k, 1.0 / times);
     (scene.k_a, scene.k_d, scene.k_s) = (darker(scene.k_a), darker(scene.k_d), darker(scene.k_s));
-    scene.i_a = scale(scene.i_a, times);
-    for light in &mut scene.lights {
-        *light.intensity_mut() = scale(light.intensity(), times);
-    }
+    scene.scale_light(times);
 }
 
 /// A random scene.
@@ -55,7 +52,7 @@ impl Generator<'_> {
         let ways: Vec<Triple> = (0..count).map(|_| self.way(n)).collect();
         let lights = ways.iter();
         let lights = lights.map(|way| self.light(p, vector(*way), is_long));
-        let mut lights: Vec<Light> = lights.collect();
+        let lights: Vec<Light> = lights.collect();
         let first = ways.first().copied().unwrap_or(n);
         let far = self.random.one_of(&[1.0, 2.0, 0.25, 8.0]);
         let v = if self.random.once_in(5) {
@@ -80,10 +77,8 @@ impl Generator<'_> {
             k_s,
             m,
             i_a,
-            lights: Vec::new(),
+            lights,
         };
-        lights.retain(|light| !scene.has_lamp_at_the_point(light, profile.roundoff));
-        scene.lights = lights;
         if self.random.once_in(4) {
             let times = self.random.one_of(&[2.0, 4.0, 8.0, 16.0]);
             brighten(&mut scene, times);
@@ -106,10 +101,7 @@ impl Generator<'_> {
         let way = match self.random.below(17) {
             0..=9 if dot(any, n) < 0.0 => scale(any, -1.0),
             0..=13 => any,
-            14 => from_fn(|i| {
-                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                any[j] * n[k] - any[k] * n[j] // perpendicular
-            }),
+            14 => cross(any, n),
             15 => n,
             _ => scale(n, -1.0),
         };
@@ -146,11 +138,8 @@ impl Generator<'_> {
 
     fn color(&mut self, most: f64, is_long: bool) -> Triple {
         // dark colors have other digits of sRGB
-        let most = if is_long && self.random.once_in(8) {
-            most / 64.0
-        } else {
-            most
-        };
+        let is_dark = is_long && self.random.once_in(8);
+        let most = if is_dark { most / 64.0 } else { most };
         [(); 3].map(|()| self.amount(most, is_long))
     }
 
@@ -164,7 +153,7 @@ impl Generator<'_> {
             _ if is_long => self.random.scale(1.0, most),
             _ => self.random.scale(1.0, most).round(),
         };
-        ([k_a, k_d, k_s], self.profile.shininess(m).min(most))
+        ([k_a, k_d, k_s], self.profile.shininess(m))
     }
 
     fn light(&mut self, p: Triple, way: Triple, is_long: bool) -> Light {
@@ -182,7 +171,7 @@ impl Generator<'_> {
         let q = distance * length(way);
         let attenuation = self.attenuation(q, is_long);
         // a lamp that the attenuation brightens is dim
-        let left = 1.0 / (attenuation[0] + attenuation[1] * q + attenuation[2] * q * q);
+        let left = attenuated(q, attenuation);
         let is_bright = is_long && kind != Kind::Directional && left > 1.0;
         let less = if is_bright { 1.0 / left } else { 1.0 };
         let intensity = intensity.map(|c| profile.rounded(c * less));

@@ -73,7 +73,7 @@ impl Law {
                     let [low, high] = right.ends(light)?;
                     let again = replies.last()?[channel];
                     let off = reply - again;
-                    let allowed = high - low + right.slack(reply.abs());
+                    let allowed = high - low + right.profile.slack(reply.abs(), right.u);
                     let is_lost = reply.is_nan() != again.is_nan();
                     (is_lost || off.abs() > allowed).then_some((off, allowed))
                 }

@@ -1,6 +1,7 @@
 //! What a run tries.
 
-use std::time::Duration;
+use std::sync::LazyLock;
+use std::time::{Duration, Instant};
 
 /// The time since some moment, which never goes back.
 ///
@@ -49,18 +50,11 @@ impl Default for Laws {
     }
 }
 
-/// The clock of the standard library, where it has one.
-#[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
+/// The clock of the standard library. Where it has none, asking for it would end the program.
 fn of_machine() -> Duration {
-    use std::sync::LazyLock;
-    use std::time::Instant;
-
     static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    if cfg!(all(target_family = "wasm", target_os = "unknown")) {
+        return Duration::ZERO;
+    }
     START.elapsed()
-}
-
-/// No clock: asking the standard library for one would end the program.
-#[cfg(all(target_family = "wasm", target_os = "unknown"))]
-fn of_machine() -> Duration {
-    Duration::ZERO
 }

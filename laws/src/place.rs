@@ -14,18 +14,24 @@ pub struct Place {
 }
 
 impl Place {
+    /// What is one thing.
+    pub(crate) fn particular(&self) -> Vec<&'static str> {
+        let ids = self.only_with.iter().copied();
+        ids.filter(|id| !GENERAL.contains(id)).collect()
+    }
+
     /// Whether it may be that of two things.
     pub(crate) fn is_general(&self) -> bool {
-        self.only_with.iter().all(|id| GENERAL.contains(id))
+        self.particular().is_empty()
     }
 
     /// An edit that tells this place beside the whole that it is found in, if one does.
     pub(crate) fn beside(&self, whole: &Self) -> Option<usize> {
         let is_of_whole = |id: &&str| whole.only_with.contains(id);
         if !whole.is_general() {
-            let mut particular = self.only_with.iter().filter(|id| !GENERAL.contains(id));
-            let first = particular.clone().next()?;
-            return (!particular.any(is_of_whole)).then(|| number(first))?;
+            let particular = self.particular();
+            let first = particular.first().and_then(|id| number(id));
+            return first.filter(|_| !particular.iter().any(is_of_whole));
         }
         // what takes away a part of the light may take away what is wrong with it, too
         let is_told = |id: &&&str| !is_of_whole(id) && (whole.only_with.len() < 2 || !darkens(id));
@@ -40,12 +46,8 @@ impl Place {
 
     /// Whether both say the same but for what is general.
     pub(crate) fn is_as_particular(&self, other: &Self) -> bool {
-        let particular = |place: &Self| -> Vec<&str> {
-            let ids = place.only_with.iter().copied();
-            ids.filter(|id| !GENERAL.contains(id)).collect()
-        };
         self.only_with == other.only_with
-            || !self.is_general() && particular(self) == particular(other)
+            || !self.is_general() && self.particular() == other.particular()
     }
 }
 
@@ -67,7 +69,7 @@ const PARTS: [([&str; 2], &[&str]); 6] = [
 ];
 
 /// What may be two things.
-pub const GENERAL: [&str; 3] = ["highlight", "lamps", "lights"];
+const GENERAL: [&str; 3] = ["highlight", "lamps", "lights"];
 
 /// The place of an edit among all.
 pub fn number(id: &str) -> Option<usize> {
@@ -83,25 +85,15 @@ fn darkens(id: &str) -> bool {
 pub fn merge(places: &mut Vec<Place>) {
     'merged: loop {
         for (parts, too) in PARTS {
-            let of_part = |part| {
-                places
-                    .iter()
-                    .position(|place| place.only_with.contains(&part))
-            };
+            let of_part = |part| places.iter().position(|it| it.only_with.contains(&part));
             let [Some(a), Some(b)] = parts.map(of_part) else {
                 continue;
             };
-            let others = |place: &Place| -> Vec<&str> {
-                let others = place.only_with.iter().copied();
-                others
-                    .filter(|id| !parts.contains(id) && !too.contains(id))
-                    .collect()
-            };
-            if a != b && others(&places[a]) == others(&places[b]) {
-                let other = places[b].clone();
-                places[a]
-                    .only_with
-                    .retain(|id| other.only_with.contains(id));
+            let is_other = |id: &&&str| !parts.contains(id) && !too.contains(id);
+            let others = |i: usize| places[i].only_with.iter().filter(is_other);
+            if a != b && others(a).eq(others(b)) {
+                let other = places[b].only_with.clone();
+                places[a].only_with.retain(|id| other.contains(id));
                 places.remove(b);
                 continue 'merged;
             }

@@ -33,7 +33,8 @@ pub struct Case {
     pub linear: Bounded3,
     /// It is asked for again after another scene, because a renderer may remember something.
     pub is_again: bool,
-    /// A light that the renderer has, for the scene between.
+    /// A light that the renderer has, for the scene between where it has none, so that what is remembered of lights
+    /// shows.
     light: Option<Light>,
 }
 
@@ -46,11 +47,6 @@ impl Case {
             is_again,
             light: None,
         }
-    }
-
-    /// The same, with a light for the scene between where it has none, so that what is remembered of lights shows.
-    pub fn beside(self, light: Option<Light>) -> Self {
-        Self { light, ..self }
     }
 
     /// The scenes in the order in which the renderer gets them.
@@ -80,9 +76,7 @@ pub fn handed(cases: &[Case]) -> Vec<Scene> {
 }
 
 impl Plan {
-    /// # Errors
-    ///
-    /// What prevents a run, in one line.
+    /// The scenes of a run, or what prevents one, in one line.
     pub fn new(laws: &Laws, profile: &Profile) -> Result<Self, String> {
         let complaint = profile.complaint().or_else(|| departures(profile).err());
         if let Some(complaint) = complaint {
@@ -98,14 +92,12 @@ impl Plan {
         let some = any.take(most).filter(|scene| profile.has_all_of(scene));
         scenes.extend(some.take(laws.cases));
         Random::new(laws.seed).shuffle(&mut scenes);
-        let light = scenes
-            .iter()
-            .find_map(|scene| scene.lights.first().copied());
+        let light = scenes.iter().find_map(|it| it.lights.first().copied());
         let right = formula(profile, None);
-        let cases = scenes
-            .into_iter()
-            .enumerate()
-            .map(|(i, scene)| Case::new(scene, &right, i % AGAIN == 0).beside(light));
+        let cases = scenes.into_iter().enumerate().map(|(i, scene)| Case {
+            light,
+            ..Case::new(scene, &right, i % AGAIN == 0)
+        });
         Ok(Self {
             laws: laws.clone(),
             profile: profile.clone(),

@@ -42,11 +42,8 @@ pub struct Finding {
     /// The smallest scenes that show it, as the renderer got them: those of the first of its laws that rounding
     /// does not explain.
     pub scenes: Vec<Scene>,
-    /// The scenes after which a color is wrong, if they are few and it is right without them.
-    #[serde(skip)]
-    pub(crate) history: Option<Box<Counterexample>>,
-    /// The smallest scene in which nothing else is wrong than this finding says, where another one is of
-    /// the same law.
+    /// What shows it better than the smallest case of its laws: the scenes after which a color is wrong that is
+    /// right without them, or a scene in which nothing else is wrong, where another finding is of the same law.
     #[serde(skip)]
     pub(crate) own: Option<Box<Counterexample>>,
 }
@@ -115,8 +112,7 @@ impl Finding {
         let of_laws = self.laws.iter().filter_map(of);
         let smallest = of_laws.filter_map(|law| Some((law, law.smallest()?)));
         let (law, smallest) = smallest.min_by_key(|(_, it)| !it.broken.is_clear())?;
-        let other = self.history.as_deref().or(self.own.as_deref());
-        Some((law, other.unwrap_or(smallest)))
+        Some((law, self.own.as_deref().unwrap_or(smallest)))
     }
 }
 
@@ -147,9 +143,8 @@ impl Report {
     /// Whether the run ended before all cases of a law were tried.
     #[must_use]
     pub fn is_cut_short(&self) -> bool {
-        self.laws
-            .iter()
-            .any(|law| matches!(law.verdict, Verdict::CutShort { .. }))
+        let mut verdicts = self.laws.iter().map(|law| &law.verdict);
+        verdicts.any(|it| matches!(it, Verdict::CutShort { .. }))
     }
 
     /// Whether all is well: every law holds, and all cases were tried.
@@ -224,7 +219,7 @@ impl Report {
         }
         if let Some((law, smallest)) = finding.shown(&self.laws) {
             write!(f, "\n  {}: {}\n{smallest}", law.law, law.says)?;
-            if finding.history.is_some() {
+            if finding.own.is_some() && smallest.scenes.len() > 1 {
                 writeln!(f, "  The last scene alone has the right color.")?;
             }
             let again = self.reproduction(&smallest.scenes);

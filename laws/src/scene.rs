@@ -216,9 +216,8 @@ impl Light {
 
     /// What the attenuation leaves of it at a point.
     pub(crate) fn falloff(self, p: Triple) -> f64 {
-        self.lamp().map_or(1.0, |(position, [a, b, c])| {
-            let q = length(sub(position, p));
-            1.0 / (a + b * q + c * q * q)
+        self.lamp().map_or(1.0, |(position, attenuation)| {
+            attenuated(length(sub(position, p)), attenuation)
         })
     }
 }
@@ -244,6 +243,14 @@ impl Scene {
         serde_json::to_string(self).expect("JSON")
     }
 
+    /// The same with more light, or with less.
+    pub(crate) fn scale_light(&mut self, times: f64) {
+        self.i_a = scale(self.i_a, times);
+        for light in &mut self.lights {
+            *light.intensity_mut() = scale(light.intensity(), times);
+        }
+    }
+
     /// The sum of the largest coordinates of a lamp, of the point and of the way to the eye, to
     /// which a renderer that works in a frame of its own may round the lamp and the point.
     pub(crate) fn extent(&self, lamp: Triple) -> f64 {
@@ -257,6 +264,11 @@ impl Scene {
             size(sub(position, self.p)) <= 4.0 * u * self.extent(position)
         })
     }
+}
+
+/// What is left of light at a distance.
+pub fn attenuated(q: f64, [a, b, c]: Triple) -> f64 {
+    1.0 / (a + b * q + c * q * q)
 }
 
 pub fn size(v: Triple) -> f64 {
@@ -298,6 +310,10 @@ pub fn mul<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
 
 pub fn scale<T: Number>(v: [T; 3], factor: T) -> [T; 3] {
     v.map(|c| c * factor)
+}
+
+pub fn cross(a: Triple, b: Triple) -> Triple {
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| a[i] * b[j] - a[j] * b[i])
 }
 
 pub fn length<T: Number>(v: [T; 3]) -> T {

@@ -2,7 +2,7 @@
 
 use crate::edit::EDITS;
 use crate::experiment::{Ask, Experiment, FEW};
-use crate::place::{GENERAL, Place, merge, number};
+use crate::place::{Place, merge, number};
 use crate::profile::Profile;
 use crate::scene::Scene;
 
@@ -13,30 +13,19 @@ const TURNS: [&str; 3] = ["shininess", "Phong", "Blinn"];
 /// The most things that are taken out one after the other, each because another is wrong, too.
 const DEPTH: usize = 2;
 
-/// So many cases of all, from the first to the last.
-fn some(cases: &[Scene], count: usize) -> Vec<Scene> {
-    let count = count.min(cases.len());
-    let some = (0..count).map(|i| cases[i * cases.len() / count].clone());
+/// At most so many of all, from the first to the last.
+pub fn some<T: Clone>(all: &[T], count: usize) -> Vec<T> {
+    let count = count.min(all.len());
+    let some = (0..count).map(|i| all[i * all.len() / count].clone());
     some.collect()
 }
 
-/// Where cases are broken: one place, or several where several things are wrong. As many cases as an
-/// experiment may have are taken of all.
-pub fn places(
-    cases: &[Scene],
-    most: usize,
-    profile: &Profile,
-    ask: &mut Ask,
-) -> Option<Vec<Place>> {
-    Search { most, profile, ask }.places(cases, &[])
-}
-
 /// A search for places. Nothing is found once the renderer does not answer.
-struct Search<'a, 'b> {
+pub struct Search<'a, 'b> {
     /// The most cases of an experiment.
-    most: usize,
-    profile: &'a Profile,
-    ask: &'a mut Ask<'b>,
+    pub most: usize,
+    pub profile: &'a Profile,
+    pub ask: &'a mut Ask<'b>,
 }
 
 impl Search<'_, '_> {
@@ -57,32 +46,29 @@ impl Search<'_, '_> {
         Some(broken.map(|(case, _)| case).collect())
     }
 
-    /// The places of cases from which some edits have taken things out already.
-    fn places(&mut self, cases: &[Scene], without: &[usize]) -> Option<Vec<Place>> {
+    /// Where cases are broken, from which some edits have taken things out already: one place, or several where
+    /// several things are wrong. As many cases as an experiment may have are taken of all.
+    pub fn places(&mut self, cases: &[Scene], without: &[usize]) -> Option<Vec<Place>> {
         let experiment = self.experiment(cases, without)?;
         let whole = experiment.place();
         if without.len() >= DEPTH {
             return Some(vec![whole]);
         }
         // without what nearly all need, something else may be wrong with the others
-        let particular = whole.only_with.iter().find(|id| !GENERAL.contains(id));
-        let firsts = match particular.and_then(|id| number(id)) {
+        let particular = whole.particular();
+        let firsts = match particular.first().and_then(|id| number(id)) {
             Some(k) => vec![k],
             None => experiment.parts(),
         };
         let cases = some(cases, 10 * self.most);
-        let mut found = Vec::new();
-        for k in firsts {
-            match self.apart(&cases, (&experiment, &whole), k, without) {
-                Some(all) if all.len() > 1 => found.push(all),
-                Some(_) => {}
-                None => break, // the time is up
-            }
-        }
+        let apart = |k| self.apart(&cases, (&experiment, &whole), k, without);
+        let found = firsts.into_iter().map_while(apart); // until the time is up
+        let several = found.filter(|all| all.len() > 1);
         // few places, and particular ones
         let first = |place: &Place| number(place.only_with.first()?);
-        found.sort_by_key(|all| (all.len(), all.iter().filter_map(first).sum::<usize>()));
-        Some(found.into_iter().next().unwrap_or(vec![whole]))
+        let numbers = |all: &Vec<Place>| all.iter().filter_map(first).sum::<usize>();
+        let best = several.min_by_key(|all| (all.len(), numbers(all)));
+        Some(best.unwrap_or(vec![whole]))
     }
 
     /// The places, if one thing is wrong with what an edit takes out and another without it: each is the place of

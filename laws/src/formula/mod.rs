@@ -21,32 +21,14 @@ fn turned(v: Triple, u: f64) -> Bounded3 {
 /// The formulas as a renderer has them: with what it departs from on purpose, and with mistakes.
 pub struct Formula<'a> {
     pub profile: &'a Profile,
-    changes: Vec<Applied>,
-    u: f64,
-    is_wrong: bool,
+    pub changes: Vec<Applied>,
+    /// The roundoff.
+    pub u: f64,
+    /// Wrong formulas may divide by 0.
+    pub is_wrong: bool,
 }
 
-impl<'a> Formula<'a> {
-    /// The formulas with these changes. A wrong one may divide by 0.
-    pub fn new(profile: &'a Profile, changes: Vec<Applied>, is_wrong: bool) -> Self {
-        let u = profile.roundoff;
-        Self {
-            profile,
-            changes,
-            u,
-            is_wrong,
-        }
-    }
-
-    /// The same, wrong by its precision.
-    pub fn in_precision(self, u: f64) -> Self {
-        Self {
-            u,
-            is_wrong: true,
-            ..self
-        }
-    }
-
+impl Formula<'_> {
     fn at(&self) -> At {
         At {
             u: self.u,
@@ -56,10 +38,10 @@ impl<'a> Formula<'a> {
     }
 
     fn hook(&self, part: Part, at: &mut At, right: Bounded3) -> Bounded3 {
-        let of_part = self.changes.iter().filter(|applied| applied.part == part);
-        of_part.fold(right, |x, applied| {
-            at.value = applied.value;
-            (applied.change)(x, at)
+        let of_part = self.changes.iter().filter(|(of, ..)| *of == part);
+        of_part.fold(right, |x, (_, change, value)| {
+            at.value = *value;
+            change(x, at)
         })
     }
 
@@ -70,15 +52,13 @@ impl<'a> Formula<'a> {
     /// The color in linear light, before the range of the renderer.
     pub fn linear(&self, scene: &Scene) -> Bounded3 {
         let at = &mut self.at();
-        #[allow(clippy::cast_precision_loss)] // the count of lights
-        let number = |count: usize| count as f64;
-        at.count = number(scene.lights.len());
+        at.is_unlit = scene.lights.is_empty();
         self.surface(scene, at);
-        let n = at.n;
-        for (i, light) in scene.lights.iter().enumerate() {
-            (at.light, at.i, at.n) = (Some(*light), number(i), n);
+        for light in &scene.lights {
+            at.light = Some(*light);
             self.arriving(scene, at);
             self.reflected(at);
+            at.i += 1.0;
         }
         at.light = None;
         let sum = add(at.ambients, at.lit);
@@ -224,13 +204,8 @@ impl<'a> Formula<'a> {
         }
         let ends = [c.value - c.error, c.value + c.error].map(|end| self.encoded(end));
         let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        let slack = self.slack(low.abs().max(high.abs()));
+        let slack = self.profile.slack(low.abs().max(high.abs()), self.u);
         Some([low - slack, high + slack])
-    }
-
-    /// How far the encoding of a reply of this size may be off.
-    pub fn slack(&self, size: f64) -> f64 {
-        self.profile.slack(size, self.u)
     }
 
     /// How far a finite reply is off and how far it may be, where that is too far.
@@ -260,11 +235,9 @@ impl<'a> Formula<'a> {
             at.linear = before;
             self.number(part, at, Bounded::exact(right)).value
         };
-        let clamped = |x: f64| match self.profile.range() {
-            // as in a shader, NaN becomes the lower end
-            Some([low, high]) => x.max(low).min(high),
-            None => x,
-        };
+        let range = self.profile.range();
+        // as in a shader, NaN becomes the lower end
+        let clamped = |x: f64| range.map_or(x, |[low, high]| x.max(low).min(high));
         let x = clamped(linear);
         let right = if self.profile.srgb { to_srgb(x) } else { x };
         let y = clamped(of(Part::Encode, x, right));

@@ -63,10 +63,10 @@ pub struct At {
     pub k_s: Bounded3,
     pub m: f64,
     pub ambient: Bounded3,
-    /// The light, its place among the others, and their number.
+    pub is_unlit: bool,
+    /// The light, and its place among the others.
     pub light: Option<Light>,
     pub i: f64,
-    pub count: f64,
     pub intensity: Bounded3,
     pub position: Bounded3,
     pub to_light: Bounded3,
@@ -92,12 +92,7 @@ pub struct At {
 pub type Change = fn(Bounded3, &At) -> Bounded3;
 
 /// A change with its number.
-#[derive(Clone, Copy)]
-pub struct Applied {
-    pub part: Part,
-    pub change: Change,
-    pub value: f64,
-}
+pub type Applied = (Part, Change, f64);
 
 impl At {
     /// A number as the renderer holds it.

@@ -10,7 +10,7 @@ use std::str::FromStr;
 use serde::{Serialize, Serializer};
 pub use table::MISTAKES;
 
-use crate::formula::{Applied, Change, Formula, Part};
+use crate::formula::{Change, Formula, Part};
 use crate::profile::Profile;
 use crate::scene::{Scene, Triple};
 
@@ -140,11 +140,12 @@ pub fn formula(profile: &Profile, fault: Option<Fault>) -> Formula<'_> {
     let others = departures.filter(|it| !is_made(it));
     let changes = fault.into_iter().chain(others).flat_map(|fault| {
         let (changes, value) = (fault.mistake.changes.iter(), fault.value);
-        changes.map(move |&(part, change)| Applied {
-            part,
-            change,
-            value,
-        })
+        changes.map(move |&(part, change)| (part, change, value))
     });
-    Formula::new(profile, changes.collect(), fault.is_some())
+    Formula {
+        profile,
+        changes: changes.collect(),
+        u: profile.roundoff,
+        is_wrong: fault.is_some(),
+    }
 }

@@ -12,11 +12,7 @@ use crate::formula::Part::{
 };
 use crate::formula::{At, BLACK, ONE};
 use crate::profile::to_srgb;
-use crate::scene::{Model, add, dot, mul, scale};
-
-fn is_lamp(at: &At) -> bool {
-    at.light.is_some_and(|light| light.lamp().is_some())
-}
+use crate::scene::{Light, Model, add, dot, mul, scale};
 
 const fn row(id: &'static str, says: &'static str) -> Mistake {
     Mistake {
@@ -76,7 +72,7 @@ fn fast_inverse_root(x: Bounded, at: &At) -> Bounded {
     let bits = (x.value as f32).to_bits();
     let guess = f64::from(f32::from_bits(0x5f37_59df_u32.wrapping_sub(bits >> 1)));
     let root = guess * (1.5 - 0.5 * x.value * guess * guess);
-    Bounded::computed(root, 16.0, at.u.max(f64::from(f32::EPSILON)))
+    Bounded::rounded(root, 0.0, 16.0, at.u.max(f64::from(f32::EPSILON)))
         .looser(root * x.error / x.value)
 }
 
@@ -133,7 +129,7 @@ pub static MISTAKES: &[Mistake] = &[
         }),
         (L, |x, at| {
             let by_bits = unit_by_bits(at.to_light, at);
-            if is_lamp(at) {
+            if at.light.and_then(Light::lamp).is_some() {
                 by_bits
             } else {
                 either(x, by_bits)
@@ -220,7 +216,10 @@ pub static MISTAKES: &[Mistake] = &[
         "the highlight is normalized by (m + 8)/(8π)",
     )
     .changes(&[(Power, |x, at| {
-        scale(x, Bounded::computed((at.m + 8.0) / (8.0 * PI), 16.0, at.u))
+        scale(
+            x,
+            Bounded::rounded((at.m + 8.0) / (8.0 * PI), 0.0, 16.0, at.u),
+        )
     })]),
     row("HighlightTimesCosine", "the highlight is multiplied by N·L")
         .changes(&[(Specular, |x, at| scale(x, at.n_dot_l.at_least_zero()))]),
@@ -238,10 +237,7 @@ pub static MISTAKES: &[Mistake] = &[
         "UnlitWithoutLights",
         "without lights the surface is shown unlit: k_d is added",
     )
-    .changes(&[(
-        Once,
-        |x, at| if at.count == 0.0 { add(x, at.k_d) } else { x },
-    )]),
+    .changes(&[(Once, |x, at| if at.is_unlit { add(x, at.k_d) } else { x })]),
     row("AmbientTimes", "the ambient term is multiplied by {}")
         .changes(&[(Ambient, |x, at| scale(x, at.number()))])
         .of(FACTORS),

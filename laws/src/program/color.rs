@@ -22,9 +22,8 @@ fn number(text: &str) -> Option<f64> {
     let text = text.trim().trim_matches('"');
     let lower = text.to_ascii_lowercase();
     let size = lower.trim_start_matches(['-', '+']);
-    let is_nan = ["null", "none", "nan", "1.#"]
-        .iter()
-        .any(|it| size.starts_with(it));
+    let mut names = ["null", "none", "nan", "1.#"].iter();
+    let is_nan = names.any(|it| size.starts_with(it));
     text.parse().ok().or(is_nan.then_some(f64::NAN))
 }
 

@@ -62,11 +62,8 @@ impl Piped {
         let mut child = to_start.spawn().map_err(|error| {
             let name = program.to_string_lossy();
             let is_here = std::path::Path::new(program).is_file();
-            let hint = if is_here {
-                "; is it executable, and do you mean ./?"
-            } else {
-                ""
-            };
+            let hint = "; is it executable, and do you mean ./?";
+            let hint = if is_here { hint } else { "" };
             format!("cannot start {name}: {error}{hint}")
         })?;
         let (input, to_write) = channel::<String>();
@@ -102,11 +99,7 @@ impl Piped {
         Ok(piped)
     }
 
-    /// Closes the renderer's input, and sees to it that it ends.
-    ///
-    /// # Errors
-    ///
-    /// It has more lines to say, or it ends with another status than 0.
+    /// Closes the renderer's input, and sees to it that it ends, without more lines to say and with status 0.
     pub fn finish(mut self) -> Result<(), String> {
         self.input = None;
         self.nothing_more(self.timeout.min(Duration::from_secs(2)))?;
@@ -177,11 +170,7 @@ impl Piped {
         }
         self.told = Instant::now();
         let seconds = self.start.elapsed().as_secs();
-        let done = if asked > of {
-            "all"
-        } else {
-            &asked.to_string()
-        };
+        let done = asked.min(of);
         let line = format!("{done} of {of} scenes after {seconds} s; broken laws: {broken}");
         let _ = writeln!(io::stderr(), "shading-laws: {line}");
     }
@@ -215,7 +204,7 @@ impl Renderer for Piped {
 
     fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
         if self.is_over {
-            *self = Self::start(&self.command, self.timeout)?;
+            self.begin_again()?;
         }
         // a line too many comes at once, if it comes; a moment after the first batches shows it
         let patience = Duration::from_millis(if self.batches < 3 { 50 } else { 0 });
@@ -286,9 +275,8 @@ impl Drop for Piped {
 }
 
 fn write(mut stdin: ChildStdin, texts: &Receiver<String>) -> Option<()> {
-    texts
-        .iter()
-        .try_for_each(|text| stdin.write_all(text.as_bytes()).ok())
+    let mut texts = texts.iter();
+    texts.try_for_each(|text| stdin.write_all(text.as_bytes()).ok())
 }
 
 /// Hands on each line, with its end, and the beginning of one that is too long or has no end.

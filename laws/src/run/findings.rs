@@ -3,7 +3,7 @@
 use std::slice;
 use std::time::Duration;
 
-use super::{Failure, Run, SEARCH};
+use super::{Failure, Run};
 use crate::cause::Cause;
 use crate::edit::EDITS;
 use crate::evidence::FEW;
@@ -14,9 +14,9 @@ use crate::mistakes::formula;
 use crate::place::{self, Place};
 use crate::plan::Case;
 use crate::profile::Profile;
-use crate::report::{Counterexample, Finding};
+use crate::report::Finding;
 use crate::scene::{Scene, Triple};
-use crate::search;
+use crate::search::{self, Search};
 
 /// The most broken cases that are placed.
 const MOST_BROKEN: usize = 600;
@@ -25,29 +25,25 @@ impl Run<'_> {
     /// The broken laws, together with what is known of their cause: what depends on what was asked
     /// before, and all else.
     pub(super) fn findings(&mut self) -> Vec<Finding> {
-        let broken = self.failures.keys().copied();
-        let (mut of_state, others): (Vec<Law>, Vec<Law>) =
-            broken.partition(|law| *law == Law::NoMemory);
+        let broken = self.failures.keys().map(|law| law.name());
+        let (mut of_state, laws): (Vec<_>, Vec<_>) =
+            broken.partition(|name| *name == Law::NoMemory.name());
         let explains = self.plan.laws.explains;
         let cause = explains.then(|| self.evidence.cause()).flatten();
-        let is_right_alone = self.is_right_alone();
-        let history = if is_right_alone { self.history() } else { None };
-        let is_fickle = !of_state.is_empty() || is_right_alone || self.is_right_again();
-        let names = |laws: &[Law]| laws.iter().map(|law| law.name()).collect();
+        let history = self.history();
+        let is_fickle = !of_state.is_empty() || history.is_some() || self.is_right_again();
         let mut findings = Vec::new();
         if is_fickle {
             if cause.is_none() || of_state.is_empty() {
-                of_state.extend(&others);
+                of_state.extend(&laws);
             }
             findings.push(Finding {
                 cause: Some(Cause::state()),
-                laws: names(&of_state),
-                history: history.map(Box::new),
-                ..Finding::default()
+                laws: of_state,
+                ..history.unwrap_or_default()
             });
         }
-        if !others.is_empty() && (cause.is_some() || !is_fickle) {
-            let laws = names(&others);
+        if !laws.is_empty() && (cause.is_some() || !is_fickle) {
             let finding = |(cause, places)| Finding {
                 cause,
                 places,
@@ -126,27 +122,18 @@ impl Run<'_> {
         law.broken(&self.right, failure.case.linear, &last)
     }
 
-    /// Whether a color that was wrong is right if nothing is asked before. A renderer that cannot forget does
-    /// not show it.
-    fn is_right_alone(&mut self) -> bool {
-        let Some(failure) = self.first() else {
-            return false;
-        };
-        let scene = slice::from_ref(&failure.case.scene);
-        let replies = self.afresh(scene);
-        replies.is_some_and(|replies| self.again(&failure, &replies).is_none())
-    }
-
-    /// The few scenes after which a color is wrong that is right without them, if few are found.
-    fn history(&mut self) -> Option<Counterexample> {
+    /// That a color is right where nothing is asked before, with the scenes after which it is wrong, if few are
+    /// found. A renderer that cannot forget does not show it.
+    fn history(&mut self) -> Option<Finding> {
         let failure = self.first()?;
         let scene = slice::from_ref(&failure.case.scene);
-        let until = self.end_of_search();
-        let before = self
-            .plan
-            .cases
-            .iter()
-            .take_while(|case| case.scene != failure.case.scene);
+        let replies = self.afresh(scene)?;
+        if self.again(&failure, &replies).is_some() {
+            return None;
+        }
+        let until = self.now() + self.time_of_search();
+        let cases = self.plan.cases.iter();
+        let before = cases.take_while(|case| case.scene != failure.case.scene);
         let mut before: Vec<Scene> = before.flat_map(Case::scenes).collect();
         let mut found = None;
         // one half is enough, as long as one scene is the reason
@@ -154,10 +141,9 @@ impl Run<'_> {
             let latter = before.split_off(before.len() / 2);
             for half in [latter, std::mem::take(&mut before)] {
                 let scenes = [&half, scene].concat();
-                let replies = self.afresh(&scenes).unwrap_or_default();
-                if replies.is_empty() {
+                let Some(replies) = self.afresh(&scenes) else {
                     break 'halved;
-                }
+                };
                 if let Some(broken) = self.again(&failure, &replies) {
                     found = Some((scenes, replies, broken));
                     if half.len() < 2 {
@@ -169,8 +155,12 @@ impl Run<'_> {
             }
             break;
         }
-        let (scenes, colors, broken) = found.filter(|(scenes, ..)| scenes.len() <= 8)?;
-        Some(self.told(scenes, colors, broken))
+        let few = found.filter(|(scenes, ..)| scenes.len() <= 8);
+        let own = few.map(|(scenes, colors, broken)| self.told(scenes, colors, broken));
+        Some(Finding {
+            own: own.map(Box::new),
+            ..Finding::default()
+        })
     }
 
     /// Whether what was wrong is right when it is asked again, so that it depends on what was asked before.
@@ -193,11 +183,8 @@ impl Run<'_> {
         let of_law = self.failures.range(..Law::NoMemory);
         let of_law: Vec<&Vec<Failure>> = of_law.map(|(_, failures)| failures).collect();
         let most = MOST_BROKEN / of_law.len().max(1);
-        let some = of_law.into_iter().flat_map(|failures| {
-            let count = failures.len().min(most);
-            (0..count).map(move |i| failures[i * failures.len() / count].case.scene.clone())
-        });
-        some.collect()
+        let some = of_law.into_iter().flat_map(|of| search::some(of, most));
+        some.map(|failure| failure.case.scene).collect()
     }
 
     /// Where the colors of these scenes are wrong for a renderer that says this of itself.
@@ -205,18 +192,16 @@ impl Run<'_> {
         if self.is_over {
             return None;
         }
-        let waited = self.waited.as_secs_f64();
-        let until_end = |end: Duration| end.saturating_sub(self.now()).min(SEARCH);
-        let left = self.deadline.map_or(SEARCH, until_end).as_secs_f64();
+        let times = self.time_of_search().as_secs_f64() / self.waited.as_secs_f64();
         // so many cases without each of so many things
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 2 to 60
         #[allow(clippy::cast_precision_loss)] // the count of scenes
         let most =
-            (left / waited * self.asked as f64 / EDITS.len() as f64).clamp(2.0, 60.0) as usize;
-        let (deadline, right) = (self.deadline, formula(profile, None));
+            (times * self.progress.asked as f64 / EDITS.len() as f64).clamp(2.0, 60.0) as usize;
+        let right = formula(profile, None);
         let mut ask = |scenes: &[Scene]| {
             // with time left for the first experiment, what others would find is left out
-            if deadline.is_some_and(|end| self.now() >= end) {
+            if self.left().is_some_and(|left| left.is_zero()) {
                 return None;
             }
             let mut are_wrong = Vec::new();
@@ -227,7 +212,8 @@ impl Run<'_> {
             }
             Some(are_wrong)
         };
-        search::places(scenes, most.min(experiment::MOST), profile, &mut ask)
+        let ask = &mut ask;
+        Search { most, profile, ask }.places(scenes, &[])
     }
 
     /// Gives each of two findings of one law a scene in which the other makes no difference.
@@ -260,7 +246,7 @@ impl Run<'_> {
 /// Whether a color breaks a law by itself.
 fn is_broken(right: &Formula, scene: &Scene, reply: Triple) -> bool {
     let linear = right.linear(scene);
-    let mut alone = Law::ALL.into_iter().filter(|law| *law != Law::NoMemory);
+    let mut alone = [Law::Finite, Law::Formula].into_iter();
     alone.any(|law| law.broken(right, linear, &[reply]).is_some())
 }
 
@@ -270,5 +256,7 @@ fn places_of_mistake(scenes: &[Scene], profile: &Profile, then: &Profile) -> Vec
     let is_wrong = |scene: &Scene| is_broken(&right, scene, wrong.reply(scene));
     let scenes: Vec<Scene> = scenes.iter().filter(|it| is_wrong(it)).cloned().collect();
     let mut ask = |scenes: &[Scene]| Some(scenes.iter().map(is_wrong).collect());
-    search::places(&scenes, experiment::MOST, profile, &mut ask).unwrap_or_default()
+    let (most, ask) = (experiment::MOST, &mut ask);
+    let places = Search { most, profile, ask }.places(&scenes, &[]);
+    places.unwrap_or_default()
 }

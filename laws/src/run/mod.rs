@@ -33,16 +33,17 @@ impl Laws {
     /// In one line: a contradictory profile; no cases at all.
     pub fn run(&self, renderer: &mut impl Renderer) -> Result<Report, String> {
         let plan = Plan::new(self, &renderer.profile())?;
-        let start = (self.clock)();
         let mut run = Run {
             renderer,
             plan: &plan,
             right: formula(&plan.profile, None),
-            start,
-            deadline: self.time.map(|time| start + time),
-            asked: 0,
+            start: (self.clock)(),
+            progress: Progress {
+                asked: 0,
+                of: handed(&plan.cases).len(),
+                broken: 0,
+            },
             waited: Duration::ZERO,
-            of: handed(&plan.cases).len(),
             tried: 0,
             failures: BTreeMap::new(),
             evidence: Evidence::new(plan.profile.clone()),
@@ -96,11 +97,8 @@ struct Run<'a> {
     plan: &'a Plan,
     right: Formula<'a>,
     start: Duration,
-    deadline: Option<Duration>,
-    /// The number of scenes, and that of the whole plan.
-    asked: usize,
-    of: usize,
-    /// The time that the renderer took for them.
+    progress: Progress,
+    /// The time that the renderer took for what it was asked.
     waited: Duration,
     /// The number of cases, and for each law those that failed.
     tried: usize,
@@ -140,11 +138,17 @@ impl Run<'_> {
         (self.plan.laws.clock)()
     }
 
+    /// The time that is left, if it is limited.
+    fn left(&self) -> Option<Duration> {
+        let end = self.start + self.plan.laws.time?;
+        Some(end.saturating_sub(self.now()))
+    }
+
     fn is_late(&self) -> bool {
-        self.deadline.is_some_and(|end| {
-            // what is wrong needs time to be placed
-            let left = end.saturating_sub(self.now());
-            left.is_zero() || !self.failures.is_empty() && left * 4 < end.saturating_sub(self.start)
+        let left = self.left().zip(self.plan.laws.time);
+        // what is wrong needs time to be placed
+        left.is_some_and(|(left, time)| {
+            left.is_zero() || !self.failures.is_empty() && left * 4 < time
         })
     }
 
@@ -158,10 +162,9 @@ impl Run<'_> {
         })
     }
 
-    /// When a search ends that begins now.
-    fn end_of_search(&self) -> Duration {
-        let end = self.now() + SEARCH;
-        self.deadline.map_or(end, |deadline| deadline.min(end))
+    /// The time for a search that begins now.
+    fn time_of_search(&self) -> Duration {
+        self.left().map_or(SEARCH, |left| left.min(SEARCH))
     }
 
     /// For each case the colors of its scenes.
@@ -176,42 +179,35 @@ impl Run<'_> {
         if scenes.is_empty() {
             return Some(Vec::new()); // a batch has scenes
         }
-        let progress = Progress {
-            asked: self.asked,
-            of: self.of,
-            broken: self.failures.len(),
-        };
-        self.is_stopped |= !self.renderer.goes_on(&progress);
+        self.progress.broken = self.failures.len();
+        self.is_stopped |= !self.renderer.goes_on(&self.progress);
         if self.is_stopped {
             self.is_over = true;
             return None;
         }
-        self.asked += scenes.len();
+        self.progress.asked += scenes.len();
         let asked = self.now();
         let answer = self.renderer.shade(scenes);
         self.waited += self.now().saturating_sub(asked);
-        match answer {
-            Ok(colors) if colors.len() == scenes.len() => Some(colors),
-            answer => {
-                let few =
-                    |colors: Vec<_>| format!("{} colors for {} scenes", colors.len(), scenes.len());
-                let why = answer.map_or_else(|why| why, few);
-                // that it was interrupted is no error
-                self.is_stopped |= !self.renderer.goes_on(&progress);
-                if !self.is_stopped {
-                    self.error.get_or_insert(why);
-                }
-                self.is_over = true;
-                None
-            }
+        let why = match answer {
+            Ok(colors) if colors.len() == scenes.len() => return Some(colors),
+            Ok(colors) => format!("{} colors for {} scenes", colors.len(), scenes.len()),
+            Err(why) => why,
+        };
+        // that it was interrupted is no error
+        self.is_stopped |= !self.renderer.goes_on(&self.progress);
+        if !self.is_stopped {
+            self.error.get_or_insert(why);
         }
+        self.is_over = true;
+        None
     }
 
     /// What was found, with smaller cases and places where the renderer still answers.
     fn report(mut self) -> Report {
         self.evidence.sample();
         let mut findings = self.findings();
-        let until = self.end_of_search();
+        let until = self.now() + self.time_of_search();
         let laws = Law::ALL.map(|law| {
             let (name, says) = law.told();
             LawReport {
@@ -239,10 +235,8 @@ impl Run<'_> {
     fn verdict(&mut self, law: Law, until: Duration) -> Verdict {
         let is_of_law = |case: &&Case| case.is_of(law);
         let count = |cases: &[Case]| cases.iter().filter(is_of_law).count();
-        let (cases, of) = (
-            count(&self.plan.cases[..self.tried]),
-            count(&self.plan.cases),
-        );
+        let plan = self.plan;
+        let (cases, of) = (count(&plan.cases[..self.tried]), count(&plan.cases));
         let failures = self.failures.get(&law).map_or(&[][..], Vec::as_slice);
         match failures.iter().min_by_key(|it| it.rank()).cloned() {
             Some(least) => Verdict::Broken {
@@ -285,11 +279,7 @@ impl Run<'_> {
         is_so: &dyn Fn(&Failure) -> bool,
     ) -> Failure {
         // without a clock, so many batches end the search
-        let mut left = if self.plan.laws.shrinks {
-            MOST_BATCHES
-        } else {
-            0
-        };
+        let mut left = usize::from(self.plan.laws.shrinks) * MOST_BATCHES;
         let (law, is_clear) = (failure.law, failure.broken.is_clear());
         'smaller: loop {
             let simpler = shrink::simpler(&failure.case.scene, &self.plan.profile);
@@ -298,14 +288,12 @@ impl Run<'_> {
                     return failure;
                 }
                 left -= 1;
-                let scenes = scenes.iter().cloned();
-                let case = |scene| Case::new(scene, &self.right, law == Law::NoMemory);
-                let cases: Vec<Case> = scenes.map(case).collect();
+                let case =
+                    |scene: &Scene| Case::new(scene.clone(), &self.right, law == Law::NoMemory);
+                let cases: Vec<Case> = scenes.iter().map(case).collect();
                 let replies = self.replies(&cases).unwrap_or_default();
-                let mut failures = cases
-                    .iter()
-                    .zip(&replies)
-                    .filter_map(|(case, it)| self.failure(law, case, it));
+                let answers = cases.iter().zip(&replies);
+                let mut failures = answers.filter_map(|(case, it)| self.failure(law, case, it));
                 let is_like = |it: &Failure| (it.broken.is_clear() || !is_clear) && is_so(it);
                 if let Some(found) = failures.find(is_like) {
                     failure = found;
