@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 
 use crate::cause::is_nearly_all;
 use crate::edit::EDITS;
-use crate::place::{Place, number};
+use crate::place::Place;
 use crate::profile::Profile;
 use crate::scene::Scene;
 
@@ -140,25 +140,6 @@ impl Experiment {
             }
         }
         place
-    }
-
-    /// Tells of a place what it could not show where something was out: whether it is of highlights alone, or of
-    /// point lights alone. The cases that its edit repairs have the other, too.
-    pub fn settle(&self, place: &mut Place, edit: usize, out: &[usize]) {
-        // without a highlight, the model is another, too, which says nothing of diffuse light
-        for [id, other] in ALONE.into_iter().filter(|[id, _]| *id != "diffuse") {
-            let other = number(other).filter(|k| out.contains(k));
-            let (Some(k), Some(other)) = (number(id), other) else {
-                continue;
-            };
-            let of = self.repaired[edit] & self.broken[other];
-            let is_known = count(of) >= FEW && !place.only_with.contains(&id);
-            if is_known && is_nearly_all(count(self.repaired[k] & of), count(of)) {
-                place.also_without.retain(|it| *it != id);
-                place.only_with.push(id);
-                place.only_with.sort_by_key(|id| number(id));
-            }
-        }
     }
 
     /// The edits that repair some of the cases and leave others, the most helpful ones first.

@@ -43,12 +43,6 @@ impl Place {
         let mut ids = other.only_with.iter();
         ids.all(|id| self.only_with.contains(id))
     }
-
-    /// Whether both say the same but for what is general.
-    pub(crate) fn is_as_particular(&self, other: &Self) -> bool {
-        self.only_with == other.only_with
-            || !self.is_general() && self.particular() == other.particular()
-    }
 }
 
 /// Parts that make up one thing, and what else may be told of either: where both are wrong, the

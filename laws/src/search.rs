@@ -6,10 +6,6 @@ use crate::place::{Place, merge, number};
 use crate::profile::Profile;
 use crate::scene::Scene;
 
-/// What turns the eye, as "eye behind" does, too. That cannot always keep the highlight as bright, so it
-/// repairs some cases of what is wrong with some cosines alone, and these repair the others: that is one thing.
-const TURNS: [&str; 3] = ["shininess", "Phong", "Blinn"];
-
 /// The most things that are taken out one after the other, each because another is wrong, too.
 const DEPTH: usize = 2;
 
@@ -61,7 +57,7 @@ impl Search<'_, '_> {
             None => experiment.parts(),
         };
         let cases = some(cases, 10 * self.most);
-        let apart = |k| self.apart(&cases, (&experiment, &whole), k, without);
+        let apart = |k| self.apart(&cases, &whole, k, without);
         let found = firsts.into_iter().map_while(apart); // until the time is up
         let several = found.filter(|all| all.len() > 1);
         // few places, and particular ones
@@ -76,7 +72,7 @@ impl Search<'_, '_> {
     fn apart(
         &mut self,
         cases: &[Scene],
-        (experiment, whole): (&Experiment, &Place),
+        whole: &Place,
         k: usize,
         without: &[usize],
     ) -> Option<Vec<Place>> {
@@ -86,18 +82,14 @@ impl Search<'_, '_> {
             return none;
         }
         let without_first = [without, &[k]].concat();
-        let mut others = if whole.only_with.len() < 2 {
+        let others = if whole.only_with.len() < 2 {
             self.places(&left, &without_first)?
         } else {
             let of_others = self.experiment(&left, &without_first)?;
             vec![of_others.place()]
         };
         let edits: Vec<usize> = others.iter().filter_map(|it| it.beside(whole)).collect();
-        let both = [&edits[..], &[k]].concat();
-        let turns = |id: &&str| *id == "eye behind" || TURNS.contains(id);
-        let is_one = both.iter().all(|k| turns(&EDITS[*k].id))
-            && both.iter().any(|k| EDITS[*k].id == "eye behind");
-        if edits.len() < others.len() || is_one {
+        if edits.len() < others.len() {
             return none;
         }
         let of_first = self.left(cases, &edits)?;
@@ -105,18 +97,14 @@ impl Search<'_, '_> {
             return none;
         }
         let of_first = self.experiment(&of_first, &[without, &edits].concat())?;
-        let mut first = of_first.place();
+        let first = of_first.place();
         let is_told = !whole.is_general() || first.beside(whole).is_some();
         if !first.only_with.contains(&EDITS[k].id) || !is_told {
             return none;
         }
-        experiment.settle(&mut first, k, &edits);
-        for (other, edit) in others.iter_mut().zip(&edits) {
-            experiment.settle(other, *edit, &[k]);
-        }
         let mut all = vec![first];
         for other in others {
-            if all.iter().all(|place| !place.is_as_particular(&other)) {
+            if all.iter().all(|place| place.only_with != other.only_with) {
                 all.push(other);
             }
         }
