@@ -42,6 +42,9 @@ pub struct Finding {
     /// The smallest scenes that show it, as the renderer got them: those of the first of its laws that rounding
     /// does not explain.
     pub scenes: Vec<Scene>,
+    /// What is shown is right if nothing is asked before.
+    #[serde(skip)]
+    pub(crate) is_right_alone: bool,
     /// What shows it better than the smallest case of its laws: the scenes after which a color is wrong that is
     /// right without them, or a scene in which nothing else is wrong, where another finding is of the same law.
     #[serde(skip)]
@@ -219,7 +222,7 @@ impl Report {
         }
         if let Some((law, smallest)) = finding.shown(&self.laws) {
             write!(f, "\n  {}: {}\n{smallest}", law.law, law.says)?;
-            if finding.own.is_some() && smallest.scenes.len() > 1 {
+            if finding.is_right_alone {
                 writeln!(f, "  The last scene alone has the right color.")?;
             }
             let again = self.reproduction(&smallest.scenes);

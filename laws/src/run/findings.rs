@@ -158,6 +158,7 @@ impl Run<'_> {
         let few = found.filter(|(scenes, ..)| scenes.len() <= 8);
         let own = few.map(|(scenes, colors, broken)| self.told(scenes, colors, broken));
         Some(Finding {
+            is_right_alone: true,
             own: own.map(Box::new),
             ..Finding::default()
         })
