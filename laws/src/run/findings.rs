@@ -71,29 +71,21 @@ impl Run<'_> {
                 continue;
             };
             let rest = self.evidence.rest(then);
-            let left = rest.wrong_scenes();
-            if left.len() < FEW {
-                continue;
-            }
-            let other = rest.whole();
-            if other.is_none() && !is_vague {
+            let (left, other) = (rest.wrong_scenes(), rest.whole());
+            if left.len() < FEW || other.is_none() && !is_vague {
                 continue;
             }
             let others = self.places(then, &left).unwrap_or_default();
+            let of_part = places_of_mistake(&scenes, &plan.profile, then);
+            // a known mistake that gives the same where one more thing is missing is no other one: so m + 2 is 3m at 1
+            let is_within = |it: &Place| of_part.iter().any(|part| it.is_within(part));
+            let is_same = |it: &Place| it.is_general() || is_within(it);
             let is_sure = part.is_half() || other.is_some();
-            if is_sure || others.iter().all(|place| !place.is_general()) {
-                let of_part = places_of_mistake(&scenes, &plan.profile, then);
-                // a known mistake that gives the same where one more thing is missing is no other one: so m + 2 is 3m at 1
-                let is_within = |it: &Place| of_part.iter().any(|part| it.is_within(part));
-                if !is_sure && others.iter().any(is_within) {
-                    continue;
-                }
-                // the parts of one thing are one mistake
-                let mut all = [&of_part[..], &others].concat();
-                place::merge(&mut all);
-                if all.len() > 1 {
-                    return vec![(Some(part), of_part), (other, others)];
-                }
+            // the parts of one thing are one mistake
+            let mut all = [&of_part[..], &others].concat();
+            place::merge(&mut all);
+            if all.len() > 1 && (is_sure || !others.iter().any(is_same)) {
+                return vec![(Some(part), of_part), (other, others)];
             }
         }
         vec![(cause, places)]
