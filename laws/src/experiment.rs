@@ -31,7 +31,7 @@ const MOST_PARTS: usize = 5;
 /// chance once in 256 times, so one of all edits does in 9 of 100; of 3, about three do.
 pub const FEW: usize = 8;
 
-/// The most broken cases of an experiment: a bit each.
+/// The most broken cases of an experiment.
 pub const MOST: usize = 60;
 
 /// Asks whether the colors of scenes are wrong, if the renderer still answers.
@@ -44,15 +44,11 @@ pub struct Experiment {
     is_first: bool,
     /// What is left alone by what was taken out already, so that nothing is left to be wrong without it.
     alone: Vec<&'static str>,
-    /// For each edit the cases that it repairs, those that it leaves broken, and those of which it says nothing.
-    repaired: Vec<u64>,
-    broken: Vec<u64>,
-    unknown: Vec<u64>,
-}
-
-/// The number of cases of a set.
-fn count(cases: u64) -> usize {
-    cases.count_ones() as usize
+    /// For each edit the number of cases that it repairs, of those that it leaves broken, and of those of which it
+    /// says nothing.
+    repaired: Vec<usize>,
+    broken: Vec<usize>,
+    unknown: Vec<usize>,
 }
 
 impl Experiment {
@@ -63,12 +59,11 @@ impl Experiment {
         ask: &mut Ask,
         without: &[usize],
     ) -> Option<Self> {
-        let count = cases.len().min(MOST);
         let [repaired, broken, unknown] = [(); 3].map(|()| vec![0; EDITS.len()]);
         let is_out = |id: &str| without.iter().any(|k| EDITS[*k].id == id);
         let alone = ALONE.into_iter().filter(|[_, other]| is_out(other));
         let mut experiment = Self {
-            count,
+            count: cases.len(),
             is_first: without.is_empty(),
             alone: alone.map(|[id, _]| id).collect(),
             repaired,
@@ -77,7 +72,7 @@ impl Experiment {
         };
         let (mut asked, mut of) = (Vec::new(), Vec::new());
         for (k, edit) in EDITS.iter().enumerate() {
-            for (i, scene) in cases[..count].iter().enumerate() {
+            for scene in cases {
                 let Some(mut trial) = edit.trial(scene, profile) else {
                     continue;
                 };
@@ -89,42 +84,37 @@ impl Experiment {
                     }
                 }
                 if trial.edited == *scene {
-                    experiment.unknown[k] |= 1 << i;
+                    experiment.unknown[k] += 1;
                     continue;
                 }
+                of.push((k, trial.control.is_some()));
                 asked.push(trial.edited);
-                of.push((k, i, false));
-                if let Some(control) = trial.control {
-                    asked.push(control);
-                    of.push((k, i, true));
-                }
+                asked.extend(trial.control);
             }
         }
-        for ((k, i, is_control), is_broken) in of.into_iter().zip(ask(&asked)?) {
-            let answer = match (is_control, is_broken) {
-                (true, true) => continue,
-                (true, false) => &mut experiment.unknown,
-                (false, true) => &mut experiment.broken,
-                (false, false) => &mut experiment.repaired,
+        let mut are_broken = ask(&asked)?.into_iter();
+        for (k, has_control) in of {
+            let is_broken = are_broken.next()?;
+            let answers = if has_control && !are_broken.next()? {
+                &mut experiment.unknown
+            } else if is_broken {
+                &mut experiment.broken
+            } else {
+                &mut experiment.repaired
             };
-            answer[k] |= 1 << i;
-        }
-        for k in 0..EDITS.len() {
-            experiment.repaired[k] &= !experiment.unknown[k];
-            experiment.broken[k] &= !experiment.unknown[k];
+            answers[k] += 1;
         }
         Some(experiment)
     }
 
     /// The place of the cases.
     pub fn place(&self) -> Place {
-        let of = u64::MAX >> (64 - self.count.clamp(1, 64));
         let mut place = Place::default();
         let is_of = |place: &Place, ids: &[&str]| place.only_with.iter().any(|id| ids.contains(id));
         for (k, edit) in EDITS.iter().enumerate() {
-            let known = count(of & !self.unknown[k]);
-            let [repaired, broken] = self.counts(k);
-            let is_told = if known * 2 > count(of) && !self.alone.contains(&edit.id) {
+            let known = self.count - self.unknown[k];
+            let (repaired, broken) = (self.repaired[k], self.broken[k]);
+            let is_told = if known * 2 > self.count && !self.alone.contains(&edit.id) {
                 // Of a term that is taken away, nothing is left to be wrong. Without it, most colors are too dark for a
                 // wrong clamp, too, but not all. Where another thing was out, a few cases may be wrong by a rest of it.
                 let is_strict = self.is_first && TERMS.contains(&edit.id);
@@ -144,18 +134,10 @@ impl Experiment {
 
     /// The edits that repair some of the cases and leave others, the most helpful ones first.
     pub fn parts(&self) -> Vec<usize> {
-        let is_part = |k: &usize| {
-            let [repaired, broken] = self.counts(*k);
-            repaired >= FEW && broken > 0
-        };
+        let is_part = |k: &usize| self.repaired[*k] >= FEW && self.broken[*k] > 0;
         let mut parts: Vec<usize> = (0..EDITS.len()).filter(is_part).collect();
-        parts.sort_by_key(|k| Reverse(self.counts(*k)[0]));
+        parts.sort_by_key(|k| Reverse(self.repaired[*k]));
         parts.truncate(MOST_PARTS);
         parts
-    }
-
-    /// The number of cases that an edit repairs, and that of those that it leaves broken.
-    fn counts(&self, k: usize) -> [usize; 2] {
-        [self.repaired[k], self.broken[k]].map(count)
     }
 }

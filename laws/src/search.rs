@@ -85,8 +85,7 @@ impl Search<'_, '_> {
         let others = if whole.only_with.len() < 2 {
             self.places(&left, &without_first)?
         } else {
-            let of_others = self.experiment(&left, &without_first)?;
-            vec![of_others.place()]
+            vec![self.experiment(&left, &without_first)?.place()]
         };
         let edits: Vec<usize> = others.iter().filter_map(|it| it.beside(whole)).collect();
         if edits.len() < others.len() {
@@ -96,8 +95,8 @@ impl Search<'_, '_> {
         if of_first.len() < FEW {
             return none;
         }
-        let of_first = self.experiment(&of_first, &[without, &edits].concat())?;
-        let first = of_first.place();
+        let without_others = [without, &edits].concat();
+        let first = self.experiment(&of_first, &without_others)?.place();
         let is_told = !whole.is_general() || first.beside(whole).is_some();
         if !first.only_with.contains(&EDITS[k].id) || !is_told {
             return none;
