@@ -226,12 +226,7 @@ impl Run<'_> {
         let is_second = |it: &Failure| is_of_first(&it.case.scene, right.reply(&it.case.scene));
         let is_so: [&dyn Fn(&Failure) -> bool; 2] = [&is_first, &is_second];
         for (finding, is_so) in [first, second].into_iter().zip(is_so) {
-            let failures = self.failures.get(&Law::Formula).into_iter().flatten();
-            let least = failures.filter(|it| is_so(it)).min_by_key(|it| it.rank());
-            if let Some(least) = least.cloned() {
-                let smallest = self.smaller(least, until, is_so);
-                finding.own = Some(Box::new(self.counterexample(smallest)));
-            }
+            finding.own = self.smallest(Law::Formula, until, is_so);
         }
     }
 }

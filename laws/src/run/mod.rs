@@ -237,27 +237,16 @@ impl Run<'_> {
         let count = |cases: &[Case]| cases.iter().filter(is_of_law).count();
         let plan = self.plan;
         let (cases, of) = (count(&plan.cases[..self.tried]), count(&plan.cases));
-        let failures = self.failures.get(&law).map_or(&[][..], Vec::as_slice);
-        match failures.iter().min_by_key(|it| it.rank()).cloned() {
-            Some(least) => Verdict::Broken {
+        let failures = self.failures.get(&law).map_or(0, Vec::len);
+        match self.smallest(law, until, &|_| true) {
+            Some(smallest) => Verdict::Broken {
                 cases,
-                failures: failures.len(),
-                smallest: {
-                    let smallest = self.smaller(least, until, &|_| true);
-                    Box::new(self.counterexample(smallest))
-                },
+                failures,
+                smallest,
             },
             None if cases < of => Verdict::CutShort { cases, of },
             None => Verdict::Holds { cases },
         }
-    }
-
-    fn counterexample(&self, failure: Failure) -> Counterexample {
-        let mut scenes = failure.case.scenes();
-        if failure.law != Law::NoMemory {
-            scenes.truncate(1);
-        }
-        self.told(scenes, failure.replies, failure.broken)
     }
 
     fn told(&self, scenes: Vec<Scene>, mut colors: Vec<Triple>, broken: Broken) -> Counterexample {
@@ -270,22 +259,24 @@ impl Run<'_> {
         }
     }
 
-    /// The smallest case like this that is still broken; if rounding does not explain the first one, it does
-    /// not explain that one either.
-    fn smaller(
+    /// The smallest case like this that breaks a law, if one does; if rounding does not explain the first one, it
+    /// does not explain that one either.
+    fn smallest(
         &mut self,
-        mut failure: Failure,
+        law: Law,
         until: Duration,
         is_so: &dyn Fn(&Failure) -> bool,
-    ) -> Failure {
+    ) -> Option<Box<Counterexample>> {
+        let failures = self.failures.get(&law)?.iter().filter(|it| is_so(it));
+        let mut failure = failures.min_by_key(|it| it.rank())?.clone();
+        let is_clear = failure.broken.is_clear();
         // without a clock, so many batches end the search
         let mut left = usize::from(self.plan.laws.shrinks) * MOST_BATCHES;
-        let (law, is_clear) = (failure.law, failure.broken.is_clear());
         'smaller: loop {
             let simpler = shrink::simpler(&failure.case.scene, &self.plan.profile);
             for scenes in simpler.chunks(SIMPLER) {
                 if left == 0 || self.now() >= until || self.is_over {
-                    return failure;
+                    break 'smaller;
                 }
                 left -= 1;
                 let case =
@@ -300,7 +291,12 @@ impl Run<'_> {
                     continue 'smaller;
                 }
             }
-            return failure;
+            break;
         }
+        let mut scenes = failure.case.scenes();
+        if law != Law::NoMemory {
+            scenes.truncate(1);
+        }
+        Some(Box::new(self.told(scenes, failure.replies, failure.broken)))
     }
 }
