@@ -1,20 +1,14 @@
 //! The scenes of a run, and what is known of their colors before any renderer gives them.
 
-use std::ops::Range;
-
 use crate::bounded::Bounded3;
 use crate::corpus;
 use crate::formula::Formula;
 use crate::generator;
-use crate::law::Law;
 use crate::mistakes::{departures, formula};
 use crate::options::Laws;
 use crate::profile::Profile;
 use crate::random::Random;
 use crate::scene::{Light, Scene, scale};
-
-/// The sizes of the batches: small ones first, so that a slow renderer soon shows something.
-const SIZES: [usize; 4] = [1, 8, 32, 256];
 
 /// One scene of so many is asked for again.
 const AGAIN: usize = 8;
@@ -63,11 +57,6 @@ impl Case {
         }
         scenes
     }
-
-    /// Whether a law says something about it.
-    pub fn is_of(&self, law: Law) -> bool {
-        self.is_again || law != Law::NoMemory
-    }
 }
 
 /// The scenes of some cases, in the order in which the renderer gets them.
@@ -103,16 +92,5 @@ impl Plan {
             profile: profile.clone(),
             cases: cases.collect(),
         })
-    }
-
-    /// The batches of a run.
-    pub fn batches(&self) -> Vec<Range<usize>> {
-        let (mut batches, mut start, mut sizes) = (Vec::new(), 0, SIZES.iter());
-        while start < self.cases.len() {
-            let end = start + sizes.next().unwrap_or(&SIZES[3]);
-            batches.push(start..end.min(self.cases.len()));
-            start = end;
-        }
-        batches
     }
 }

@@ -16,6 +16,9 @@ use crate::report::{Counterexample, LawReport, Report, Verdict};
 use crate::scene::{Scene, Triple};
 use crate::shrink;
 
+/// The sizes of the batches: small ones first, so that a slow renderer soon shows something.
+const SIZES: [usize; 4] = [1, 8, 32, 256];
+
 /// The simpler cases that are asked for at once.
 const SIMPLER: usize = 32;
 
@@ -115,11 +118,12 @@ struct Run<'a> {
 impl Run<'_> {
     /// Every case of the plan, until the time is up or the renderer no longer answers.
     fn all(&mut self) -> Option<()> {
-        for range in self.plan.batches() {
-            if range.start > 0 && self.is_late() {
-                break;
-            }
-            let cases = &self.plan.cases[range];
+        let plan = self.plan;
+        let mut sizes = SIZES.into_iter();
+        while self.tried < plan.cases.len() && (self.tried == 0 || !self.is_late()) {
+            let left = &plan.cases[self.tried..];
+            let size = sizes.next().unwrap_or(SIZES[3]);
+            let cases = &left[..size.min(left.len())];
             for (case, replies) in cases.iter().zip(self.replies(cases)?) {
                 let is_right = self.right.fits_linear(case.linear, replies[0]) != Some(false);
                 self.evidence.note(is_right, &case.scene, replies[0]);
@@ -233,7 +237,7 @@ impl Run<'_> {
     }
 
     fn verdict(&mut self, law: Law, until: Duration) -> Verdict {
-        let is_of_law = |case: &&Case| case.is_of(law);
+        let is_of_law = |case: &&Case| case.is_again || law != Law::NoMemory;
         let count = |cases: &[Case]| cases.iter().filter(is_of_law).count();
         let plan = self.plan;
         let (cases, of) = (count(&plan.cases[..self.tried]), count(&plan.cases));
