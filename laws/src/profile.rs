@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::bounded;
-use crate::scene::{Kind, Light, Model, Scene, Triple, length, sub, unit};
+use crate::scene::{Kind, Light, Model, Scene, Triple, length, size, sub, unit};
 
 /// The most that the format allows a channel of a light.
 pub const BRIGHTEST: f64 = 16.0;
@@ -245,7 +245,9 @@ impl Profile {
                     && (!self.unattenuated || abc == [1.0, 0.0, 0.0])
                     && position != [0.0; 3] // a lamp at the origin divides by 0 where p is forgotten
                     && is_in_reach(sub(position, scene.p))
-                    && !scene.has_lamp_at_the_point(light, self.roundoff)
+                    // in the frame of the eye, both positions round by up to u times their size, so a renderer may
+                    // find a nearer lamp at the point
+                    && size(sub(position, scene.p)) > 4.0 * self.roundoff * scene.extent(position)
             })
         };
         let is_aimed = |light: &Light| match *light {

@@ -256,14 +256,6 @@ impl Scene {
     pub(crate) fn extent(&self, lamp: Triple) -> f64 {
         size(lamp) + size(self.p) + size(self.v)
     }
-
-    /// Whether a lamp stands so near to the point that a renderer with this roundoff may find it
-    /// there: in the frame of the eye, both positions round by up to u times their size.
-    pub(crate) fn has_lamp_at_the_point(&self, light: &Light, u: f64) -> bool {
-        light.lamp().is_some_and(|(position, _)| {
-            size(sub(position, self.p)) <= 4.0 * u * self.extent(position)
-        })
-    }
 }
 
 /// What is left of light at a distance.

@@ -88,13 +88,6 @@ struct Failure {
     replies: Vec<Triple>,
 }
 
-impl Failure {
-    /// The order in which failures are worth showing.
-    fn rank(&self) -> (bool, u32) {
-        (!self.broken.is_clear(), shrink::cost(&self.case.scene))
-    }
-}
-
 struct Run<'a> {
     renderer: &'a mut dyn Renderer,
     plan: &'a Plan,
@@ -272,7 +265,9 @@ impl Run<'_> {
         is_so: &dyn Fn(&Failure) -> bool,
     ) -> Option<Box<Counterexample>> {
         let failures = self.failures.get(&law)?.iter().filter(|it| is_so(it));
-        let mut failure = failures.min_by_key(|it| it.rank())?.clone();
+        // the order in which failures are worth showing
+        let rank = |it: &&Failure| (!it.broken.is_clear(), shrink::cost(&it.case.scene));
+        let mut failure = failures.min_by_key(rank)?.clone();
         let is_clear = failure.broken.is_clear();
         // without a clock, so many batches end the search
         let mut left = usize::from(self.plan.laws.shrinks) * MOST_BATCHES;
