@@ -8,6 +8,7 @@ import os
 os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkOSOpenGLRenderWindow")
 os.environ.setdefault("GALLIUM_DRIVER", "softpipe")
 
+import numpy
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, draws what the others describe
 from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkFloatArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
@@ -17,10 +18,6 @@ from batches import serve
 
 SIDE = 16
 PROFILE = {"name": "VTK", "models": ["lambert", "phong"], "departs": ["UnlitWithoutLights"]}
-
-
-def add(a, b):
-    return [x + y for x, y in zip(a, b)]
 
 
 class Pixel:
@@ -60,12 +57,12 @@ class Pixel:
         self.normals.SetTuple(0, scene["n"])
         self.normals.Modified()
         camera = self.renderer.GetActiveCamera()
-        camera.SetPosition(add(p, v))
+        camera.SetPosition(numpy.add(p, v))
         camera.SetFocalPoint(p)
         least = min(range(3), key=lambda i: abs(v[i]))
         camera.SetViewUp([float(i == least) for i in range(3)])
         camera.SetClippingRange(0.5 * math.hypot(*v), 2 * math.hypot(*v))
-        self.surface.SetAmbientColor([a * b for a, b in zip(scene["k_a"], scene["i_a"])])
+        self.surface.SetAmbientColor(numpy.multiply(scene["k_a"], scene["i_a"]))
         self.surface.SetDiffuseColor(scene["k_d"])
         self.surface.SetSpecularColor([0, 0, 0] if scene["model"] == "lambert" else scene["k_s"])
         self.surface.SetSpecularPower(scene["m"])
@@ -89,7 +86,7 @@ def of(scene):
     light.SetExponent(0)
     light.SetConeAngle(90)  # no cone
     if scene["kind"] == "spot":
-        light.SetFocalPoint(add(scene["position"], scene["axis"]))
+        light.SetFocalPoint(numpy.add(scene["position"], scene["axis"]))
         light.SetConeAngle(math.degrees(scene["angle"]))
     return light
 
