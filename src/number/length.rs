@@ -66,16 +66,18 @@ fn plain<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
 }
 
 /// A call without an FPU: inline, the compiler would compute it for every vector, beside the other, and choose.
+/// It takes the components: in a vector, which is passed by its address, each of them would be stored for every
+/// light (measured: 7,457 instructions became 7,471 on a Cortex-M0, and five sums 36 bytes longer).
 #[inline(always)]
 fn rescued<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
     #[inline(never)]
-    fn called<T: Real>(v: Vec3<T>, square: T) -> Measured<T> {
-        scaled_and_measured(v, square)
+    fn called<T: Real>(x: T, y: T, z: T, square: T) -> Measured<T> {
+        scaled_and_measured(Vec3::new(x, y, z), square)
     }
     if FPU {
         scaled_and_measured(v, square)
     } else {
-        called(v, square)
+        called(v.x, v.y, v.z, square)
     }
 }
 
