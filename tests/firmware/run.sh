@@ -195,7 +195,7 @@ for target in $m4f $m0 $riscv; do
 done
 
 echo "== flash of a program with one sum, and with five"
-# the path of the checkout, by which rustc orders functions, moves them by up to 24
+# these vary by up to 24 bytes with the path of the checkout, by which rustc orders functions
 declare -A sites=(
     [$m4f fixed]="3220 9700" [$m0 fixed]="5070 11500" [$riscv fixed]="5170 13850"
     [$m4f f32]="1520 5950" [$m0 f32]="4860 9320" [$riscv f32]="6120 11748"
