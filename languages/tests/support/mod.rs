@@ -172,7 +172,7 @@ impl Random {
                 self.one_of(&DIRECTIONS).map(|x| x * sign).to_vec()
             }
             // two of these may be further apart than numbers go
-            Kind::Vector if self.is_made_finite && self.bits() % 4 == 0 => {
+            Kind::Vector if self.is_made_finite && self.one_of(&[true, false, false, false]) => {
                 let size = self.one_of(&[2_f32.powi(127), -2_f32.powi(127)]);
                 self.one_of(&DIRECTIONS).map(|x| x * size).to_vec()
             }
