@@ -222,11 +222,17 @@ impl Report {
         }
         if let Some((law, smallest)) = finding.shown(&self.laws) {
             write!(f, "\n  {}: {}\n{smallest}", law.law, law.says)?;
-            if finding.is_right_alone {
-                writeln!(f, "  The last scene alone has the right color.")?;
-            }
             let again = self.reproduction(&smallest.scenes);
-            writeln!(f, "  To reproduce it:\n{again}")?;
+            let how = match smallest.scenes.len() {
+                1 if finding.is_right_alone => {
+                    "To reproduce it, run the laws again with this seed.\n  This scene alone has the right color:"
+                }
+                _ if finding.is_right_alone => {
+                    "The last scene alone has the right color.\n  To reproduce it:"
+                }
+                _ => "To reproduce it:",
+            };
+            writeln!(f, "  {how}\n{again}")?;
         }
         Ok(())
     }

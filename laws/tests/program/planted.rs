@@ -110,6 +110,22 @@ fn what_is_remembered_is_told_with_what_was_asked_before() {
     }
 }
 
+/// What depends on many scenes is not reproduced by one of them.
+#[test]
+fn what_many_scenes_bring_about_is_reproduced_by_the_run() {
+    let script = PYTHON.replace(
+        "def shade(scene):\n",
+        "count = 0\n\n\ndef shade(scene):\n    global count\n    count += 1\n    scene[\"k_d\"][0] += count % 64 == 0\n",
+    );
+    assert_ne!(script, PYTHON);
+    let report = shell(&script, r#"$laws python3 -c "$script""#, 1);
+    assert!(
+        report.contains("To reproduce it, run the laws again with this seed."),
+        "{report}"
+    );
+    assert!(!report.contains("To reproduce it:"), "{report}");
+}
+
 /// Takes out single lines of an example. What is left has no memory, so none may be told of it.
 fn lines_are_missed(language: &str, step: usize) {
     let file = Path::new(FOLDER).join(format!("missing.{language}"));
