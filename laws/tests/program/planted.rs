@@ -115,7 +115,8 @@ fn what_is_remembered_is_told_with_what_was_asked_before() {
 fn what_many_scenes_bring_about_is_reproduced_by_the_run() {
     let script = PYTHON.replace(
         "def shade(scene):\n",
-        "count = 0\n\n\ndef shade(scene):\n    global count\n    count += 1\n    scene[\"k_d\"][0] += count % 64 == 0\n",
+        "count = 0\n\n\ndef shade(scene):\n    global count\n    count += 1\n    \
+         scene[\"k_d\"][0] += count % 64 == 0\n",
     );
     assert_ne!(script, PYTHON);
     let report = shell(&script, r#"$laws python3 -c "$script""#, 1);
