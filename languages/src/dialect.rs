@@ -39,8 +39,8 @@ pub struct Dialect {
     pub extremes: &'static [&'static str],
     /// What begins the file and what ends it.
     pub around: [&'static str; 2],
-    /// The file, in which `{structs}`, `{functions}`, the crate's `{own}` power and the language's `{built_in}` have
-    /// their places.
+    /// The file, in which `{structs}`, `{functions}`, the crate's `{own}` power and the language's `{built_in}`
+    /// have their places.
     pub file: &'static str,
     /// What gives the bits of a number as an integer, and a number of such bits.
     pub bits: [&'static str; 2],

@@ -143,7 +143,8 @@ impl Real for Fixed {
             let is_near = slope_above | d_above == 0 && d < ONE as u32;
             let factor = Factor::attenuating(a, b, c, q, limit, is_near);
             let Rgb { r, g, b } = color;
-            return Dimmed::full(Rgb::new(factor.times(r), factor.times(g), factor.times(b))); // `map` would be a call
+            // `map` would be a call
+            return Dimmed::full(Rgb::new(factor.times(r), factor.times(g), factor.times(b)));
         }
         if d == ONE as u32 {
             return Dimmed::full(color);

@@ -77,7 +77,8 @@ impl Run<'_> {
             }
             let others = self.places(then, &left).unwrap_or_default();
             let of_part = places_of_mistake(&scenes, &plan.profile, then);
-            // a known mistake that gives the same where one more thing is missing is no other one: so m + 2 is 3m at 1
+            // a known mistake that gives the same where one more thing is missing is no other one: so m + 2
+            // is 3m at 1
             let is_within = |it: &Place| of_part.iter().any(|part| it.is_within(part));
             let is_same = |it: &Place| it.is_general() || is_within(it);
             let is_sure = part.is_half() || other.is_some();
