@@ -53,6 +53,9 @@ pub const MAX: usize = 3;
 pub const EXTREME: usize = 4;
 const CONSTANTS: [f32; 5] = [0.0, 1.0, -1.0, f32::MAX, f32::from_bits((127 + 100) << 23)];
 
+/// The most decisions on a path; in a loop until a number is small, they would not end.
+const MOST_DECISIONS: usize = 64;
+
 #[derive(Default)]
 pub struct Graph {
     pub nodes: Vec<Node>,
@@ -147,7 +150,12 @@ impl Graph {
         if let Some(answer) = self.known(test).or(assumed) {
             return answer;
         }
-        let answer = self.given.get(self.path.len()).copied().unwrap_or(true);
+        let count = self.path.len();
+        assert!(
+            count < MOST_DECISIONS,
+            "a formula takes more than {MOST_DECISIONS} decisions"
+        );
+        let answer = self.given.get(count).copied().unwrap_or(true);
         self.path.push((test, answer));
         answer
     }
@@ -155,6 +163,17 @@ impl Graph {
     pub fn known(&self, test: usize) -> Option<bool> {
         let mut known = [(ONE, true), (ZERO, false)].iter().chain(&self.path);
         known.find(|known| known.0 == test).map(|known| known.1)
+    }
+
+    /// Whether another comparison holds where a test holds, as far as it is known.
+    pub fn implied(&self, test: usize, other: usize) -> Option<bool> {
+        let [test, other] = [test, other].map(|n| &self.nodes[n]);
+        let is_reversed = test.of.iter().eq(other.of.iter().rev());
+        match (test.op, other.op) {
+            (Op::Above, Op::AtLeast) if test.of == other.of => Some(true),
+            (Op::Above, Op::Above | Op::AtLeast) if is_reversed => Some(false),
+            _ => None,
+        }
     }
 
     /// An operation on one number or two.
@@ -239,6 +258,7 @@ fn computed(op: Op, x: f32, y: f32) -> Option<f32> {
         Op::Mul => x * y,
         Op::Div => x / y,
         Op::Above => f32::from(x > y),
+        Op::AtLeast => f32::from(x >= y),
         _ => return None,
     })
 }

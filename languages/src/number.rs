@@ -14,15 +14,15 @@ use crate::kind::{Kind, Value};
 ///
 /// The hooks of [`Real`] are recorded as calls of functions that the files define. A comparison is recorded, too,
 /// and decides which path is recorded.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Expr(pub(crate) usize);
 
 /// The same number, which writes the hooks out: it records the functions behind the calls.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub(crate) struct Inline(pub usize);
 
 /// The same, except that it calls the vectors between points.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub(crate) struct Crossed(pub usize);
 
 /// The result of a function that takes the light and a number, where the function that is recorded takes a light.
@@ -153,10 +153,21 @@ macro_rules! number {
             }
         }
 
+        impl PartialEq for $number {
+            fn eq(&self, other: &Self) -> bool {
+                self.partial_cmp(other) == Some(Ordering::Equal)
+            }
+        }
+
         impl PartialOrd for $number {
-            /// Which of two formulas is the larger has no answer before they have numbers.
-            fn partial_cmp(&self, _: &Self) -> Option<Ordering> {
-                None
+            fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+                if self > other {
+                    Some(Ordering::Greater)
+                } else if other > self {
+                    Some(Ordering::Less)
+                } else {
+                    (self >= other).then_some(Ordering::Equal)
+                }
             }
 
             fn gt(&self, other: &Self) -> bool {

@@ -35,10 +35,13 @@ use crate::print::function;
 /// );
 /// ```
 ///
+/// A comparison becomes a branch of the text, in which the formula is written for each answer. Where the branches
+/// can be computed beside each other, `at_least`, `at_most` and [`Mask::select`](shading::number::Mask::select) give a
+/// shorter text.
+///
 /// # Panics
 ///
-/// Panics if the function takes a decision by a comparison that has no answer before there are numbers, as
-/// `partial_cmp` does. `<`, `>`, `<=` and `>=` become branches of the text.
+/// Panics if the function compares more than 64 numbers one after another, as a loop until a number is small does.
 #[must_use]
 pub fn implicit(
     dialect: &'static Dialect,

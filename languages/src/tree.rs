@@ -63,6 +63,13 @@ fn joined(test: usize, yes: Tree, no: Tree) -> Tree {
         {
             Tree::Leaf(vec![with(|g| g.choice(test, then[0], otherwise[0]))])
         }
+        // `>=` and `==` as `partial_cmp` derives them
+        (_, Tree::Branch(other, then, otherwise))
+            if with(|g| g.implied(test, *other))
+                .is_some_and(|holds| yes == **if holds { then } else { otherwise }) =>
+        {
+            no
+        }
         (_, Tree::Branch(others, same, rest)) if **same == yes && op(*others) != Op::All => {
             Tree::Branch(tests(Op::Any, *others), same.clone(), rest.clone())
         }

@@ -4,9 +4,11 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-use shading::{Elementary, Vec3};
 use shading_languages::dialect::{C, GLSL, HLSL};
 use shading_languages::{implicit, parametric};
+use surface::{figure, rounded_box, wave};
+
+mod surface;
 
 /// Runs a command in the folder of the files, and fails with what it prints if it does.
 fn succeeds(command: &[&str]) {
@@ -116,29 +118,13 @@ fn glsl_and_hlsl_compile() {
     }
 }
 
-/// A box with round edges, in operations on vectors that C has for numbers alone, and with decisions.
-fn rounded_box<T: Elementary + PartialOrd>(p: Vec3<T>) -> T {
-    let size = Vec3::new(T::of(1.0), T::of(2.0), T::of(3.0));
-    let part = Vec3::new(p.x / size.x, p.y / size.y, p.z / size.z);
-    let outside = part.map(|x| (x.abs() - T::ONE).at_least(T::ZERO));
-    let inside = part.map(|x| x.at_most(T::ONE));
-    let square = outside.dot(outside);
-    if square >= T::of(0.25) || p.x < p.y {
-        return square.sqrt() + inside.cross(p).dot(p);
-    }
-    square.powf(p.z).atan2(p.x)
-}
-
-fn wave<T: Elementary>(u: T, v: T) -> Vec3<T> {
-    Vec3::new(u, v, u.sin() * v.cos()) * (u.exp() + v.tan())
-}
-
 /// Surfaces of the user's compile after the files that they call.
 #[test]
 fn surfaces_compile() {
     let [c, glsl, hlsl] = [&C, &GLSL, &HLSL].map(|dialect| {
         let wave = parametric(dialect, "wave", wave, wave);
-        implicit(dialect, "rounded_box", rounded_box, rounded_box) + &wave
+        let figure = implicit(dialect, "figure", figure, figure);
+        implicit(dialect, "rounded_box", rounded_box, rounded_box) + &figure + &wave
     });
     let source = written("surfaces.c", &format!("#include \"shading.h\"\n{c}"));
     succeeds(&[
