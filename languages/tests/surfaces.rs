@@ -55,8 +55,7 @@ int main(void) {{
             .map(|b| f32::from_le_bytes(b.try_into().unwrap()))
             .collect();
         let is_same = |(a, b): (&f32, &f32)| {
-            let is_near = || (a - b).abs() < roundoff * a.abs().max(1.0);
-            a == b || a.is_nan() && b.is_nan() || is_near()
+            (a - b).abs() <= roundoff * a.abs().max(1.0) || a.is_nan() && b.is_nan()
         };
         assert!(
             right.iter().zip(&found).all(is_same),
