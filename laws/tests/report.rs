@@ -171,6 +171,41 @@ fn what_hides_mistakes_is_not_to_be_pasted() {
     assert!(!text.contains("add to the profile"), "{text}");
 }
 
+/// A white surface would be brighter than the range, so it is tried in dimmer light. There, no light is above 4, and
+/// the color is right without a black or a colored surface being the reason. Without the diffuse term or lights, all of which
+/// are directional, nothing is left of the mistake, and no light of 1 is cut.
+#[test]
+fn what_is_right_in_dimmer_light_is_not_placed_by_that() {
+    let cut = |scene: &Scene| {
+        let square = scene.n.map(|c| c * c).iter().sum::<f64>();
+        let mut color = [0, 1, 2].map(|i| scene.k_a[i] * scene.i_a[i]);
+        for light in &scene.lights {
+            if let Light::Directional { l, intensity } = light {
+                let n_dot_l = (0..3).map(|i| scene.n[i] * l[i]).sum::<f64>() / square.sqrt();
+                let lit = |i: usize| scene.k_d[i] * intensity[i].min(4.0) * n_dot_l.max(0.0);
+                color = [0, 1, 2].map(|i| color[i] + lit(i));
+            }
+        }
+        color.map(|c| c.min(1.0))
+    };
+    let profile = Profile {
+        models: vec![Model::Lambert],
+        lights: vec![Kind::Directional],
+        clamps: Some([0.0, 1.0]),
+        ..Profile::default()
+    };
+    for seed in 0..3 {
+        let laws = Laws { seed, ..few() };
+        let report = laws.run(&mut from_fn(profile.clone(), cut));
+        let report = report.expect("a report");
+        let [place] = &report.findings[0].places[..] else {
+            panic!("{report}");
+        };
+        let expected = ["directional", "color of lights", "diffuse", "lights"];
+        assert_eq!(place.only_with, expected, "{report}");
+    }
+}
+
 struct Answers(Result<Vec<Triple>, String>);
 
 impl Renderer for Answers {
