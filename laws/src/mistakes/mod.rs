@@ -14,9 +14,6 @@ use crate::formula::{Change, Formula, Part};
 use crate::profile::Profile;
 use crate::scene::{Scene, Triple};
 
-/// The ingredients that a mistake changes.
-type Changes = &'static [(Part, Change)];
-
 /// A known mistake: what it changes in the formulas.
 #[derive(Debug)]
 pub struct Mistake {
@@ -25,7 +22,9 @@ pub struct Mistake {
     pub says: &'static str,
     /// The numbers that are tried for `{}`; a 0 where there is none.
     pub values: &'static [f64],
-    pub changes: Changes,
+    /// An ingredient that it changes, and others.
+    pub change: (Part, Change),
+    pub more: &'static [(Part, Change)],
     /// Nobody makes it on purpose, because a color that is not finite breaks a law whatever is declared.
     pub is_fatal: bool,
 }
@@ -139,7 +138,8 @@ pub fn formula(profile: &Profile, fault: Option<Fault>) -> Formula<'_> {
     let is_made = |it: &Fault| fault.is_some_and(|fault| fault.id() == it.id());
     let others = departures.filter(|it| !is_made(it));
     let changes = fault.into_iter().chain(others).flat_map(|fault| {
-        let (changes, value) = (fault.mistake.changes.iter(), fault.value);
+        let (Mistake { change, more, .. }, value) = (fault.mistake, fault.value);
+        let changes = [change].into_iter().chain(*more);
         changes.map(move |&(part, change)| (part, change, value))
     });
     Formula {
