@@ -249,9 +249,9 @@ impl Graph {
     }
 }
 
-/// The result of an operation on known numbers; a comparison gives 1 or 0.
+/// The result of an operation on known numbers, if a language can write it; a comparison gives 1 or 0.
 fn computed(op: Op, x: f32, y: f32) -> Option<f32> {
-    Some(match op {
+    let result = match op {
         Op::Neg => -x,
         Op::Add => x + y,
         Op::Sub => x - y,
@@ -260,5 +260,6 @@ fn computed(op: Op, x: f32, y: f32) -> Option<f32> {
         Op::Above => f32::from(x > y),
         Op::AtLeast => f32::from(x >= y),
         _ => return None,
-    })
+    };
+    result.is_finite().then_some(result)
 }

@@ -73,7 +73,8 @@ pub fn function(
         out: String::new(),
     };
     let names = names(defining);
-    for value in 0..graph.nodes.len() {
+    // a text of all that a value comes from can be long, so none is written in vain
+    for value in (0..graph.nodes.len()).filter(|_| !names.is_empty()) {
         let text = printer.formula(value).0;
         let is_formula = |formula: &str| match formula.split_once("...") {
             Some((beginning, end)) => text.starts_with(beginning) && text.ends_with(end),
