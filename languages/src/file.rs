@@ -6,6 +6,7 @@ use crate::dialect::{C, Dialect, GLSL, HLSL, METAL, WGSL, WGSL_EXACT, filled};
 use crate::kind::Kind;
 use crate::print::function;
 use crate::table::{BUILT_IN_POWERS, Function, functions};
+use crate::tree::Formula;
 
 const FILES: [(&str, &Dialect); 6] = [
     ("shading.wgsl", &WGSL),
@@ -99,10 +100,13 @@ fn structure(dialect: &Dialect, kind: Kind) -> String {
 }
 
 fn function_text(dialect: &'static Dialect, of: &Function) -> String {
-    let (parameters, result) = (of.parameters, of.result);
-    let name = dialect.named(of.name);
-    let text = function(dialect, of.name, &name, parameters, result, &of.record);
-    comment(dialect, of.doc.trim()) + &text
+    let formula = Formula {
+        defining: of.name,
+        parameters: of.parameters,
+        result: of.result,
+        record: &of.record,
+    };
+    comment(dialect, of.doc.trim()) + &function(dialect, &dialect.named(of.name), &formula)
 }
 
 /// The least number of each level but 0, found by bisection.

@@ -232,13 +232,9 @@ impl Graph {
                 let then = self.select(test, a, b);
                 self.select(same, then, x)
             }
-            (Some(op), &[a, x], &[b, y]) if op != DOT && a == b => {
-                let right = self.select(test, x, y);
-                self.number(op, &[a, right])
-            }
-            (Some(op), &[a, x], &[b, y]) if op != DOT && x == y => {
-                let left = self.select(test, a, b);
-                self.number(op, &[left, x])
+            (Some(op), &[a, x], &[b, y]) if op != DOT && (a == b || x == y) => {
+                let of = [(a, b), (x, y)].map(|(yes, no)| self.select(test, yes, no));
+                self.number(op, &of)
             }
             (_, &[a, x], _) if yes.op == Op::Mul && a == otherwise => {
                 let right = self.select(test, x, ONE);

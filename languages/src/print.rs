@@ -6,7 +6,7 @@ use std::mem::take;
 use crate::dialect::{Dialect, WGSL, filled};
 use crate::graph::{DOT, Graph, Node, Op, VECTOR};
 use crate::kind::Kind;
-use crate::tree::{Tree, recorded};
+use crate::tree::{Formula, Tree, recorded};
 use crate::wrap::wrapped;
 
 /// How strongly an operation binds.
@@ -30,8 +30,7 @@ fn operator(op: Op) -> (&'static str, u8) {
 
 struct Printer<'a> {
     dialect: &'static Dialect,
-    parameters: &'a [(&'static str, Kind)],
-    result: Kind,
+    formula: &'a Formula<'a>,
     graph: &'a Graph,
     /// The names that the books have for values.
     names: HashMap<usize, String>,
@@ -52,30 +51,22 @@ fn names(function: &str) -> Vec<(&'static str, &'static str)> {
     sections.filter_map(of).flatten().collect()
 }
 
-/// The text of a function with the given name: of the one of the files that is defined, or of a user's.
-pub fn function(
-    dialect: &'static Dialect,
-    defining: &'static str,
-    name: &str,
-    parameters: &[(&'static str, Kind)],
-    result: Kind,
-    formula: &dyn Fn(&[usize]) -> Vec<usize>,
-) -> String {
-    let (graph, tree) = recorded(dialect, defining, parameters, result, formula);
+/// The text of a function with the given name.
+pub fn function(dialect: &'static Dialect, name: &str, formula: &Formula) -> String {
+    let (graph, tree) = recorded(dialect, formula);
     let mut printer = Printer {
         dialect: &WGSL,
-        parameters,
-        result,
+        formula,
         graph: &graph,
         names: HashMap::new(),
         variables: HashMap::new(),
         uses: HashMap::new(),
         out: String::new(),
     };
-    let names = names(defining);
+    let names = names(formula.defining);
     // a text of all that a value comes from can be long, so none is written in vain
     for value in (0..graph.nodes.len()).filter(|_| !names.is_empty()) {
-        let text = printer.formula(value).0;
+        let text = printer.expression(value).0;
         let is_formula = |formula: &str| match formula.split_once("...") {
             Some((beginning, end)) => text.starts_with(beginning) && text.ends_with(end),
             None => text == formula,
@@ -104,9 +95,9 @@ impl<'a> Printer<'a> {
             let of = self.dialect.type_of(*kind);
             filled(form, &[("type", &of), ("name", name)])
         };
-        let parameters: Vec<_> = self.parameters.iter().map(parameter).collect();
+        let parameters: Vec<_> = self.formula.parameters.iter().map(parameter).collect();
         let parameters = parameters.join(", ");
-        let result = self.dialect.type_of(self.result);
+        let result = self.dialect.type_of(self.formula.result);
         let of = changed.map_or(&result[..], |_| "void");
         let places = [("type", of), ("name", name), ("parameters", &parameters)];
         self.line("", &filled(self.dialect.function, &places));
@@ -115,9 +106,9 @@ impl<'a> Printer<'a> {
     /// The parameter that is changed in place of a result, where structs are passed by pointers.
     fn changed(&self) -> Option<&'static str> {
         self.dialect.pointers?;
-        self.result.fields()?;
-        let mut parameters = self.parameters.iter();
-        let changed = parameters.find(|parameter| parameter.1 == self.result)?;
+        self.formula.result.fields()?;
+        let mut parameters = self.formula.parameters.iter();
+        let changed = parameters.find(|parameter| parameter.1 == self.formula.result)?;
         Some(changed.0)
     }
 
@@ -174,7 +165,7 @@ impl<'a> Printer<'a> {
     }
 
     fn line(&mut self, indent: &str, text: &str) {
-        self.out += &wrapped(indent, text);
+        self.out += &wrapped(indent, &format!("{indent}        "), text);
     }
 
     fn tree(&mut self, tree: &Tree, indent: &str) {
@@ -207,7 +198,7 @@ impl<'a> Printer<'a> {
     /// Returns a result, given its fields.
     fn returned(&mut self, results: &[usize], indent: &str) {
         let texts: Vec<_> = results.iter().map(|value| self.text(*value, 0)).collect();
-        let Some((name, _, fields)) = self.result.fields() else {
+        let Some((name, _, fields)) = self.formula.result.fields() else {
             return self.line(indent, &format!("return {};", texts[0]));
         };
         let places =
@@ -250,7 +241,7 @@ impl<'a> Printer<'a> {
             _ => return,
         };
         let of = self.dialect.type_of(self.node(value).kind);
-        let text = self.formula(value).0;
+        let text = self.expression(value).0;
         let places = [("type", &of[..]), ("name", &name), ("value", &text)];
         self.line(indent, &filled(self.dialect.variable, &places));
         self.variables.insert(value, name);
@@ -272,7 +263,7 @@ impl<'a> Printer<'a> {
         if let Some(name) = self.variables.get(&value) {
             return name.clone();
         }
-        match self.formula(value) {
+        match self.expression(value) {
             (text, level) if level < least => format!("({text})"),
             (text, _) => text,
         }
@@ -281,7 +272,7 @@ impl<'a> Printer<'a> {
     /// A field of what has a text.
     fn field(&self, of: &str, field: &str) -> String {
         let is_pointer = |(name, kind): &(&str, Kind)| *name == of && kind.fields().is_some();
-        let is_pointer = self.parameters.iter().any(is_pointer);
+        let is_pointer = self.formula.parameters.iter().any(is_pointer);
         let arrow = self.dialect.pointers.filter(|_| is_pointer);
         format!("{of}{}{field}", arrow.map_or(".", |[.., arrow]| arrow))
     }
@@ -291,8 +282,8 @@ impl<'a> Printer<'a> {
         texts.join(separator)
     }
 
-    /// The formula of a value, and how strongly it binds.
-    fn formula(&self, value: usize) -> (String, u8) {
+    /// The text of an operation, and how strongly it binds.
+    fn expression(&self, value: usize) -> (String, u8) {
         let Node { op, kind, of } = self.node(value);
         let is_vector = kind.width() == 3;
         let call = |name: &str| format!("{name}({})", self.joined(of, ", "));

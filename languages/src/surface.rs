@@ -6,6 +6,7 @@ use crate::dialect::Dialect;
 use crate::kind::{Kind, Value};
 use crate::number::Expr;
 use crate::print::function;
+use crate::tree::Formula;
 
 /// Writes two functions for the implicit surface f(p) = 0: `name(p)`, which is f, and `name_normal(p)`, its exact
 /// normal, which is 0 where there is none.
@@ -71,20 +72,23 @@ pub fn parametric(
     text("", Kind::Vector, &point) + "\n" + &text("_normal", Kind::Unit, &normal)
 }
 
-type Formula<'a> = &'a dyn Fn(&[Expr]) -> Vec<Expr>;
-
 /// Writes a function of the user's, given the end of its name, its result and its formula.
 fn text(
     dialect: &'static Dialect,
     name: &str,
     parameters: &[(&'static str, Kind)],
-) -> impl Fn(&str, Kind, Formula) -> String {
-    move |end, result, formula| {
+) -> impl Fn(&str, Kind, &dyn Fn(&[Expr]) -> Vec<Expr>) -> String {
+    move |end, result, of| {
         let record = |numbers: &[usize]| {
             let numbers: Vec<_> = numbers.iter().copied().map(Expr).collect();
-            formula(&numbers).iter().map(|x| x.0).collect()
+            of(&numbers).iter().map(|x| x.0).collect()
         };
-        let name = [name, end].concat();
-        function(dialect, "", &name, parameters, result, &record) + "\n"
+        let formula = Formula {
+            defining: "",
+            parameters,
+            result,
+            record: &record,
+        };
+        function(dialect, &[name, end].concat(), &formula) + "\n"
     }
 }

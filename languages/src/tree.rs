@@ -6,23 +6,27 @@ use crate::dialect::Dialect;
 use crate::graph::{Graph, Op, with};
 use crate::kind::Kind;
 
-/// Records the formula of a function of the files, or of one without a name, which takes the numbers of the
-/// parameters.
-pub fn recorded(
-    dialect: &Dialect,
-    defining: &'static str,
-    parameters: &[(&'static str, Kind)],
-    result: Kind,
-    formula: &dyn Fn(&[usize]) -> Vec<usize>,
-) -> (Graph, Tree) {
+/// What is recorded and printed as a function.
+pub struct Formula<'a> {
+    /// The name of a function of the files; a user's has none.
+    pub defining: &'static str,
+    pub parameters: &'a [(&'static str, Kind)],
+    pub result: Kind,
+    /// Records it, given the numbers of its parameters.
+    pub record: &'a dyn Fn(&[usize]) -> Vec<usize>,
+}
+
+/// What a formula computes, on each of its paths.
+pub fn recorded(dialect: &Dialect, formula: &Formula) -> (Graph, Tree) {
     let divides_vectors = dialect.vector_functions.is_empty();
-    with(|g| g.begin(defining, divides_vectors));
+    with(|g| g.begin(formula.defining, divides_vectors));
     let numbers = |(name, kind): &(&'static str, Kind)| with(|g| g.parameter(name, *kind));
-    let numbers: Vec<_> = parameters.iter().flat_map(numbers).collect();
-    let whole = [("", result)];
-    let fields = result.fields().map_or(&whole[..], |(_, _, fields)| fields);
+    let numbers: Vec<_> = formula.parameters.iter().flat_map(numbers).collect();
+    let whole = [("", formula.result)];
+    let fields = formula.result.fields();
+    let fields = fields.map_or(&whole[..], |(_, _, fields)| fields);
     let results = || {
-        let results = formula(&numbers);
+        let results = (formula.record)(&numbers);
         with(|g| g.values(fields, &results))
     };
     let tree = explore(&results, &[]);

@@ -6,12 +6,9 @@ const WIDTH: usize = 110;
 /// Signs before which a line may end.
 const SIGNS: [&str; 8] = ["+ ", "- ", "* ", "/ ", "? ", ": ", "|| ", "&& "];
 
-/// Text in lines of at most [`WIDTH`], each broken where the parentheses are fewest.
-pub fn wrapped(indent: &str, text: &str) -> String {
-    broken(indent, &format!("{indent}        "), text)
-}
-
-fn broken(indent: &str, next: &str, text: &str) -> String {
+/// Text in lines of at most [`WIDTH`], each broken where the parentheses are fewest; all but the first are indented
+/// as the next is.
+pub fn wrapped(indent: &str, next: &str, text: &str) -> String {
     let (mut depth, mut best) = (0, None);
     for (at, c) in text.char_indices() {
         match c {
@@ -32,7 +29,7 @@ fn broken(indent: &str, next: &str, text: &str) -> String {
     }
     match best {
         Some((_, at)) if indent.len() + text.len() > WIDTH => {
-            let rest = broken(next, next, &text[at + 1..]);
+            let rest = wrapped(next, next, &text[at + 1..]);
             format!("{indent}{}\n{rest}", &text[..at])
         }
         _ => format!("{indent}{text}\n"),
