@@ -53,8 +53,17 @@ pub fn implicit(
     let p = |of: &[Expr]| Vec3::new(of[0], of[1], of[2]);
     let value = |of: &[Expr]| vec![value(p(of))];
     let normal = |of: &[Expr]| normal::implicit(&derivatives, p(of)).numbers();
-    let text = text(dialect, name, &[("p", Kind::Vector)]);
-    text("", Kind::Number, &value) + "\n" + &text("_normal", Kind::Unit, &normal)
+    let parameters = [("p", Kind::Vector)];
+    let value = text(dialect, name, &parameters, Kind::Number, value);
+    value
+        + "\n"
+        + &text(
+            dialect,
+            &format!("{name}_normal"),
+            &parameters,
+            Kind::Unit,
+            normal,
+        )
 }
 
 /// Writes two functions for the parametric surface s(u, v): `name(u, v)`, which is s, and `name_normal(u, v)`, its
@@ -68,27 +77,36 @@ pub fn parametric(
 ) -> String {
     let point = |of: &[Expr]| point(of[0], of[1]).numbers();
     let normal = |of: &[Expr]| normal::parametric(&derivatives, of[0], of[1]).numbers();
-    let text = text(dialect, name, &[("u", Kind::Number), ("v", Kind::Number)]);
-    text("", Kind::Vector, &point) + "\n" + &text("_normal", Kind::Unit, &normal)
+    let parameters = [("u", Kind::Number), ("v", Kind::Number)];
+    let point = text(dialect, name, &parameters, Kind::Vector, point);
+    point
+        + "\n"
+        + &text(
+            dialect,
+            &format!("{name}_normal"),
+            &parameters,
+            Kind::Unit,
+            normal,
+        )
 }
 
-/// Writes a function of the user's, given the end of its name, its result and its formula.
+/// Writes a function of the user's.
 fn text(
     dialect: &'static Dialect,
     name: &str,
     parameters: &[(&'static str, Kind)],
-) -> impl Fn(&str, Kind, &dyn Fn(&[Expr]) -> Vec<Expr>) -> String {
-    move |end, result, of| {
-        let record = |numbers: &[usize]| {
-            let numbers: Vec<_> = numbers.iter().copied().map(Expr).collect();
-            of(&numbers).iter().map(|x| x.0).collect()
-        };
-        let formula = Formula {
-            defining: "",
-            parameters,
-            result,
-            record: &record,
-        };
-        function(dialect, &[name, end].concat(), &formula) + "\n"
-    }
+    result: Kind,
+    of: impl Fn(&[Expr]) -> Vec<Expr>,
+) -> String {
+    let record = |numbers: &[usize]| {
+        let numbers: Vec<_> = numbers.iter().copied().map(Expr).collect();
+        of(&numbers).iter().map(|x| x.0).collect()
+    };
+    let formula = Formula {
+        defining: "",
+        parameters,
+        result,
+        record: &record,
+    };
+    function(dialect, name, &formula) + "\n"
 }
