@@ -54,16 +54,7 @@ pub fn implicit(
     let value = |of: &[Expr]| vec![value(p(of))];
     let normal = |of: &[Expr]| normal::implicit(&derivatives, p(of)).numbers();
     let parameters = [("p", Kind::Vector)];
-    let value = text(dialect, name, &parameters, Kind::Number, value);
-    value
-        + "\n"
-        + &text(
-            dialect,
-            &format!("{name}_normal"),
-            &parameters,
-            Kind::Unit,
-            normal,
-        )
+    text(dialect, name, &parameters, Kind::Number, value, normal)
 }
 
 /// Writes two functions for the parametric surface s(u, v): `name(u, v)`, which is s, and `name_normal(u, v)`, its
@@ -78,35 +69,31 @@ pub fn parametric(
     let point = |of: &[Expr]| point(of[0], of[1]).numbers();
     let normal = |of: &[Expr]| normal::parametric(&derivatives, of[0], of[1]).numbers();
     let parameters = [("u", Kind::Number), ("v", Kind::Number)];
-    let point = text(dialect, name, &parameters, Kind::Vector, point);
-    point
-        + "\n"
-        + &text(
-            dialect,
-            &format!("{name}_normal"),
-            &parameters,
-            Kind::Unit,
-            normal,
-        )
+    text(dialect, name, &parameters, Kind::Vector, point, normal)
 }
 
-/// Writes a function of the user's.
+/// The two functions of a surface, given the parameters, and the kind of the first one's result.
 fn text(
     dialect: &'static Dialect,
     name: &str,
     parameters: &[(&'static str, Kind)],
     result: Kind,
-    of: impl Fn(&[Expr]) -> Vec<Expr>,
+    value: impl Fn(&[Expr]) -> Vec<Expr>,
+    normal: impl Fn(&[Expr]) -> Vec<Expr>,
 ) -> String {
-    let record = |numbers: &[usize]| {
-        let numbers: Vec<_> = numbers.iter().copied().map(Expr).collect();
-        of(&numbers).iter().map(|x| x.0).collect()
+    let text = |name: &str, result, of: &dyn Fn(&[Expr]) -> Vec<Expr>| {
+        let record = |numbers: &[usize]| {
+            let numbers: Vec<_> = numbers.iter().copied().map(Expr).collect();
+            of(&numbers).iter().map(|x| x.0).collect()
+        };
+        let formula = Formula {
+            defining: "",
+            parameters,
+            result,
+            record: &record,
+        };
+        function(dialect, name, &formula) + "\n"
     };
-    let formula = Formula {
-        defining: "",
-        parameters,
-        result,
-        record: &record,
-    };
-    function(dialect, name, &formula) + "\n"
+    let normal = text(&format!("{name}_normal"), Kind::Unit, &normal);
+    text(name, result, &value) + "\n" + &normal
 }
