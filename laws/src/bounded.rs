@@ -37,24 +37,23 @@ impl Bounded {
 
     /// A number that the renderer is given. Its type may not hold the number exactly.
     pub fn given(value: f64, u: f64) -> Self {
-        let is_exact = rounded(value, u) == value && value.abs() > underflow(u);
-        let error = if is_exact || value == 0.0 {
-            0.0
-        } else {
-            u * value.abs() + underflow(u)
-        };
+        let [tiny, _] = limits(u);
+        let is_exact = value == 0.0 || rounded(value, u) == value && value.abs() > tiny;
+        let rounding = u * value.abs() + tiny;
+        let error = if is_exact { 0.0 } else { rounding };
         Self { value, error, u }
     }
 
     /// The result of an operation that loses `units` of u. The errors of its operands alone would
     /// make it wrong by `error`.
     pub fn rounded(value: f64, error: f64, units: f64, u: f64) -> Self {
+        let [tiny, huge] = limits(u);
         let mut error = error + units * u * value.abs();
-        if value != 0.0 && value.abs() - error <= underflow(u) {
-            error += underflow(u);
+        if value != 0.0 && value.abs() - error <= tiny {
+            error += tiny;
         }
         // beyond the largest number there is infinity, and 0 times that is NaN
-        let is_known = value.abs() + error < overflow(u);
+        let is_known = value.abs() + error < huge;
         let error = if is_known { error } else { f64::INFINITY };
         Self { value, error, u }
     }
@@ -181,22 +180,14 @@ impl Div for Bounded {
     }
 }
 
-/// The most that underflow takes away: all below the smallest normal number of the type.
-fn underflow(u: f64) -> f64 {
+/// The most that underflow takes away, which is all below the smallest normal number of the type, and what no
+/// number of it reaches.
+fn limits(u: f64) -> [f64; 2] {
     match u {
-        0.0 => 0.0,
-        u if u <= f64::EPSILON => f64::MIN_POSITIVE,
-        u if u < HALF => f64::from(f32::MIN_POSITIVE),
-        _ => 1.0 / 16384.0,
-    }
-}
-
-/// What no number of the type reaches.
-fn overflow(u: f64) -> f64 {
-    match u {
-        u if u <= f64::EPSILON => f64::MAX,
-        u if u < HALF => f64::from(f32::MAX),
-        _ => 65504.0,
+        0.0 => [0.0, f64::MAX],
+        u if u <= f64::EPSILON => [f64::MIN_POSITIVE, f64::MAX],
+        u if u < HALF => [f32::MIN_POSITIVE, f32::MAX].map(f64::from),
+        _ => [1.0 / 16384.0, 65504.0],
     }
 }
 

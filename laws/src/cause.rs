@@ -37,7 +37,7 @@ impl Cause {
         Self {
             mistake: Some(fault),
             says: fault.to_string(),
-            declare: Some(declare).filter(|_| !fault.mistake.is_fatal),
+            declare: Some(declare),
             then: Some(Box::new(then)),
             ..score
         }

@@ -56,13 +56,9 @@ impl Corpus<'_> {
     }
 
     fn add_as(&mut self, model: Model, scene: &Scene) {
-        let scene = self.profile.fitted(Scene {
-            model,
-            ..scene.clone()
-        });
-        if self.profile.has_all_of(&scene) {
-            self.scenes.push(scene);
-        }
+        let scene = scene.clone();
+        let fitted = self.profile.fitted(Scene { model, ..scene });
+        self.scenes.extend(fitted);
     }
 
     /// A light from there, of the kind.

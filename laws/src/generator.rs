@@ -29,8 +29,8 @@ fn brighten(scene: &mut Scene, times: f64) {
     scene.scale_light(times);
 }
 
-/// A random scene.
-pub fn scene(profile: &Profile, random: &mut Random) -> Scene {
+/// A random scene, if the renderer has all that it needs.
+pub fn scene(profile: &Profile, random: &mut Random) -> Option<Scene> {
     profile.fitted(Generator { profile, random }.scene())
 }
 

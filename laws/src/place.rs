@@ -14,27 +14,29 @@ pub struct Place {
 }
 
 impl Place {
-    /// What is one thing.
-    pub(crate) fn particular(&self) -> Vec<&'static str> {
-        let ids = self.only_with.iter().copied();
-        ids.filter(|id| !GENERAL.contains(id)).collect()
+    /// The first edit that takes one thing out, if one does.
+    pub(crate) fn particular(&self) -> Option<usize> {
+        let mut ids = self.only_with.iter();
+        number(ids.find(|id| !GENERAL.contains(id))?)
     }
 
     /// Whether it may be that of two things.
     pub(crate) fn is_general(&self) -> bool {
-        self.particular().is_empty()
+        self.particular().is_none()
     }
 
     /// An edit that tells this place beside the whole that it is found in, if one does.
     pub(crate) fn beside(&self, whole: &Self) -> Option<usize> {
-        let is_of_whole = |id: &&str| whole.only_with.contains(id);
+        let is_of_whole = |id: &&&str| whole.only_with.contains(id);
         if !whole.is_general() {
-            let particular = self.particular();
-            let first = particular.first().and_then(|id| number(id));
-            return first.filter(|_| !particular.iter().any(is_of_whole));
+            let mut shared = self.only_with.iter().filter(is_of_whole);
+            return self
+                .particular()
+                .filter(|_| shared.all(|id| GENERAL.contains(id)));
         }
         // what takes away a part of the light may take away what is wrong with it, too
-        let is_told = |id: &&&str| !is_of_whole(id) && (whole.only_with.len() < 2 || !darkens(id));
+        let is_told =
+            |id: &&&'static str| !is_of_whole(id) && (whole.only_with.len() < 2 || !darkens(id));
         number(self.only_with.iter().find(is_told)?)
     }
 

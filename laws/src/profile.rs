@@ -207,9 +207,9 @@ impl Profile {
         (off > 0.01 * level).then_some((off, 0.01 * level))
     }
 
-    /// A scene as the renderer can be given it: with directions of length 1, a gray highlight,
+    /// A scene as the renderer can be given it, if it has all else: with directions of length 1, a gray highlight,
     /// lamps that are not attenuated and no ambient light, if it needs that.
-    pub(crate) fn fitted(&self, mut scene: Scene) -> Scene {
+    pub(crate) fn fitted(&self, mut scene: Scene) -> Option<Scene> {
         (scene.n, scene.v) = (self.direction(scene.n), self.direction(scene.v));
         scene.m = scene.m.min(self.most_shiny);
         if self.gray_highlight {
@@ -226,10 +226,11 @@ impl Profile {
                 *abc = [1.0, 0.0, 0.0];
             }
         }
-        scene
+        self.has_all_of(&scene).then_some(scene)
     }
 
-    /// Whether the renderer has all that a scene needs, and the format allows it.
+    /// Whether the renderer has all that a scene needs that is fitted but for its length and its lights, and the
+    /// format allows it.
     pub(crate) fn has_all_of(&self, scene: &Scene) -> bool {
         let is_unit = |v: Triple| (length(v) - 1.0).abs() < 8.0 * self.roundoff;
         // in half precision, the squares of other lengths have no digits, or no end
@@ -242,7 +243,6 @@ impl Profile {
             light.lamp().is_none_or(|(position, abc)| {
                 abc.iter().sum::<f64>() > 0.0
                     && abc.iter().all(|c| (0.0..=most).contains(c))
-                    && (!self.unattenuated || abc == [1.0, 0.0, 0.0])
                     && position != [0.0; 3] // a lamp at the origin divides by 0 where p is forgotten
                     && is_in_reach(sub(position, scene.p))
                     // in the frame of the eye, both positions round by up to u times their size, so a renderer may
@@ -260,9 +260,7 @@ impl Profile {
         let mut colors = colors.into_iter().chain(intensities).flatten();
         self.models.contains(&scene.model)
             && [scene.n, scene.v].into_iter().all(is_direction)
-            && (1.0..=self.most_shiny).contains(&scene.m)
-            && (self.ambient || scene.i_a == [0.0; 3])
-            && (!self.gray_highlight || scene.k_s == [scene.k_s[0]; 3])
+            && scene.m >= 1.0
             && colors.all(|c| (0.0..=BRIGHTEST).contains(&c))
             && scene.lights.len() <= self.most_lights
             && scene.lights.iter().all(has_light)

@@ -65,17 +65,15 @@ pub struct Progress {
 
 /// Makes a renderer of a function that gives the color of one scene.
 pub fn from_fn(profile: Profile, color: impl FnMut(&Scene) -> Triple) -> impl Renderer {
-    struct OfFunction<F>(Profile, F);
+    (profile, color)
+}
 
-    impl<F: FnMut(&Scene) -> Triple> Renderer for OfFunction<F> {
-        fn profile(&self) -> Profile {
-            self.0.clone()
-        }
-
-        fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
-            Ok(scenes.iter().map(&mut self.1).collect())
-        }
+impl<F: FnMut(&Scene) -> Triple> Renderer for (Profile, F) {
+    fn profile(&self) -> Profile {
+        self.0.clone()
     }
 
-    OfFunction(profile, color)
+    fn shade(&mut self, scenes: &[Scene]) -> Result<Vec<Triple>, String> {
+        Ok(scenes.iter().map(&mut self.1).collect())
+    }
 }

@@ -51,11 +51,8 @@ impl Search<'_, '_> {
             return Some(vec![whole]);
         }
         // without what nearly all need, something else may be wrong with the others
-        let particular = whole.particular();
-        let firsts = match particular.first().and_then(|id| number(id)) {
-            Some(k) => vec![k],
-            None => experiment.parts(),
-        };
+        let firsts = whole.particular().map(|k| vec![k]);
+        let firsts = firsts.unwrap_or_else(|| experiment.parts());
         let cases = some(cases, 10 * self.most);
         let apart = |k| self.apart(&cases, &whole, k, without);
         let found = firsts.into_iter().map_while(apart); // until the time is up

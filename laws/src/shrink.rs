@@ -39,10 +39,9 @@ pub fn simpler(scene: &Scene, profile: &Profile) -> Vec<Scene> {
         }
     }
     let limit = cost(scene);
-    let found = found.into_iter().map(|scene| profile.fitted(scene));
+    let found = found.into_iter().filter_map(|it| profile.fitted(it));
     let found = found.map(|scene| (cost(&scene), scene));
-    let is_simpler = |(cost, scene): &(u32, Scene)| *cost < limit && profile.has_all_of(scene);
-    let mut found: Vec<_> = found.filter(is_simpler).collect();
+    let mut found: Vec<_> = found.filter(|(cost, _)| *cost < limit).collect();
     found.sort_by_key(|(cost, _)| *cost);
     found.dedup_by(|a, b| a.1 == b.1);
     found.into_iter().map(|(_, scene)| scene).collect()

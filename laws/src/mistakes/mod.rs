@@ -25,8 +25,6 @@ pub struct Mistake {
     /// An ingredient that it changes, and others.
     pub change: (Part, Change),
     pub more: &'static [(Part, Change)],
-    /// Nobody makes it on purpose, because a color that is not finite breaks a law whatever is declared.
-    pub is_fatal: bool,
 }
 
 /// A known mistake with its number.

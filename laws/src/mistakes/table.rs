@@ -22,7 +22,6 @@ const fn row(id: &'static str, part: Part, change: Change) -> Mistake {
         values: &[0.0],
         change: (part, change),
         more: &[],
-        is_fatal: false,
     }
 }
 
@@ -39,13 +38,6 @@ impl Mistake {
     /// Has one of these numbers.
     const fn of(self, values: &'static [f64]) -> Self {
         Self { values, ..self }
-    }
-
-    const fn fatal(self) -> Self {
-        Self {
-            is_fatal: true,
-            ..self
-        }
     }
 }
 
@@ -182,8 +174,7 @@ pub static MISTAKES: &[Mistake] = &[
             x
         }
     })
-    .says("H is NaN where L = -V: the length of L + V is not checked before the division")
-    .fatal(),
+    .says("H is NaN where L = -V: the length of L + V is not checked before the division"),
     row("ShininessTimes", M, |x, at| {
         x.map(|m| exact(m.value * at.value))
     })

@@ -22,6 +22,9 @@ const LONGEST: u64 = 65_536;
 /// How long a process may take to end, on a machine that is busy, too.
 const GRACE: Duration = Duration::from_secs(5);
 
+/// The scenes of the first batches.
+const FIRST: usize = 50;
+
 /// How often a run that takes long says how far it is.
 const TOLD: Duration = Duration::from_secs(3);
 
@@ -42,8 +45,8 @@ pub struct Piped {
     lines: Receiver<Vec<u8>>,
     profile: Profile,
     timeout: Duration,
+    /// The number of scenes that it was asked for since it was started.
     scenes: usize,
-    batches: usize,
     progress: Option<Progress>,
     start: Instant,
     told: Instant,
@@ -80,7 +83,6 @@ impl Piped {
             profile: Profile::default(),
             timeout,
             scenes: 0,
-            batches: 0,
             progress: None,
             start: Instant::now(),
             told: Instant::now(),
@@ -207,11 +209,10 @@ impl Renderer for Piped {
             self.begin_again()?;
         }
         // a line too many comes at once, if it comes; a moment after the first batches shows it
-        let patience = Duration::from_millis(if self.batches < 3 { 50 } else { 0 });
-        if self.batches > 0 {
+        let patience = Duration::from_millis(if self.scenes < FIRST { 50 } else { 0 });
+        if self.scenes > 0 {
             self.nothing_more(patience)?;
         }
-        self.batches += 1;
 
         let lines: Vec<String> = scenes.iter().map(Scene::to_json).collect();
         self.write(lines.join("\n") + "\n\n");

@@ -29,7 +29,11 @@ impl Run<'_> {
         let (mut of_state, laws): (Vec<_>, Vec<_>) =
             broken.partition(|name| *name == Law::NoMemory.name());
         let explains = self.plan.laws.explains;
-        let cause = explains.then(|| self.evidence.cause()).flatten();
+        let mut cause = explains.then(|| self.evidence.cause()).flatten();
+        if laws.contains(&Law::Finite.name()) {
+            // a color that is not finite breaks a law whatever is declared
+            cause.iter_mut().for_each(|it| it.declare = None);
+        }
         let history = self.history();
         let is_fickle = !of_state.is_empty() || history.is_some() || self.is_right_again();
         let mut findings = Vec::new();
