@@ -24,29 +24,18 @@ class Pixel:
     """A renderer with one vertex."""
 
     def __init__(self, window, x, y):
-        self.renderer = vtkRenderer()
-        self.renderer.SetViewport(x / SIDE, y / SIDE, (x + 1) / SIDE, (y + 1) / SIDE)
-        self.renderer.AutomaticLightCreationOff()
-        self.points = vtkPoints()
-        self.points.SetNumberOfPoints(1)
-        self.normals = vtkFloatArray()
-        self.normals.SetNumberOfComponents(3)
-        self.normals.SetNumberOfTuples(1)
+        self.points = vtkPoints(number_of_points=1)
+        self.normals = vtkFloatArray(number_of_components=3, number_of_tuples=1)
         vertices = vtkCellArray()
         vertices.InsertNextCell(1, [0])
-        data = vtkPolyData()
-        data.SetPoints(self.points)
-        data.SetVerts(vertices)
+        data = vtkPolyData(points=self.points, verts=vertices)
         data.GetPointData().SetNormals(self.normals)
-        mapper = vtkPolyDataMapper()
-        mapper.SetInputData(data)
-        actor = vtkActor()
-        actor.SetMapper(mapper)
-        self.surface = actor.GetProperty()
+        actor = vtkActor(mapper=vtkPolyDataMapper(input_data=data))
+        self.surface = actor.property
         self.surface.SetInterpolationToPhong()
-        self.surface.SetPointSize(1)
-        self.surface.SetAmbient(1)
-        self.surface.SetSpecular(1)
+        self.surface.point_size = self.surface.ambient = self.surface.specular = 1
+        corners = (x / SIDE, y / SIDE, (x + 1) / SIDE, (y + 1) / SIDE)
+        self.renderer = vtkRenderer(viewport=corners, automatic_light_creation=False)
         self.renderer.AddActor(actor)
         window.AddRenderer(self.renderer)
 
@@ -56,16 +45,16 @@ class Pixel:
         self.points.Modified()
         self.normals.SetTuple(0, scene["n"])
         self.normals.Modified()
-        camera = self.renderer.GetActiveCamera()
-        camera.SetPosition(numpy.add(p, v))
-        camera.SetFocalPoint(p)
+        camera = self.renderer.active_camera
+        camera.position = numpy.add(p, v)
+        camera.focal_point = p
         least = min(range(3), key=lambda i: abs(v[i]))
-        camera.SetViewUp([float(i == least) for i in range(3)])
-        camera.SetClippingRange(0.5 * math.hypot(*v), 2 * math.hypot(*v))
-        self.surface.SetAmbientColor(numpy.multiply(scene["k_a"], scene["i_a"]))
-        self.surface.SetDiffuseColor(scene["k_d"])
-        self.surface.SetSpecularColor([0, 0, 0] if scene["model"] == "lambert" else scene["k_s"])
-        self.surface.SetSpecularPower(scene["m"])
+        camera.view_up = [float(i == least) for i in range(3)]
+        camera.clipping_range = (0.5 * math.hypot(*v), 2 * math.hypot(*v))
+        self.surface.ambient_color = numpy.multiply(scene["k_a"], scene["i_a"])
+        self.surface.diffuse_color = scene["k_d"]
+        self.surface.specular_color = [0, 0, 0] if scene["model"] == "lambert" else scene["k_s"]
+        self.surface.specular_power = scene["m"]
         self.renderer.RemoveAllLights()
         for light in scene["lights"]:
             self.renderer.AddLight(of(light))
@@ -73,42 +62,33 @@ class Pixel:
 
 def of(scene):
     """A light of VTK."""
-    light = vtkLight()
-    light.SetLightTypeToSceneLight()
-    light.SetColor(scene["intensity"])
+    light = vtkLight(color=scene["intensity"], focal_point=(0, 0, 0))
     if scene["kind"] == "directional":
-        light.SetPosition(scene["l"])
-        light.SetFocalPoint(0, 0, 0)
+        light.position = scene["l"]
         return light
     light.PositionalOn()
-    light.SetPosition(scene["position"])
-    light.SetAttenuationValues(scene["attenuation"])
-    light.SetExponent(0)
-    light.SetConeAngle(90)  # no cone
+    light.position = scene["position"]
+    light.attenuation_values = scene["attenuation"]
+    light.exponent = 0
+    light.cone_angle = 90  # no cone
     if scene["kind"] == "spot":
-        light.SetFocalPoint(numpy.add(scene["position"], scene["axis"]))
-        light.SetConeAngle(math.degrees(scene["angle"]))
+        light.focal_point = numpy.add(scene["position"], scene["axis"])
+        light.cone_angle = math.degrees(scene["angle"])
     return light
 
 
-class Screen:
-    def __init__(self):
-        self.window = vtkRenderWindow()
-        self.window.SetOffScreenRendering(True)
-        self.window.SetMultiSamples(0)
-        self.window.SetSize(SIDE, SIDE)
-        self.pixels = [Pixel(self.window, i % SIDE, i // SIDE) for i in range(SIDE * SIDE)]
-        self.window.Render()
-        # floats, not bytes
-        self.window.GetRenderFramebuffer().PopulateFramebuffer(SIDE, SIDE, True, 1, VTK_FLOAT, True, 32, 0, False)
-
-    def shade(self, scenes):
-        for pixel, scene in zip(self.pixels, scenes):
-            pixel.show(scene)
-        self.window.Render()
-        colors = vtkFloatArray()
-        self.window.GetRGBAPixelData(0, 0, SIDE - 1, SIDE - 1, 0, colors)
-        return [list(colors.GetTuple(i)[:3]) for i in range(len(scenes))]
+def shade(scenes):
+    for pixel, scene in zip(pixels, scenes):
+        pixel.show(scene)
+    window.Render()
+    colors = vtkFloatArray()
+    window.GetRGBAPixelData(0, 0, SIDE - 1, SIDE - 1, 0, colors)
+    return [list(colors.GetTuple(i)[:3]) for i in range(len(scenes))]
 
 
-serve(PROFILE, Screen().shade, SIDE * SIDE)
+window = vtkRenderWindow(off_screen_rendering=True, multi_samples=0, size=(SIDE, SIDE))
+pixels = [Pixel(window, i % SIDE, i // SIDE) for i in range(SIDE * SIDE)]
+window.Render()
+# floats, not bytes
+window.render_framebuffer.PopulateFramebuffer(SIDE, SIDE, True, 1, VTK_FLOAT, True, 32, 0, False)
+serve(PROFILE, shade, SIDE * SIDE)
