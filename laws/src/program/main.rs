@@ -126,8 +126,7 @@ fn judged(arguments: &Arguments) -> Outcome {
         report.error = renderer.finish().err();
     }
     let words = arguments.command.iter();
-    let words: Vec<String> = words.map(|word| quoted(&word.to_string_lossy())).collect();
-    report.command = Some(words.join(" "));
+    report.command = Some(shell_words::join(words.map(|word| word.to_string_lossy())));
     let text = if arguments.json {
         report.to_json() + "\n"
     } else {
@@ -138,15 +137,5 @@ fn judged(arguments: &Arguments) -> Outcome {
         _ if report.is_broken() => Ok((text, 1)),
         Some(why) => Err(why.clone()),
         None => Ok((text, 3)), // what was found before the time was up is no pass
-    }
-}
-
-/// A word for a shell.
-fn quoted(word: &str) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "_-./=:,+@%".contains(c);
-    if !word.is_empty() && word.chars().all(is_plain) {
-        word.to_owned()
-    } else {
-        format!("'{}'", word.replace('\'', r"'\''"))
     }
 }

@@ -9,12 +9,12 @@ use crate::edit::EDITS;
 use crate::evidence::FEW;
 use crate::experiment;
 use crate::formula::Formula;
-use crate::law::{Broken, Law};
+use crate::law::Law;
 use crate::mistakes::formula;
 use crate::place::{self, Place};
 use crate::plan::Case;
 use crate::profile::Profile;
-use crate::report::Finding;
+use crate::report::{Counterexample, Finding};
 use crate::scene::{Scene, Triple};
 use crate::search::{self, Search};
 
@@ -96,12 +96,17 @@ impl Run<'_> {
         vec![(cause, places)]
     }
 
-    /// The reply to the last scene, of a renderer that has forgotten all before, if it can forget.
-    fn afresh(&mut self, scenes: &[Scene]) -> Option<Vec<Triple>> {
+    /// What a failed case shows after these scenes, of a renderer that has forgotten all others: nothing if its color
+    /// is right there. None if the renderer cannot forget.
+    fn after(&mut self, before: &[Scene], failure: &Failure) -> Option<Option<Counterexample>> {
         if self.is_over || !self.renderer.begin_again().unwrap_or(false) {
             return None;
         }
-        self.ask(scenes)
+        let scenes = [before, slice::from_ref(&failure.case.scene)].concat();
+        let colors = self.ask(&scenes)?;
+        let (linear, last) = (failure.case.linear, [*colors.last()?]);
+        let broken = failure.law.broken(&self.right, linear, &last);
+        Some(broken.map(|broken| self.told(scenes, colors, broken)))
     }
 
     /// The first case that is wrong by itself, or so it seems, of those with the fewest lights: what is remembered
@@ -112,51 +117,32 @@ impl Run<'_> {
         fewest.cloned()
     }
 
-    /// How the reply to the last of some scenes breaks the law that a case broke.
-    fn again(&self, failure: &Failure, replies: &[Triple]) -> Option<Broken> {
-        let last = [*replies.last()?];
-        let law = failure.law;
-        law.broken(&self.right, failure.case.linear, &last)
-    }
-
     /// That a color is right where nothing is asked before, with the scenes after which it is wrong, if few are
     /// found. A renderer that cannot forget does not show it.
     fn history(&mut self) -> Option<Finding> {
         let failure = self.first()?;
-        let scene = slice::from_ref(&failure.case.scene);
-        let replies = self.afresh(scene)?;
-        if self.again(&failure, &replies).is_some() {
+        if self.after(&[], &failure)?.is_some() {
             return None;
         }
         let until = self.now() + self.time_of_search();
         let cases = self.plan.cases.iter();
         let before = cases.take_while(|case| case.scene != failure.case.scene);
         let mut before: Vec<Scene> = before.flat_map(Case::scenes).collect();
-        let mut found = None;
+        let mut found: Option<Counterexample> = None;
         // one half is enough, as long as one scene is the reason
-        'halved: while self.now() < until {
+        while found.as_ref().is_none_or(|it| it.scenes.len() > 2) && self.now() < until {
             let latter = before.split_off(before.len() / 2);
-            for half in [latter, std::mem::take(&mut before)] {
-                let scenes = [&half, scene].concat();
-                let Some(replies) = self.afresh(&scenes) else {
-                    break 'halved;
-                };
-                if let Some(broken) = self.again(&failure, &replies) {
-                    found = Some((scenes, replies, broken));
-                    if half.len() < 2 {
-                        break 'halved;
-                    }
-                    before = half;
-                    continue 'halved;
-                }
-            }
-            break;
+            let halves = [latter, std::mem::take(&mut before)].into_iter();
+            let wrong = |half: Vec<Scene>| Some((self.after(&half, &failure)??, half));
+            let Some((shown, half)) = halves.filter_map(wrong).next() else {
+                break;
+            };
+            (found, before) = (Some(shown), half);
         }
-        let few = found.filter(|(scenes, ..)| scenes.len() <= 8);
-        let own = few.map(|(scenes, colors, broken)| self.told(scenes, colors, broken));
+        let few = found.filter(|it| it.scenes.len() <= 8);
         Some(Finding {
             is_right_alone: true,
-            own: own.map(Box::new),
+            own: few.map(Box::new),
             ..Finding::default()
         })
     }
