@@ -94,13 +94,10 @@ impl Evidence {
 
     /// What explains nearly all wrong colors and no right one away; else what explains some.
     pub fn cause(&self) -> Option<Cause> {
-        self.whole()
-            .or_else(|| self.form_of_some())
-            .or_else(|| self.one_of_two())
-            .or_else(|| {
-                let halves = self.mistakes_of_some().iter().filter(|it| it.is_half());
-                best(halves.cloned().collect())
-            })
+        self.whole().or_else(|| self.form_of_some()).or_else(|| {
+            let halves = self.mistakes_of_some().iter().filter(|it| it.is_half());
+            best(halves.cloned().collect())
+        })
     }
 
     /// What explains nearly all wrong colors and no right one away.
@@ -128,15 +125,6 @@ impl Evidence {
     /// The mistakes that explain some of the wrong colors, which take long to find.
     fn mistakes_of_some(&self) -> &[Cause] {
         self.of_some.get_or_init(|| self.mistakes(false))
-    }
-
-    /// A mistake of the table, without which another one explains all.
-    fn one_of_two(&self) -> Option<Cause> {
-        let mut parts = self.parts().filter(|part| {
-            let rest = part.then.as_deref().map(|then| self.rest(then));
-            rest.is_some_and(|it| it.wrong.len() >= FEW && !it.mistakes(true).is_empty())
-        });
-        parts.next().cloned()
     }
 
     /// What is wrong and what is right if the renderer says more of itself than before.

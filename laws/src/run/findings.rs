@@ -60,7 +60,7 @@ impl Run<'_> {
     }
 
     /// Causes with their places: one, or two where one mistake is known and something else is wrong without it.
-    fn placed(&mut self, cause: Option<Cause>) -> Vec<(Option<Cause>, Vec<Place>)> {
+    fn placed(&mut self, mut cause: Option<Cause>) -> Vec<(Option<Cause>, Vec<Place>)> {
         let (plan, scenes) = (self.plan, self.broken());
         let places = self.places(&plan.profile, &scenes).unwrap_or_default();
         let is_whole = |it: &Cause| it.of > 0 && it.is_nearly_all();
@@ -91,6 +91,9 @@ impl Run<'_> {
             place::merge(&mut all);
             if all.len() > 1 && (is_sure || !others.iter().any(is_same)) {
                 return vec![(Some(part), of_part), (other, others)];
+            }
+            if other.is_some() {
+                cause.get_or_insert(part);
             }
         }
         vec![(cause, places)]
