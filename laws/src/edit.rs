@@ -10,8 +10,7 @@ pub struct Edit {
     /// What no longer matters after the edit.
     pub id: &'static str,
     change: fn(&mut Scene, &Profile),
-    /// It takes light away. Where there is more than 1, ambient light makes up for it, because a
-    /// color that is no longer clamped would be mistaken for one that the edit repairs.
+    /// It takes light away.
     pub darkens: bool,
 }
 
@@ -33,41 +32,28 @@ impl Edit {
     pub fn trial(&self, scene: &Scene, profile: &Profile) -> Option<Trial> {
         let mut edited = scene.clone();
         (self.change)(&mut edited, profile);
-        // where ambient light is wrong itself, more of it helps nobody
-        if self.darkens && scene.i_a != [0.0; 3] {
-            brighten(&mut edited, scene, profile);
-        }
         edited.lights.retain(|light| profile.has(light.kind()));
+        let right = formula(profile, None);
+        let [is, was] = [&edited, scene].map(|it| size(right.linear(it).map(|c| c.value)));
+        let times = |most: f64| (-(is / most).log2().ceil()).exp2();
         let mut control = None;
-        if let Some([_, high]) = profile.range() {
+        match profile.range() {
             // what the edit brightens beyond the range would hide what is wrong
-            let right = formula(profile, None);
-            let brightest = |scene: &Scene| size(right.linear(scene).map(|c| c.value));
-            let is = brightest(&edited);
-            if is > high && brightest(scene) <= high && is.is_finite() {
-                let factor = (-(is / high).log2().ceil()).exp2();
-                edited.scale_light(factor);
-                control.insert(scene.clone()).scale_light(factor);
+            Some([_, high]) if is > high && was <= high && is.is_finite() => {
+                edited.scale_light(times(high));
+                control.insert(scene.clone()).scale_light(times(high));
             }
+            // what it darkens to 1 would be taken for repaired where only a clamp is wrong
+            _ if self.darkens && is > 0.0 && is <= 1.0 && was > 1.0 && was.is_finite() => {
+                let before = edited.clone();
+                edited.scale_light(2.0 * times(1.0));
+                if !profile.has_all_of(&edited) {
+                    edited = before;
+                }
+            }
+            _ => {}
         }
         (edited != *scene && profile.has_all_of(&edited)).then_some(Trial { edited, control })
-    }
-}
-
-/// Gives a scene so much ambient light that its color is again that of another, if that is above 1.
-fn brighten(scene: &mut Scene, other: &Scene, profile: &Profile) {
-    let right = formula(profile, None);
-    let [is, was] = [&*scene, other].map(|scene| right.linear(scene).map(|c| c.value));
-    let (mut k_a, mut i_a) = (scene.k_a, scene.i_a);
-    for i in 0..3 {
-        if was[i] > 1.0 && was[i].is_finite() {
-            let sum = k_a[i] * i_a[i] + was[i] - is[i];
-            k_a[i] = if k_a[i] == 0.0 { 1.0 } else { k_a[i] };
-            i_a[i] = profile.rounded(sum / k_a[i]);
-        }
-    }
-    if i_a.iter().all(|c| (0.0..=16.0).contains(c)) {
-        (scene.k_a, scene.i_a) = (k_a, i_a);
     }
 }
 

@@ -28,16 +28,18 @@ impl Place {
     /// An edit that tells this place beside the whole that it is found in, if one does.
     pub(crate) fn beside(&self, whole: &Self) -> Option<usize> {
         let is_of_whole = |id: &&&str| whole.only_with.contains(id);
-        if !whole.is_general() {
-            let mut shared = self.only_with.iter().filter(is_of_whole);
-            return self
-                .particular()
-                .filter(|_| shared.all(|id| GENERAL.contains(id)));
+        let ids = self.only_with.iter();
+        if whole.is_general() {
+            // what takes away a part of the light may take away what is wrong with it, too
+            let mut others = ids
+                .filter(|id| !is_of_whole(id))
+                .filter_map(|id| number(id));
+            others.find(|k| whole.only_with.len() < 2 || !EDITS[*k].darkens)
+        } else {
+            let mut shared = ids.filter(is_of_whole);
+            let particular = self.particular();
+            particular.filter(|_| shared.all(|id| GENERAL.contains(id)))
         }
-        // what takes away a part of the light may take away what is wrong with it, too
-        let is_told =
-            |id: &&&'static str| !is_of_whole(id) && (whole.only_with.len() < 2 || !darkens(id));
-        number(self.only_with.iter().find(is_told)?)
     }
 
     /// Whether all that another one needs is needed by this, too, so that this is the smaller one.
