@@ -29,7 +29,6 @@ const SUM_OR_PRODUCT: f64 = 2.0;
 const FUNCTION: f64 = 5.0;
 
 impl Bounded {
-    pub const ZERO: Self = Self::exact(0.0);
     pub const fn exact(value: f64) -> Self {
         let (error, u) = (0.0, 0.0);
         Self { value, error, u }
@@ -64,7 +63,7 @@ impl Bounded {
     }
 
     pub fn at_least_zero(self) -> Self {
-        self.if_positive(self, Self::ZERO)
+        self.if_positive(self, Self::exact(0.0))
     }
 
     /// This with an error larger by `more`.
@@ -106,11 +105,7 @@ impl Bounded {
             let base = if base * self.value < 0.0 { 0.0 } else { base };
             (base.powf(m) - value).abs()
         };
-        let exponent = if self.value == 0.0 {
-            0.0
-        } else {
-            (m * self.value.abs().log2()).abs()
-        };
+        let exponent = (m * self.value.abs().max(f64::MIN_POSITIVE).log2()).abs();
         let units = 2.0 * (3.0 + 2.0 * exponent) + 2.0 * 4.0 * exponent * std::f64::consts::LN_2;
         let error = corner(1.0).max(corner(-1.0));
         Self::rounded(value, error, units, self.u)

@@ -49,22 +49,18 @@ impl Place {
     }
 }
 
-/// Parts that make up one thing, and what else may be told of either: where both are wrong, the
-/// highlight, the lamps, the lights, or everything is. A surface and a light are factors of one product.
-const PARTS: [([&str; 2], &[&str]); 6] = [
-    (
-        ["Phong", "Blinn"],
-        &["highlight", "lights", "several lights"],
-    ),
-    (
-        ["spot", "point"],
-        &["cone", "lamps", "lights", "several lights"],
-    ),
-    (["color of the surface", "color of lights"], &[]),
-    (["lamps", "directional"], &["lights", "several lights"]),
-    (["diffuse", "highlight"], &["lights", "several lights"]),
-    (["ambient", "lights"], &["several lights"]),
+/// Parts that make up one thing. A surface and a light are factors of one product.
+const PARTS: [[&str; 2]; 6] = [
+    ["Phong", "Blinn"],
+    ["spot", "point"],
+    ["color of the surface", "color of lights"],
+    ["lamps", "directional"],
+    ["diffuse", "highlight"],
+    ["ambient", "lights"],
 ];
+
+/// What else may be told of one part alone: where both are wrong, the lamps, the lights, or everything is.
+const WHOLE: [&str; 4] = ["cone", "lamps", "lights", "several lights"];
 
 /// What may be two things.
 const GENERAL: [&str; 3] = ["highlight", "lamps", "lights"];
@@ -74,20 +70,15 @@ pub fn number(id: &str) -> Option<usize> {
     EDITS.iter().position(|edit| edit.id == id)
 }
 
-/// Whether an edit takes away a part of the light.
-fn darkens(id: &str) -> bool {
-    EDITS.iter().any(|edit| edit.id == id && edit.darkens)
-}
-
 /// Makes one place of two that are the parts of one thing, which is wrong as a whole.
 pub fn merge(places: &mut Vec<Place>) {
     'merged: loop {
-        for (parts, too) in PARTS {
+        for parts in PARTS {
             let of_part = |part| places.iter().position(|it| it.only_with.contains(&part));
             let [Some(a), Some(b)] = parts.map(of_part) else {
                 continue;
             };
-            let is_other = |id: &&&str| !parts.contains(id) && !too.contains(id);
+            let is_other = |id: &&&str| !parts.contains(id) && !WHOLE.contains(id);
             let others = |i: usize| places[i].only_with.iter().filter(is_other);
             if a != b && others(a).eq(others(b)) {
                 let other = places[b].only_with.clone();

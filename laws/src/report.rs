@@ -59,35 +59,27 @@ pub struct LawReport {
     /// What it says.
     pub says: &'static str,
     /// Whether it holds.
-    #[serde(flatten)]
     pub verdict: Verdict,
+    /// The number of cases that were tried.
+    pub cases: usize,
+    /// The number of cases that there are.
+    pub of: usize,
+    /// The number of cases in which it does not hold.
+    pub failures: usize,
+    /// The smallest case that was found in which it does not.
+    pub smallest: Option<Box<Counterexample>>,
 }
 
 /// Whether a law holds.
-#[derive(Clone, Debug, Serialize)]
-#[serde(tag = "verdict", rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// It holds in every case.
-    Holds {
-        /// The number of cases.
-        cases: usize,
-    },
+    Holds,
     /// It does not.
-    Broken {
-        /// The number of cases.
-        cases: usize,
-        /// The number of cases in which it does not hold.
-        failures: usize,
-        /// The smallest case that was found.
-        smallest: Box<Counterexample>,
-    },
+    Broken,
     /// It holds in every case that was tried, but the run ended before all were.
-    CutShort {
-        /// The number of cases that were tried.
-        cases: usize,
-        /// The number of cases that there are.
-        of: usize,
-    },
+    CutShort,
 }
 
 /// A case in which a law does not hold.
@@ -113,41 +105,28 @@ impl Finding {
     ) -> Option<(&'a LawReport, &'a Counterexample)> {
         let of = |name: &&str| laws.iter().find(|law| law.law == *name);
         let of_laws = self.laws.iter().filter_map(of);
-        let smallest = of_laws.filter_map(|law| Some((law, law.smallest()?)));
+        let smallest = of_laws.filter_map(|law| Some((law, law.smallest.as_deref()?)));
         let (law, smallest) = smallest.min_by_key(|(_, it)| !it.broken.is_clear())?;
         Some((law, self.own.as_deref().unwrap_or(smallest)))
     }
 }
 
-impl LawReport {
-    /// Whether the law is broken.
-    #[must_use]
-    pub fn is_broken(&self) -> bool {
-        matches!(self.verdict, Verdict::Broken { .. })
-    }
-
-    /// The smallest case in which it is broken.
-    #[must_use]
-    pub fn smallest(&self) -> Option<&Counterexample> {
-        match &self.verdict {
-            Verdict::Broken { smallest, .. } => Some(smallest),
-            _ => None,
-        }
-    }
-}
-
 impl Report {
+    fn count(&self, verdict: Verdict) -> usize {
+        let laws = self.laws.iter();
+        laws.filter(|law| law.verdict == verdict).count()
+    }
+
     /// Whether a law is broken.
     #[must_use]
     pub fn is_broken(&self) -> bool {
-        self.laws.iter().any(LawReport::is_broken)
+        self.count(Verdict::Broken) > 0
     }
 
     /// Whether the run ended before all cases of a law were tried.
     #[must_use]
     pub fn is_cut_short(&self) -> bool {
-        let mut verdicts = self.laws.iter().map(|law| &law.verdict);
-        verdicts.any(|it| matches!(it, Verdict::CutShort { .. }))
+        self.count(Verdict::CutShort) > 0
     }
 
     /// Whether all is well: every law holds, and all cases were tried.
@@ -167,7 +146,7 @@ impl Report {
     ///
     /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
     /// let json = Laws::default().run(&mut black).unwrap().to_json();
-    /// assert!(json.starts_with(r#"{"passes":false,"version":8,"seed":0,"#));
+    /// assert!(json.starts_with(r#"{"passes":false,"version":9,"seed":0,"#));
     /// ```
     #[must_use]
     pub fn to_json(&self) -> String {
@@ -240,7 +219,7 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let broken = self.laws.iter().filter(|law| law.is_broken()).count();
+        let broken = self.count(Verdict::Broken);
         // a terminal obeys control characters
         let name = self.profile.name.escape_debug();
         let (seed, of) = (self.seed, self.laws.len());
@@ -258,17 +237,16 @@ impl fmt::Display for Report {
             }
             self.show(f, finding)?;
         }
-        for LawReport { law, verdict, .. } in &self.laws {
-            match verdict {
-                Verdict::Holds { cases } => writeln!(f, "{law} holds in {cases} cases")?,
-                Verdict::CutShort { cases, of } => {
-                    let left = of - cases;
-                    let but = format!("but the run ended before the other {left}");
-                    writeln!(f, "{law} holds in {cases} cases, {but}")?;
-                }
-                Verdict::Broken {
-                    cases, failures, ..
-                } => writeln!(f, "{law} is BROKEN in {failures} of {cases} cases")?,
+        for it in &self.laws {
+            let (law, cases, failures, left) = (it.law, it.cases, it.failures, it.of - it.cases);
+            write!(f, "{law} ")?;
+            match it.verdict {
+                Verdict::Broken => writeln!(f, "is BROKEN in {failures} of {cases} cases")?,
+                Verdict::Holds => writeln!(f, "holds in {cases} cases")?,
+                Verdict::CutShort => writeln!(
+                    f,
+                    "holds in {cases} cases, but the run ended before the other {left}"
+                )?,
             }
         }
         if !self.profile.departs.is_empty() {

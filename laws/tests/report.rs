@@ -56,7 +56,7 @@ fn a_cause_is_left_out_on_demand() {
         report
             .laws
             .iter()
-            .map(|law| law.smallest().map(|it| it.scenes.clone()))
+            .map(|law| law.smallest.as_ref().map(|it| it.scenes.clone()))
             .collect::<Vec<_>>()
     };
     assert_eq!(broken(&with), broken(&without));
@@ -73,7 +73,7 @@ fn a_counterexample_is_small() {
         bright
     };
     let report = run(&few(), color);
-    let smallest = report.laws[1].smallest().expect("a broken law");
+    let smallest = report.laws[1].smallest.as_ref().expect("a broken law");
     let [scene] = &smallest.scenes[..] else {
         panic!("{report}");
     };

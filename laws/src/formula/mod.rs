@@ -8,7 +8,7 @@ use crate::profile::{Profile, to_srgb};
 use crate::scene::{Light, Model, Scene, Triple, add, dot, length, mul, scale, size, sub, unit};
 pub use part::{Applied, At, Change, Part};
 
-pub const ZERO: Bounded = Bounded::ZERO;
+pub const ZERO: Bounded = Bounded::exact(0.0);
 pub const ONE: Bounded = Bounded::exact(1.0);
 pub const BLACK: Bounded3 = [ZERO; 3];
 

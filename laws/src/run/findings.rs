@@ -179,12 +179,11 @@ impl Run<'_> {
         if self.is_over {
             return None;
         }
-        let times = self.time_of_search().as_secs_f64() / self.waited.as_secs_f64();
         // so many cases without each of so many things
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // from 2 to 60
-        #[allow(clippy::cast_precision_loss)] // the count of scenes
+        let asked = self.time_of_search().as_micros() * self.progress.asked as u128;
+        let most = asked / self.waited.as_micros().max(1) / EDITS.len() as u128;
         let most =
-            (times * self.progress.asked as f64 / EDITS.len() as f64).clamp(2.0, 60.0) as usize;
+            usize::try_from(most).map_or(experiment::MOST, |it| it.clamp(2, experiment::MOST));
         let right = formula(profile, None);
         let mut ask = |scenes: &[Scene]| {
             // with time left for the first experiment, what others would find is left out
@@ -214,14 +213,11 @@ impl Run<'_> {
             return;
         };
         let (right, with_first) = (formula(&plan.profile, None), formula(&then, None));
-        let is_of_first =
-            |scene: &Scene, color: Triple| with_first.fits(scene, color) == Some(true);
-        let is_first = |it: &Failure| is_of_first(&it.case.scene, it.replies[0]);
-        let is_second = |it: &Failure| is_of_first(&it.case.scene, right.reply(&it.case.scene));
-        let is_so: [&dyn Fn(&Failure) -> bool; 2] = [&is_first, &is_second];
-        for (finding, is_so) in [first, second].into_iter().zip(is_so) {
-            finding.own = self.smallest(Law::Formula, until, is_so);
-        }
+        let is_first = |scene: &Scene, color: Triple| with_first.fits(scene, color) == Some(true);
+        let mut shown =
+            |is_so: &dyn Fn(&Failure) -> bool| self.smallest(Law::Formula, until, is_so);
+        first.own = shown(&|it| is_first(&it.case.scene, it.replies[0]));
+        second.own = shown(&|it| is_first(&it.case.scene, right.reply(&it.case.scene)));
     }
 }
 

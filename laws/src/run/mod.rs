@@ -205,21 +205,14 @@ impl Run<'_> {
         self.evidence.sample();
         let mut findings = self.findings();
         let until = self.now() + self.time_of_search();
-        let laws = Law::ALL.map(|law| {
-            let (name, says) = law.told();
-            LawReport {
-                law: name,
-                says,
-                verdict: self.verdict(law, until),
-            }
-        });
+        let laws = Law::ALL.map(|law| self.law(law, until));
         self.show_apart(&mut findings, until);
         for finding in &mut findings {
             let shown = finding.shown(&laws);
             finding.scenes = shown.map_or_else(Vec::new, |(_, it)| it.scenes.clone());
         }
         Report {
-            version: 8,
+            version: 9,
             seed: self.plan.laws.seed,
             error: self.error,
             findings,
@@ -229,20 +222,26 @@ impl Run<'_> {
         }
     }
 
-    fn verdict(&mut self, law: Law, until: Duration) -> Verdict {
+    /// What was found of a law.
+    fn law(&mut self, law: Law, until: Duration) -> LawReport {
         let is_of_law = |case: &&Case| case.is_again || law != Law::NoMemory;
         let count = |cases: &[Case]| cases.iter().filter(is_of_law).count();
         let plan = self.plan;
         let (cases, of) = (count(&plan.cases[..self.tried]), count(&plan.cases));
-        let failures = self.failures.get(&law).map_or(0, Vec::len);
-        match self.smallest(law, until, &|_| true) {
-            Some(smallest) => Verdict::Broken {
-                cases,
-                failures,
-                smallest,
+        let smallest = self.smallest(law, until, &|_| true);
+        let (name, says) = law.told();
+        LawReport {
+            law: name,
+            says,
+            verdict: match &smallest {
+                Some(_) => Verdict::Broken,
+                None if cases < of => Verdict::CutShort,
+                None => Verdict::Holds,
             },
-            None if cases < of => Verdict::CutShort { cases, of },
-            None => Verdict::Holds { cases },
+            cases,
+            of,
+            failures: self.failures.get(&law).map_or(0, Vec::len),
+            smallest,
         }
     }
 
