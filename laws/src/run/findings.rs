@@ -30,9 +30,9 @@ impl Run<'_> {
             broken.partition(|name| *name == Law::NoMemory.name());
         let explains = self.plan.laws.explains;
         let mut cause = explains.then(|| self.evidence.cause()).flatten();
-        if laws.contains(&Law::Finite.name()) {
-            // a color that is not finite breaks a law whatever is declared
-            cause.iter_mut().for_each(|it| it.declare = None);
+        // a color that is not finite breaks a law whatever is declared
+        if let (true, Some(it)) = (laws.contains(&Law::Finite.name()), &mut cause) {
+            it.declare = None;
         }
         let history = self.history();
         let is_fickle = !of_state.is_empty() || history.is_some() || self.is_right_again();
@@ -101,6 +101,7 @@ impl Run<'_> {
 
     /// What a failed case shows after these scenes, of a renderer that has forgotten all others: nothing if its color
     /// is right there. None if the renderer cannot forget.
+    #[allow(clippy::option_option)] // an answer, and what it shows
     fn after(&mut self, before: &[Scene], failure: &Failure) -> Option<Option<Counterexample>> {
         if self.is_over || !self.renderer.begin_again().unwrap_or(false) {
             return None;
@@ -135,9 +136,9 @@ impl Run<'_> {
         // one half is enough, as long as one scene is the reason
         while found.as_ref().is_none_or(|it| it.scenes.len() > 2) && self.now() < until {
             let latter = before.split_off(before.len() / 2);
-            let halves = [latter, std::mem::take(&mut before)].into_iter();
+            let mut halves = [latter, std::mem::take(&mut before)].into_iter();
             let wrong = |half: Vec<Scene>| Some((self.after(&half, &failure)??, half));
-            let Some((shown, half)) = halves.filter_map(wrong).next() else {
+            let Some((shown, half)) = halves.find_map(wrong) else {
                 break;
             };
             (found, before) = (Some(shown), half);
