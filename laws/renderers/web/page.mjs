@@ -1,7 +1,7 @@
 // What runs in the page. A scene is a point of one pixel, as an application would draw it, one after the other.
 
 /** Opens a scene with one point, one material and eight lights. */
-export async function start() {
+export function start() {
   const { BABYLON } = window;
   const { Color3, Color4, Vector3 } = BABYLON;
   const engine = new BABYLON.Engine(document.createElement("canvas"), false, { useHighPrecisionMatrix: true });
@@ -36,15 +36,6 @@ export async function start() {
   target.activeCamera = camera;
   target.ignoreCameraViewport = false;
   target.onClearObservable.add(() => engine.clear(new Color4(0, 0, 0, 0), target.first, true));
-  // Shaders compile in the background: a shader for each number of lights, with a highlight and without.
-  for (let count = 8; count >= 0; count--) {
-    lights[count]?.setEnabled(false);
-    for (const specular of [Color3.Black(), Color3.White()]) {
-      for (const light of lights) light.specular = specular;
-      material.markAsDirty(BABYLON.Material.LightDirtyFlag);
-      await material.forceCompilationAsync(mesh);
-    }
-  }
   Object.assign(window, { engine, scene, camera, mesh, material, lights, target, size });
 }
 
@@ -86,6 +77,7 @@ export async function shade({ json, clamps: [low, high] = [-Infinity, Infinity] 
     const some = scenes.splice(0, size * size);
     for (const [i, one] of some.entries()) {
       set(one);
+      await material.forceCompilationAsync(mesh); // in the background: a shader for each number of lights
       camera.viewport = new BABYLON.Viewport((i % size) / size, Math.floor(i / size) / size, 1 / size, 1 / size);
       target.first = i === 0;
       scene.incrementRenderId();
