@@ -45,27 +45,23 @@ impl Cause {
 
     /// That all colors are rounded to so few bits.
     pub(crate) fn rough(bits: i32, profile: &Profile, explained: usize) -> Self {
-        let u = f64::from(-bits).exp2();
-        let mut says = format!(
-            "it behaves like a roundoff of 2^-{bits}, lower than the profile says, as half precision, bfloat, \
-             a table or a fast inverse root would"
+        let (u, m) = (f64::from(-bits).exp2(), profile.most_shiny);
+        // the power's condition is m, so rounding of u explains m·u of a highlight
+        let hidden = (m * u).min(1.0);
+        // half a level of 8 bits is what nobody sees
+        let is_unseen = hidden <= 0.5 / 255.0;
+        let hides = format!(
+            "; if it has all its digits, something else is wrong, which a roundoff would hide: with a \
+             shininess of {m} it explains {:.0} % of a highlight",
+            100.0 * hidden
         );
-        let mut declare = Some(format!("\"roundoff\":{u:e}"));
-        // the power's condition is m, so rounding of u explains m·u of a highlight; half a level of 8 bits
-        // is what nobody sees
-        let hidden = profile.most_shiny * u;
-        if hidden > 0.5 / 255.0 {
-            declare = None;
-            let (of_m, percent) = (profile.most_shiny, (100.0 * hidden).min(100.0));
-            let hides = format!(
-                "; if it has all its digits, something else is wrong, which a roundoff would hide: with a \
-                 shininess of {of_m} it explains {percent:.0} % of a highlight"
-            );
-            says.push_str(&hides);
-        }
         Self {
-            says,
-            declare,
+            says: format!(
+                "it behaves like a roundoff of 2^-{bits}, lower than the profile says, as half precision, bfloat, \
+                 a table or a fast inverse root would{}",
+                if is_unseen { "" } else { &hides }
+            ),
+            declare: is_unseen.then(|| format!("\"roundoff\":{u:e}")),
             explained,
             of: explained,
             ..Self::default()

@@ -29,13 +29,11 @@ impl Run<'_> {
         let (mut of_state, laws): (Vec<_>, Vec<_>) =
             broken.partition(|name| *name == Law::NoMemory.name());
         let explains = self.plan.laws.explains;
-        let mut cause = explains.then(|| self.evidence.cause()).flatten();
-        // a color that is not finite breaks a law whatever is declared
-        if let (true, Some(it)) = (laws.contains(&Law::Finite.name()), &mut cause) {
-            it.declare = None;
-        }
+        let cause = explains.then(|| self.evidence.cause()).flatten();
         let history = self.history();
         let is_fickle = !of_state.is_empty() || history.is_some() || self.is_right_again();
+        // what is remembered looks like few digits, too
+        let cause = cause.filter(|it| !is_fickle || it.then.is_some());
         let mut findings = Vec::new();
         if is_fickle {
             if cause.is_none() || of_state.is_empty() {
@@ -48,11 +46,22 @@ impl Run<'_> {
             });
         }
         if !laws.is_empty() && (cause.is_some() || !is_fickle) {
-            let finding = |(cause, places)| Finding {
-                cause,
-                places,
-                laws: laws.clone(),
-                ..Finding::default()
+            let is_finite = !laws.contains(&Law::Finite.name());
+            let finding = |(cause, places): (Option<Cause>, Vec<Place>)| {
+                // a color that is not finite breaks a law whatever is declared, and digits that one place lacks are
+                // not to be given up everywhere
+                let is_everywhere = places.iter().all(|it| it.only_with.is_empty());
+                let may = |it: &Cause| is_finite && (is_everywhere || it.then.is_some());
+                let refused = |it: Cause| Cause {
+                    declare: it.declare.clone().filter(|_| may(&it)),
+                    ..it
+                };
+                Finding {
+                    cause: cause.map(refused),
+                    places,
+                    laws: laws.clone(),
+                    ..Finding::default()
+                }
             };
             findings.extend(self.placed(cause).into_iter().map(finding));
         }
