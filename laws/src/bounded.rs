@@ -43,8 +43,7 @@ impl Bounded {
         Self { value, error, u }
     }
 
-    /// The result of an operation that loses `units` of u. The errors of its operands alone would
-    /// make it wrong by `error`.
+    /// The result of an operation that loses `units` of u, beside the `error` that its operands bring.
     pub fn rounded(value: f64, error: f64, units: f64, u: f64) -> Self {
         let [tiny, huge] = limits(u);
         let mut error = error + units * u * value.abs();
@@ -74,8 +73,7 @@ impl Bounded {
         }
     }
 
-    /// `then` where this is positive. If the error leaves the sign undecided, the renderer may have
-    /// taken either.
+    /// `then` where this is positive. Where the error leaves that open, the renderer may have taken either.
     pub fn if_positive(self, then: Self, otherwise: Self) -> Self {
         let (taken, other) = if self.value > 0.0 {
             (then, otherwise)
@@ -175,8 +173,7 @@ impl Div for Bounded {
     }
 }
 
-/// The most that underflow takes away, which is all below the smallest normal number of the type, and what no
-/// number of it reaches.
+/// What underflow may take away, all below the smallest normal number of the type, and what no number reaches.
 fn limits(u: f64) -> [f64; 2] {
     match u {
         0.0 => [0.0, f64::MAX],

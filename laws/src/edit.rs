@@ -10,9 +10,10 @@ pub struct Edit {
     /// What no longer matters after the edit.
     pub id: &'static str,
     change: fn(&mut Scene, &Profile),
-    /// It takes light away.
-    pub darkens: bool,
 }
+
+/// What takes light away.
+pub const DARKER: [&str; 4] = ["several lights", "highlight", "diffuse", "lights"];
 
 /// A broken scene without one thing.
 pub struct Trial {
@@ -44,7 +45,12 @@ impl Edit {
                 control.insert(scene.clone()).scale_light(times(high));
             }
             // what it darkens to 1 would be taken for repaired where only a clamp is wrong
-            _ if self.darkens && is > 0.0 && is <= 1.0 && was > 1.0 && was.is_finite() => {
+            _ if DARKER.contains(&self.id)
+                && is > 0.0
+                && is <= 1.0
+                && was > 1.0
+                && was.is_finite() =>
+            {
                 let before = edited.clone();
                 edited.scale_light(2.0 * times(1.0));
                 if !profile.has_all_of(&edited) {
@@ -58,18 +64,7 @@ impl Edit {
 }
 
 const fn edit(id: &'static str, change: fn(&mut Scene, &Profile)) -> Edit {
-    Edit {
-        id,
-        change,
-        darkens: false,
-    }
-}
-
-const fn darker(id: &'static str, change: fn(&mut Scene, &Profile)) -> Edit {
-    Edit {
-        darkens: true,
-        ..edit(id, change)
-    }
+    Edit { id, change }
 }
 
 /// Every edit, from the particular to the general.
@@ -175,7 +170,7 @@ pub static EDITS: &[Edit] = &[
     edit("spot", |s, p| replace(s, p, &[Kind::Spot])),
     edit("point", |s, p| replace(s, p, &[Kind::Point])),
     edit("directional", |s, p| replace(s, p, &[Kind::Directional])),
-    darker("several lights", |s, _| s.lights.truncate(1)),
+    edit("several lights", |s, _| s.lights.truncate(1)),
     edit("colors above 1", |s, _| {
         let lights = s.lights.iter();
         let arriving = lights.map(|light| scale(light.intensity(), light.falloff(s.p)));
@@ -194,15 +189,15 @@ pub static EDITS: &[Edit] = &[
     edit("color of the surface", |s, _| {
         (s.k_a, s.k_d, s.k_s) = ([1.0; 3], [1.0; 3], [1.0; 3]);
     }),
-    darker("highlight", |s, profile| {
+    edit("highlight", |s, profile| {
         s.k_s = [0.0; 3];
         if profile.models.contains(&Model::Lambert) {
             s.model = Model::Lambert;
         }
     }),
-    darker("diffuse", |s, _| s.k_d = [0.0; 3]),
+    edit("diffuse", |s, _| s.k_d = [0.0; 3]),
     edit("ambient", |s, _| s.i_a = [0.0; 3]),
-    darker("lights", |s, _| s.lights.clear()),
+    edit("lights", |s, _| s.lights.clear()),
 ];
 
 /// Gives a scene another model and another shininess, and turns the eye so that the highlight stays as

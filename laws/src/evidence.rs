@@ -1,5 +1,4 @@
-//! What explains the colors of a run: a mistake of the table, or a form of the reply that the profile does
-//! not say.
+//! What explains the colors of a run: a mistake of the table, or a form that the profile does not say.
 
 use std::cell::OnceCell;
 use std::cmp::Reverse;
@@ -28,12 +27,16 @@ const ROUGH: [i32; 13] = [24, 22, 20, 18, 16, 14, 13, 12, 11, 10, 9, 8, 7];
 /// A scene, and the color that the renderer gave it.
 type Sample = (Scene, Triple);
 
-/// A form of colors in words, the member of the profile that declares it, if it is no departure,
-/// and what that changes.
+/// A form of colors in words, its member of the profile, unless it is a departure, and what it changes there.
 type Form = (&'static str, &'static str, fn(&mut Profile));
 
 /// What scenes may lack, and whether one does.
 type Lack = (&'static str, fn(&Scene) -> bool);
+
+const LACKS: [Lack; 2] = [
+    ("lights", |it| it.lights.is_empty()),
+    ("ambient light", |it| mul(it.k_a, it.i_a) == [0.0; 3]),
+];
 
 /// The forms in which renderers give colors that are not linear light.
 const FORMS: &[Form] = &[
@@ -217,10 +220,7 @@ impl Evidence {
 
     /// The form of the colors of scenes that lack something, where a mistake of that hides the form of the others.
     fn form_of_some(&self) -> Option<Cause> {
-        let is_unlit = |scene: &Scene| scene.lights.is_empty();
-        let is_dark = |scene: &Scene| mul(scene.k_a, scene.i_a) == [0.0; 3];
-        let without: [Lack; 2] = [("lights", is_unlit), ("ambient light", is_dark)];
-        without.into_iter().find_map(|(what, is_without)| {
+        LACKS.into_iter().find_map(|(what, is_without)| {
             let mut some = self.clone();
             for samples in [&mut some.wrong, &mut some.right] {
                 samples.retain(|(scene, _)| is_without(scene));

@@ -44,8 +44,7 @@ pub struct Experiment {
     is_first: bool,
     /// What is left alone by what was taken out already, so that nothing is left to be wrong without it.
     alone: Vec<&'static str>,
-    /// For each edit the number of cases that it repairs, of those that it leaves broken, and of those of which it
-    /// says nothing.
+    /// For each edit the number of cases that it repairs, that it leaves broken, and of which it says nothing.
     repaired: Vec<usize>,
     broken: Vec<usize>,
     unknown: Vec<usize>,

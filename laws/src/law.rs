@@ -55,8 +55,7 @@ impl Law {
         self.told().0
     }
 
-    /// How the replies to a scene break the law, if they do: the reply, and, if the scene was asked
-    /// for again, the later one. The formulas give the linear light.
+    /// How the replies to a scene, the first and any later one, break the law. The formulas give the linear light.
     pub fn broken(self, right: &Formula, linear: Bounded3, replies: &[Triple]) -> Option<Broken> {
         (0..3).find_map(|channel| {
             let (light, reply) = (linear[channel], replies[0][channel]);

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::edit::EDITS;
+use crate::edit::{DARKER, EDITS};
 
 /// What wrong colors follow.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -34,7 +34,7 @@ impl Place {
             let mut others = ids
                 .filter(|id| !is_of_whole(id))
                 .filter_map(|id| number(id));
-            others.find(|k| whole.only_with.len() < 2 || !EDITS[*k].darkens)
+            others.find(|k| whole.only_with.len() < 2 || !DARKER.contains(&EDITS[*k].id))
         } else {
             let mut shared = ids.filter(is_of_whole);
             let particular = self.particular();

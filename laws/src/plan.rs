@@ -27,8 +27,7 @@ pub struct Case {
     pub linear: Bounded3,
     /// It is asked for again after another scene, because a renderer may remember something.
     pub is_again: bool,
-    /// A light that the renderer has, for the scene between where it has none, so that what is remembered of
-    /// lights shows.
+    /// A light for the scene between, where that has none, so that what is remembered of lights shows.
     light: Option<Light>,
 }
 

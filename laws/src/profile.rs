@@ -17,21 +17,6 @@ const OURS: f64 = 1e-15;
 ///
 /// The default is a renderer in `f32` that has everything, gives linear light without a limit and
 /// follows the formulas.
-///
-/// ```
-/// use shading_laws::{Kind, Model, Profile};
-///
-/// let shader = Profile {
-///     models: vec![Model::Phong],
-///     lights: vec![Kind::Directional, Kind::Point],
-///     clamps: Some([0.0, 1.0]),
-///     srgb: true,
-///     bits: Some(8),
-///     departs: vec!["HighlightNotGated".into()],
-///     ..Profile::default()
-/// };
-/// assert_eq!(shader.roundoff, f64::from(f32::EPSILON) / 2.0);
-/// ```
 #[allow(clippy::struct_excessive_bools)] // each is a fact of its own
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -62,8 +47,7 @@ pub struct Profile {
     pub clamps: Option<[f64; 2]>,
     /// Its colors are encoded as sRGB.
     pub srgb: bool,
-    /// The bits of each channel, if its colors are levels from 0 to 2^bits − 1, divided by the
-    /// largest.
+    /// The bits of each channel, if its colors are levels from 0 to 2^bits − 1, divided by the largest.
     pub bits: Option<u32>,
     /// The number that it gives for a channel of light 1: 255 if its colors are integers from 0 to 255.
     pub white: f64,
@@ -189,8 +173,7 @@ impl Profile {
         of_level + (of_power * roundoff + OURS) * size
     }
 
-    /// How far a finite reply is out of the range or off its level, and how far it may be, where that
-    /// is too far.
+    /// How far a finite reply is out of the range or off its level, and how far it may be, if that is too far.
     pub(crate) fn is_not_as_said(&self, reply: f64) -> Option<(f64, f64)> {
         let slack = 4.0 * self.roundoff * self.white;
         if !reply.is_finite() {
@@ -229,15 +212,12 @@ impl Profile {
         self.has_all_of(&scene).then_some(scene)
     }
 
-    /// Whether the renderer has all that a scene needs that is fitted but for its length and its lights, and the
-    /// format allows it.
+    /// Whether the renderer has all else that a fitted scene needs, and the format allows it.
     pub(crate) fn has_all_of(&self, scene: &Scene) -> bool {
-        let is_unit = |v: Triple| (length(v) - 1.0).abs() < 8.0 * self.roundoff;
         // in half precision, the squares of other lengths have no digits, or no end
         let is_short = self.roundoff >= bounded::HALF;
         let is_in_reach = |v: Triple| !is_short || (1.0 / 32.0..=64.0).contains(&length(v));
-        let is_direction =
-            |v: Triple| length(v) > 0.0 && is_in_reach(v) && (!self.unit_vectors || is_unit(v));
+        let is_direction = |v: Triple| length(v) > 0.0 && is_in_reach(v);
         let most = if is_short { 4096.0 } else { 1e12 };
         let has_lamp = |light: &Light| {
             light.lamp().is_none_or(|(position, abc)| {

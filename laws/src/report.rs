@@ -39,8 +39,7 @@ pub struct Finding {
     pub places: Vec<Place>,
     /// The names of the laws.
     pub laws: Vec<&'static str>,
-    /// The smallest scenes that show it, as the renderer got them: those of the first of its laws that rounding
-    /// does not explain.
+    /// The smallest scenes that show it, as the renderer got them.
     pub scenes: Vec<Scene>,
     /// What is shown is right if nothing is asked before.
     #[serde(skip)]
@@ -48,7 +47,7 @@ pub struct Finding {
     /// What shows it better than the smallest case of its laws: the scenes after which a color is wrong that is
     /// right without them, or a scene in which nothing else is wrong, where another finding is of the same law.
     #[serde(skip)]
-    pub(crate) own: Option<Box<Counterexample>>,
+    pub(crate) own: Option<Counterexample>,
 }
 
 /// What was found of one law.
@@ -67,7 +66,7 @@ pub struct LawReport {
     /// The number of cases in which it does not hold.
     pub failures: usize,
     /// The smallest case that was found in which it does not.
-    pub smallest: Option<Box<Counterexample>>,
+    pub smallest: Option<Counterexample>,
 }
 
 /// Whether a law holds.
@@ -105,9 +104,9 @@ impl Finding {
     ) -> Option<(&'a LawReport, &'a Counterexample)> {
         let of = |name: &&str| laws.iter().find(|law| law.law == *name);
         let of_laws = self.laws.iter().filter_map(of);
-        let smallest = of_laws.filter_map(|law| Some((law, law.smallest.as_deref()?)));
+        let smallest = of_laws.filter_map(|law| Some((law, law.smallest.as_ref()?)));
         let (law, smallest) = smallest.min_by_key(|(_, it)| !it.broken.is_clear())?;
-        Some((law, self.own.as_deref().unwrap_or(smallest)))
+        Some((law, self.own.as_ref().unwrap_or(smallest)))
     }
 }
 
@@ -140,14 +139,6 @@ impl Report {
     /// # Panics
     ///
     /// Never: plain data is JSON.
-    ///
-    /// ```
-    /// use shading_laws::{Laws, Profile, from_fn};
-    ///
-    /// let mut black = from_fn(Profile::default(), |_scene| [0.0; 3]);
-    /// let json = Laws::default().run(&mut black).unwrap().to_json();
-    /// assert!(json.starts_with(r#"{"passes":false,"version":9,"seed":0,"#));
-    /// ```
     #[must_use]
     pub fn to_json(&self) -> String {
         let json = serde_json::to_string(self).expect("plain data is JSON");

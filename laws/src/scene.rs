@@ -31,8 +31,7 @@ pub struct Scene {
     /// A vector along the normal N, not 0. Like a normal that was interpolated, it has any length
     /// unless the [`Profile`](crate::Profile) asks for unit vectors.
     pub n: Triple,
-    /// The vector from the point to the eye, not 0: the eye is at p + v. It has any length unless
-    /// the [`Profile`](crate::Profile) asks for unit vectors.
+    /// The vector from the point to the eye, not 0: the eye is at p + v. Its length is as free as that of n.
     pub v: Triple,
     /// The ambient reflectance, from 0 to 1.
     pub k_a: Triple,
@@ -232,8 +231,7 @@ impl Scene {
         serde_json::from_str(line).map_err(|why| why.to_string())
     }
 
-    /// The scene as one line of JSON, its members always in the same order. The format is that of the
-    /// program `shading-laws`.
+    /// The scene as one line of JSON in the format of the program, its members always in the same order.
     ///
     /// # Panics
     ///

@@ -107,11 +107,8 @@ fn numbers(old: f64) -> Vec<f64> {
 /// Simple vectors, and the old one along one axis or with fewer digits.
 fn vectors(old: Triple) -> impl Iterator<Item = Triple> {
     let on_axes = (0..3).flat_map(move |axis| {
-        [1.0, -1.0, 2.0, 1024.0, 1.0 / 128.0, old[axis]].map(|c| {
-            let mut v = [0.0; 3];
-            v[axis] = c;
-            v
-        })
+        let lengths = [1.0, -1.0, 2.0, 1024.0, 1.0 / 128.0, old[axis]];
+        lengths.map(|c| [0, 1, 2].map(|i| if i == axis { c } else { 0.0 }))
     });
     let largest = size(old).max(f64::MIN_POSITIVE).log2().floor().exp2();
     let of_few = [1.0, 2.0, 8.0, 256.0]

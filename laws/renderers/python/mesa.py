@@ -1,8 +1,5 @@
 """Shades scenes with the fixed-function lighting of Mesa's OpenGL, in the format of ../../docs/format.md: a vertex for each
-scene, drawn as a point.
-
-OpenGL's lighting has the eye at the origin, so positions are relative to the eye. The projection ignores the position and
-sends each vertex to the next pixel: none is clipped, and one frame holds SIDE * SIDE scenes.
+scene, whose position is relative to the eye. The projection sends it to the next pixel instead, so none is clipped.
 """
 import math
 import os

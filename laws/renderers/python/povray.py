@@ -1,8 +1,5 @@
-"""Shades scenes with POV-Ray, in the format of ../../docs/format.md. A batch is one picture of 16 bits, a pixel for each scene.
-
-The camera is orthographic and looks along -z: each scene is turned so that V is +z, and moved so that p is under the middle
-of its pixel. A smooth triangle lies there, all of its normals N, in a light group with the lights of the scene. Light sources
-cannot be shadowless, because POV-Ray gives those no highlight; the triangle has no shadow instead.
+"""Shades scenes with POV-Ray, in the format of ../../docs/format.md. A batch is one picture, a pixel for each scene, which is
+turned so that V is +z, and moved so that p is under the middle of its pixel. A smooth triangle with the normal N lies there.
 """
 import math
 import subprocess

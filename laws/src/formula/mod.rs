@@ -161,8 +161,7 @@ impl Formula<'_> {
                 };
                 return self.number(Part::Power, at, power);
             }
-            // the renderer may take (N·L + N·V)/√(2 + 2 L·V), whose root cancels where L is nearly opposite
-            // to V
+            // the renderer may take (N·L + N·V)/√(2 + 2 L·V), whose root cancels where L is nearly −V
             let square = dot(at.sum, at.sum).value;
             let cosine = dot(at.n, h);
             cosine.looser(cosine.value.abs() * 8.0 * self.u / square)
@@ -196,8 +195,7 @@ impl Formula<'_> {
         is_known.then_some(true)
     }
 
-    /// The least and the largest reply that the renderer may give for a channel, where the formulas
-    /// have an answer.
+    /// The least and the largest reply that the renderer may give for a channel, where the formulas have one.
     pub fn ends(&self, c: Bounded) -> Option<[f64; 2]> {
         if !c.error.is_finite() {
             return None;

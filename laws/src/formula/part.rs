@@ -3,8 +3,7 @@
 use crate::bounded::{Bounded, Bounded3};
 use crate::scene::{Light, Model};
 
-/// An ingredient, in the order of the computation. A number is a triple of three alike, so that one
-/// operation fits any.
+/// An ingredient, in the order of the computation. A number is three alike, so that one operation fits any.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Part {
     V,

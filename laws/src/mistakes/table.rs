@@ -83,6 +83,10 @@ fn unit_by_bits(v: Bounded3, at: &At) -> Bounded3 {
     scale(v, fast_inverse_root(dot(v, v), at))
 }
 
+fn if_so(is_so: bool, then: Bounded3, otherwise: Bounded3) -> Bounded3 {
+    if is_so { then } else { otherwise }
+}
+
 /// Where a renderer may have done either.
 fn either(a: Bounded3, b: Bounded3) -> Bounded3 {
     [0, 1, 2].map(|i| a[i].looser((a[i].value - b[i].value).abs() + b[i].error))
@@ -117,11 +121,8 @@ pub static MISTAKES: &[Mistake] = &[
             }),
             (L, |x, at| {
                 let by_bits = unit_by_bits(at.to_light, at);
-                if at.light.and_then(Light::lamp).is_some() {
-                    by_bits
-                } else {
-                    either(x, by_bits)
-                }
+                let is_lamp = at.light.and_then(Light::lamp).is_some();
+                if_so(is_lamp, by_bits, either(x, by_bits))
             }),
             (Half, |_, at| unit_by_bits(at.sum, at)),
         ])
@@ -157,22 +158,14 @@ pub static MISTAKES: &[Mistake] = &[
     row("HighlightNotGated", Gate, |_, _| one(ONE))
         .says("the highlight is not gated on N·L > 0, so faces turned away from a light have one"),
     row("ReflectionReversed", Cosine, |x, at| {
-        if at.model == Model::Phong {
-            minus(x)
-        } else {
-            x
-        }
+        if_so(at.model == Model::Phong, minus(x), x)
     })
     .says("R points the wrong way: reflect() of GLSL and HLSL takes −L"),
     row("HalfVectorNotNormalized", Half, |_, at| at.sum).says("H = L + V is not normalized"),
     row("HalfVectorUnguarded", OfLight, |x, at| {
         let is_none = at.sum.iter().all(|c| c.value.abs() <= c.error);
         let nan = exact(f64::NAN).looser(f64::INFINITY);
-        if is_none && at.model == Model::BlinnPhong {
-            one(nan)
-        } else {
-            x
-        }
+        if_so(is_none && at.model == Model::BlinnPhong, one(nan), x)
     })
     .says("H is NaN where L = -V: the length of L + V is not checked before the division"),
     row("ShininessTimes", M, |x, at| {
@@ -195,7 +188,7 @@ pub static MISTAKES: &[Mistake] = &[
     row("AmbientTimesDiffuse", Ambient, |x, at| mul(x, at.k_d))
         .says("the ambient term is multiplied by k_d"),
     row("UnlitWithoutLights", Once, |x, at| {
-        if at.is_unlit { add(x, at.k_d) } else { x }
+        if_so(at.is_unlit, add(x, at.k_d), x)
     })
     .says("without lights the surface is shown unlit: k_d is added"),
     row("AmbientTimes", Ambient, times)
@@ -212,7 +205,7 @@ pub static MISTAKES: &[Mistake] = &[
         .of(FACTORS),
     // the sum, and the reply
     row("LightsAtMost", OfLight, |x, at| {
-        if at.i >= at.value { BLACK } else { x }
+        if_so(at.i >= at.value, BLACK, x)
     })
     .says("lights beyond number {} are left out")
     .of(&[

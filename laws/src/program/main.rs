@@ -20,9 +20,7 @@ use piped::Piped;
 #[command(
     version,
     args_conflicts_with_subcommands = true,
-    disable_help_subcommand = true
-)]
-#[command(
+    disable_help_subcommand = true,
     after_help = "The exit status is 0 if all laws hold, 1 if one is broken, 2 if nothing was found before the renderer \
     ended or answered with nonsense, and 3 if nothing was found before the time was up or Ctrl-C was pressed."
 )]

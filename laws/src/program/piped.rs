@@ -1,5 +1,4 @@
-//! A renderer at the other end of two pipes, to which lines are written and from which lines are
-//! read, neither forever.
+//! A renderer at the other end of two pipes, for which nobody waits forever.
 
 use std::ffi::OsString;
 use std::io::{self, BufRead, BufReader, Read, Write};
@@ -126,8 +125,7 @@ impl Piped {
         ))
     }
 
-    /// Writes a text, without waiting until it is read. That the process no longer reads becomes
-    /// known when it gives no line.
+    /// Writes a text, without waiting until it is read. A process that no longer reads gives no line.
     fn write(&self, text: String) {
         if let Some(input) = &self.input {
             let _ = input.send(text);
@@ -241,9 +239,6 @@ impl Renderer for Piped {
     }
 
     fn begin_again(&mut self) -> Result<bool, String> {
-        if IS_INTERRUPTED.load(Ordering::Relaxed) {
-            return Err("interrupted".into());
-        }
         let (progress, start) = (self.progress, self.start);
         *self = Self::start(&self.command, self.timeout)?;
         (self.progress, self.start) = (progress, start);

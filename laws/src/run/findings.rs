@@ -3,7 +3,7 @@
 use std::slice;
 use std::time::Duration;
 
-use super::{Failure, Run};
+use super::{Failure, IsSo, Run};
 use crate::cause::Cause;
 use crate::edit::EDITS;
 use crate::evidence::FEW;
@@ -22,8 +22,7 @@ use crate::search::{self, Search};
 const MOST_BROKEN: usize = 600;
 
 impl Run<'_> {
-    /// The broken laws, together with what is known of their cause: what depends on what was asked
-    /// before, and all else.
+    /// The broken laws with what is known of their cause: what depends on what was asked before, and all else.
     pub(super) fn findings(&mut self) -> Vec<Finding> {
         let broken = self.failures.keys().map(|law| law.name());
         let (mut of_state, laws): (Vec<_>, Vec<_>) =
@@ -90,8 +89,7 @@ impl Run<'_> {
             }
             let others = self.places(then, &left).unwrap_or_default();
             let of_part = places_of_mistake(&scenes, &plan.profile, then);
-            // a known mistake that gives the same where one more thing is missing is no other one: so m + 2
-            // is 3m at 1
+            // what gives the same where one more thing is missing is no other mistake: so m + 2 is 3m at 1
             let is_within = |it: &Place| of_part.iter().any(|part| it.is_within(part));
             let is_same = |it: &Place| it.is_general() || is_within(it);
             let is_sure = part.is_half() || other.is_some();
@@ -152,10 +150,9 @@ impl Run<'_> {
             };
             (found, before) = (Some(shown), half);
         }
-        let few = found.filter(|it| it.scenes.len() <= 8);
         Some(Finding {
             is_right_alone: true,
-            own: few.map(Box::new),
+            own: found.filter(|it| it.scenes.len() <= 8),
             ..Finding::default()
         })
     }
@@ -224,8 +221,7 @@ impl Run<'_> {
         };
         let (right, with_first) = (formula(&plan.profile, None), formula(&then, None));
         let is_first = |scene: &Scene, color: Triple| with_first.fits(scene, color) == Some(true);
-        let mut shown =
-            |is_so: &dyn Fn(&Failure) -> bool| self.smallest(Law::Formula, until, is_so);
+        let mut shown = |is_so: &IsSo| self.smallest(Law::Formula, until, is_so);
         first.own = shown(&|it| is_first(&it.case.scene, it.replies[0]));
         second.own = shown(&|it| is_first(&it.case.scene, right.reply(&it.case.scene)));
     }

@@ -62,11 +62,6 @@ impl Laws {
 
 /// Tries a renderer by the laws, and panics with the report if one is broken.
 ///
-/// ```should_panic
-/// let black = shading_laws::from_fn(shading_laws::Profile::default(), |_scene| [0.0; 3]);
-/// shading_laws::check(black);
-/// ```
-///
 /// # Panics
 ///
 /// If a law is broken, or the renderer cannot answer.
@@ -88,6 +83,9 @@ struct Failure {
     replies: Vec<Triple>,
 }
 
+/// Whether a case is one that is looked for.
+type IsSo<'a> = dyn Fn(&Failure) -> bool + 'a;
+
 struct Run<'a> {
     renderer: &'a mut dyn Renderer,
     plan: &'a Plan,
@@ -100,8 +98,7 @@ struct Run<'a> {
     tried: usize,
     failures: BTreeMap<Law, Vec<Failure>>,
     evidence: Evidence,
-    /// Why the renderer did not answer the first time that it did not, and whether it was the last
-    /// time that it was asked.
+    /// Why the renderer did not answer for the first time, and whether it is asked no more.
     error: Option<String>,
     is_over: bool,
     /// The renderer does not go on.
@@ -257,44 +254,35 @@ impl Run<'_> {
 
     /// The smallest case like this that breaks a law, if one does; if rounding does not explain the first one, it
     /// does not explain that one either.
-    fn smallest(
-        &mut self,
-        law: Law,
-        until: Duration,
-        is_so: &dyn Fn(&Failure) -> bool,
-    ) -> Option<Box<Counterexample>> {
+    fn smallest(&mut self, law: Law, until: Duration, is_so: &IsSo) -> Option<Counterexample> {
         let failures = self.failures.get(&law)?.iter().filter(|it| is_so(it));
         // the order in which failures are worth showing
         let rank = |it: &&Failure| (!it.broken.is_clear(), shrink::cost(&it.case.scene));
         let mut failure = failures.min_by_key(rank)?.clone();
         let is_clear = failure.broken.is_clear();
+        let plan = self.plan;
+        let mut simpler = shrink::simpler(&failure.case.scene, &plan.profile).into_iter();
         // without a clock, so many batches end the search
-        let mut left = usize::from(self.plan.laws.shrinks) * MOST_BATCHES;
-        'smaller: loop {
-            let simpler = shrink::simpler(&failure.case.scene, &self.plan.profile);
-            for scenes in simpler.chunks(SIMPLER) {
-                if left == 0 || self.now() >= until || self.is_over {
-                    break 'smaller;
-                }
-                left -= 1;
-                let case =
-                    |scene: &Scene| Case::new(scene.clone(), &self.right, law == Law::NoMemory);
-                let cases: Vec<Case> = scenes.iter().map(case).collect();
-                let replies = self.replies(&cases).unwrap_or_default();
-                let answers = cases.iter().zip(&replies);
-                let mut failures = answers.filter_map(|(case, it)| self.failure(law, case, it));
-                let is_like = |it: &Failure| (it.broken.is_clear() || !is_clear) && is_so(it);
-                if let Some(found) = failures.find(is_like) {
-                    failure = found;
-                    continue 'smaller;
-                }
+        for _ in 0..usize::from(plan.laws.shrinks) * MOST_BATCHES {
+            if simpler.len() == 0 || self.now() >= until || self.is_over {
+                break;
             }
-            break;
+            let scenes = simpler.by_ref().take(SIMPLER);
+            let case = |scene| Case::new(scene, &self.right, law == Law::NoMemory);
+            let cases: Vec<Case> = scenes.map(case).collect();
+            let replies = self.replies(&cases).unwrap_or_default();
+            let answers = cases.iter().zip(&replies);
+            let mut failures = answers.filter_map(|(case, it)| self.failure(law, case, it));
+            let is_like = |it: &Failure| (it.broken.is_clear() || !is_clear) && is_so(it);
+            if let Some(found) = failures.find(is_like) {
+                simpler = shrink::simpler(&found.case.scene, &plan.profile).into_iter();
+                failure = found;
+            }
         }
         let mut scenes = failure.case.scenes();
         if law != Law::NoMemory {
             scenes.truncate(1);
         }
-        Some(Box::new(self.told(scenes, failure.replies, failure.broken)))
+        Some(self.told(scenes, failure.replies, failure.broken))
     }
 }

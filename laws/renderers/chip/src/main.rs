@@ -1,9 +1,5 @@
-//! Shades scenes with `embedded-3dgfx`, a renderer for microcontrollers. It reads and writes the
-//! format of `../docs/format.md`.
-//!
-//! The engine has one directional light, white and of intensity 1, and white highlights. So the
-//! color of the mesh is k_d I, and each channel of a scene is drawn by itself, with the highlight
-//! k_s I of that channel. It is drawn in green, which has the most bits of RGB565.
+//! Shades scenes with `embedded-3dgfx`, a renderer for microcontrollers, in the format of `../docs/format.md`. Its light is
+//! white, so each channel of a scene is drawn by itself, in green, which has the most bits of RGB565.
 
 use std::io::{self, BufRead, Write};
 
