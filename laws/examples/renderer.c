@@ -54,14 +54,11 @@ static const char *read_light(const char *text, Light *light) {
     sscanf(text, "{\"kind\":\"%15[a-z]\",\"intensity\":" VEC ",%n", light->kind, TO(light->intensity), &end);
     text += end;
     end = 0;
-    if (strcmp(light->kind, "directional") == 0)
-        sscanf(text, "\"l\":" VEC "}%n", TO(light->l), &end);
-    else if (strcmp(light->kind, "point") == 0)
-        sscanf(text, "\"position\":" VEC ",\"attenuation\":" VEC "}%n", TO(light->position), TO(light->attenuation),
-               &end);
-    else if (strcmp(light->kind, "spot") == 0)
-        sscanf(text, "\"position\":" VEC ",\"attenuation\":" VEC ",\"axis\":" VEC ",\"angle\":%lf}%n",
-               TO(light->position), TO(light->attenuation), TO(light->axis), &light->angle, &end);
+    /* a format that does not fit the rest leaves `end` as it is */
+    sscanf(text, "\"l\":" VEC "}%n", TO(light->l), &end);
+    sscanf(text, "\"position\":" VEC ",\"attenuation\":" VEC "}%n", TO(light->position), TO(light->attenuation), &end);
+    sscanf(text, "\"position\":" VEC ",\"attenuation\":" VEC ",\"axis\":" VEC ",\"angle\":%lf}%n",
+           TO(light->position), TO(light->attenuation), TO(light->axis), &light->angle, &end);
     return end > 0 ? text + end : NULL;
 }
 

@@ -67,19 +67,14 @@ impl Bounded {
 
     /// This with an error larger by `more`.
     pub fn looser(self, more: f64) -> Self {
-        Self {
-            error: self.error + more,
-            ..self
-        }
+        let error = self.error + more;
+        Self { error, ..self }
     }
 
     /// `then` where this is positive. Where the error leaves that open, the renderer may have taken either.
-    pub fn if_positive(self, then: Self, otherwise: Self) -> Self {
-        let (taken, other) = if self.value > 0.0 {
-            (then, otherwise)
-        } else {
-            (otherwise, then)
-        };
+    pub fn if_positive(self, then: Self, other: Self) -> Self {
+        let is_so = self.value > 0.0;
+        let (taken, other) = if is_so { (then, other) } else { (other, then) };
         let gap = if self.value.is_nan() {
             f64::INFINITY
         } else if self.value.abs() <= self.error && self.error > 0.0 {
@@ -87,10 +82,8 @@ impl Bounded {
         } else {
             0.0
         };
-        Self {
-            error: taken.error.max(gap),
-            ..taken
-        }
+        let error = taken.error.max(gap);
+        Self { error, ..taken }
     }
 
     /// cosine^m as a renderer may compute it, exp2(m·log2 cosine): the logarithm loses 3 units in
@@ -114,12 +107,9 @@ impl Number for Bounded {
     fn root(self) -> Self {
         let value = self.value.sqrt();
         // √x − √(x − e) = e/(√x + √(x − e))
-        let least = (self.value - self.error).max(0.0).sqrt();
-        let error = if self.error == 0.0 {
-            0.0
-        } else {
-            self.error / (value + least)
-        };
+        let e = self.error;
+        let sum = value + (self.value - e).max(0.0).sqrt();
+        let error = if e == 0.0 { 0.0 } else { e / sum };
         Self::rounded(value, error, FUNCTION, self.u)
     }
 }
@@ -127,10 +117,8 @@ impl Number for Bounded {
 impl Neg for Bounded {
     type Output = Self;
     fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            ..self
-        }
+        let value = -self.value;
+        Self { value, ..self }
     }
 }
 

@@ -70,11 +70,10 @@ impl Cause {
 
     /// That colors depend on what was asked before.
     pub(crate) fn state() -> Self {
+        let says = "a scene changes the color of the scenes after it, or the same scene, asked again, \
+                    has another color";
         Self {
-            says:
-                "a scene changes the color of the scenes after it, or the same scene, asked again, \
-                   has another color"
-                    .into(),
+            says: says.into(),
             ..Self::default()
         }
     }

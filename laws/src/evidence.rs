@@ -78,11 +78,8 @@ impl Evidence {
 
     /// Notes a color.
     pub fn note(&mut self, is_right: bool, scene: &Scene, reply: Triple) {
-        let samples = if is_right {
-            &mut self.right
-        } else {
-            &mut self.wrong
-        };
+        let Self { wrong, right, .. } = self;
+        let samples = if is_right { right } else { wrong };
         samples.push((scene.clone(), reply));
     }
 

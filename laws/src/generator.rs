@@ -50,8 +50,7 @@ impl Generator<'_> {
         let i_a = self.color(profile.brightest(), is_long);
         let count = self.random.below(profile.most_lights.min(4) + 1);
         let ways: Vec<Triple> = (0..count).map(|_| self.way(n)).collect();
-        let lights = ways.iter();
-        let lights = lights.map(|way| self.light(p, vector(*way), is_long));
+        let lights = ways.iter().map(|way| self.light(p, *way, is_long));
         let lights: Vec<Light> = lights.collect();
         let first = ways.first().copied().unwrap_or(n);
         let far = self.random.one_of(&[1.0, 2.0, 0.25, 8.0]);
@@ -157,7 +156,7 @@ impl Generator<'_> {
     }
 
     fn light(&mut self, p: Triple, way: Triple, is_long: bool) -> Light {
-        let profile = self.profile;
+        let (profile, way) = (self.profile, vector(way));
         let kind = self.random.one_of(&profile.lights);
         let intensity = self.color(profile.brightest(), is_long);
         let short = self.random.one_of(&[1.0, 2.0, 0.5, 4.0]);

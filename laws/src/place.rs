@@ -31,9 +31,8 @@ impl Place {
         let ids = self.only_with.iter();
         if whole.is_general() {
             // what takes away a part of the light may take away what is wrong with it, too
-            let mut others = ids
-                .filter(|id| !is_of_whole(id))
-                .filter_map(|id| number(id));
+            let others = ids.filter(|id| !is_of_whole(id));
+            let mut others = others.filter_map(|id| number(id));
             others.find(|k| whole.only_with.len() < 2 || !DARKER.contains(&EDITS[*k].id))
         } else {
             let mut shared = ids.filter(is_of_whole);
@@ -72,21 +71,18 @@ pub fn number(id: &str) -> Option<usize> {
 
 /// Makes one place of two that are the parts of one thing, which is wrong as a whole.
 pub fn merge(places: &mut Vec<Place>) {
-    'merged: loop {
-        for parts in PARTS {
-            let of_part = |part| places.iter().position(|it| it.only_with.contains(&part));
-            let [Some(a), Some(b)] = parts.map(of_part) else {
-                continue;
-            };
-            let is_other = |id: &&&str| !parts.contains(id) && !WHOLE.contains(id);
-            let others = |i: usize| places[i].only_with.iter().filter(is_other);
-            if a != b && others(a).eq(others(b)) {
-                let other = places[b].only_with.clone();
-                places[a].only_with.retain(|id| other.contains(id));
-                places.remove(b);
-                continue 'merged;
-            }
+    for parts in PARTS {
+        let of_part = |part| places.iter().position(|it| it.only_with.contains(&part));
+        let [Some(a), Some(b)] = parts.map(of_part) else {
+            continue;
+        };
+        let is_other = |id: &&&str| !parts.contains(id) && !WHOLE.contains(id);
+        let others = |i: usize| places[i].only_with.iter().filter(is_other);
+        if a != b && others(a).eq(others(b)) {
+            let other = places[b].only_with.clone();
+            places[a].only_with.retain(|id| other.contains(id));
+            places.remove(b);
+            return merge(places);
         }
-        return;
     }
 }

@@ -11,11 +11,10 @@ impl Random {
     }
 
     /// From 0 to below `count`.
+    #[allow(clippy::cast_possible_truncation)] // below a count
     pub fn below(&mut self, count: usize) -> usize {
         // a range of usize takes less of the stream on a machine of 32 bits
-        #[allow(clippy::cast_possible_truncation)] // below a count
-        let below = self.0.u64(..count as u64) as usize;
-        below
+        self.0.u64(..count as u64) as usize
     }
 
     /// A whole number from `low` to `high`, both included.

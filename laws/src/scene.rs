@@ -11,16 +11,6 @@ pub type Triple = [f64; 3];
 ///
 /// Positions are in one unit of length, angles in radians, light is linear. The renderer's type
 /// holds almost all numbers exactly.
-///
-/// ```
-/// use shading_laws::Scene;
-///
-/// let line = r#"{"model":"lambert","p":[0,0,0],"n":[0,0,1],"v":[0,0,2],"k_a":[0,0,0],"k_d":[1,1,1],
-///     "k_s":[0,0,0],"m":1,"i_a":[0,0,0],"lights":[{"kind":"directional","intensity":[1,1,1],"l":[0,0,1]}]}"#;
-/// let scene = Scene::from_json(line).unwrap();
-/// assert_eq!(scene.k_d, [1.0; 3]);
-/// assert!(scene.to_json().starts_with(r#"{"model":"lambert","p":[0.0,0.0,0.0],"#));
-/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {

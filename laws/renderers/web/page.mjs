@@ -3,7 +3,7 @@
 /** Opens a scene with one point, one material and eight lights. */
 export function start() {
   const { BABYLON } = window;
-  const { Color3, Color4, Vector3 } = BABYLON;
+  const { Color4, Vector3 } = BABYLON;
   const engine = new BABYLON.Engine(document.createElement("canvas"), false, { useHighPrecisionMatrix: true });
   const scene = new BABYLON.Scene(engine);
   scene.imageProcessingConfiguration.isEnabled = false;

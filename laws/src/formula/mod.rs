@@ -56,7 +56,7 @@ impl Formula<'_> {
         self.surface(scene, at);
         for light in &scene.lights {
             at.light = Some(*light);
-            self.arriving(scene, at);
+            self.arriving(scene, *light, at);
             self.reflected(at);
             at.i += 1.0;
         }
@@ -80,19 +80,14 @@ impl Formula<'_> {
         at.k_d = given3(scene.k_d, u);
         at.k_s = given3(scene.k_s, u);
         at.m = self.number(Part::M, at, Bounded::exact(scene.m)).value;
-        at.ambient = self.hook(
-            Part::Ambient,
-            at,
-            mul(given3(scene.k_a, u), given3(scene.i_a, u)),
-        );
+        let ambient = mul(given3(scene.k_a, u), given3(scene.i_a, u));
+        at.ambient = self.hook(Part::Ambient, at, ambient);
         at.ambients = self.hook(Part::Once, at, at.ambient);
     }
 
     /// A light where it arrives.
-    fn arriving(&self, scene: &Scene, at: &mut At) {
-        let (u, Some(light)) = (self.u, at.light) else {
-            return;
-        };
+    fn arriving(&self, scene: &Scene, light: Light, at: &mut At) {
+        let u = self.u;
         (at.falloff, at.cone) = (ONE, ONE);
         at.intensity = self.hook(Part::Intensity, at, given3(light.intensity(), u));
         if let Light::Directional { l, .. } = light {
@@ -210,12 +205,9 @@ impl Formula<'_> {
     pub fn excess(&self, c: Bounded, reply: f64) -> Option<(f64, f64)> {
         let [low, high] = self.ends(c).filter(|_| reply.is_finite())?;
         let right = self.encoded(c.value);
-        let allowed = if reply > right {
-            high - right
-        } else {
-            right - low
-        };
-        (!(low..=high).contains(&reply)).then_some((reply - right, allowed))
+        let end = if reply > right { high } else { low };
+        let is_off = !(low..=high).contains(&reply);
+        is_off.then_some((reply - right, (end - right).abs()))
     }
 
     /// The reply of a renderer like this.

@@ -21,9 +21,6 @@ const LONGEST: u64 = 65_536;
 /// How long a process may take to end, on a machine that is busy, too.
 const GRACE: Duration = Duration::from_secs(5);
 
-/// The scenes of the first batches.
-const FIRST: usize = 50;
-
 /// How often a run that takes long says how far it is.
 const TOLD: Duration = Duration::from_secs(3);
 
@@ -206,8 +203,8 @@ impl Renderer for Piped {
         if self.is_over {
             self.begin_again()?;
         }
-        // a line too many comes at once, if it comes; a moment after the first batches shows it
-        let patience = Duration::from_millis(if self.scenes < FIRST { 50 } else { 0 });
+        // a line too many comes at once, if it comes; a moment after the first batches of fifty scenes shows it
+        let patience = Duration::from_millis(if self.scenes < 50 { 50 } else { 0 });
         if self.scenes > 0 {
             self.nothing_more(patience)?;
         }

@@ -30,7 +30,8 @@ impl Run<'_> {
         let explains = self.plan.laws.explains;
         let cause = explains.then(|| self.evidence.cause()).flatten();
         let history = self.history();
-        let is_fickle = !of_state.is_empty() || history.is_some() || self.is_right_again();
+        let is_fickle =
+            !of_state.is_empty() || history.is_some() || self.is_right_again() == Some(true);
         // what is remembered looks like few digits, too
         let cause = cause.filter(|it| !is_fickle || it.then.is_some());
         let mut findings = Vec::new();
@@ -51,12 +52,10 @@ impl Run<'_> {
                 // not to be given up everywhere
                 let is_everywhere = places.iter().all(|it| it.only_with.is_empty());
                 let may = |it: &Cause| is_finite && (is_everywhere || it.then.is_some());
-                let refused = |it: Cause| Cause {
-                    declare: it.declare.clone().filter(|_| may(&it)),
-                    ..it
-                };
+                let declared = cause.as_ref().filter(|it| may(it));
+                let declare = declared.and_then(|it| it.declare.clone());
                 Finding {
-                    cause: cause.map(refused),
+                    cause: cause.map(|it| Cause { declare, ..it }),
                     places,
                     laws: laws.clone(),
                     ..Finding::default()
@@ -158,17 +157,14 @@ impl Run<'_> {
     }
 
     /// Whether what was wrong is right when it is asked again, so that it depends on what was asked before.
-    fn is_right_again(&mut self) -> bool {
+    fn is_right_again(&mut self) -> Option<bool> {
         let first = self.failures.values().filter_map(|of_law| of_law.first());
         let first: Vec<Failure> = first.cloned().collect();
-        let cases: Vec<Case> = first.iter().map(|failure| failure.case.clone()).collect();
-        let Some(replies) = self.replies(&cases) else {
-            return false;
-        };
+        let cases: Vec<Case> = first.iter().map(|it| it.case.clone()).collect();
+        let replies = self.replies(&cases)?;
         let again = first.iter().zip(&replies);
-        let broken =
-            again.filter(|(it, replies)| self.failure(it.law, &it.case, replies).is_some());
-        broken.count() * 2 < first.len()
+        let again = again.filter_map(|(it, replies)| self.failure(it.law, &it.case, replies));
+        Some(again.count() * 2 < first.len())
     }
 
     /// Some of the scenes whose colors are wrong, of each law as many.

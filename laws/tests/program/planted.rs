@@ -127,6 +127,38 @@ fn what_many_scenes_bring_about_is_reproduced_by_the_run() {
     assert!(!report.contains("To reproduce it:"), "{report}");
 }
 
+/// What is wrong only after other scenes looks like few digits. It is told once, as what it is.
+#[test]
+fn what_is_remembered_is_not_told_of_digits() {
+    let script = PYTHON.replace(
+        "def shade(scene):\n",
+        "count = 0\n\n\ndef shade(scene):\n    global count\n    count += 1\n",
+    );
+    let drifting = "    return scale(color, 1 + (count % 5 - 2) / 4096)\n";
+    let script = script.replace("    return color\n", drifting);
+    assert!(script.contains("global count") && script.contains(drifting));
+    let report = shell(&script, r#"$laws python3 -c "$script""#, 1);
+    assert!(
+        report.contains("Finding 1 of 1: a scene changes"),
+        "{report}"
+    );
+}
+
+/// Directions to lamps in `f32`, and all else in `f64`, as the profile says. Who declared `f32` for all would lose
+/// mistakes of ambient light.
+#[test]
+fn digits_that_one_place_lacks_are_not_to_be_given_up_everywhere() {
+    let single = "[struct.unpack(\"f\", struct.pack(\"f\", c))[0] for c in scale(to_light, 1 / q)]";
+    let script = PYTHON.replace("scale(to_light, 1 / q)", single);
+    assert_ne!(script, PYTHON);
+    let script = format!("import struct\n{script}");
+    let report = shell(&script, r#"$laws python3 -c "$script""#, 1);
+    for part in ["a roundoff of 2^-2", "  Wrong only with: lamps, lights.\n"] {
+        assert!(report.contains(part), "{report}");
+    }
+    assert!(!report.contains("add to the profile"), "{report}");
+}
+
 /// Takes out single lines of an example. What is left has no memory, so none may be told of it.
 fn lines_are_missed(language: &str, step: usize) {
     let file = Path::new(FOLDER).join(format!("missing.{language}"));

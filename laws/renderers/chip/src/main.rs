@@ -1,7 +1,7 @@
 //! Shades scenes with `embedded-3dgfx`, a renderer for microcontrollers, in the format of `../docs/format.md`. Its light is
 //! white, so each channel of a scene is drawn by itself, in green, which has the most bits of RGB565.
 
-use std::io::{self, BufRead, Write};
+use std::io;
 
 use embedded_3dgfx::config::MaterialProfile;
 use embedded_3dgfx::pipeline::command_buffer::RenderCommand;
@@ -72,18 +72,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     engine.camera.vp_matrix = Matrix4::zeros();
     engine.camera.vp_matrix[(3, 3)] = 1.0;
 
-    let mut output = io::BufWriter::new(io::stdout().lock());
-    for line in io::stdin().lock().lines() {
+    for line in io::stdin().lines() {
         match line?.as_str() {
-            r#"{"shading-laws":1}"# => writeln!(output, "{PROFILE}")?,
+            r#"{"shading-laws":1}"# => println!("{PROFILE}"),
             "" => {}
-            scene => {
-                let color = shade(&mut engine, &Scene::from_json(scene)?);
-                writeln!(output, "{color:?}")?;
-                continue;
-            }
+            scene => println!("{:?}", shade(&mut engine, &Scene::from_json(scene)?)),
         }
-        output.flush()?;
     }
     Ok(())
 }
