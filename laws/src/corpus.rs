@@ -281,9 +281,15 @@ impl Corpus<'_> {
         self.each_kind(UP, UP, UP, most);
     }
 
-    /// As many lights as it has: all alike, and each in turn the brightest.
+    /// Two lights that are equal or differ in color alone; and as many as it has, of which each in turn is the brightest.
     #[allow(clippy::cast_precision_loss)] // the count of lights
     fn many_lights(&mut self) {
+        let [lights, dim] = [0.5, 0.25].map(|c| self.kinds(UP, [c; 3]));
+        for (light, dim) in lights.into_iter().zip(dim) {
+            for other in [light, dim] {
+                self.add(&Self::scene(UP, UP, 8.0, vec![light, other]));
+            }
+        }
         let most = self.profile.most_lights;
         let counts = BTreeSet::from([most, most.saturating_sub(1), 5, 9, 17]);
         for count in counts.into_iter().filter(|it| (2..=most).contains(it)) {
