@@ -9,7 +9,7 @@ use crate::formula::Formula;
 use crate::mistakes::{Fault, formula};
 use crate::profile::Profile;
 use crate::random::Random;
-use crate::scene::{Scene, Triple, mul};
+use crate::scene::{Scene, Triple, mul, size, sub};
 
 /// The most colors that are kept, wrong ones and right ones.
 const MOST: usize = 600;
@@ -155,13 +155,16 @@ impl Evidence {
 
     /// How well formulas explain the colors, if they contradict nearly no right one, and, if the whole is asked
     /// for, give nearly all of the wrong ones.
-    fn score(&self, formula: &Formula, is_whole: bool) -> Option<Cause> {
+    fn score(&self, wrong: &Formula, is_whole: bool) -> Option<Cause> {
+        let right = formula(&self.profile, None);
         let all = self.wrong.len();
         let (mut unexplained, mut contradicted) = (0, 0);
         for i in 0..all.max(self.right.len()) {
-            let fits = |(scene, reply): &Sample| formula.fits(scene, *reply);
-            // what may be anything, such as a highlight along a surface, is not explained by that
-            let is_unexplained = |sample| fits(sample) != Some(true);
+            let fits = |(scene, reply): &Sample| wrong.fits(scene, *reply);
+            let off = |it: &Formula, (scene, reply): &Sample| size(sub(it.reply(scene), *reply));
+            // neither what may be anything, as a highlight along a surface, nor what stays half as wrong is explained
+            let is_unexplained =
+                |it: &Sample| fits(it) != Some(true) || 2.0 * off(wrong, it) > off(&right, it);
             unexplained += usize::from(self.wrong.get(i).is_some_and(is_unexplained));
             // a right color that is wrong with the mistake shows that it is made elsewhere; rounding decides a few
             contradicted += usize::from(self.right.get(i).and_then(fits) == Some(false));

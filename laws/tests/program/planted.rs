@@ -144,6 +144,23 @@ fn what_is_remembered_is_not_told_of_digits() {
     );
 }
 
+/// In few digits, a mistake that changes little fits what another one makes slightly too dark. It explains nothing of
+/// that: the colors remain as wrong.
+#[test]
+fn what_changes_little_explains_little() {
+    for (old, new, place) in [
+        ("n_dot_l)\n", "0.95 * n_dot_l)\n", "diffuse, lights"),
+        ("1 / (a + b", "0.9 / (a + b", "lamps, lights"),
+    ] {
+        let script = PYTHON.replace("2**-53", "2**-11").replacen(old, new, 1);
+        assert!(script.contains("2**-11") && script.contains(new));
+        let report = shell(&script, r#"$laws python3 -c "$script""#, 1);
+        for part in ["Finding 1 of 1: no known", &format!("only with: {place}.")] {
+            assert!(report.contains(part), "{report}");
+        }
+    }
+}
+
 /// Directions to lamps in `f32`, and all else in `f64`, as the profile says. Who declared `f32` for all would lose
 /// mistakes of ambient light.
 #[test]
