@@ -281,7 +281,7 @@ impl Corpus<'_> {
         self.each_kind(UP, UP, UP, most);
     }
 
-    /// Two lights that are equal or differ in color alone; and as many as it has, of which each in turn is the brightest.
+    /// Two lights that are equal or differ in color alone; and as many as it has, each in turn the brightest.
     #[allow(clippy::cast_precision_loss)] // the count of lights
     fn many_lights(&mut self) {
         let [lights, dim] = [0.5, 0.25].map(|c| self.kinds(UP, [c; 3]));

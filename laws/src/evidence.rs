@@ -162,7 +162,7 @@ impl Evidence {
         for i in 0..all.max(self.right.len()) {
             let fits = |(scene, reply): &Sample| wrong.fits(scene, *reply);
             let off = |it: &Formula, (scene, reply): &Sample| size(sub(it.reply(scene), *reply));
-            // neither what may be anything, as a highlight along a surface, nor what stays half as wrong is explained
+            // neither what may be anything, as a highlight along a surface, nor what stays half as wrong counts
             let is_unexplained =
                 |it: &Sample| fits(it) != Some(true) || 2.0 * off(wrong, it) > off(&right, it);
             unexplained += usize::from(self.wrong.get(i).is_some_and(is_unexplained));

@@ -171,9 +171,9 @@ fn what_hides_mistakes_is_not_to_be_pasted() {
     assert!(!text.contains("add to the profile"), "{text}");
 }
 
-/// A white surface would be brighter than the range, so it is tried in dimmer light. There, no light is above 4, and
-/// the color is right without a black or a colored surface being the reason. Without the diffuse term or lights, all of which
-/// are directional, nothing is left of the mistake, and no light of 1 is cut.
+/// A white surface would be brighter than the range, so it is tried in dimmer light. There, no light is above 4,
+/// and the color is right without a black or a colored surface being the reason. Without the diffuse term or
+/// lights, all of which are directional, nothing is left of the mistake, and no light of 1 is cut.
 #[test]
 fn what_is_right_in_dimmer_light_is_not_placed_by_that() {
     let cut = |scene: &Scene| {

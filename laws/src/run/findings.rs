@@ -48,8 +48,8 @@ impl Run<'_> {
         if !laws.is_empty() && (cause.is_some() || !is_fickle) {
             let is_finite = !laws.contains(&Law::Finite.name());
             let finding = |(cause, places): (Option<Cause>, Vec<Place>)| {
-                // a color that is not finite breaks a law whatever is declared, and digits that one place lacks are
-                // not to be given up everywhere
+                // a color that is not finite breaks a law whatever is declared, and what one place lacks of
+                // digits is not to be given up everywhere
                 let is_everywhere = places.iter().all(|it| it.only_with.is_empty());
                 let may = |it: &Cause| is_finite && (is_everywhere || it.then.is_some());
                 let declared = cause.as_ref().filter(|it| may(it));
@@ -105,8 +105,8 @@ impl Run<'_> {
         vec![(cause, places)]
     }
 
-    /// What a failed case shows after these scenes, of a renderer that has forgotten all others: nothing if its color
-    /// is right there. None if the renderer cannot forget.
+    /// What a failed case shows after these scenes, of a renderer that has forgotten all others: nothing if its
+    /// color is right there. None if the renderer cannot forget.
     #[allow(clippy::option_option)] // an answer, and what it shows
     fn after(&mut self, before: &[Scene], failure: &Failure) -> Option<Option<Counterexample>> {
         if self.is_over || !self.renderer.begin_again().unwrap_or(false) {

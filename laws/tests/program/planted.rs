@@ -144,8 +144,8 @@ fn what_is_remembered_is_not_told_of_digits() {
     );
 }
 
-/// In few digits, a mistake that changes little fits what another one makes slightly too dark. It explains nothing of
-/// that: the colors remain as wrong.
+/// In few digits, a mistake that changes little fits what another one makes slightly too dark. It explains nothing
+/// of that: the colors remain as wrong.
 #[test]
 fn what_changes_little_explains_little() {
     for (old, new, place) in [

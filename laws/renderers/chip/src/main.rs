@@ -1,5 +1,5 @@
-//! Shades scenes with `embedded-3dgfx`, a renderer for microcontrollers, in the format of `../docs/format.md`. Its light is
-//! white, so each channel of a scene is drawn by itself, in green, which has the most bits of RGB565.
+//! Shades scenes with `embedded-3dgfx`, a renderer for microcontrollers, in the format of `../docs/format.md`.
+//! Its light is white, so each channel of a scene is drawn by itself, in green, which has the most bits of RGB565.
 
 use std::io;
 
