@@ -20,7 +20,7 @@ pub struct Cause {
     pub of: usize,
     /// Other mistakes that give the same colors.
     pub alternatives: Vec<Fault>,
-    /// What the renderer would say of itself if this were on purpose.
+    /// What the renderer would say of itself if this were on purpose; nothing of few digits.
     #[serde(skip)]
     pub(crate) then: Option<Box<Profile>>,
     /// The number of colors, wrong or right, that this does not give.

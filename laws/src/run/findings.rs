@@ -48,8 +48,8 @@ impl Run<'_> {
         if !laws.is_empty() && (cause.is_some() || !is_fickle) {
             let is_finite = !laws.contains(&Law::Finite.name());
             let finding = |(cause, places): (Option<Cause>, Vec<Place>)| {
-                // a color that is not finite breaks a law whatever is declared, and what one place lacks of
-                // digits is not to be given up everywhere
+                // a color that is not finite breaks a law whatever is declared, and digits that one place lacks
+                // are needed elsewhere
                 let is_everywhere = places.iter().all(|it| it.only_with.is_empty());
                 let may = |it: &Cause| is_finite && (is_everywhere || it.then.is_some());
                 let declared = cause.as_ref().filter(|it| may(it));
