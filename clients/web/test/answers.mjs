@@ -150,7 +150,7 @@ export const WRONG = {
     [spot("return Math.abs(dot(l, axis)) >= Math.cos(angle) ? 1 : 0;"), /second cone/],
     [spot("return Math.max(0, -dot(l, axis));"), /not depend on the angle/],
     [spot("return -dot(l, axis) >= Math.cos(angle * 180 / Math.PI) ? 1 : 0;"), /into degrees/],
-    [spot("return -dot(l, axis) >= Math.cos(angle);"), /returned the boolean true/],
+    [spot("return -dot(l, axis) >= Math.cos(angle);"), /returned the boolean (true|false)/],
     [spot("return Math.acos(dot(scale(l, -1), axis)) <= angle ? 1 : 0;"), /a little above 1/],
     [spot("return Math.acos(dot(l, axis)) < angle ? 1 : 0;"), /back of the lamp/],
   ],

@@ -10,7 +10,7 @@ const in_front = ({ n, lights }) => lights.filter(({ l }) => dot(n, l) > 0);
 
 /** The lights before the first one that is behind the surface. */
 function before_behind({ n, lights }) {
-  const behind = lights.findIndex(({ l }) => dot(n, l) <= 0);
+  const behind = lights.findIndex(({ l }) => dot(unit(n), l) <= 0);
   return behind < 0 ? lights : lights.slice(0, behind);
 }
 
