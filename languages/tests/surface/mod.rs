@@ -21,7 +21,7 @@ pub fn rounded_box<T: Elementary + PartialOrd>(p: Vec3<T>) -> T {
 pub fn figure<T: Elementary + PartialOrd>(p: Vec3<T>) -> T {
     let ball = p.length() - T::ONE;
     if p.z > T::ONE {
-        return ball;
+        return ball.at_least(-p.x); // it is no |ball|
     }
     if p.z <= T::ZERO {
         return (p.x * p.x + p.y * p.y).sqrt() - T::of(0.5);
