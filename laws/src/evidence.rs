@@ -62,7 +62,7 @@ const FORMS: &[Form] = &[
 #[derive(Clone, Default)]
 pub struct Evidence {
     profile: Profile,
-    wrong: Vec<Sample>,
+    pub wrong: Vec<Sample>,
     right: Vec<Sample>,
     of_some: OnceCell<Vec<Cause>>,
 }
@@ -135,11 +135,6 @@ impl Evidence {
             rest.note(formula.fits(scene, *reply) != Some(false), scene, *reply);
         }
         rest
-    }
-
-    /// The scenes whose colors are wrong.
-    pub fn wrong_scenes(&self) -> Vec<Scene> {
-        self.wrong.iter().map(|(scene, _)| scene.clone()).collect()
     }
 
     /// The mistakes that explain some of the wrong colors, or nearly all, the best first.

@@ -19,6 +19,7 @@ pub type Clock = fn() -> Duration;
 /// let laws = Laws { seed: 7, cases: 50, ..Laws::default() };
 /// let report = laws.run(&mut black).unwrap();
 /// assert!(report.is_broken()); // there is no k_a I_a
+/// assert!(report.to_json().starts_with(r#"{"passes":false,"version":9,"seed":7,"#));
 /// ```
 #[derive(Clone, Debug)]
 pub struct Laws {

@@ -58,11 +58,6 @@ impl Case {
     }
 }
 
-/// The scenes of some cases, in the order in which the renderer gets them.
-pub fn handed(cases: &[Case]) -> Vec<Scene> {
-    cases.iter().flat_map(Case::scenes).collect()
-}
-
 impl Plan {
     /// The scenes of a run, or what prevents one, in one line.
     pub fn new(laws: &Laws, profile: &Profile) -> Result<Self, String> {
@@ -76,8 +71,7 @@ impl Plan {
         let mut scenes = corpus::edges(profile);
         let mut random = Random::new(laws.seed);
         let any = std::iter::repeat_with(|| generator::scene(profile, &mut random));
-        let most = 20 * laws.cases;
-        scenes.extend(any.take(most).flatten().take(laws.cases));
+        scenes.extend(any.take(20 * laws.cases).flatten().take(laws.cases));
         Random::new(laws.seed).shuffle(&mut scenes);
         let light = scenes.iter().find_map(|it| it.lights.first().copied());
         let right = formula(profile, None);

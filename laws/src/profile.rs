@@ -17,6 +17,12 @@ const OURS: f64 = 1e-15;
 ///
 /// The default is a renderer in `f32` that has everything, gives linear light without a limit and
 /// follows the formulas.
+///
+/// ```
+/// use shading_laws::Profile;
+/// let shader = Profile { srgb: true, bits: Some(8), ambient: false, ..Profile::default() };
+/// assert_eq!(shader.roundoff, f64::from(f32::EPSILON) / 2.0);
+/// ```
 #[allow(clippy::struct_excessive_bools)] // each is a fact of its own
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]

@@ -46,8 +46,7 @@ pub trait Renderer {
 
     /// Hears before each batch how far the run is, and says whether it goes on. If it does not, the
     /// report has what was found until then.
-    fn goes_on(&mut self, progress: &Progress) -> bool {
-        let _ = progress;
+    fn goes_on(&mut self, _progress: &Progress) -> bool {
         true
     }
 }

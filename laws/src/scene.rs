@@ -11,6 +11,12 @@ pub type Triple = [f64; 3];
 ///
 /// Positions are in one unit of length, angles in radians, light is linear. The renderer's type
 /// holds almost all numbers exactly.
+///
+/// ```
+/// let dark = r#"{"model":"lambert","p":[0,0,0],"n":[0,0,1],"v":[0,0,1],"k_a":[0,0,0],"k_d":[1,1,1],
+///     "k_s":[0,0,0],"m":1,"i_a":[0,0,0],"lights":[]}"#;
+/// assert_eq!(shading_laws::Scene::from_json(dark).unwrap().k_d, [1.0; 3]);
+/// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {

@@ -82,7 +82,8 @@ impl Run<'_> {
                 continue;
             };
             let rest = self.evidence.rest(then);
-            let (left, other) = (rest.wrong_scenes(), rest.whole());
+            let left: Vec<Scene> = rest.wrong.iter().map(|(it, _)| it.clone()).collect();
+            let other = rest.whole();
             if left.len() < FEW || other.is_none() && !is_vague {
                 continue;
             }

@@ -10,7 +10,7 @@ use crate::formula::Formula;
 use crate::law::{Broken, Law};
 use crate::mistakes::formula;
 use crate::options::Laws;
-use crate::plan::{Case, Plan, handed};
+use crate::plan::{Case, Plan};
 use crate::renderer::{Progress, Renderer};
 use crate::report::{Counterexample, LawReport, Report, Verdict};
 use crate::scene::{Scene, Triple};
@@ -43,7 +43,7 @@ impl Laws {
             start: (self.clock)(),
             progress: Progress {
                 asked: 0,
-                of: handed(&plan.cases).len(),
+                of: plan.cases.iter().flat_map(Case::scenes).count(),
                 broken: 0,
             },
             waited: Duration::ZERO,
@@ -67,11 +67,9 @@ impl Laws {
 /// If a law is broken, or the renderer cannot answer.
 #[track_caller]
 pub fn check(mut renderer: impl Renderer) {
-    match Laws::default().run(&mut renderer) {
-        Ok(report) if !report.passes() => panic!("{report}"),
-        Ok(_) => {}
-        Err(error) => panic!("{error}"),
-    }
+    let report = Laws::default().run(&mut renderer);
+    let report = report.unwrap_or_else(|error| panic!("{error}"));
+    assert!(report.passes(), "{report}");
 }
 
 /// A case in which a law does not hold.
@@ -163,7 +161,8 @@ impl Run<'_> {
 
     /// For each case the colors of its scenes.
     fn replies(&mut self, cases: &[Case]) -> Option<Vec<Vec<Triple>>> {
-        let mut replies = self.ask(&handed(cases))?.into_iter();
+        let scenes: Vec<Scene> = cases.iter().flat_map(Case::scenes).collect();
+        let mut replies = self.ask(&scenes)?.into_iter();
         let of_case = |case: &Case| replies.by_ref().take(case.scenes().len()).collect();
         Some(cases.iter().map(of_case).collect())
     }
