@@ -36,9 +36,8 @@ use crate::tree::Formula;
 /// );
 /// ```
 ///
-/// A comparison becomes a branch of the text, in which the formula is written for each answer. Where the branches
-/// can be computed beside each other, `at_least`, `at_most` and [`Mask::select`](shading::number::Mask::select) give a
-/// shorter text.
+/// A comparison becomes a branch of the text, and what follows it is written for each answer, so each further one
+/// doubles the text. `at_least`, `at_most` and [`Mask::select`](shading::number::Mask::select) do not.
 ///
 /// # Panics
 ///
